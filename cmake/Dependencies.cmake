@@ -1,0 +1,7 @@
+# Everything comes from Debian packages; ./dev deps installs them.
+find_package(GSL REQUIRED)
+find_package(Eigen3 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(doctest REQUIRED)
+find_package(CLI11 REQUIRED)
