@@ -21,8 +21,8 @@ struct DampingInversion {
     int impacts;                  ///< impacts solved on the way
 };
 
-/// Damping from restitution, with adhesion; Dong et al. 2013, section 4.2. Restitution falls monotonically with
-/// damping, so the answer is unique; restitution 0 gives the smallest damping that captures.
+/// Damping from restitution, with adhesion; Dong et al. 2013, section 4.2. Restitution falls monotonically
+/// with damping, so the answer is unique; restitution 0 gives the smallest damping that captures.
 /// @throws InputError naming the reachable range where no damping gives the restitution; ConvergenceError
 [[nodiscard]] DampingInversion damping_from_restitution(const DampingProblem& problem);
 

@@ -44,19 +44,23 @@ EnergyLedger ledger_of(const Motion<Extended>& motion, const Orbit<Extended>& or
 
 }  // namespace
 
-std::string_view name_of(Outcome outcome) { return outcome == Outcome::rebound ? "rebound" : "capture"; }
+std::string_view name_of(Outcome outcome) {
+    return outcome == Outcome::rebound ? "rebound" : "capture";
+}
 
 std::optional<std::string> refusal(Law law, Detachment detachment) {
-    return law.visit<std::optional<std::string>>([&]<template <class> class L>() -> std::optional<std::string> {
+    return law.visit<std::optional<std::string>>([&]<template <class> class L>()
+                                                     -> std::optional<std::string> {
         const L<Extended> numeric{L<Extended>::name == Hertz<Extended>::name ? 0.0L : 1.0L};
         const auto point = numeric.detachment_point(detachment);
-        const std::string subject = std::string(name_of(detachment)) + " does not end a contact of law " +
-                                    std::string(law.name());
+        const std::string subject =
+            std::string(name_of(detachment)) + " does not end a contact of law " + std::string(law.name());
         if (!point) return subject + ": the law has no such point apart from zero overlap";
         const Motion<Extended> motion =
             make_motion<L, Extended>(numeric.adhesion, DampingLaw::constant, 0.0L, detachment);
         if (motion.potential(*motion.end) < motion.potential(motion.touch)) {
-            return subject + ": its potential there is below that at first touch, an undamped impact would gain energy";
+            return subject +
+                   ": its potential there is below that at first touch, an undamped impact would gain energy";
         }
         return std::nullopt;
     });

@@ -60,8 +60,8 @@ struct ImpactResult {
 void validate(const ContactPair& contact);
 void validate(const Impact& impact);
 
-/// Solves one impact to the rounding of extended precision (relative error of restitution, times and overlap far
-/// below 1e-10 at fly-ash scale; conditioning 1 + |U_min|/(m v^2/2)).
+/// Solves one impact to the rounding of extended precision (relative error of restitution, times and overlap
+/// far below 1e-10 at fly-ash scale; conditioning 1 + |U_min|/(m v^2/2)).
 /// @throws InputError for inadmissible input, ConvergenceError if the step count runs away
 [[nodiscard]] ImpactResult solve_impact(const Impact& impact);
 

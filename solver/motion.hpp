@@ -13,8 +13,8 @@ namespace ashimpact {
 ///
 ///     dq/dtheta = v,   dv/dtheta = -delta'(q) (eta(q) v + F(q)),   dt/dtheta = delta'(q),   v = d(delta)/dt.
 ///
-/// q is u = sqrt(contact radius), or u^2 where every polynomial is even in u. Nothing is singular at touch, turning
-/// point or detachment.
+/// q is u = sqrt(contact radius), or u^2 where every polynomial is even in u. Nothing is singular at touch,
+/// turning point or detachment.
 template <class Real>
 struct Motion {
     Polynomial<Real> overlap;    ///< delta(q)
@@ -43,9 +43,15 @@ template <template <class> class L, class Real>
     motion.overlap = law.overlap(u);
     motion.force = law.force(u);
     switch (damping_law) {
-        case DampingLaw::constant: motion.damping = damping_number; break;
-        case DampingLaw::contact_radius: motion.damping = damping_number * (u * u); break;
-        case DampingLaw::tsuji: motion.damping = damping_number * u; break;
+        case DampingLaw::constant:
+            motion.damping = damping_number;
+            break;
+        case DampingLaw::contact_radius:
+            motion.damping = damping_number * (u * u);
+            break;
+        case DampingLaw::tsuji:
+            motion.damping = damping_number * u;
+            break;
     }
     motion.squared = motion.overlap.even() && motion.force.even() && motion.damping.even();
     if (motion.squared) {

@@ -9,10 +9,10 @@ namespace ashimpact {
 template <class Real>
 struct Orbit {
     Outcome outcome = Outcome::capture;
-    bool turned = false;       ///< false: so damped that it only creeps towards equilibrium
-    MotionState<Real> turn;    ///< at greatest overlap; where it never turns, the last state before equilibrium
-    MotionState<Real> end;     ///< at detachment, or where capture was certain
-    Real maximum_overlap{};    ///< greatest overlap, or its supremum
+    bool turned = false;     ///< false: so damped that it only creeps towards equilibrium
+    MotionState<Real> turn;  ///< at greatest overlap; where it never turns, the last state before equilibrium
+    MotionState<Real> end;   ///< at detachment, or where capture was certain
+    Real maximum_overlap{};  ///< greatest overlap, or its supremum
     int steps = 0;
 };
 
@@ -31,8 +31,8 @@ class CaptureTest {
 
   private:
     const Motion<Real>& motion_;
-    bool by_place_;             ///< the contact ends at a place, so capture is possible at all
-    bool always_overdamped_;    ///< Tsuji's law from sqrt5 on
+    bool by_place_;           ///< the contact ends at a place, so capture is possible at all
+    bool always_overdamped_;  ///< Tsuji's law from sqrt5 on
     Real end_overlap_{};
     Real end_potential_{};
     Real equilibrium_overlap_{};

@@ -10,7 +10,8 @@ namespace ashimpact {
 inline constexpr int most_steps = 20000;
 
 template <class Real>
-CaptureTest<Real>::CaptureTest(const Motion<Real>& motion) : motion_(motion), by_place_(motion.end.has_value()) {
+CaptureTest<Real>::CaptureTest(const Motion<Real>& motion)
+    : motion_(motion), by_place_(motion.end.has_value()) {
     const Real q = motion.equilibrium;
     always_overdamped_ = motion.touch == Real(0) && !motion.squared && motion.damping.degree == 1 &&
                          motion.damping[1] * motion.damping[1] >= Real(5);
@@ -32,7 +33,8 @@ bool CaptureTest<Real>::creeping(const MotionState<Real>& state) const {
     if (!by_place_) return false;
     if (always_overdamped_) return true;
     if (state.position < motion_.equilibrium) return false;
-    // Below the line v = -(eta/2)(delta - delta_end) the motion cannot get while F <= (eta^2/4)(delta - delta_end).
+    // Below the line v = -(eta/2)(delta - delta_end) the motion cannot get while F <= (eta^2/4)(delta -
+    // delta_end).
     const Real way = motion_.overlap(state.position) - end_overlap_;
     return state.velocity >= -least_damping_ / Real(2) * way &&
            Real(4) * motion_.force(state.position) < least_damping_ * least_damping_ * way;
@@ -46,12 +48,19 @@ bool CaptureTest<Real>::creeping_up(const MotionState<Real>& state) const {
     return damping * damping >= Real(4) * equilibrium_slope_ && state.velocity <= damping / Real(2) * way;
 }
 
-/// Pseudo-time within the step at which @p event changes sign, or none.
+/// Pseudo-time within [0, limit] at which @p event falls through zero, or none; it must be positive at first.
 template <class Real, class Event>
-[[nodiscard]] std::optional<Real> event_within(const MotionExpansion<Real>& x, Event&& event) {
+[[nodiscard]] std::optional<Real> event_within(const MotionExpansion<Real>& x, Real limit, Event&& event) {
     const auto along = [&](Real h) { return event(x.at(h)); };
-    if (along(x.step) > Real(0)) return std::nullopt;
-    return sign_change<Real>(along, x.step);
+    if (along(limit) > Real(0)) return std::nullopt;
+    return sign_change<Real>(along, limit);
+}
+
+/// Where the outward motion stops within the step, or the whole step: beyond it the particle comes back.
+template <class Real>
+[[nodiscard]] Real outward_part(const MotionExpansion<Real>& x) {
+    const auto inward = event_within(x, x.step, [](const MotionState<Real>& s) { return -s.velocity; });
+    return inward.value_or(x.step);
 }
 
 template <class Real, class Observer>
@@ -67,7 +76,7 @@ Orbit<Real> follow(const Motion<Real>& motion, Real velocity, Observer&& observe
 
     while (!orbit.turned) {
         const MotionExpansion<Real> x = next_expansion();
-        const auto turn = event_within(x, [](const MotionState<Real>& s) { return s.velocity; });
+        const auto turn = event_within(x, x.step, [](const MotionState<Real>& s) { return s.velocity; });
         const Real used = turn.value_or(x.step);
         observe(x, used);
         state = x.at(used);
@@ -88,8 +97,9 @@ Orbit<Real> follow(const Motion<Real>& motion, Real velocity, Observer&& observe
     };
     while (!capture.bound(state) && !capture.creeping(state)) {
         const MotionExpansion<Real> x = next_expansion();
-        const auto end = event_within(x, remaining);
-        const Real used = end.value_or(x.step);
+        const Real outward = outward_part(x);
+        const auto end = event_within(x, outward, remaining);
+        const Real used = end.value_or(outward);
         observe(x, used);
         state = x.at(used);
         if (end) {

@@ -16,15 +16,22 @@ Scale Scale::of(const ContactPair& pair, double velocity) {
 
 double Scale::damping_unit(DampingLaw law) const {
     switch (law) {
-        case DampingLaw::constant: return momentum() / length;
-        case DampingLaw::contact_radius: return momentum() / (length * radius_length);
-        case DampingLaw::tsuji: return 1.0;  // sqrt(m k) L^(1/4) is the unit of damping itself
+        case DampingLaw::constant:
+            return momentum() / length;
+        case DampingLaw::contact_radius:
+            return momentum() / (length * radius_length);
+        case DampingLaw::tsuji:
+            return 1.0;  // sqrt(m k) L^(1/4) is the unit of damping itself
     }
     return 0.0;
 }
 
-double Scale::damping_number(const Damping& damping) const { return damping.coefficient / damping_unit(damping.law); }
+double Scale::damping_number(const Damping& damping) const {
+    return damping.coefficient / damping_unit(damping.law);
+}
 
-double Scale::damping_coefficient(DampingLaw law, double number) const { return number * damping_unit(law); }
+double Scale::damping_coefficient(DampingLaw law, double number) const {
+    return number * damping_unit(law);
+}
 
 }  // namespace ashimpact

@@ -11,8 +11,9 @@ namespace ashimpact {
 
 /// Hertz contact without adhesion, F = k delta^(3/2); Dong et al. 2013, Eqs. 3-9, normalised Eq. 22.
 ///
-/// Normalised as every law here: lengths in L, forces in k L^(3/2), contact radius in sqrt(R* L), and the state
-/// is u = sqrt(contact radius), in which overlap and force are polynomials. Validity: contact radius << R*.
+/// Normalised as every law here: lengths in L, forces in k L^(3/2), contact radius in sqrt(R* L), and the
+/// state is u = sqrt(contact radius), in which overlap and force are polynomials. Validity: contact radius <<
+/// R*.
 template <class Real>
 struct Hertz {
     static constexpr std::string_view name = "hertz";

@@ -13,8 +13,8 @@ namespace ashimpact {
 
 /// Johnson, Kendall & Roberts 1971; Dong et al. 2013, Eqs. 15-20, normalised Eqs. 25-27.
 ///
-/// delta = a^2/R* - sqrt(2 pi w a/E*), F = K a^3/R* - sqrt(8 pi w E* a^3), K = (4/3) E*. Normalisation and state
-/// as in Hertz: polynomials through first touch (u^3 = adhesion, delta = 0), turning point and the fold
+/// delta = a^2/R* - sqrt(2 pi w a/E*), F = K a^3/R* - sqrt(8 pi w E* a^3), K = (4/3) E*. Normalisation and
+/// state as in Hertz: polynomials through first touch (u^3 = adhesion, delta = 0), turning point and the fold
 /// (u^3 = adhesion/4). Validity: large Tabor parameter (soft, large spheres, short-ranged attraction).
 template <class Real>
 struct Jkr {
@@ -54,10 +54,14 @@ struct Jkr {
     /// State at which the static law detaches.
     [[nodiscard]] std::optional<Real> detachment_point(Detachment detachment) const {
         switch (detachment) {
-            case Detachment::zero_overlap: return root<3>(adhesion);
-            case Detachment::zero_force: return root<3>(adhesion * Real(1.5));
-            case Detachment::pull_off: return root<3>(adhesion / Real(4));
-            case Detachment::load_controlled: return root<3>(adhesion * Real(0.75));
+            case Detachment::zero_overlap:
+                return root<3>(adhesion);
+            case Detachment::zero_force:
+                return root<3>(adhesion * Real(1.5));
+            case Detachment::pull_off:
+                return root<3>(adhesion / Real(4));
+            case Detachment::load_controlled:
+                return root<3>(adhesion * Real(0.75));
         }
         return std::nullopt;
     }

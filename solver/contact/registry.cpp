@@ -18,7 +18,9 @@ std::string joined(const Names& names) {
 
 }  // namespace
 
-std::string law_names() { return joined(RegisteredLaws::names); }
+std::string law_names() {
+    return joined(RegisteredLaws::names);
+}
 
 Law Law::named(std::string_view name) {
     for (std::size_t index = 0; index < RegisteredLaws::size; ++index) {

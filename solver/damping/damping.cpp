@@ -8,13 +8,19 @@ namespace ashimpact {
 
 namespace {
 
-const DampingName& entry_of(DampingLaw law) { return damping_names[static_cast<std::size_t>(law)]; }
+const DampingName& entry_of(DampingLaw law) {
+    return damping_names[static_cast<std::size_t>(law)];
+}
 
 }  // namespace
 
-std::string_view name_of(DampingLaw law) { return entry_of(law).name; }
+std::string_view name_of(DampingLaw law) {
+    return entry_of(law).name;
+}
 
-std::string_view unit_of(DampingLaw law) { return entry_of(law).unit; }
+std::string_view unit_of(DampingLaw law) {
+    return entry_of(law).unit;
+}
 
 DampingLaw damping_named(std::string_view name) {
     std::string allowed;

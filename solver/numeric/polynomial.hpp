@@ -6,7 +6,8 @@
 
 namespace ashimpact {
 
-/// A dense polynomial of bounded degree. Contact laws evaluated on Polynomial::identity() yield their coefficients.
+/// A dense polynomial of bounded degree. Contact laws evaluated on Polynomial::identity() yield their
+/// coefficients.
 template <class Real>
 struct Polynomial {
     static constexpr int capacity = 16;
@@ -24,7 +25,9 @@ struct Polynomial {
         return x;
     }
 
-    [[nodiscard]] const Real& operator[](int power) const { return coefficient[static_cast<std::size_t>(power)]; }
+    [[nodiscard]] const Real& operator[](int power) const {
+        return coefficient[static_cast<std::size_t>(power)];
+    }
     Real& operator[](int power) { return coefficient[static_cast<std::size_t>(power)]; }
 
     /// Value at @p x.
@@ -47,6 +50,15 @@ struct Polynomial {
         Polynomial result;
         for (int i = 0; i <= degree; ++i) result[i + 1] = (*this)[i] / Real(i + 1);
         result.degree = degree + 1;
+        return result;
+    }
+
+    /// The polynomial p with p(x) = (*this)(x + offset).
+    [[nodiscard]] Polynomial shifted(const Real& offset) const {
+        Polynomial result = *this;
+        for (int i = 0; i < degree; ++i) {
+            for (int j = degree - 1; j >= i; --j) result[j] = result[j] + offset * result[j + 1];
+        }
         return result;
     }
 

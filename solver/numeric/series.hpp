@@ -26,7 +26,8 @@ template <class Real, std::size_t size>
 
 /// Coefficient n of the product of two series known up to n.
 template <class Real, std::size_t size>
-[[nodiscard]] Real product_coefficient(const std::array<Real, size>& a, const std::array<Real, size>& b, std::size_t n) {
+[[nodiscard]] Real product_coefficient(const std::array<Real, size>& a, const std::array<Real, size>& b,
+                                       std::size_t n) {
     Real even{};  // two chains of additions hide the latency of one
     Real odd{};
     std::size_t i = 0;
@@ -38,8 +39,8 @@ template <class Real, std::size_t size>
     return even + odd;
 }
 
-/// Radius within which the terms fall off geometrically from the leading ones, by the root test on the last ten
-/// coefficients (a symmetric start leaves gaps of up to nine zeros); infinite where all of those vanish.
+/// Radius within which the terms fall off geometrically from the leading ones, by the root test on the last
+/// ten coefficients (a symmetric start leaves gaps of up to nine zeros); infinite where all of those vanish.
 template <class Real, std::size_t size>
 [[nodiscard]] Real radius(const std::array<Real, size>& c) {
     constexpr std::size_t leading = 3;
@@ -60,8 +61,8 @@ template <class Real, std::size_t size>
     return std::exp2(static_cast<Real>(smallest));
 }
 
-/// The h between 0 and @p step at which @p function changes sign, to rounding; function(0) and function(step) must
-/// differ in sign. Bisection safeguards the secant (Illinois), so it cannot leave the bracket.
+/// The h between 0 and @p step at which @p function changes sign, to rounding; function(0) and function(step)
+/// must differ in sign. Bisection safeguards the secant (Illinois), so it cannot leave the bracket.
 template <class Real, class Function>
 [[nodiscard]] Real sign_change(Function&& function, Real step) {
     using std::abs;
@@ -69,6 +70,7 @@ template <class Real, class Function>
     Real b = step;
     Real fa = function(a);
     Real fb = function(b);
+    if (fa == Real(0)) fa = -fb;  // starts on the event itself: the crossing meant is the next one
     Real h = b;
     for (int i = 0; i < 200 && fb != Real(0); ++i) {
         h = (i % 3 == 2) ? (a + b) / Real(2) : (a * fb - b * fa) / (fb - fa);
