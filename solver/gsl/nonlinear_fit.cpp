@@ -59,7 +59,8 @@ NonlinearFit fit_nonlinear(const Residuals& residuals, const Eigen::VectorXd& st
     setup.fdtype = GSL_MULTIFIT_NLINEAR_CTRDIFF;
     setup.h_df = options.difference_step;
     const std::unique_ptr<gsl_multifit_nlinear_workspace, decltype(&gsl_multifit_nlinear_free)> workspace(
-        gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &setup, count, size), &gsl_multifit_nlinear_free);
+        gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &setup, count, size),
+        &gsl_multifit_nlinear_free);
 
     Target target{residuals, nullptr};
     gsl_multifit_nlinear_fdf problem{};
@@ -71,9 +72,9 @@ NonlinearFit fit_nonlinear(const Residuals& residuals, const Eigen::VectorXd& st
     int info = 0;
     int status = gsl_multifit_nlinear_init(&start_view.vector, &problem, workspace.get());
     if (status == GSL_SUCCESS) {
-        status = gsl_multifit_nlinear_driver(static_cast<std::size_t>(options.most_iterations),
-                                             options.parameter_tolerance, options.gradient_tolerance,
-                                             options.residual_tolerance, nullptr, nullptr, &info, workspace.get());
+        status = gsl_multifit_nlinear_driver(
+            static_cast<std::size_t>(options.most_iterations), options.parameter_tolerance,
+            options.gradient_tolerance, options.residual_tolerance, nullptr, nullptr, &info, workspace.get());
     }
     if (target.error) std::rethrow_exception(target.error);
     // No further progress from a stationary point is convergence at rounding level, not a failure.

@@ -22,10 +22,11 @@ struct NonlinearFit {
     int iterations;
 };
 
-/// Minimises the sum of squares of @p residuals(parameters) by Levenberg-Marquardt with geodesic acceleration off
-/// and central differences (GSL multifit_nlinear).
+/// Minimises the sum of squares of @p residuals(parameters) by Levenberg-Marquardt with geodesic acceleration
+/// off and central differences (GSL multifit_nlinear).
 /// @throws ConvergenceError; whatever @p residuals throws
-[[nodiscard]] NonlinearFit fit_nonlinear(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& residuals,
-                                         const Eigen::VectorXd& start, const NonlinearFitOptions& options = {});
+[[nodiscard]] NonlinearFit fit_nonlinear(
+    const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& residuals, const Eigen::VectorXd& start,
+    const NonlinearFitOptions& options = {});
 
 }  // namespace ashimpact::gsl
