@@ -76,26 +76,35 @@ struct BackwardOrbit {
     int steps = 0;
 };
 
+/// The part of a backward step before the velocity changes sign; the whole step if it does not.
+Extended same_direction(const MotionExpansion<Extended>& x, bool approaching) {
+    const auto speed = [&](const MotionState<Extended>& s) { return approaching ? s.velocity : -s.velocity; };
+    return event_within(x, x.step, speed).value_or(x.step);
+}
+
 /// Follows the motion backward in time from @p state, outward leg first, until it touches or escapes.
 BackwardOrbit follow_back(const Motion<Extended>& motion, MotionState<Extended> state, Extended unit) {
     const MotionStepper<Extended> stepper(motion);
+    const auto touch = [&](const MotionState<Extended>& s) { return s.position - motion.touch; };
     BackwardOrbit orbit;
     bool approaching = false;
     while (true) {
         if (++orbit.steps > most_steps) throw ConvergenceError("critical velocity: step limit reached");
         MotionExpansion<Extended> x = stepper.expand(state);
         x.step = -x.step;
-        const auto turn = [](const MotionState<Extended>& s) { return -s.velocity; };
-        const auto touch = [&](const MotionState<Extended>& s) { return s.position - motion.touch; };
-        if (const auto h = approaching ? event_within(x, x.step, touch) : event_within(x, x.step, turn)) {
-            state = x.at(*h);
-            (approaching ? orbit.touch : orbit.turn) = state;
-            if (approaching) return orbit;
+        const Extended part = same_direction(x, approaching);
+        const auto touching = approaching ? event_within(x, part, touch) : std::nullopt;
+        state = x.at(touching.value_or(part));
+        if (touching ||
+            (approaching && part != x.step)) {  // the energy suffices: rest before touch is rounding
+            orbit.touch = state;
+            return orbit;
+        }
+        if (part != x.step) {
             approaching = true;
             state.velocity = 0;
-            continue;
+            orbit.turn = state;
         }
-        state = x.at(x.step);
         if (state.position > escape * unit) {
             orbit.escaped = true;
             return orbit;
@@ -103,27 +112,47 @@ BackwardOrbit follow_back(const Motion<Extended>& motion, MotionState<Extended> 
     }
 }
 
-/// A velocity of the order of the answer, so that scaled numbers stay near one [m/s].
-double velocity_unit(const CriticalVelocityProblem& problem) {
-    const Scale unit = Scale::of(problem.contact, 1.0);
-    double velocity = 0.0;
-    const double beta = unit.damping_number(problem.damping);
-    if (problem.damping.law == DampingLaw::constant) velocity = std::pow(beta, 5);
-    const double adhesion = problem.law.visit<double>(
-        [&]<template <class> class L>() { return L<double>::adhesion_number(problem.contact, 1.0); });
-    if (adhesion > 0.0) {
-        // Each law's adhesion number falls with a power of length; find the length at which it is one.
-        const double at_half = problem.law.visit<double>(
-            [&]<template <class> class L>() { return L<double>::adhesion_number(problem.contact, 0.5); });
-        const double exponent = std::log2(at_half / adhesion);
-        const double length = std::pow(adhesion, 1.0 / exponent);
-        velocity = std::max(velocity, std::sqrt(unit.stiffness * std::pow(length, 2.5) / unit.mass));
-    }
-    return velocity;
+/// Velocity at which constant damping is of order one, beta = 1; 0 without it [m/s].
+double velocity_of_damping(const CriticalVelocityProblem& problem) {
+    if (problem.damping.law != DampingLaw::constant) return 0.0;
+    return std::pow(Scale::of(problem.contact, 1.0).damping_number(problem.damping), 5);
 }
 
-CriticalVelocity verdict_only(CaptureVerdict verdict) {
-    return {.verdict = verdict};
+/// Velocity at which the law's adhesion number is one; 0 for a law or a pair without adhesion [m/s].
+double velocity_of_adhesion(const CriticalVelocityProblem& problem) {
+    return problem.law.visit<double>([&]<template <class> class L>() {
+        // The adhesion number falls with a power of length.
+        const double at_one = L<double>::adhesion_number(problem.contact, 1.0);
+        if (at_one == 0.0) return 0.0;
+        const double exponent = std::log2(L<double>::adhesion_number(problem.contact, 0.5) / at_one);
+        const double length = std::pow(at_one, 1.0 / exponent);
+        const Scale unit = Scale::of(problem.contact, 1.0);
+        return std::sqrt(unit.stiffness * length * length * std::sqrt(length) / unit.mass);
+    });
+}
+
+bool is_rest_point(const Motion<Extended>& motion) {
+    return std::abs(motion.slope(*motion.end)) < 1e-12L;
+}
+
+/// Verdict known beforehand, or none where the critical orbit has to be followed.
+std::optional<CaptureVerdict> known_verdict(const CriticalVelocityProblem& problem, bool adhesive,
+                                            bool breaking_costs) {
+    const Damping& damping = problem.damping;
+    if (problem.detachment == Detachment::zero_force) return CaptureVerdict::never_captured;
+    if (damping.coefficient == 0.0 && !breaking_costs) return CaptureVerdict::never_captured;
+    if (adhesive) return std::nullopt;
+    if (damping.law == DampingLaw::constant) return std::nullopt;
+    const bool overdamped =
+        damping.law == DampingLaw::tsuji && damping.coefficient * damping.coefficient >= 5.0;
+    return overdamped ? CaptureVerdict::always_captured : CaptureVerdict::never_captured;
+}
+
+Arrival arrival_at_end(const Motion<Extended>& motion, const Scale& scale, const Damping& damping,
+                       bool adhesive) {
+    if (!adhesive) return at_damped_end(motion, scale.damping_number(damping));
+    if (is_rest_point(motion)) return at_rest_point(motion);
+    return {.state = {.position = *motion.end}};
 }
 
 }  // namespace
@@ -142,40 +171,28 @@ std::string_view name_of(CaptureVerdict verdict) {
 
 CriticalVelocity critical_velocity(const CriticalVelocityProblem& problem) {
     validate(Impact{problem.law, problem.detachment, problem.damping, problem.contact, 1.0});
-    const bool tsuji_overdamped = problem.damping.law == DampingLaw::tsuji &&
-                                  problem.damping.coefficient * problem.damping.coefficient >= 5.0;
-    const double unit = velocity_unit(problem);
-    const bool adhesive =
-        unit > 0.0 && problem.contact.work_of_adhesion > 0.0 && problem.law != Law::of<Hertz>();
-    const bool constant = problem.damping.law == DampingLaw::constant && problem.damping.coefficient > 0.0;
-    if (problem.detachment == Detachment::zero_force) return verdict_only(CaptureVerdict::never_captured);
-    if (!adhesive && tsuji_overdamped) return verdict_only(CaptureVerdict::always_captured);
-    if (!adhesive && !constant) return verdict_only(CaptureVerdict::never_captured);
-
+    const double adhesion_velocity = velocity_of_adhesion(problem);
+    const bool adhesive = adhesion_velocity > 0.0;
+    const double unit =
+        std::max({adhesion_velocity, velocity_of_damping(problem), std::numeric_limits<double>::min()});
     const Scale scale = Scale::of(problem.contact, unit);
-    const Impact impact{problem.law, problem.detachment, problem.damping, problem.contact, unit};
-    const Motion<Extended> motion = scaled_motion<Extended>(impact, scale);
-    const Extended released = motion.potential(*motion.end) - motion.potential(motion.touch);
-    const bool rest_point = std::abs(motion.slope(*motion.end)) < 1e-12L;
-    if (adhesive && rest_point && problem.damping.coefficient == 0.0 && released <= 0.0L) {
-        return verdict_only(CaptureVerdict::never_captured);
-    }
-    Arrival arrival{.state = {.position = *motion.end}};
-    if (!adhesive) {
-        arrival = at_damped_end(motion, scale.damping_number(problem.damping));
-    } else if (rest_point) {
-        arrival = at_rest_point(motion);
-    }
-    const BackwardOrbit orbit = follow_back(
-        motion, arrival.state, std::max(1.0L, std::max(motion.equilibrium, arrival.state.position)));
-    if (orbit.escaped) return verdict_only(CaptureVerdict::always_captured);
+    const Motion<Extended> motion = scaled_motion<Extended>(
+        {problem.law, problem.detachment, problem.damping, problem.contact, unit}, scale);
+    const Extended released =
+        motion.end ? motion.potential(*motion.end) - motion.potential(motion.touch) : Extended(0);
+    if (const auto verdict = known_verdict(problem, adhesive, released > 0)) return {.verdict = *verdict};
+
+    const Arrival arrival = arrival_at_end(motion, scale, problem.damping, adhesive);
+    const BackwardOrbit orbit =
+        follow_back(motion, arrival.state, std::max({1.0L, motion.equilibrium, arrival.state.position}));
+    if (orbit.escaped) return {.verdict = CaptureVerdict::always_captured};
 
     const Extended dissipated = arrival.dissipated_after - orbit.touch.dissipation;
-    const Extended value = std::sqrt(2 * (dissipated + released));
-    CriticalVelocity result{.verdict = CaptureVerdict::finite};
-    if (value == 0) return verdict_only(CaptureVerdict::never_captured);
-    result.value = static_cast<double>(value) * unit;
-    if (!rest_point) result.contact_time = static_cast<double>(-orbit.touch.time) * scale.time();
+    CriticalVelocity result;
+    result.value = static_cast<double>(std::sqrt(2 * (dissipated + released))) * unit;
+    if (adhesive && !is_rest_point(motion)) {
+        result.contact_time = static_cast<double>(-orbit.touch.time) * scale.time();
+    }
     result.maximum_overlap = static_cast<double>(motion.overlap(orbit.turn.position)) * scale.length;
     result.dissipated = static_cast<double>(dissipated) * scale.energy();
     result.detachment_energy = static_cast<double>(released) * scale.energy();
