@@ -137,6 +137,7 @@ bool looks_like_json(const TextLines& file) {
 
 XrdResult read_json(const TextLines& file) {
     const Json root = parse_json(file.text());
+    if (!root.is_object()) throw InputError("not an object", "an object with the key samples").at("/");
     require_keys(root, {"samples"});
     XrdResult result{.format = XrdFormat::json, .samples = {}};
     const Json& samples = required(root, "samples");
