@@ -11,7 +11,7 @@ namespace ashimpact::xrd {
 namespace {
 
 Quantity read_fraction(const Json& node) {
-    const Quantity fraction = read_quantity(node, Dimension::fraction);
+    Quantity fraction = read_quantity(node, Dimension::fraction);
     if (!(fraction.value >= 0 && fraction.value <= 1))
         throw InputError("the fraction is " + shortest(fraction.value), "0 to 1 (0 % to 100 %)");
     return fraction;
