@@ -10,11 +10,7 @@
 #include "tests/materials/messages.hpp"
 #include "tests/relative_difference.hpp"
 
-using namespace ashimpact;
-using ashimpact::test::holds;
-using ashimpact::test::refusal;
-using ashimpact::test::relative_difference;
-using ashimpact::test::shipped_catalogue;
+namespace ashimpact::test {
 
 namespace {
 
@@ -163,3 +159,5 @@ TEST_CASE("what does not close or makes no sense is refused in one line") {
                          .amorphous = AmorphousNone{}}),
                 "density of quartz is 0 kg/m3"));
 }
+
+}  // namespace ashimpact::test
