@@ -8,10 +8,10 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <sstream>
 #include <utility>
 
 #include "materials/error.hpp"
+#include "solver/gsl/status.hpp"
 
 namespace ashimpact::gsl {
 
@@ -35,7 +35,7 @@ class Ode {
 
     Ode(Derivative derivative, const Tolerance& tolerance)
         : derivative_(std::move(derivative)), system_{&Ode::evaluate, nullptr, n, this} {
-        gsl_set_error_handler_off();  // statuses are checked here, GSL would abort the program
+        quiet();
         const double floor = std::max(tolerance.relative, 1e-16);
         State scale{};
         for (std::size_t i = 0; i < n; ++i) scale[i] = tolerance.absolute[i] / floor;
@@ -54,7 +54,7 @@ class Ode {
     void step(double& x, double limit, double& stride, State& state) {
         check(gsl_odeiv2_evolve_apply(evolve_.get(), control_.get(), step_.get(), &system_, &x, limit,
                                       &stride, state.data()),
-              x);
+              "integrating an ODE");
     }
 
     /// Integrates from x to exactly limit, in either direction. A fresh start: nothing is remembered of
@@ -83,13 +83,6 @@ class Ode {
         const bool finite =
             std::all_of(slope.begin(), slope.end(), [](double s) { return std::isfinite(s); });
         return finite ? GSL_SUCCESS : GSL_EDOM;  // anything but EBADFUNC: GSL tries a smaller step
-    }
-
-    static void check(int status, double x) {
-        if (status == GSL_SUCCESS) return;
-        std::ostringstream message;
-        message << "GSL ODE solver stopped at " << x << ": " << gsl_strerror(status);
-        throw ConvergenceError(message.str());
     }
 
     Derivative derivative_;

@@ -12,7 +12,7 @@
 #include "tests/oracles/oracle.hpp"
 #include "tests/oracles/time_domain.hpp"
 
-using namespace ashimpact::oracles;
+namespace ashimpact::oracles {
 
 namespace {
 
@@ -103,3 +103,5 @@ TEST_CASE("the oracles agree on capture and rebound around the critical velocity
         }
     }
 }
+
+}  // namespace ashimpact::oracles

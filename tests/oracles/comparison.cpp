@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <iterator>
+
+#include "tests/relative_difference.hpp"
 
 namespace ashimpact::oracles {
 
@@ -38,7 +39,7 @@ std::string parameters(const ImpactCase& impact) {
                      impact.contact_modulus * 1e-9, impact.work_of_adhesion, impact.damping);
 }
 
-constexpr const char* parameter_headings =
+const std::string parameter_headings =
     "| law | R [um] | density [kg/m3] | E* [GPa] | w [J/m2] | damping [kg/s] ";
 
 std::string rule(const std::string& headings) {
@@ -61,7 +62,7 @@ double deviation(const ImpactResult& a, const ImpactResult& b) {
     const auto theirs = quantities(b);
     double worst = 0;
     for (std::size_t i = 0; i < ours.size(); ++i)
-        worst = std::max(worst, std::abs(ours[i].value - theirs[i].value) / std::abs(theirs[i].value));
+        worst = std::max(worst, test::relative_difference(ours[i].value, theirs[i].value));
     return worst;
 }
 
@@ -108,8 +109,8 @@ std::vector<ComparedVerdict> compare_verdicts(
 }
 
 std::string impacts_table(std::span<const Oracle> oracles, std::span<const ComparedImpact> compared) {
-    std::string headings = std::string(parameter_headings) +
-                           "| v [m/s] | restitution | contact time [ns] | maximum overlap [nm] |";
+    std::string headings = parameter_headings;
+    headings += "| v [m/s] | restitution | contact time [ns] | maximum overlap [nm] |";
     for (const Oracle& oracle : oracles.subspan(1)) headings += ' ' + oracle.name + " deviates | claims |";
     std::string table = headings + '\n' + rule(headings);
     for (const auto& one : compared) {
@@ -130,7 +131,8 @@ std::string impacts_table(std::span<const Oracle> oracles, std::span<const Compa
 
 std::string verdicts_table(std::span<const Oracle> oracles, std::span<const ComparedVerdict> compared) {
     const auto word = [](bool rebound) { return rebound ? "rebound" : "capture"; };
-    std::string headings = std::string(parameter_headings) + "| critical velocity [m/s] |";
+    std::string headings = parameter_headings;
+    headings += "| critical velocity [m/s] |";
     for (const Oracle& oracle : oracles) headings += ' ' + oracle.name + " |";
     std::string table = headings + '\n' + rule(headings);
     for (const auto& one : compared) {

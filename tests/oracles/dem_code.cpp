@@ -1,12 +1,15 @@
 #include "tests/oracles/dem_code.hpp"
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "tests/oracles/program.hpp"
@@ -95,17 +98,33 @@ std::string complaint(const std::filesystem::path& file) {
     return "no error in its log";
 }
 
+// Reads the numbers a line begins with; false where there are fewer.
+template <class... Number>
+bool read_numbers(std::string_view line, Number&... numbers) {
+    const char* const end = line.data() + line.size();
+    const char* at = line.data();
+    const auto read = [&](auto& number) {
+        at = std::find_if(at, end, [](char c) { return c != ' '; });
+        const auto [rest, error] = std::from_chars(at, end, number);
+        at = rest;
+        return error == std::errc{};
+    };
+    return (read(numbers) && ...);
+}
+
 // The log holds, for each run, its "impact <index>" line and then a table of step, position, speed.
 std::vector<Track> read_log(const std::vector<Job>& jobs, const std::filesystem::path& file) {
+    constexpr std::string_view title = "impact ";
     std::vector<Track> tracks(jobs.size());
     std::ifstream log(file);
     std::size_t index = 0;
-    unsigned long step = 0;
+    std::size_t step = 0;
     double position = 0;
     double speed = 0;
     for (std::string line; std::getline(log, line);) {
-        if (std::sscanf(line.c_str(), "impact %zu", &index) == 1) continue;
-        if (std::sscanf(line.c_str(), "%lu %lf %lf", &step, &position, &speed) != 3) continue;
+        if (line.starts_with(title) && read_numbers(std::string_view(line).substr(title.size()), index))
+            continue;
+        if (!read_numbers(line, step, position, speed)) continue;
         auto& samples = tracks.at(index).samples;
         if (step != samples.size() * jobs[index].run.output_every)
             throw std::runtime_error(file.string() + ": a step is missing in run " + std::to_string(index));

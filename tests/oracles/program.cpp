@@ -14,10 +14,12 @@ namespace {
 
 constexpr int cannot_start = 127;
 
-[[noreturn]] void become(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+[[noreturn]] void become(const std::filesystem::path& program, std::vector<std::string> words,
                          const std::filesystem::path& directory) {
-    std::vector<char*> argv{const_cast<char*>(program.c_str())};
-    for (const auto& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+    words.insert(words.begin(), program.string());
+    std::vector<char*> argv;
+    argv.reserve(words.size() + 1);
+    for (auto& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
     const int nothing = open("/dev/null", O_RDWR);
     if (nothing >= 0 && chdir(directory.c_str()) == 0) {
