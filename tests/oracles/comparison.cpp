@@ -14,9 +14,9 @@ namespace {
 constexpr double below = 0.999;
 constexpr double above = 1.001;
 
-std::vector<ImpactCase> covered(const Oracle& oracle, std::span<const ImpactCase> impacts) {
+std::vector<ImpactCase> covered(const Column& column, std::span<const ImpactCase> impacts) {
     std::vector<ImpactCase> selected;
-    std::copy_if(impacts.begin(), impacts.end(), std::back_inserter(selected), oracle.covers);
+    std::copy_if(impacts.begin(), impacts.end(), std::back_inserter(selected), column.covers);
     return selected;
 }
 
@@ -34,7 +34,7 @@ std::string formatted(const char (&format)[size], Arguments... arguments) {
 }
 
 std::string parameters(const ImpactCase& impact) {
-    return formatted("| %s | %.3g | %.3g | %.3g | %.3g | %.3g ", name(impact.law).c_str(),
+    return formatted("| %s | %.3g | %.0f | %.3g | %.3g | %.3g ", name(impact.law).c_str(),
                      impact.radius * 1e6, impact.mass / sphere_mass(impact.radius, 1),
                      impact.contact_modulus * 1e-9, impact.work_of_adhesion, impact.damping);
 }
@@ -49,9 +49,9 @@ std::string rule(const std::string& headings) {
 }
 
 template <class Compared>
-const typename Compared::Answer* answer_of(const Oracle& oracle, const Compared& compared) {
+const typename Compared::Answer* answer_of(const Column& column, const Compared& compared) {
     for (const auto& answer : compared.answers)
-        if (answer.oracle == oracle.name) return &answer;
+        if (answer.column == column.name) return &answer;
     return nullptr;
 }
 
@@ -73,53 +73,53 @@ double claimed_error(const ImpactResult& result) {
     return worst;
 }
 
-std::vector<ComparedImpact> compare_impacts(std::span<const Oracle> oracles,
+std::vector<ComparedImpact> compare_impacts(std::span<const Column> columns,
                                             std::span<const ImpactCase> impacts) {
     std::vector<ComparedImpact> compared;
     for (const ImpactCase& impact : impacts) compared.push_back({impact, {}});
-    for (const Oracle& oracle : oracles) {
-        const auto results = oracle.impacts(covered(oracle, impacts));
+    for (const Column& column : columns) {
+        const auto results = column.impacts(covered(column, impacts));
         auto result = results.begin();
         for (auto& one : compared)
-            if (oracle.covers(one.impact)) one.answers.push_back({oracle.name, *result++});
+            if (column.covers(one.impact)) one.answers.push_back({column.name, *result++});
     }
     return compared;
 }
 
 std::vector<ComparedVerdict> compare_verdicts(
-    std::span<const Oracle> oracles, std::span<const ImpactCase> impacts,
+    std::span<const Column> columns, std::span<const ImpactCase> impacts,
     const std::function<double(const ImpactCase&)>& critical_velocity) {
     std::vector<ComparedVerdict> compared;
     for (const ImpactCase& impact : impacts) compared.push_back({impact, critical_velocity(impact), {}});
-    for (const Oracle& oracle : oracles) {
+    for (const Column& column : columns) {
         std::vector<ImpactCase> tries;
         for (const auto& one : compared)
-            if (oracle.covers(one.impact))
+            if (column.covers(one.impact))
                 for (const double factor : {below, above})
                     tries.push_back(at_velocity(one.impact, factor * one.critical_velocity));
-        const auto verdicts = oracle.rebounds(tries);
+        const auto verdicts = column.rebounds(tries);
         std::size_t i = 0;
         for (auto& one : compared) {
-            if (!oracle.covers(one.impact)) continue;
-            one.answers.push_back({oracle.name, verdicts[i], verdicts[i + 1]});
+            if (!column.covers(one.impact)) continue;
+            one.answers.push_back({column.name, verdicts[i], verdicts[i + 1]});
             i += 2;
         }
     }
     return compared;
 }
 
-std::string impacts_table(std::span<const Oracle> oracles, std::span<const ComparedImpact> compared) {
+std::string impacts_table(std::span<const Column> columns, std::span<const ComparedImpact> compared) {
     std::string headings = parameter_headings;
     headings += "| v [m/s] | restitution | contact time [ns] | maximum overlap [nm] |";
-    for (const Oracle& oracle : oracles.subspan(1)) headings += ' ' + oracle.name + " deviates | claims |";
+    for (const Column& column : columns.subspan(1)) headings += ' ' + column.name + " deviates | claims |";
     std::string table = headings + '\n' + rule(headings);
     for (const auto& one : compared) {
         const ImpactResult& first = one.answers.front().result;
         table += parameters(one.impact) + formatted("| %.3g | %.9f | %.9g | %.9g |", one.impact.velocity,
                                                     first.restitution.value, first.contact_time.value * 1e9,
                                                     first.maximum_overlap.value * 1e9);
-        for (const Oracle& oracle : oracles.subspan(1)) {
-            const auto* answer = answer_of(oracle, one);
+        for (const Column& column : columns.subspan(1)) {
+            const auto* answer = answer_of(column, one);
             table += answer ? formatted(" %.0e | %.0e |", deviation(answer->result, first),
                                         claimed_error(answer->result))
                             : " | |";
@@ -129,16 +129,16 @@ std::string impacts_table(std::span<const Oracle> oracles, std::span<const Compa
     return table;
 }
 
-std::string verdicts_table(std::span<const Oracle> oracles, std::span<const ComparedVerdict> compared) {
+std::string verdicts_table(std::span<const Column> columns, std::span<const ComparedVerdict> compared) {
     const auto word = [](bool rebound) { return rebound ? "rebound" : "capture"; };
     std::string headings = parameter_headings;
     headings += "| critical velocity [m/s] |";
-    for (const Oracle& oracle : oracles) headings += ' ' + oracle.name + " |";
+    for (const Column& column : columns) headings += ' ' + column.name + " |";
     std::string table = headings + '\n' + rule(headings);
     for (const auto& one : compared) {
         table += parameters(one.impact) + formatted("| %.7g |", one.critical_velocity);
-        for (const Oracle& oracle : oracles) {
-            const auto* answer = answer_of(oracle, one);
+        for (const Column& column : columns) {
+            const auto* answer = answer_of(column, one);
             table += answer
                          ? formatted(" %s, %s |", word(answer->rebounds_below), word(answer->rebounds_above))
                          : " |";

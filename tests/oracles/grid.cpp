@@ -57,4 +57,27 @@ std::vector<ImpactCase> grid() {
     return impacts;
 }
 
+std::vector<ImpactCase> grid_beyond_dem_codes() {
+    std::vector<ImpactCase> impacts;
+    for (ImpactCase impact : grid()) {
+        const auto add = [&](Law law, Detachment detachment) {
+            impact.law = law;
+            impact.detachment = detachment;
+            impacts.push_back(impact);
+        };
+        switch (impact.law) {
+            case Law::hertz:
+                add(Law::hertz, Detachment::zero_force);
+                break;
+            case Law::jkr:
+                add(Law::jkr, Detachment::pull_off);
+                add(Law::jkr, Detachment::zero_overlap);
+                break;
+            default:
+                add(Law::brach_dunn, Detachment::zero_overlap);
+        }
+    }
+    return impacts;
+}
+
 }  // namespace ashimpact::oracles

@@ -11,4 +11,8 @@ namespace ashimpact::oracles {
 /// and damping from none to nine tenths of what would capture the sphere. All of them rebound.
 std::vector<ImpactCase> grid();
 
+/// The same parameters with the laws and ends of contact that no DEM code has: Hertz to zero force,
+/// Brach-Dunn in the place of DMT, JKR to the fold and to zero overlap. Some are captures.
+std::vector<ImpactCase> grid_beyond_dem_codes();
+
 }  // namespace ashimpact::oracles
