@@ -1,0 +1,59 @@
+#pragma once
+
+#include "solver/contact/detachment.hpp"
+#include "solver/contact/pair.hpp"
+#include "solver/numeric/power.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string_view>
+
+namespace ashimpact {
+
+/// Brach & Dunn 1995: Hertz repulsion and a line attraction 2 pi a f on the rim of the contact;
+/// Dong et al. 2013, Eqs. 12-14, normalised Eq. 24. Normalisation and state as in Hertz.
+template <class Real>
+struct BrachDunn {
+    static constexpr std::string_view name = "brach-dunn";
+    static constexpr Detachment default_detachment = Detachment::zero_overlap;
+
+    Real adhesion;  ///< 2 pi f sqrt(R*) / (k L), f = (6 w^2 R* E* / pi)^(1/3) [1]
+
+    /// Line tension f = (6 w^2 R* E*/pi)^(1/3) [N/m]; Eq. 14.
+    [[nodiscard]] static double line_tension(const ContactPair& pair) {
+        const double w = pair.work_of_adhesion;
+        return std::cbrt(6.0 * w * w * pair.effective_radius * pair.contact_modulus / std::numbers::pi);
+    }
+    /// Adhesion number of the law for lengths in @p length [m].
+    [[nodiscard]] static double adhesion_number(const ContactPair& pair, double length) {
+        return 2.0 * std::numbers::pi * line_tension(pair) * std::sqrt(pair.effective_radius) /
+               (hertz_stiffness(pair) * length);
+    }
+
+    /// Overlap, positive in contact [L].
+    template <class U>
+    [[nodiscard]] U overlap(const U& u) const {
+        return power<4>(u);
+    }
+    /// Total static force, positive where repulsive [k L^(3/2)].
+    template <class U>
+    [[nodiscard]] U force(const U& u) const {
+        return power<6>(u) - adhesion * power<2>(u);
+    }
+    /// Attractive part of the force, never positive [k L^(3/2)]; Eq. 13.
+    [[nodiscard]] Real attractive_force(const Real& u) const { return -adhesion * power<2>(u); }
+
+    /// State at first touch.
+    [[nodiscard]] Real touch() const { return Real{}; }
+
+    /// State at which the static law detaches; none where the law has no such point.
+    [[nodiscard]] std::optional<Real> detachment_point(Detachment detachment) const {
+        if (detachment == Detachment::zero_overlap) return Real{};
+        if (detachment == Detachment::zero_force) return root<4>(adhesion);
+        if (detachment == Detachment::load_controlled) return root<4>(adhesion / Real(3));
+        return std::nullopt;
+    }
+};
+
+}  // namespace ashimpact

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "solver/contact/detachment.hpp"
+#include "solver/contact/pair.hpp"
+#include "solver/numeric/power.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string_view>
+
+namespace ashimpact {
+
+/// Derjaguin, Muller & Toporov 1975: Hertz repulsion and a constant attraction 2 pi w R*;
+/// Dong et al. 2013, Eqs. 10-11, normalised Eq. 23. Normalisation and state as in Hertz.
+/// Validity: small Tabor parameter (hard, small spheres, long-ranged attraction).
+template <class Real>
+struct Dmt {
+    static constexpr std::string_view name = "dmt";
+    static constexpr Detachment default_detachment = Detachment::zero_overlap;
+
+    Real adhesion;  ///< 2 pi w R* / (k L^(3/2)) [1]
+
+    /// Adhesion number of the law for lengths in @p length [m].
+    [[nodiscard]] static double adhesion_number(const ContactPair& pair, double length) {
+        return 2.0 * std::numbers::pi * pair.work_of_adhesion * pair.effective_radius /
+               (hertz_stiffness(pair) * length * std::sqrt(length));
+    }
+
+    /// Overlap, positive in contact [L].
+    template <class U>
+    [[nodiscard]] U overlap(const U& u) const {
+        return power<4>(u);
+    }
+    /// Total static force, positive where repulsive [k L^(3/2)].
+    template <class U>
+    [[nodiscard]] U force(const U& u) const {
+        return power<6>(u) - adhesion;
+    }
+    /// Attractive part of the force, never positive [k L^(3/2)]; Eq. 11.
+    [[nodiscard]] Real attractive_force(const Real& /*u*/) const { return -adhesion; }
+
+    /// State at first touch.
+    [[nodiscard]] Real touch() const { return Real{}; }
+
+    /// State at which the static law detaches; none where the law has no such point.
+    [[nodiscard]] std::optional<Real> detachment_point(Detachment detachment) const {
+        if (detachment == Detachment::zero_overlap) return Real{};
+        if (detachment == Detachment::zero_force) return root<6>(adhesion);
+        return std::nullopt;
+    }
+};
+
+}  // namespace ashimpact

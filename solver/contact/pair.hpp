@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+namespace ashimpact {
+
+/// What a contact law needs to know of the two bodies; for a sphere on a flat wall R* = r1 and m* = m1.
+struct ContactPair {
+    double mass;              ///< effective mass m* [kg]
+    double effective_radius;  ///< R* [m], Eq. 6
+    double contact_modulus;   ///< E* [Pa], Eq. 7
+    double work_of_adhesion;  ///< w [J/m2], energy to separate unit area (not a surface energy)
+};
+
+/// Hertz stiffness k = (4/3) E* sqrt(R*) of F = k delta^(3/2) [N/m^(3/2)]; Dong et al. 2013, Eq. 9.
+[[nodiscard]] inline double hertz_stiffness(const ContactPair& pair) {
+    return 4.0 / 3.0 * pair.contact_modulus * std::sqrt(pair.effective_radius);
+}
+
+/// Pull-off force of the JKR theory F_c = (3/2) pi w R* [N], as a magnitude.
+[[nodiscard]] inline double jkr_pull_off_force(const ContactPair& pair) {
+    return 1.5 * std::numbers::pi * pair.work_of_adhesion * pair.effective_radius;
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,35 @@
+#include "solver/damping/damping.hpp"
+
+#include "materials/error.hpp"
+
+#include <string>
+
+namespace ashimpact {
+
+namespace {
+
+const DampingName& entry_of(DampingLaw law) {
+    return damping_names[static_cast<std::size_t>(law)];
+}
+
+}  // namespace
+
+std::string_view name_of(DampingLaw law) {
+    return entry_of(law).name;
+}
+
+std::string_view unit_of(DampingLaw law) {
+    return entry_of(law).unit;
+}
+
+DampingLaw damping_named(std::string_view name) {
+    std::string allowed;
+    for (const DampingName& entry : damping_names) {
+        if (entry.name == name) return entry.law;
+        if (!allowed.empty()) allowed += ", ";
+        allowed += entry.name;
+    }
+    throw InputError("unknown damping law '" + std::string(name) + "'", allowed);
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "solver/contact/pair.hpp"
+#include "solver/contact/registry.hpp"
+#include "solver/damping/damping.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace ashimpact {
+
+/// One normal impact: m d2(delta)/dt2 + eta d(delta)/dt + F(delta) = 0; Dong et al. 2013, Eq. 2.
+struct Impact {
+    Law law;
+    Detachment detachment;
+    Damping damping;
+    ContactPair contact;
+    double velocity;  ///< v_in > 0, approaching [m/s]
+};
+
+enum class Outcome { rebound, capture };
+
+/// "rebound" or "capture".
+[[nodiscard]] std::string_view name_of(Outcome outcome);
+
+/// Where the energy of an impact went, up to detachment, or for a capture up to the greatest overlap [J].
+/// incident + at_touch = remaining + potential + dissipated + residual.
+struct EnergyLedger {
+    double incident;    ///< m v_in^2/2
+    double remaining;   ///< kinetic energy at the end of the ledger
+    double at_touch;    ///< potential at first touch, 0 by definition at zero contact radius
+    double potential;   ///< potential at the end of the ledger
+    double dissipated;  ///< work taken by damping
+    double residual;    ///< what does not close: integration error
+    double minimum;     ///< U_min, potential at static equilibrium; the depth of the adhesive well
+};
+
+/// What one impact did; a captured particle has restitution 0 and no contact time.
+struct ImpactResult {
+    Outcome outcome;
+    double restitution;                   ///< e_n = v_r/v_in [1]
+    double rebound_velocity;              ///< v_r, magnitude [m/s]
+    std::optional<double> contact_time;   ///< first touch to detachment [s]
+    std::optional<double> approach_time;  ///< first touch to greatest overlap; none where it never turns [s]
+    double maximum_overlap;               ///< greatest overlap, or its supremum where it never turns [m]
+    EnergyLedger energy;
+    int steps;  ///< Taylor steps taken
+};
+
+/// Why a detachment is not admissible for a law (the reason, in words), or none where it is.
+/// A detachment is admissible where the static potential there is not below that at first touch; otherwise an
+/// undamped impact would gain energy.
+[[nodiscard]] std::optional<std::string> refusal(Law law, Detachment detachment);
+
+/// The detachments admissible for a law, "pull-off, load-controlled, ...", for messages.
+[[nodiscard]] std::string admissible_detachments(Law law);
+
+/// Checks an impact's numbers. @throws InputError naming quantity, value, unit and what is allowed
+void validate(const ContactPair& contact);
+void validate(const Impact& impact);
+
+/// Solves one impact to the rounding of extended precision (relative error of restitution, times and overlap
+/// far below 1e-10 at fly-ash scale; conditioning 1 + |U_min|/(m v^2/2)).
+/// @throws InputError for inadmissible input, ConvergenceError if the step count runs away
+[[nodiscard]] ImpactResult solve_impact(const Impact& impact);
+
+/// Restitution alone, in double precision and without validation: for root finding and fits [1].
+[[nodiscard]] double restitution_of(const Impact& impact);
+
+}  // namespace ashimpact

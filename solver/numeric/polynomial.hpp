@@ -1,0 +1,106 @@
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <cstddef>
+
+namespace ashimpact {
+
+/// A dense polynomial of bounded degree. Contact laws evaluated on Polynomial::identity() yield their
+/// coefficients.
+template <class Real>
+struct Polynomial {
+    static constexpr int capacity = 16;
+    std::array<Real, capacity> coefficient{};
+    int degree = 0;
+
+    Polynomial() = default;
+    // NOLINTNEXTLINE(google-explicit-constructor): constants mix with polynomials in the laws
+    Polynomial(const Real& constant) { coefficient[0] = constant; }
+
+    [[nodiscard]] static Polynomial identity() {
+        Polynomial x;
+        x.coefficient[1] = Real(1);
+        x.degree = 1;
+        return x;
+    }
+
+    [[nodiscard]] const Real& operator[](int power) const {
+        return coefficient[static_cast<std::size_t>(power)];
+    }
+    Real& operator[](int power) { return coefficient[static_cast<std::size_t>(power)]; }
+
+    /// Value at @p x.
+    [[nodiscard]] Real operator()(const Real& x) const {
+        Real value = (*this)[degree];
+        for (int i = degree - 1; i >= 0; --i) value = value * x + (*this)[i];
+        return value;
+    }
+
+    [[nodiscard]] Polynomial derivative() const {
+        Polynomial result;
+        for (int i = 1; i <= degree; ++i) result[i - 1] = (*this)[i] * Real(i);
+        result.degree = degree > 0 ? degree - 1 : 0;
+        return result;
+    }
+
+    /// Antiderivative that vanishes at 0.
+    [[nodiscard]] Polynomial antiderivative() const {
+        assert(degree + 1 < capacity);
+        Polynomial result;
+        for (int i = 0; i <= degree; ++i) result[i + 1] = (*this)[i] / Real(i + 1);
+        result.degree = degree + 1;
+        return result;
+    }
+
+    /// The polynomial p with p(x) = (*this)(x + offset).
+    [[nodiscard]] Polynomial shifted(const Real& offset) const {
+        Polynomial result = *this;
+        for (int i = 0; i < degree; ++i) {
+            for (int j = degree - 1; j >= i; --j) result[j] = result[j] + offset * result[j + 1];
+        }
+        return result;
+    }
+
+    /// Whether only even powers appear, so that it is a polynomial of x^2.
+    [[nodiscard]] bool even() const {
+        for (int i = 1; i <= degree; i += 2) {
+            if ((*this)[i] != Real(0)) return false;
+        }
+        return true;
+    }
+
+    /// The polynomial p with p(x^2) = *this; requires even().
+    [[nodiscard]] Polynomial of_square() const {
+        Polynomial result;
+        for (int i = 0; i <= degree; i += 2) result[i / 2] = (*this)[i];
+        result.degree = degree / 2;
+        return result;
+    }
+
+    friend Polynomial operator+(Polynomial a, const Polynomial& b) {
+        for (int i = 0; i <= b.degree; ++i) a[i] = a[i] + b[i];
+        a.degree = a.degree > b.degree ? a.degree : b.degree;
+        return a;
+    }
+    friend Polynomial operator-(Polynomial a, const Polynomial& b) {
+        for (int i = 0; i <= b.degree; ++i) a[i] = a[i] - b[i];
+        a.degree = a.degree > b.degree ? a.degree : b.degree;
+        return a;
+    }
+    friend Polynomial operator*(const Polynomial& a, const Polynomial& b) {
+        assert(a.degree + b.degree < capacity);
+        Polynomial result;
+        for (int i = 0; i <= a.degree; ++i) {
+            for (int j = 0; j <= b.degree; ++j) result[i + j] = result[i + j] + a[i] * b[j];
+        }
+        result.degree = a.degree + b.degree;
+        return result;
+    }
+    friend Polynomial operator*(const Real& factor, Polynomial p) {
+        for (int i = 0; i <= p.degree; ++i) p[i] = factor * p[i];
+        return p;
+    }
+};
+
+}  // namespace ashimpact

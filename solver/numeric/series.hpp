@@ -1,0 +1,91 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace ashimpact {
+
+/// Taylor order at which a step of radius/e^2 is exact to the rounding of Real (Jorba & Zou 2005).
+template <class Real>
+inline constexpr int taylor_order = std::numeric_limits<Real>::digits * 347 / 1000 + 2;
+
+/// Truncated power series sum c[n] h^n.
+template <class Real>
+using Series = std::array<Real, taylor_order<Real> + 1>;
+
+/// Value of the series at @p h.
+template <class Real, std::size_t size>
+[[nodiscard]] Real value(const std::array<Real, size>& c, Real h) {
+    Real sum = c[size - 1];
+    for (std::size_t n = size - 1; n-- > 0;) sum = sum * h + c[n];
+    return sum;
+}
+
+/// Coefficient n of the product of two series known up to n.
+template <class Real, std::size_t size>
+[[nodiscard]] Real product_coefficient(const std::array<Real, size>& a, const std::array<Real, size>& b,
+                                       std::size_t n) {
+    Real even{};  // two chains of additions hide the latency of one
+    Real odd{};
+    std::size_t i = 0;
+    for (; i + 1 <= n; i += 2) {
+        even += a[i] * b[n - i];
+        odd += a[i + 1] * b[n - i - 1];
+    }
+    if (i <= n) even += a[i] * b[n - i];
+    return even + odd;
+}
+
+/// Radius within which the terms fall off geometrically from the leading ones, by the root test on the last
+/// ten coefficients (a symmetric start leaves gaps of up to nine zeros); infinite where all of those vanish.
+template <class Real, std::size_t size>
+[[nodiscard]] Real radius(const std::array<Real, size>& c) {
+    constexpr std::size_t leading = 3;
+    constexpr std::size_t last = 10;
+    static_assert(size > leading + last);
+    const auto log2_of = [](Real x) { return static_cast<double>(std::log2(std::abs(x))); };  // -inf for 0
+    std::array<double, leading> first;
+    for (std::size_t m = 0; m < leading; ++m) first[m] = log2_of(c[m]);
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t n = size - last; n < size; ++n) {
+        const double tail = log2_of(c[n]);
+        double largest = -std::numeric_limits<double>::infinity();
+        for (std::size_t m = 0; m < leading; ++m) {
+            largest = std::max(largest, (first[m] - tail) / static_cast<double>(n - m));
+        }
+        if (tail > -std::numeric_limits<double>::infinity()) smallest = std::min(smallest, largest);
+    }
+    return std::exp2(static_cast<Real>(smallest));
+}
+
+/// The h between 0 and @p step at which @p function changes sign, to rounding; function(0) and function(step)
+/// must differ in sign. Bisection safeguards the secant (Illinois), so it cannot leave the bracket.
+template <class Real, class Function>
+[[nodiscard]] Real sign_change(Function&& function, Real step) {
+    using std::abs;
+    Real a{};
+    Real b = step;
+    Real fa = function(a);
+    Real fb = function(b);
+    if (fa == Real(0)) fa = -fb;  // starts on the event itself: the crossing meant is the next one
+    Real h = b;
+    for (int i = 0; i < 200 && fb != Real(0); ++i) {
+        h = (i % 3 == 2) ? (a + b) / Real(2) : (a * fb - b * fa) / (fb - fa);
+        const Real fh = function(h);
+        if ((fh > Real(0)) == (fb > Real(0))) {
+            fa = (i % 3 == 2) ? fa : fa / Real(2);
+        } else {
+            a = b;
+            fa = fb;
+        }
+        b = h;
+        fb = fh;
+        if (abs(b - a) <= std::numeric_limits<Real>::epsilon() * abs(step)) break;
+    }
+    return b;
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "solver/impact.hpp"
+#include "solver/motion_stepper.hpp"
+
+namespace ashimpact {
+
+/// What became of one impact, scaled.
+template <class Real>
+struct Orbit {
+    Outcome outcome = Outcome::capture;
+    bool turned = false;     ///< false: so damped that it only creeps towards equilibrium
+    MotionState<Real> turn;  ///< at greatest overlap; where it never turns, the last state before equilibrium
+    MotionState<Real> end;   ///< at detachment, or where capture was certain
+    Real maximum_overlap{};  ///< greatest overlap, or its supremum
+    int steps = 0;
+};
+
+/// Decides capture, exactly, from the state: nothing is waited for.
+template <class Real>
+class CaptureTest {
+  public:
+    explicit CaptureTest(const Motion<Real>& motion);
+
+    /// The energy no longer suffices to reach the end of contact.
+    [[nodiscard]] bool bound(const MotionState<Real>& state) const;
+    /// After the turn: so damped that it creeps back without ever reaching the end of contact.
+    [[nodiscard]] bool creeping(const MotionState<Real>& state) const;
+    /// Before the turn: so damped that it creeps up to equilibrium and never turns.
+    [[nodiscard]] bool creeping_up(const MotionState<Real>& state) const;
+
+  private:
+    const Motion<Real>& motion_;
+    bool by_place_;           ///< the contact ends at a place, so capture is possible at all
+    bool always_overdamped_;  ///< Tsuji's law from sqrt5 on
+    Real end_overlap_{};
+    Real end_potential_{};
+    Real equilibrium_overlap_{};
+    Real equilibrium_slope_{};  ///< dF/d(delta) at equilibrium
+    Real least_damping_{};      ///< smallest eta(q) beyond equilibrium
+};
+
+/// Follows an impact that touches with scaled velocity @p velocity to its end. @p observe is called with each
+/// expansion and the part of its step that was used.
+/// @throws ConvergenceError if the step count runs away
+template <class Real, class Observer>
+[[nodiscard]] Orbit<Real> follow(const Motion<Real>& motion, Real velocity, Observer&& observe);
+
+/// follow() without an observer.
+template <class Real>
+[[nodiscard]] Orbit<Real> follow(const Motion<Real>& motion, Real velocity) {
+    return follow(motion, velocity, [](const MotionExpansion<Real>&, Real) {});
+}
+
+}  // namespace ashimpact
+
+#include "solver/orbit_impl.hpp"

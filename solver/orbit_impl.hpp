@@ -1,0 +1,115 @@
+#pragma once
+
+#include "materials/error.hpp"
+#include "solver/orbit.hpp"
+
+#include <cmath>
+
+namespace ashimpact {
+
+inline constexpr int most_steps = 20000;
+
+template <class Real>
+CaptureTest<Real>::CaptureTest(const Motion<Real>& motion)
+    : motion_(motion), by_place_(motion.end.has_value()) {
+    const Real q = motion.equilibrium;
+    always_overdamped_ = motion.touch == Real(0) && !motion.squared && motion.damping.degree == 1 &&
+                         motion.damping[1] * motion.damping[1] >= Real(5);
+    end_overlap_ = by_place_ ? motion.overlap(*motion.end) : Real(0);
+    end_potential_ = by_place_ ? motion.potential(*motion.end) : Real(0);
+    equilibrium_overlap_ = motion.overlap(q);
+    equilibrium_slope_ = q > Real(0) ? motion.force.derivative()(q) / motion.slope(q) : Real(0);
+    least_damping_ = motion.damping(q);
+}
+
+template <class Real>
+bool CaptureTest<Real>::bound(const MotionState<Real>& state) const {
+    const Real energy = state.velocity * state.velocity / Real(2) + motion_.potential(state.position);
+    return by_place_ && energy < end_potential_;
+}
+
+template <class Real>
+bool CaptureTest<Real>::creeping(const MotionState<Real>& state) const {
+    if (!by_place_) return false;
+    if (always_overdamped_) return true;
+    if (state.position < motion_.equilibrium) return false;
+    // Below the line v = -(eta/2)(delta - delta_end) the motion cannot get while F <= (eta^2/4)(delta -
+    // delta_end).
+    const Real way = motion_.overlap(state.position) - end_overlap_;
+    return state.velocity >= -least_damping_ / Real(2) * way &&
+           Real(4) * motion_.force(state.position) < least_damping_ * least_damping_ * way;
+}
+
+template <class Real>
+bool CaptureTest<Real>::creeping_up(const MotionState<Real>& state) const {
+    if (state.position >= motion_.equilibrium) return false;
+    const Real damping = motion_.damping(state.position);
+    const Real way = equilibrium_overlap_ - motion_.overlap(state.position);
+    return damping * damping >= Real(4) * equilibrium_slope_ && state.velocity <= damping / Real(2) * way;
+}
+
+/// Pseudo-time within [0, limit] at which @p event falls through zero, or none; it must be positive at first.
+template <class Real, class Event>
+[[nodiscard]] std::optional<Real> event_within(const MotionExpansion<Real>& x, Real limit, Event&& event) {
+    const auto along = [&](Real h) { return event(x.at(h)); };
+    if (along(limit) > Real(0)) return std::nullopt;
+    return sign_change<Real>(along, limit);
+}
+
+/// Where the outward motion stops within the step, or the whole step: beyond it the particle comes back.
+template <class Real>
+[[nodiscard]] Real outward_part(const MotionExpansion<Real>& x) {
+    const auto inward = event_within(x, x.step, [](const MotionState<Real>& s) { return -s.velocity; });
+    return inward.value_or(x.step);
+}
+
+template <class Real, class Observer>
+Orbit<Real> follow(const Motion<Real>& motion, Real velocity, Observer&& observe) {
+    const MotionStepper<Real> stepper(motion);
+    const CaptureTest<Real> capture(motion);
+    Orbit<Real> orbit;
+    MotionState<Real> state{.position = motion.touch, .velocity = velocity};
+    const auto next_expansion = [&] {
+        if (++orbit.steps > most_steps) throw ConvergenceError("impact did not end within the step limit");
+        return stepper.expand(state);
+    };
+
+    while (!orbit.turned) {
+        const MotionExpansion<Real> x = next_expansion();
+        const auto turn = event_within(x, x.step, [](const MotionState<Real>& s) { return s.velocity; });
+        const Real used = turn.value_or(x.step);
+        observe(x, used);
+        state = x.at(used);
+        orbit.turned = turn.has_value();
+        if (!orbit.turned && capture.creeping_up(state)) {
+            orbit.turn = orbit.end = state;
+            orbit.maximum_overlap = motion.overlap(motion.equilibrium);
+            return orbit;
+        }
+    }
+    state.velocity = Real(0);
+    orbit.turn = state;
+    orbit.maximum_overlap = motion.overlap(state.position);
+
+    const auto remaining = [&](const MotionState<Real>& s) -> Real {
+        if (motion.end) return s.position - *motion.end;
+        if (s.position <= motion.touch) return Real(-1);  // the total force fell through zero before
+        return motion.force(s.position) + motion.damping(s.position) * s.velocity;
+    };
+    while (!capture.bound(state) && !capture.creeping(state)) {
+        const MotionExpansion<Real> x = next_expansion();
+        const Real outward = outward_part(x);
+        const auto end = event_within(x, outward, remaining);
+        const Real used = end.value_or(outward);
+        observe(x, used);
+        state = x.at(used);
+        if (end) {
+            orbit.outcome = Outcome::rebound;
+            break;
+        }
+    }
+    orbit.end = state;
+    return orbit;
+}
+
+}  // namespace ashimpact
