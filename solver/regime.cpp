@@ -25,12 +25,12 @@ void warn_of_tabor(Law law, Regime& regime) {
     const bool hard_law = law == Law::of<Dmt>();
     const bool soft_law = law == Law::of<Jkr>() || law == Law::of<ThorntonNing>();
     if (hard_law && mu > jkr_limit) {
-        regime.warnings.push_back("Tabor parameter " + text(mu) +
-                                  " > 5: soft contact, JKR applies rather than DMT");
+        regime.warnings.emplace_back("Tabor parameter " + text(mu) +
+                                     " > 5: soft contact, JKR applies rather than DMT");
     }
     if (soft_law && mu > 0.0 && mu < dmt_limit) {
-        regime.warnings.push_back("Tabor parameter " + text(mu) +
-                                  " < 0.1: hard contact, DMT applies rather than JKR");
+        regime.warnings.emplace_back("Tabor parameter " + text(mu) +
+                                     " < 0.1: hard contact, DMT applies rather than JKR");
     }
 }
 
@@ -52,15 +52,15 @@ Regime regime_of(const Impact& impact, double maximum_overlap) {
 
     warn_of_tabor(impact.law, regime);
     if (impact.velocity > regime.yield_velocity && impact.law != Law::of<ThorntonNing>()) {
-        regime.warnings.push_back("velocity " + text(impact.velocity) + " m/s is above the yield velocity " +
-                                  text(regime.yield_velocity) +
-                                  " m/s: the contact yields, law thornton-ning applies");
+        regime.warnings.emplace_back("velocity " + text(impact.velocity) +
+                                     " m/s is above the yield velocity " + text(regime.yield_velocity) +
+                                     " m/s: the contact yields, law thornton-ning applies");
     }
     if (maximum_overlap > contact.effective_radius) {
-        regime.warnings.push_back("overlap exceeds the radius: outside the theory");
+        regime.warnings.emplace_back("overlap exceeds the radius: outside the theory");
     } else if (regime.relative_contact_radius > widest_contact) {
-        regime.warnings.push_back("contact radius is " + text(regime.relative_contact_radius) +
-                                  " of the radius: contact laws assume it small");
+        regime.warnings.emplace_back("contact radius is " + text(regime.relative_contact_radius) +
+                                     " of the radius: contact laws assume it small");
     }
     return regime;
 }
