@@ -5,3 +5,4 @@ find_package(nlohmann_json REQUIRED)
 find_package(spdlog REQUIRED)
 find_package(doctest REQUIRED)
 find_package(CLI11 REQUIRED)
+find_package(UDUNITS2 REQUIRED)  # ashimpact::udunits2

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string_view>
+
+#include "materials/units.hpp"
+
+namespace ashimpact {
+
+/// Throws InputError "<name> is <value> <unit>; allowed: a positive <dimension>" unless value > 0 and finite.
+void require_positive(std::string_view name, double value, Dimension dimension);
+
+/// As require_positive, but infinity is allowed: a flat or fixed wall.
+void require_positive_or_infinite(std::string_view name, double value, Dimension dimension);
+
+/// Throws InputError unless value >= 0 and finite.
+void require_not_negative(std::string_view name, double value, Dimension dimension);
+
+/// Throws InputError unless -1 < nu <= 0.5, the range in which an isotropic solid is stable.
+void require_poisson_ratio(std::string_view name, double value);
+
+/// Throws InputError unless 0 <= value <= 1.
+void require_fraction(std::string_view name, double value);
+
+}  // namespace ashimpact

@@ -1,0 +1,63 @@
+#include "materials/work_of_adhesion.hpp"
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "materials/checks.hpp"
+#include "materials/error.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+struct RuleRow {
+    AdhesionRule rule;
+    std::string_view name;
+};
+
+constexpr std::array rule_rows{
+    RuleRow{AdhesionRule::girifalco_good, "girifalco-good"},
+    RuleRow{AdhesionRule::dong2013, "dong2013"},
+    RuleRow{AdhesionRule::dupre, "dupre"},
+};
+
+double interfacial_energy(const SurfaceEnergies& energies) {
+    if (!energies.interfacial)
+        throw InputError("the rule dupre has no interfacial energy", "an energy per area [J/m2]");
+    require_not_negative("interfacial energy", *energies.interfacial, Dimension::energy_per_area);
+    return *energies.interfacial;
+}
+
+}  // namespace
+
+std::string_view adhesion_rule_name(AdhesionRule rule) {
+    return rule_rows.at(static_cast<std::size_t>(rule)).name;
+}
+
+AdhesionRule adhesion_rule(std::string_view name) {
+    std::string names;
+    for (const auto& row : rule_rows) {
+        if (row.name == name) return row.rule;
+        names += (names.empty() ? "" : ", ") + std::string(row.name);
+    }
+    throw InputError("no adhesion rule is called \"" + std::string(name) + "\"", names);
+}
+
+double work_of_adhesion(AdhesionRule rule, const SurfaceEnergies& energies) {
+    require_not_negative("surface energy of the particle", energies.particle, Dimension::energy_per_area);
+    require_not_negative("surface energy of the wall", energies.wall, Dimension::energy_per_area);
+    if (rule == AdhesionRule::dupre) {
+        const double w = energies.particle + energies.wall - interfacial_energy(energies);
+        require_not_negative("work of adhesion by the rule dupre", w, Dimension::energy_per_area);
+        return w;
+    }
+    if (energies.interfacial)
+        throw InputError("an interfacial energy is given, which the rule " +
+                             std::string(adhesion_rule_name(rule)) + " does not use",
+                         "the rule dupre, or no interfacial energy");
+    const double geometric_mean = std::sqrt(energies.particle) * std::sqrt(energies.wall);
+    return rule == AdhesionRule::girifalco_good ? 2 * geometric_mean : geometric_mean;
+}
+
+}  // namespace ashimpact
