@@ -91,9 +91,10 @@ Orbit<Real> follow(const Motion<Real>& motion, Real velocity, Observer&& observe
     orbit.turn = state;
     orbit.maximum_overlap = motion.overlap(state.position);
 
-    const auto remaining = [&](const MotionState<Real>& s) {
-        return motion.end ? s.position - *motion.end
-                          : motion.force(s.position) + motion.damping(s.position) * s.velocity;
+    const auto remaining = [&](const MotionState<Real>& s) -> Real {
+        if (motion.end) return s.position - *motion.end;
+        if (s.position <= motion.touch) return Real(-1);  // the total force fell through zero before
+        return motion.force(s.position) + motion.damping(s.position) * s.velocity;
     };
     while (!capture.bound(state) && !capture.creeping(state)) {
         const MotionExpansion<Real> x = next_expansion();

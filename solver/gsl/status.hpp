@@ -1,0 +1,11 @@
+#pragma once
+
+namespace ashimpact::gsl {
+
+/// Switches GSL's aborting error handler off; every wrapper here calls it and checks the status instead.
+void quiet();
+
+/// @throws ConvergenceError "<what>: <GSL's message>" unless @p status is GSL_SUCCESS
+void check(int status, const char* what);
+
+}  // namespace ashimpact::gsl
