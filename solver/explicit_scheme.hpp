@@ -1,0 +1,27 @@
+#pragma once
+
+#include "solver/impact.hpp"
+
+namespace ashimpact {
+
+struct ExplicitSchemeOptions {
+    double time_step = 0.0;         ///< Dt > 0 [s]
+    long most_steps = 100'000'000;  ///< then ConvergenceError
+};
+
+/// The paper's own scheme, kept as a second method to compare with:
+///
+///     (delta_i - 2 delta_{i+1} + delta_{i+2})/Dt^2 + eta/m (delta_{i+1} - delta_i)/Dt + F(delta_{i+1})/m = 0
+///
+/// from delta_0 = 0, delta_1 = v Dt; Dong et al. 2013, Eqs. 31-34. First order in Dt: the damping uses the
+/// velocity half a step behind. The contact ends at zero overlap (crossing by linear interpolation), a
+/// capture is the second turning point. Constant damping and laws whose force is a function of overlap only
+/// (not JKR). The ledger's potential terms are those of the law at the end overlap; its residual is the
+/// scheme's energy error.
+/// @throws InputError for what the scheme cannot treat, ConvergenceError at the step limit
+[[nodiscard]] ImpactResult solve_impact_explicit(const Impact& impact, const ExplicitSchemeOptions& options);
+
+/// A time step that gives about @p steps steps per undamped Hertz contact [s].
+[[nodiscard]] double explicit_time_step(const Impact& impact, double steps);
+
+}  // namespace ashimpact

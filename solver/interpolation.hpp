@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace ashimpact {
+
+/// A measured curve, interpolated without overshoot between its points (Steffen 1990, by GSL): monotone data
+/// stay monotone, and no value lies outside its two neighbours.
+class MeasuredCurve {
+  public:
+    /// @param x strictly increasing; @param y as long as x, at least 3 points, all finite
+    /// @throws InputError
+    MeasuredCurve(std::span<const double> x, std::span<const double> y);
+    ~MeasuredCurve();
+    MeasuredCurve(MeasuredCurve&&) noexcept;
+    MeasuredCurve& operator=(MeasuredCurve&&) noexcept;
+
+    /// Value at @p x [unit of y]. @throws InputError outside the measured range: nothing is extrapolated
+    [[nodiscard]] double operator()(double x) const;
+    [[nodiscard]] double lower() const;
+    [[nodiscard]] double upper() const;
+
+  private:
+    struct Spline;
+    std::unique_ptr<Spline> spline_;
+};
+
+}  // namespace ashimpact
