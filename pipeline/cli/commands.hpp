@@ -1,0 +1,23 @@
+#pragma once
+
+#include <functional>
+#include <iosfwd>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace ashimpact {
+
+/// What the command line asked for; set by the command that was named.
+using Action = std::function<void(std::ostream& out)>;
+
+/// A new command with the options that every command has.
+[[nodiscard]] CLI::App* add_command(CLI::App& program, const std::string& name, const std::string& purpose,
+                                    const std::string& example);
+
+/// impact, critical-velocity, damping
+void add_contact_commands(CLI::App& program, Action& action);
+
+}  // namespace ashimpact
