@@ -3,6 +3,9 @@ find_package(GSL REQUIRED)
 find_package(Eigen3 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(spdlog REQUIRED)
-find_package(doctest REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(UDUNITS2 REQUIRED)  # ashimpact::udunits2
+find_package(valijson REQUIRED)  # ashimpact::valijson
+if(BUILD_TESTING)
+  find_package(doctest REQUIRED)
+endif()

@@ -1,17 +1,19 @@
 # Compiler settings shared by every target: link to ashimpact_options.
+# Whether a warning is an error is the builder's choice (CMAKE_COMPILE_WARNING_AS_ERROR); every preset says yes.
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}")
 
 find_program(ASHIMPACT_CCACHE ccache)
-if(ASHIMPACT_CCACHE)
+mark_as_advanced(ASHIMPACT_CCACHE)
+if(ASHIMPACT_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${ASHIMPACT_CCACHE}")
 endif()
 
 add_library(ashimpact_options INTERFACE)
 target_include_directories(ashimpact_options INTERFACE "${PROJECT_SOURCE_DIR}")
-target_compile_options(ashimpact_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror)
+target_compile_options(ashimpact_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
 if(ASHIMPACT_SANITIZE)
   target_compile_options(ashimpact_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
                                                      -fno-omit-frame-pointer)

@@ -112,4 +112,10 @@ ImpactResult solve_impact(const Impact& impact) {
     return result;
 }
 
+double restitution_of(const Impact& impact) {
+    const Scale scale = Scale::of(impact.contact, impact.velocity);
+    const Orbit<double> orbit = follow<double>(scaled_motion<double>(impact, scale), 1.0);
+    return orbit.outcome == Outcome::rebound ? std::abs(orbit.end.velocity) : 0.0;
+}
+
 }  // namespace ashimpact

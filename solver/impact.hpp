@@ -65,4 +65,7 @@ void validate(const Impact& impact);
 /// @throws InputError for inadmissible input, ConvergenceError if the step count runs away
 [[nodiscard]] ImpactResult solve_impact(const Impact& impact);
 
+/// Restitution alone, in double precision and without validation: for root finding and fits [1].
+[[nodiscard]] double restitution_of(const Impact& impact);
+
 }  // namespace ashimpact

@@ -1,0 +1,116 @@
+#pragma once
+
+#include "materials/contact_properties.hpp"
+#include "solver/contact/registry.hpp"
+
+#include <Eigen/Dense>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace ashimpact {
+
+/// The constants of one sieve size, as far as they are known; a calibration replaces the free ones.
+struct CalibrationSample {
+    double diameter;          ///< [m]
+    double density;           ///< of the particle [kg/m3]
+    double work_of_adhesion;  ///< [J/m2]
+    ElasticBody particle;     ///< E from the mixture rule
+    ElasticBody wall;
+    std::optional<double> contact_modulus;  ///< E* taken directly instead of Eq. 7 [Pa]
+
+    [[nodiscard]] ContactPair contact() const;
+};
+
+enum class CalibrationQuantity { density, work_of_adhesion, contact_modulus, wall_young_modulus };
+
+struct CalibrationQuantityName {
+    CalibrationQuantity quantity;
+    std::string_view name;
+    std::string_view unit;
+};
+inline constexpr std::array<CalibrationQuantityName, 4> calibration_quantity_names{{
+    {CalibrationQuantity::density, "density", "kg/m3"},
+    {CalibrationQuantity::work_of_adhesion, "work_of_adhesion", "J/m2"},
+    {CalibrationQuantity::contact_modulus, "contact_modulus", "Pa"},
+    {CalibrationQuantity::wall_young_modulus, "wall_young_modulus", "Pa"},
+}};
+
+/// One free constant: one value for all samples, or one value each. Its starting value is that of the
+/// samples.
+struct FreeConstant {
+    CalibrationQuantity quantity;
+    bool per_sample = false;
+};
+
+/// A published critical velocity, with the critical damping it was computed from (Tables 3 and 4).
+struct CriticalVelocityObservation {
+    std::size_t sample;
+    Law law;
+    double critical_damping;              ///< eta_c [kg/s]
+    double critical_damping_uncertainty;  ///< standard, e.g. rounding/sqrt(12) [kg/s]
+    double value;                         ///< v_c [m/s]
+    double standard_uncertainty;          ///< of v_c itself [m/s]
+};
+
+/// A published contact time at a velocity where the damping is known through a fit eta(e_n) (Table 2).
+struct ContactTimeObservation {
+    std::size_t sample;
+    Law law;
+    std::array<double, 3> damping_fit;  ///< a, b, c of eta = a e^2 + b e + c [kg/s]
+    double velocity;                    ///< v_in [m/s]
+    double velocity_uncertainty;        ///< standard [m/s]
+    double value;                       ///< contact time [s]
+    double standard_uncertainty;        ///< of the time itself [s]
+};
+
+struct CalibrationProblem {
+    std::vector<CalibrationSample> samples;
+    std::vector<FreeConstant> free;
+    std::vector<CriticalVelocityObservation> critical_velocities;
+    std::vector<ContactTimeObservation> contact_times;
+};
+
+/// A calibrated constant with the 95 % interval that its standard uncertainty implies (in the logarithm).
+struct CalibratedConstant {
+    CalibrationQuantity quantity;
+    std::optional<std::size_t> sample;  ///< none: shared by all
+    double value;
+    double standard_uncertainty;
+    double lower;
+    double upper;
+};
+
+/// What the calibrated model says of one observation.
+struct CalibrationResidual {
+    double observed;
+    double predicted;
+    double
+        relative_uncertainty;  ///< standard; own rounding and that of the damping or velocity behind it [1]
+
+    [[nodiscard]] double relative_difference() const { return predicted / observed - 1.0; }
+};
+
+struct CalibrationSummary {
+    std::vector<CalibratedConstant> constants;
+    Eigen::MatrixXd correlation;             ///< of the logarithms of the constants
+    std::vector<CalibrationSample> samples;  ///< with the calibrated constants in place
+    std::vector<CalibrationResidual> critical_velocities;
+    std::vector<CalibrationResidual> contact_times;
+    double chi_squared;
+    int degrees_of_freedom;
+    double probability;  ///< of a chi^2 at least this large
+    double akaike;       ///< chi^2 + 2 (number of constants), to compare hypotheses
+    int iterations;
+};
+
+/// Least squares in the logarithms of constants and observations (GSL), with the uncertainty of each
+/// observation widened by the rounding of the damping, or of the velocity, that it rests on.
+/// @throws InputError for a problem with fewer observations than constants or unknown samples,
+/// ConvergenceError
+[[nodiscard]] CalibrationSummary calibrate(const CalibrationProblem& problem);
+
+}  // namespace ashimpact

@@ -1,0 +1,92 @@
+#include "solver/gsl/nonlinear_fit.hpp"
+
+#include "solver/gsl/status.hpp"
+
+#include <gsl/gsl_blas.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_multifit_nlinear.h>
+
+#include <exception>
+#include <memory>
+
+namespace ashimpact::gsl {
+
+namespace {
+
+using Residuals = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
+
+/// Carries the residuals through GSL's C interface; an exception is kept and thrown again outside it.
+struct Target {
+    const Residuals& residuals;
+    std::exception_ptr error;
+};
+
+Eigen::VectorXd from_gsl(const gsl_vector* v) {
+    Eigen::VectorXd result(static_cast<Eigen::Index>(v->size));
+    for (std::size_t i = 0; i < v->size; ++i) result[static_cast<Eigen::Index>(i)] = gsl_vector_get(v, i);
+    return result;
+}
+
+int evaluate(const gsl_vector* x, void* parameters, gsl_vector* f) {
+    auto& target = *static_cast<Target*>(parameters);
+    if (target.error) return GSL_EFAILED;
+    try {
+        const Eigen::VectorXd value = target.residuals(from_gsl(x));
+        for (std::size_t i = 0; i < f->size; ++i) gsl_vector_set(f, i, value[static_cast<Eigen::Index>(i)]);
+        return GSL_SUCCESS;
+    } catch (...) {
+        target.error = std::current_exception();
+        return GSL_EFAILED;
+    }
+}
+
+Eigen::MatrixXd covariance_of(const gsl_multifit_nlinear_workspace* workspace, std::size_t size) {
+    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    RowMajor covariance(static_cast<Eigen::Index>(size), static_cast<Eigen::Index>(size));
+    auto view = gsl_matrix_view_array(covariance.data(), size, size);
+    check(gsl_multifit_nlinear_covar(gsl_multifit_nlinear_jac(workspace), 0.0, &view.matrix), "covariance");
+    return covariance;
+}
+
+}  // namespace
+
+NonlinearFit fit_nonlinear(const Residuals& residuals, const Eigen::VectorXd& start,
+                           const NonlinearFitOptions& options) {
+    quiet();
+    const auto count = static_cast<std::size_t>(residuals(start).size());
+    const auto size = static_cast<std::size_t>(start.size());
+    gsl_multifit_nlinear_parameters setup = gsl_multifit_nlinear_default_parameters();
+    setup.fdtype = GSL_MULTIFIT_NLINEAR_CTRDIFF;
+    setup.h_df = options.difference_step;
+    const std::unique_ptr<gsl_multifit_nlinear_workspace, decltype(&gsl_multifit_nlinear_free)> workspace(
+        gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &setup, count, size),
+        &gsl_multifit_nlinear_free);
+
+    Target target{residuals, nullptr};
+    gsl_multifit_nlinear_fdf problem{};
+    problem.f = &evaluate;
+    problem.n = count;
+    problem.p = size;
+    problem.params = &target;
+    const auto start_view = gsl_vector_const_view_array(start.data(), size);
+    int info = 0;
+    int status = gsl_multifit_nlinear_init(&start_view.vector, &problem, workspace.get());
+    if (status == GSL_SUCCESS) {
+        status = gsl_multifit_nlinear_driver(
+            static_cast<std::size_t>(options.most_iterations), options.parameter_tolerance,
+            options.gradient_tolerance, options.residual_tolerance, nullptr, nullptr, &info, workspace.get());
+    }
+    if (target.error) std::rethrow_exception(target.error);
+    // No further progress from a stationary point is convergence at rounding level, not a failure.
+    if (status != GSL_ENOPROG) check(status, "nonlinear fit");
+
+    NonlinearFit fit;
+    fit.parameters = from_gsl(gsl_multifit_nlinear_position(workspace.get()));
+    fit.residuals = from_gsl(gsl_multifit_nlinear_residual(workspace.get()));
+    fit.covariance = covariance_of(workspace.get(), size);
+    fit.chi_squared = fit.residuals.squaredNorm();
+    fit.iterations = static_cast<int>(gsl_multifit_nlinear_niter(workspace.get()));
+    return fit;
+}
+
+}  // namespace ashimpact::gsl

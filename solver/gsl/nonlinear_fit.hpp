@@ -1,0 +1,32 @@
+#pragma once
+
+#include <Eigen/Dense>
+
+#include <functional>
+
+namespace ashimpact::gsl {
+
+struct NonlinearFitOptions {
+    double parameter_tolerance = 1e-10;  ///< relative step at which a fit has converged
+    double gradient_tolerance = 1e-12;
+    double residual_tolerance = 0.0;  ///< relative change of chi^2; 0 leaves it out
+    double difference_step = 1e-6;    ///< relative step of the finite-difference Jacobian
+    int most_iterations = 200;
+};
+
+struct NonlinearFit {
+    Eigen::VectorXd parameters;
+    Eigen::MatrixXd covariance;  ///< (J^T J)^-1 at the solution
+    Eigen::VectorXd residuals;
+    double chi_squared;
+    int iterations;
+};
+
+/// Minimises the sum of squares of @p residuals(parameters) by Levenberg-Marquardt with geodesic acceleration
+/// off and central differences (GSL multifit_nlinear).
+/// @throws ConvergenceError; whatever @p residuals throws
+[[nodiscard]] NonlinearFit fit_nonlinear(
+    const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& residuals, const Eigen::VectorXd& start,
+    const NonlinearFitOptions& options = {});
+
+}  // namespace ashimpact::gsl
