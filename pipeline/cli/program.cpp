@@ -64,7 +64,7 @@ int usage_error(const CLI::App& program, const CLI::ParseError& error) {
     for (const CLI::App* each : program.get_subcommands([](const CLI::App*) { return true; }))
         commands += (commands.empty() ? "" : ", ") + each->get_name();
     spdlog::error("ashimpact: {}; allowed: {}; see `ashimpact --help`",
-                  unknown.empty() ? "a command is missing" : "unknown command " + quoted(unknown.front()), commands);
+                  unknown.empty() ? "a command is missing" : "unknown command " + in_quotes(unknown.front()), commands);
     return wrong_input;
 }
 
