@@ -52,7 +52,7 @@ class Sampler {
     }
 
     [[nodiscard]] TrajectoryPoint at(const MotionState<Extended>& s) const {
-        const Extended u = motion_.squared ? std::sqrt(std::max(0.0L, s.position)) : s.position;
+        const Extended u = motion_.root_radius(s.position);
         const Extended attraction = law_.visit<Extended>(
             [&]<template <class> class L>() { return L<Extended>{Extended(adhesion_)}.attractive_force(u); });
         const Extended force = motion_.force(s.position);
@@ -82,7 +82,7 @@ std::vector<TrajectoryPoint> trajectory(const Impact& impact, int count) {
     const Motion<Extended> motion = scaled_motion<Extended>(impact, scale);
     std::vector<Piece> pieces;
     const Orbit<Extended> orbit =
-        follow(motion, 1.0L, [&](const MotionExpansion<Extended>& x, Extended used) {
+        follow(motion, 1.0L, [&](const auto&, const MotionExpansion<Extended>& x, Extended used) {
             pieces.push_back({x, used, value(x.time, used)});
         });
     if (orbit.outcome == Outcome::capture) ring(motion, orbit.end, static_cast<std::size_t>(count), pieces);
