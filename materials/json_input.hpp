@@ -49,6 +49,16 @@ decltype(auto) at_place(const std::string& place, Read&& read) {
     }
 }
 
+/// Runs `read` and puts the name of a file in front of the place of an InputError it throws.
+template <class Read>
+decltype(auto) in_file(const std::string& file, Read&& read) {
+    try {
+        return std::forward<Read>(read)();
+    } catch (const InputError& error) {
+        throw error.in_file(file);
+    }
+}
+
 /// Reads member `key` with `read(member)`, errors placed at "/key"; nothing if the member is not there.
 template <class Read>
 auto optional_member(const Json& node, const std::string& key, Read&& read)

@@ -38,7 +38,7 @@ class SignalsHeld {
 std::string reason(int error) { return std::generic_category().message(error); }
 
 [[noreturn]] void refuse_write(const std::filesystem::path& path, const std::string& why) {
-    throw InputError("cannot be written: " + why, "a place you may write to").at(path.string());
+    throw InputError("cannot be written: " + why, "a place you may write to").in_file(path.string());
 }
 
 /// Files under their temporary names; those not yet in their place are removed in the end.
@@ -93,7 +93,7 @@ std::string read_file(const std::filesystem::path& path) {
     const bool folder = std::filesystem::is_directory(path, ignored);
     if (!stream || folder) {
         const std::string why = folder ? "it is a folder" : reason(errno != 0 ? errno : EIO);
-        throw InputError("cannot be read: " + why, "a file").at(path.string());
+        throw InputError("cannot be read: " + why, "a file").in_file(path.string());
     }
     std::ostringstream content;
     content << stream.rdbuf();

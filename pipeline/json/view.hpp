@@ -63,14 +63,7 @@ struct View::Member {
 
 }  // namespace ashimpact
 
-#include "materials/error.hpp"
-
 template <class Read>
 auto ashimpact::View::located(Read&& read) const {
-    try {
-        return read();
-    } catch (const InputError& error) {
-        if (pointer_.empty()) throw;
-        throw error.at(pointer_);
-    }
+    return pointer_.empty() ? read() : at_place(pointer_, read);
 }
