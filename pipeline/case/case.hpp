@@ -90,6 +90,7 @@ struct Sample {
     std::optional<Stated> poisson_ratio{};    ///< else mixed from the phases
     std::optional<Stated> density{};          ///< apparent; else that of the phases, less the pores
     std::optional<Stated> contact_modulus{};  ///< instead of Eq. 7 [Pa]
+    std::optional<Stated> yield_pressure{};   ///< for laws that yield; else never [Pa]
     std::optional<Adhesion> work_of_adhesion{};
     std::optional<Stated> measured_critical_velocity{};
     std::optional<RestitutionData> restitution{};

@@ -6,6 +6,7 @@
 #include "data/embedded.hpp"
 #include "materials/checks.hpp"
 #include "pipeline/case/case_parts.hpp"
+#include "pipeline/case/laws.hpp"
 #include "pipeline/json/schema.hpp"
 #include "solver/impact.hpp"
 
@@ -42,6 +43,8 @@ Sample read_sample(const View& node, const Defaults& defaults, InputFiles& files
     sample.density = read_optional(own_or_default(node, defaults, "density"), "density", Dimension::density);
     sample.contact_modulus =
         read_optional(own_or_default(node, defaults, "contact_modulus"), "contact modulus", Dimension::pressure);
+    sample.yield_pressure =
+        read_optional(own_or_default(node, defaults, "yield_pressure"), "yield pressure", Dimension::pressure);
     sample.work_of_adhesion = defaults.work_of_adhesion;
     if (const auto w = node.find("work_of_adhesion")) sample.work_of_adhesion = read_adhesion(*w);
     sample.measured_critical_velocity =
@@ -155,11 +158,6 @@ HistoryOptions read_histories(const View& document) {
     return options;
 }
 
-bool is_adhesive_law(const LawChoice& choice) {
-    constexpr ContactPair unit{.mass = 1, .effective_radius = 1, .contact_modulus = 1, .work_of_adhesion = 1};
-    return choice.law.visit<bool>([&]<template <class> class L>() { return L<double>::adhesion_number(unit, 1) != 0; });
-}
-
 /// What only the whole case shows.
 void check_whole(const Case& data, const View& document) {
     std::set<std::string> names;
@@ -169,7 +167,8 @@ void check_whole(const Case& data, const View& document) {
         if (!names.insert(sample.name).second) nodes[i].at("name").fail("two samples have this name", "another name");
         if (!data.wall && !sample.contact_modulus)
             nodes[i].fail("neither a wall nor a contact modulus is given", "\"wall\" of the case, or contact_modulus here");
-        const bool adhesive = std::any_of(data.laws.begin(), data.laws.end(), is_adhesive_law);
+        const bool adhesive = std::any_of(data.laws.begin(), data.laws.end(),
+                                          [](const LawChoice& choice) { return is_adhesive(choice.law); });
         if (adhesive && !sample.work_of_adhesion)
             nodes[i].fail("\"work_of_adhesion\" is missing, here and in the case", "an energy per area, such as \"0.3 J/m2\"");
     }

@@ -24,6 +24,8 @@ void add_contact_options(CLI::App& command, ContactOptions& options) {
         .add_option("--work-of-adhesion", options.work_of_adhesion,
                     "w, \"0.3 J/m2\" (not a surface energy); not needed for hertz")
         ->type_name("Q");
+    command.add_option("--yield-pressure", options.yield_pressure, "p_y, \"35.3 MPa\", for thornton-ning")
+        ->type_name("Q");
     command
         .add_option("--detachment", options.detachment,
                     "where the contact ends: zero-overlap, zero-force, pull-off, load-controlled; default: that "

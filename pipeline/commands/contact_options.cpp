@@ -2,11 +2,12 @@
 
 #include <spdlog/spdlog.h>
 
-#include <stdexcept>
+#include <limits>
 
 #include "materials/checks.hpp"
 #include "materials/contact_properties.hpp"
 #include "materials/error.hpp"
+#include "pipeline/case/laws.hpp"
 
 namespace ashimpact {
 
@@ -51,6 +52,13 @@ double read_work_of_adhesion(const ContactOptions& options, Law law) {
     });
 }
 
+double read_yield_pressure(const ContactOptions& options, Law law) {
+    if (yields(law)) return read_positive("--yield-pressure", options.yield_pressure, Dimension::pressure);
+    if (!options.yield_pressure.empty())
+        spdlog::warn("warning: --yield-pressure: {} never yields, so it changes nothing", law.name());
+    return std::numeric_limits<double>::infinity();
+}
+
 Detachment read_detachment(const std::string& name, Law law) {
     if (name.empty()) return law.default_detachment();
     return at_option("--detachment", [&] {
@@ -61,20 +69,6 @@ Detachment read_detachment(const std::string& name, Law law) {
 }
 
 }  // namespace
-
-bool is_adhesive(Law law) {
-    constexpr ContactPair unit{.mass = 1, .effective_radius = 1, .contact_modulus = 1, .work_of_adhesion = 1};
-    return law.visit<bool>([&]<template <class> class L>() { return L<double>::adhesion_number(unit, 1.0) != 0; });
-}
-
-Dimension dimension_of(DampingLaw law) {
-    switch (law) {
-        case DampingLaw::constant: return Dimension::damping;
-        case DampingLaw::contact_radius: return Dimension::viscosity;
-        case DampingLaw::tsuji: return Dimension::fraction;
-    }
-    throw std::logic_error("damping law without a dimension");
-}
 
 double read_option(const std::string& option, const std::string& text, Dimension dimension) {
     return at_option(option, [&] {
@@ -93,7 +87,8 @@ ContactChoice read_contact(const ContactOptions& options) {
         .mass = read_mass(options, radius),
         .effective_radius = radius,
         .contact_modulus = read_positive("--contact-modulus", options.contact_modulus, Dimension::pressure),
-        .work_of_adhesion = read_work_of_adhesion(options, law)};
+        .work_of_adhesion = read_work_of_adhesion(options, law),
+        .yield_pressure = read_yield_pressure(options, law)};
     return {law, detachment, contact};
 }
 

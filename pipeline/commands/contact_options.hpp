@@ -17,6 +17,7 @@ struct ContactOptions {
     std::string mass;
     std::string contact_modulus;
     std::string work_of_adhesion;
+    std::string yield_pressure;
     std::string damping_law = "constant";
     std::string damping;
 };
@@ -36,11 +37,5 @@ struct ContactChoice {
 
 /// What an option says [SI unit of the dimension]. @throws InputError naming the option
 [[nodiscard]] double read_option(const std::string& option, const std::string& text, Dimension dimension);
-
-/// Whether the law has any attraction.
-[[nodiscard]] bool is_adhesive(Law law);
-
-/// What the coefficient of a damping law measures.
-[[nodiscard]] Dimension dimension_of(DampingLaw law);
 
 }  // namespace ashimpact

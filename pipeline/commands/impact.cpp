@@ -22,7 +22,8 @@ Json energy_json(const EnergyLedger& energy) {
     const auto joule = [](double value) { return quantity_json(value, Dimension::energy); };
     return {{"incident", joule(energy.incident)},     {"at_touch", joule(energy.at_touch)},
             {"remaining", joule(energy.remaining)},   {"potential", joule(energy.potential)},
-            {"dissipated", joule(energy.dissipated)}, {"residual", joule(energy.residual)},
+            {"dissipated", joule(energy.dissipated)}, {"plastic", joule(energy.plastic)},
+            {"residual", joule(energy.residual)},
             {"minimum", joule(energy.minimum)}};
 }
 
