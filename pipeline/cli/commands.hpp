@@ -17,7 +17,13 @@ using Action = std::function<void(std::ostream& out)>;
 [[nodiscard]] CLI::App* add_command(CLI::App& program, const std::string& name, const std::string& purpose,
                                     const std::string& example);
 
+/// run, modulus
+void add_case_commands(CLI::App& program, Action& action);
+
 /// impact, critical-velocity, damping
 void add_contact_commands(CLI::App& program, Action& action);
+
+/// inspect, init, schema
+void add_document_commands(CLI::App& program, Action& action);
 
 }  // namespace ashimpact

@@ -85,7 +85,9 @@ int run_program(int argc, const char* const* argv) {
     program.require_subcommand(1);
     program.footer("Example:\n  ashimpact run\n`ashimpact COMMAND --help` says more about each.");
     Action action;
+    add_case_commands(program, action);
     add_contact_commands(program, action);
+    add_document_commands(program, action);
     try {
         program.parse(argc, argv);
         perform(action);

@@ -33,8 +33,11 @@ std::string critical_velocity_text(const CriticalVelocityProblem& problem, const
         list.add("contact time", result.contact_time ? readable(*result.contact_time, "s")
                                                      : "infinite: the particle comes to rest only at the end");
         if (result.maximum_overlap) list.add("maximum overlap", readable(*result.maximum_overlap, "m"));
-        list.add("energy", fmt::format("{} dissipated, {} to break the contact", readable(result.dissipated, "J"),
+        list.add("energy", fmt::format("{} dissipated, {} spent in yielding, {} to break the contact",
+                                       readable(result.dissipated, "J"), readable(result.plastic, "J"),
                                        readable(result.detachment_energy, "J")));
+        for (const double crossing : result.crossings)
+            if (crossing != *result.value) list.add("another crossing", readable(crossing, "m/s"));
     }
     return list.text(0);
 }
@@ -50,7 +53,9 @@ Json critical_velocity_json(const CriticalVelocityProblem& problem, const Critic
             {"verdict", name_of(result.verdict)},
             {"contact_time", quantity_json(result.contact_time, Dimension::time)},
             {"maximum_overlap", quantity_json(result.maximum_overlap, Dimension::length)},
+            {"crossings", column_json(result.crossings, Dimension::velocity)},
             {"dissipated", quantity_json(result.dissipated, Dimension::energy)},
+            {"plastic", quantity_json(result.plastic, Dimension::energy)},
             {"detachment_energy", quantity_json(result.detachment_energy, Dimension::energy)}};
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/case/laws.hpp"
 #include "pipeline/commands/critical_velocity.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/contact.hpp"
@@ -30,7 +31,8 @@ StageOutput critical_velocity_stage(const Artifacts& before) {
     StageOutput output{.citations = {"dong2013, section 4.3, Table 4"}};
     output.options = {{"damping", "critical damping eta(0) of 6-fit.json"}};
     output.result["samples"] = Json::array();
-    for (const SampleFit& sample : before.read("6-fit.json", read_fits)) {
+    const auto read = [&](const View& result) { return read_fits(result, dimension_of(data.damping_law)); };
+    for (const SampleFit& sample : before.read("6-fit.json", read)) {
         const SampleContact& contact = entry_named(contacts, sample.name, "2-contact.json");
         Json json{{"name", sample.name}};
         for (const LawChoice& choice : data.laws) {
@@ -60,8 +62,10 @@ std::vector<SampleCriticalVelocity> read_critical_velocities(const View& result)
                                          .value = {},
                                          .contact_time = {},
                                          .dissipated = node.at("dissipated").number(Dimension::energy),
+                                         .plastic = 0.0,
                                          .detachment_energy = node.at("detachment_energy").number(Dimension::energy)};
             if (const auto value = node.find("critical_velocity")) velocity.value = value->number(Dimension::velocity);
+            if (const auto plastic = node.find("plastic")) velocity.plastic = plastic->number(Dimension::energy);
             if (const auto time = node.find("contact_time")) velocity.contact_time = time->number(Dimension::time);
             entry.laws.set(law, std::move(velocity));
         }

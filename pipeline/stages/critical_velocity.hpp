@@ -15,6 +15,7 @@ struct LawCriticalVelocity {
     std::optional<double> value;         ///< where finite [m/s]
     std::optional<double> contact_time;  ///< where finite [s]
     double dissipated;                   ///< work of damping at v_c [J]
+    double plastic;                      ///< work spent in yielding at v_c [J]
     double detachment_energy;            ///< what the break itself costs [J]
 };
 

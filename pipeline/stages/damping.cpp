@@ -89,7 +89,7 @@ StageOutput damping_stage(const Artifacts& before) {
     return output;
 }
 
-std::vector<SampleDamping> read_dampings(const View& result) {
+std::vector<SampleDamping> read_dampings(const View& result, Dimension dimension) {
     std::vector<SampleDamping> samples;
     for (const View& sample : result.at("samples").elements()) {
         SampleDamping entry{.name = sample.at("name").text(), .laws = {}};
@@ -99,7 +99,7 @@ std::vector<SampleDamping> read_dampings(const View& result) {
             DampingSeries series{.origin = node.at("origin").text(),
                                  .velocity = node.at("velocity").column(Dimension::velocity),
                                  .restitution = node.at("restitution").column(Dimension::fraction),
-                                 .damping = column_in_any_unit(node.at("damping")),
+                                 .damping = node.at("damping").column(dimension),
                                  .contact_time = node.at("contact_time").column(Dimension::time)};
             if (series.velocity.size() != series.restitution.size() || series.velocity.size() != series.damping.size())
                 node.fail("the columns differ in length", "columns of one length");

@@ -27,6 +27,7 @@ struct SampleDamping {
 /// damping but do not fix it: they are listed apart.
 [[nodiscard]] StageOutput damping_stage(const Artifacts& before);
 
-[[nodiscard]] std::vector<SampleDamping> read_dampings(const View& result);
+/// @param dimension of the coefficient of the damping law
+[[nodiscard]] std::vector<SampleDamping> read_dampings(const View& result, Dimension dimension);
 
 }  // namespace ashimpact

@@ -69,7 +69,8 @@ StageOutput fit_stage(const Artifacts& before) {
     StageOutput output{.citations = {"dong2013, section 4.3, Tables 2 and 3"}};
     output.options = {{"order", 2}, {"weights", "equal"}, {"branch", "up to the greatest restitution"}};
     output.result["samples"] = Json::array();
-    for (const SampleDamping& sample : before.read("5-damping.json", read_dampings)) {
+    const auto read = [&](const View& result) { return read_dampings(result, dimension_of(data.damping_law)); };
+    for (const SampleDamping& sample : before.read("5-damping.json", read)) {
         Json json{{"name", sample.name}};
         for (const auto& [law, series] : sample.laws) {
             const auto points = rising_branch(series);
@@ -86,14 +87,14 @@ StageOutput fit_stage(const Artifacts& before) {
     return output;
 }
 
-std::vector<SampleFit> read_fits(const View& result) {
+std::vector<SampleFit> read_fits(const View& result, Dimension dimension) {
     std::vector<SampleFit> samples;
     for (const View& sample : result.at("samples").elements()) {
         SampleFit entry{.name = sample.at("name").text(), .laws = {}};
         for (const auto& [name, node] : sample.members()) {
             if (name == "name") continue;
             const Law law = node.located([&, &key = name] { return Law::named(key); });
-            const auto value = [&node = node](const char* key) { return value_in_any_unit(node.at(key)); };
+            const auto value = [&, &node = node](const char* key) { return node.at(key).number(dimension); };
             entry.laws.set(law, {value("a"), value("b"), value("c"), value("critical_damping")});
         }
         samples.push_back(std::move(entry));

@@ -27,6 +27,7 @@ struct SampleFit {
 /// 4.3, Tables 2 and 3.
 [[nodiscard]] StageOutput fit_stage(const Artifacts& before);
 
-[[nodiscard]] std::vector<SampleFit> read_fits(const View& result);
+/// @param dimension of the coefficient of the damping law
+[[nodiscard]] std::vector<SampleFit> read_fits(const View& result, Dimension dimension);
 
 }  // namespace ashimpact

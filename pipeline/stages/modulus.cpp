@@ -29,13 +29,14 @@ Json rule_json(const RuleResult& result) {
 Json bounds_json(const ModulusEstimate& estimate) {
     const auto pick = [&](MixtureRule first, MixtureRule second) {
         const auto result = estimate.by(first);
-        const RuleResult chosen = result ? *result : estimate.by(second).value();
-        Json bound = rule_json(chosen);
-        bound["rule"] = mixture_rule_name(chosen.rule);
-        return bound;
+        return result ? *result : estimate.by(second).value();
     };
-    return {{"lower", pick(MixtureRule::hashin_shtrikman_lower, MixtureRule::series)},
-            {"upper", pick(MixtureRule::hashin_shtrikman_upper, MixtureRule::parallel)}};
+    const RuleResult lower = pick(MixtureRule::hashin_shtrikman_lower, MixtureRule::series);
+    const RuleResult upper = pick(MixtureRule::hashin_shtrikman_upper, MixtureRule::parallel);
+    return {{"lower", rule_json(lower)},
+            {"upper", rule_json(upper)},
+            {"lower_rule", mixture_rule_name(lower.rule)},
+            {"upper_rule", mixture_rule_name(upper.rule)}};
 }
 
 void add_citations(const Composition& composition, std::vector<std::string>& citations) {
