@@ -67,9 +67,8 @@ Artifact loaded_artifact(const std::filesystem::path& folder, std::string_view f
 /// The manifest: every artifact of the folder with its hash, those of this run and those from before it.
 Artifact manifest_of(const RunPlan& plan, const std::vector<Artifact>& all, const std::vector<Artifact>& written) {
     StageOutput output;
-    output.options = {{"case", plan.case_file.value_or(std::string("builtin:") + built_in_case)},
-                      {"from", plan.from.empty() ? "case" : plan.from},
-                      {"only", !plan.only.empty()}};
+    output.options = {{"from", plan.from.empty() ? Json(nullptr) : Json(plan.from)},
+                      {"only", plan.only.empty() ? Json(nullptr) : Json(plan.only)}};
     output.result["artifacts"] = Json::array();
     for (const Artifact& artifact : all) {
         const bool is_new = std::any_of(written.begin(), written.end(),
@@ -136,6 +135,16 @@ std::vector<std::string> stage_names() {
     std::vector<std::string> names;
     for (const Stage& stage : stages()) names.emplace_back(stage.name);
     return names;
+}
+
+Artifacts compute_artifacts(const std::optional<std::string>& case_file, std::string_view last_stage) {
+    Artifacts artifacts;
+    artifacts.add(case_artifact_of(load_case(case_file)));
+    for (const Stage& stage : stages()) {
+        artifacts.add(computed(stage, artifacts));
+        if (stage.name == last_stage) break;
+    }
+    return artifacts;
 }
 
 RunSummary run_stages(const RunPlan& plan) {

@@ -28,6 +28,9 @@ struct RunSummary {
 /// @throws InputError, ConvergenceError; nothing is written then
 [[nodiscard]] RunSummary run_stages(const RunPlan& plan);
 
+/// The artifacts of a case up to and with a stage, nothing written.
+[[nodiscard]] Artifacts compute_artifacts(const std::optional<std::string>& case_file, std::string_view last_stage);
+
 /// Names of the stages a run can start from.
 [[nodiscard]] std::vector<std::string> stage_names();
 

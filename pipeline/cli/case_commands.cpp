@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "pipeline/cli/commands.hpp"
+#include "pipeline/commands/calibrate.hpp"
 #include "pipeline/commands/documents.hpp"
 #include "pipeline/commands/modulus.hpp"
 #include "pipeline/commands/run.hpp"
@@ -50,6 +51,24 @@ void add_modulus(CLI::App& program, Action& action) {
         [options, &action] { action = [options](std::ostream& out) { run_modulus_command(*options, out); }; });
 }
 
+void add_calibrate(CLI::App& program, Action& action) {
+    auto* command = add_command(program, "calibrate",
+                                "Unknown constants of a case, from published critical velocities and contact times",
+                                "ashimpact calibrate my-case/case.json --free density:each --free work_of_adhesion");
+    const auto options = std::make_shared<CalibrateOptions>();
+    command->add_option("case", options->case_file, "case file; default: the built-in case, Dong et al. 2013")
+        ->type_name("CASE.json");
+    command
+        ->add_option("--free", options->free,
+                     "a constant to find: density, work_of_adhesion, contact_modulus, wall_young_modulus; with :each "
+                     "one value a sample; default: what the case says")
+        ->type_name("NAME[:each]")
+        ->allow_extra_args(false);
+    command->add_flag("--json", options->json, "print one JSON object, numbers with 17 significant digits");
+    command->callback(
+        [options, &action] { action = [options](std::ostream& out) { run_calibrate_command(*options, out); }; });
+}
+
 /// A command with one argument.
 void add_document_command(CLI::App* command, Action& action, const char* name, const char* type, const char* purpose,
                           bool required, void (*run)(const std::string&, std::ostream&)) {
@@ -67,6 +86,7 @@ void add_case_commands(CLI::App& program, Action& action) {
 }
 
 void add_document_commands(CLI::App& program, Action& action) {
+    add_calibrate(program, action);
     add_document_command(add_command(program, "inspect", "An artifact as tables, with its provenance",
                                      "ashimpact inspect results/comparison.json"),
                          action, "artifact", "ARTIFACT.json", "file of a run's folder", true, run_inspect_command);

@@ -23,7 +23,7 @@ void add_case_commands(CLI::App& program, Action& action);
 /// impact, critical-velocity, damping
 void add_contact_commands(CLI::App& program, Action& action);
 
-/// inspect, init, schema
+/// calibrate, inspect, init, schema
 void add_document_commands(CLI::App& program, Action& action);
 
 }  // namespace ashimpact

@@ -51,6 +51,13 @@ void add_impact(CLI::App& program, Action& action) {
     add_contact_options(*command, options->contact);
     add_damping_option(*command, options->contact);
     command->add_option("--velocity", options->velocity, "at first touch, \"2 m/s\"")->required()->type_name("Q");
+    command
+        ->add_option("--method", options->method,
+                     "taylor (exact) or paper-explicit (the paper's scheme, first order in the time step)")
+        ->capture_default_str()
+        ->type_name("NAME");
+    command->add_option("--time-step", options->time_step, "of paper-explicit; default: 10000 steps a contact")
+        ->type_name("Q");
     command->add_option("--trajectory", options->trajectory, "write overlap, velocity and forces against time (CSV)")
         ->type_name("FILE");
     command->add_option("--points", options->points, "number of points of the trajectory")

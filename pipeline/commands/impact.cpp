@@ -12,6 +12,7 @@
 #include "pipeline/json/writer.hpp"
 #include "pipeline/text/readable.hpp"
 #include "pipeline/text/table.hpp"
+#include "solver/explicit_scheme.hpp"
 #include "solver/trajectory.hpp"
 
 namespace ashimpact {
@@ -83,6 +84,32 @@ std::string impact_text(const Impact& impact, const ImpactResult& result) {
     return list.text(0);
 }
 
+namespace {
+
+/// How an impact was solved: 0 for the time step of the exact method.
+struct Solution {
+    ImpactResult result;
+    double time_step;
+};
+
+Solution solve(const ImpactOptions& options, const Impact& impact) {
+    constexpr double steps = 1e4;
+    if (options.method == "taylor") {
+        if (!options.time_step.empty()) throw InputError("belongs to the explicit method", "--method paper-explicit").at("--time-step");
+        return {solve_impact(impact), 0};
+    }
+    if (options.method != "paper-explicit")
+        throw InputError("unknown method " + in_quotes(options.method), "taylor, paper-explicit").at("--method");
+    if (!options.trajectory.empty())
+        throw InputError("is written by the exact method alone", "--method taylor").at("--trajectory");
+    validate(impact);
+    const double time_step = options.time_step.empty() ? explicit_time_step(impact, steps)
+                                                       : read_option("--time-step", options.time_step, Dimension::time);
+    return {solve_impact_explicit(impact, {.time_step = time_step}), time_step};
+}
+
+}  // namespace
+
 void run_impact_command(const ImpactOptions& options, std::ostream& out) {
     const ContactChoice choice = read_contact(options.contact);
     const Impact impact{.law = choice.law,
@@ -90,13 +117,20 @@ void run_impact_command(const ImpactOptions& options, std::ostream& out) {
                         .damping = read_damping(options.contact),
                         .contact = choice.contact,
                         .velocity = read_option("--velocity", options.velocity, Dimension::velocity)};
-    const ImpactResult result = solve_impact(impact);
+    const auto [result, time_step] = solve(options, impact);
     if (!options.trajectory.empty()) {
         const auto points = trajectory(impact, options.points);
         write_file(options.trajectory, trajectory_csv(points));
         spdlog::info("{}: {} points", options.trajectory, points.size());
     }
-    out << (options.json ? write_json(impact_json(impact, result), Digits::seventeen) : impact_text(impact, result));
+    if (!options.json) {
+        out << impact_text(impact, result);
+        return;
+    }
+    Json json = impact_json(impact, result);
+    json["method"] = options.method;
+    if (time_step > 0) json["time_step"] = quantity_json(time_step, Dimension::time);
+    out << write_json(json, Digits::seventeen);
 }
 
 }  // namespace ashimpact

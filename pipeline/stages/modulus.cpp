@@ -25,14 +25,15 @@ Json rule_json(const RuleResult& result) {
     return make_quantity(result.young_modulus, Dimension::pressure, result.standard_uncertainty);
 }
 
-/// The narrowest bounds that can be computed: Hashin and Shtrikman's, or the series and parallel models.
+/// Reuss and Voigt on (K, G), which hold for any arrangement of the phases; without every Poisson ratio the series and
+/// parallel models on E stand for them.
 Json bounds_json(const ModulusEstimate& estimate) {
     const auto pick = [&](MixtureRule first, MixtureRule second) {
         const auto result = estimate.by(first);
         return result ? *result : estimate.by(second).value();
     };
-    const RuleResult lower = pick(MixtureRule::hashin_shtrikman_lower, MixtureRule::series);
-    const RuleResult upper = pick(MixtureRule::hashin_shtrikman_upper, MixtureRule::parallel);
+    const RuleResult lower = pick(MixtureRule::reuss, MixtureRule::series);
+    const RuleResult upper = pick(MixtureRule::voigt, MixtureRule::parallel);
     return {{"lower", rule_json(lower)},
             {"upper", rule_json(upper)},
             {"lower_rule", mixture_rule_name(lower.rule)},

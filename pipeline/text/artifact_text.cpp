@@ -75,6 +75,29 @@ std::string columns_text(const Json& object, std::size_t indent) {
            (stride > 1 ? fmt::format("{}every {} of {} rows\n", std::string(indent, ' '), stride, length) : "");
 }
 
+/// Whether a list holds objects that make the rows of a table: same keys, short values.
+bool is_table(const Json& list) {
+    if (!list.is_array() || list.size() < 2) return false;
+    for (const Json& row : list) {
+        if (!row.is_object() || row.size() != list.front().size() || row.size() > 8) return false;
+        for (const auto& [key, cell] : row.items())
+            if (!list.front().contains(key) || short_text(cell).empty()) return false;
+    }
+    return true;
+}
+
+std::string rows_text(const Json& list, std::size_t indent) {
+    std::vector<std::string> heading;
+    for (const auto& [key, _] : list.front().items()) heading.push_back(key);
+    TextTable table(heading);
+    for (const Json& row : list) {
+        std::vector<std::string> cells;
+        for (const std::string& key : heading) cells.push_back(short_text(row.at(key)));
+        table.add(std::move(cells));
+    }
+    return table.text(indent);
+}
+
 /// The heading of one element of a list: its name, or what else it has of that kind.
 std::string title_of(const Json& element, std::size_t index) {
     for (const char* key : {"name", "part", "file"})
@@ -97,6 +120,10 @@ std::string block_text(const Json& value, std::size_t indent) {
         }
         if (member.is_object()) {
             nested += std::string(indent, ' ') + key + "\n" + block_text(member, indent + indent_width);
+            continue;
+        }
+        if (is_table(member)) {
+            nested += std::string(indent, ' ') + key + "\n" + rows_text(member, indent + indent_width);
             continue;
         }
         for (std::size_t i = 0; i < member.size(); ++i) {
