@@ -1,59 +1,79 @@
 #include "solver/momentum_balance.hpp"
 
 #include "materials/error.hpp"
-#include "solver/scaled_impact.hpp"
+#include "solver/trajectory.hpp"
+
+#include <cmath>
+#include <vector>
 
 namespace ashimpact {
 
 namespace {
 
-/// Damping impulses of the two legs, summed branch by branch: integral of eta d(delta), scaled.
-struct DampingImpulse {
-    Extended approach = 0;
-    Extended rebound = 0;
-
-    void operator()(const Motion<Extended>& motion, const MotionExpansion<Extended>& x, Extended used) {
-        const Polynomial<Extended> impulse = motion.drag.antiderivative();
-        const Extended gained = impulse(value(x.position, used)) - impulse(x.position[0]);
-        (gained > 0 ? approach : rebound) += gained;
-    }
+struct Instant {
+    double time;
+    double static_force;
+    double damping_force;
 };
 
-Orbit<Extended> observed(const Impact& impact, const Scale& scale, DampingImpulse& impulse) {
-    if (can_yield(impact.law, impact.contact)) {
-        return follow_plastic(scaled_plastic_motion<Extended>(impact, scale), 1.0L, impulse).orbit;
+Instant instant_of(const TrajectoryPoint& point) {
+    return {point.time, point.repulsive_force + point.attractive_force, point.damping_force};
+}
+
+/// The instants of each stage; both hold the turning point, where the damping force is zero.
+struct Stages {
+    std::vector<Instant> approach;
+    std::vector<Instant> rebound;
+};
+
+Stages stages_of(const std::vector<TrajectoryPoint>& points, double turn) {
+    Stages stages;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Instant now = instant_of(points[i]);
+        if (now.time < turn) {
+            stages.approach.push_back(now);
+            continue;
+        }
+        if (stages.rebound.empty()) {
+            const Instant before = stages.approach.back();
+            const double share = (turn - before.time) / (now.time - before.time);
+            const double force = before.static_force + share * (now.static_force - before.static_force);
+            stages.approach.push_back({turn, force, 0.0});
+            stages.rebound.push_back({turn, force, 0.0});
+        }
+        if (now.time > turn) stages.rebound.push_back(now);
     }
-    return follow(scaled_motion<Extended>(impact, scale), 1.0L, impulse);
+    return stages;
+}
+
+/// @param sign of the damping impulse in the stage's balance; @param momentum at its open end [N s]
+StageMomentum momentum_of(const std::vector<Instant>& instants, double sign, double momentum) {
+    StageMomentum stage{};
+    for (std::size_t i = 1; i < instants.size(); ++i) {
+        const double step = instants[i].time - instants[i - 1].time;
+        stage.static_impulse += step * (instants[i].static_force + instants[i - 1].static_force) / 2.0;
+        stage.damping_impulse += step * std::abs(instants[i].damping_force + instants[i - 1].damping_force) / 2.0;
+    }
+    stage.duration = instants.back().time - instants.front().time;
+    stage.mean_force = stage.static_impulse / stage.duration;
+    stage.residual = stage.static_impulse + sign * stage.damping_impulse - momentum;
+    return stage;
 }
 
 }  // namespace
 
-MomentumBalance momentum_balance(const Impact& impact) {
-    validate(impact);
-    const Scale scale = Scale::of(impact.contact, impact.velocity);
-    DampingImpulse damping;
-    const Orbit<Extended> orbit = observed(impact, scale, damping);
-    if (!orbit.turned) {
-        throw InputError("the impact is so damped that it never turns: it has no approach time",
-                         "less damping");
+MomentumBalance momentum_balance(const Impact& impact, int points) {
+    const ImpactResult result = solve_impact(impact);
+    if (result.outcome == Outcome::capture) {
+        throw InputError("a captured particle has no momentum balance of a rebound", "a velocity above the critical one");
     }
-    const double momentum = scale.momentum();
+    const Stages stages = stages_of(trajectory(impact, points), *result.approach_time);
+    const double mass = impact.contact.mass;
     MomentumBalance balance{};
-    balance.approach_time = static_cast<double>(orbit.turn.time) * scale.time();
-    balance.approach_damping_impulse = static_cast<double>(damping.approach) * momentum;
-    balance.approach_static_impulse = static_cast<double>(1 - damping.approach) * momentum;
-    balance.approach_mean_force = balance.approach_static_impulse / balance.approach_time;
-    balance.momentum_lost = momentum;
-    if (orbit.outcome == Outcome::capture) return balance;
-
-    const Extended lost = 1 + orbit.end.velocity;
-    balance.rebound_time = static_cast<double>(orbit.end.time - orbit.turn.time) * scale.time();
-    balance.rebound_damping_impulse = static_cast<double>(-damping.rebound) * momentum;
-    balance.rebound_static_impulse = static_cast<double>(-orbit.end.velocity - damping.rebound) * momentum;
-    balance.rebound_mean_force = balance.rebound_static_impulse / balance.rebound_time;
-    balance.momentum_lost = static_cast<double>(lost) * momentum;
-    balance.inequality_44 = damping.approach - damping.rebound > lost;
-    balance.inequality_45 = balance.rebound_time > balance.approach_time;
+    balance.approach = momentum_of(stages.approach, 1.0, mass * impact.velocity);
+    balance.rebound = momentum_of(stages.rebound, -1.0, mass * result.rebound_velocity);
+    balance.damping_impulse = balance.approach.damping_impulse + balance.rebound.damping_impulse;
+    balance.momentum_lost = mass * (impact.velocity - result.rebound_velocity);
     return balance;
 }
 
