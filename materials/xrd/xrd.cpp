@@ -56,7 +56,7 @@ XrdResult read_xrd(std::string_view text, std::string_view name) {
             if (sample.name.empty()) sample.name = stem(name);
         return result;
     } catch (const InputError& error) {
-        throw error.at(std::string(name));
+        throw error.in_file(std::string(name));
     }
 }
 
