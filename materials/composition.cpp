@@ -185,6 +185,14 @@ void note_rescaling(const FractionModel& model, std::vector<std::string>& notes)
                     per_cent(expected));
 }
 
+/// The modulus of the glass is the least certain input; its catalogue entry says why.
+void note_glass(Composition& composition) {
+    for (const Component& c : composition.components)
+        if (c.phase.amorphous && !c.phase.remark.empty())
+            composition.notes.push_back(in_quotes(c.name) + " is taken as " + c.phase.name + ": " +
+                                        c.phase.remark);
+}
+
 void fill_fractions(Composition& composition) {
     const std::vector<double> fractions = composition.model.fractions();
     std::vector<double> densities;
@@ -229,6 +237,7 @@ Composition compose(const Analysis& analysis, const PhaseCatalogue& catalogue) {
             component(rest, catalogue.resolve(analysis.amorphous_phase), composition.notes));
     }
     refuse_repeated(composition.components);
+    note_glass(composition);
     note_rescaling(composition.model, composition.notes);
     fill_fractions(composition);
     return composition;

@@ -210,7 +210,6 @@ ModulusEstimate estimate_modulus(const Composition& composition, const ModulusOp
     estimate.density = results.density;
     estimate.density_uncertainty = uncertainties[1].standard_uncertainty;
     estimate.contributions = uncertainties[0].contributions;
-    estimate.notes = composition.notes;
     note_missing(composition, estimate.notes);
     note_dominant(estimate.contributions, estimate.notes);
     if (options.porosity && !porosity_warning(*options.porosity).empty())

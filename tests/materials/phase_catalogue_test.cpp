@@ -169,8 +169,7 @@ TEST_CASE("a broken catalogue says where it is broken") {
     CHECK(
         read(one_phase(std::string(density))).starts_with("/phases/0: the key \"young_modulus\" is missing"));
     CHECK(read(one_phase(good + R"(, "young": 3)")).starts_with("/phases/0/young: unknown key"));
-    CHECK(
-        read(one_phase(good + ", " + density)).starts_with("/phases/0/density: this key is there twice"));
+    CHECK(read(one_phase(good + ", " + density)).starts_with("/phases/0/density: this key is there twice"));
     CHECK(read(one_phase(good + R"(, "poisson_ratio": {"value": 0.2, "unit": "1"})"))
               .find("without a citation") != std::string::npos);
     CHECK(read(one_phase(good + R"(, "poisson_ratio": {"value": 0.6, "unit": "1"})"))
