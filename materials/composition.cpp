@@ -24,6 +24,10 @@ std::string per_cent(double fraction) {
     return shortest(std::round(fraction * 1e6) / 1e4) + " %";
 }
 
+std::string to_tenths(double value) {
+    return shortest(std::round(value * 10) / 10);
+}
+
 /// v_i x_i / sum v_j x_j
 std::vector<double> normalised_products(std::span<const double> fractions, std::span<const double> factors) {
     assert(fractions.size() == factors.size());
@@ -52,8 +56,8 @@ Component component(const PhaseFraction& line, ResolvedPhase resolved, std::vect
     if (!resolved.note.empty()) notes.push_back(resolved.note);
     if (!line.density) return result;
     const double catalogue = result.phase.density.value;
-    notes.push_back("the file's density of " + in_quotes(line.name) + ", " + shortest(*line.density) +
-                    " kg/m3, is used; the catalogue has " + shortest(catalogue) + " kg/m3 (" +
+    notes.push_back("the file's density of " + in_quotes(line.name) + ", " + to_tenths(*line.density) +
+                    " kg/m3, is used; the catalogue has " + to_tenths(catalogue) + " kg/m3 (" +
                     per_cent(*line.density / catalogue - 1) + ")");
     result.phase.density = {.value = *line.density};
     return result;

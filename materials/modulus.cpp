@@ -158,7 +158,7 @@ void note_dominant(const std::vector<Contribution>& contributions, std::vector<s
     constexpr double most = 0.5;
     if (contributions.empty() || contributions.front().share <= most) return;
     notes.push_back(contributions.front().what + " gives " +
-                    shortest(std::round(contributions.front().share * 1000) / 10) +
+                    shortest(std::floor(contributions.front().share * 1000) / 10) +
                     " % of the variance of E");
 }
 
