@@ -116,8 +116,9 @@ void require_complete(const Contents& contents, const TextLines& file) {
     std::string missing;
     for (const auto& [name, goal] : contents.goals) {
         if (!goal.number) continue;
-        const bool has_block = std::any_of(contents.blocks.begin(), contents.blocks.end(),
-                                           [&](const Block& block) { return block.name == name; });
+        const bool has_block = std::any_of(
+            contents.blocks.begin(), contents.blocks.end(),
+            [wanted = std::string_view(name)](const Block& block) { return block.name == wanted; });
         if (has_block)
             present += goal.number->value;
         else if (goal.number->value > 0 && missing.empty())

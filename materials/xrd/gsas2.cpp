@@ -29,7 +29,7 @@ PrintedNumber read_weight(std::string_view text, std::size_t line) {
         std::string_view behind = trimmed(rest.substr(comma + 1));
         if (behind.starts_with("sig")) sigma = read_number(behind.substr(3));
     }
-    if (!value || (comma != std::string_view::npos && !sigma))
+    if (!value || (comma != std::string_view::npos && !(sigma && sigma->value >= 0)))
         throw InputError("cannot read the weight fraction " + in_quotes(rest), "\"NUMBER, sig NUMBER\"")
             .at(at_line(line));
     PrintedNumber weight = *value;

@@ -20,6 +20,7 @@ XrdSample with_internal_standard(const XrdSample& sample, std::string_view stand
     });
     if (found == phases.end()) {
         std::vector<std::string> names;
+        names.reserve(phases.size());
         for (const PhaseFraction& phase : phases) names.push_back(phase.name);
         throw InputError("the internal standard " + in_quotes(standard) + " is not among the phases",
                          joined(names));

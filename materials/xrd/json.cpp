@@ -11,7 +11,7 @@ namespace ashimpact::xrd {
 namespace {
 
 Quantity read_fraction(const Json& node) {
-    const Quantity fraction = read_quantity(node, Dimension::fraction);
+    Quantity fraction = read_quantity(node, Dimension::fraction);
     if (!(fraction.value >= 0 && fraction.value <= 1))
         throw InputError("the fraction is " + shortest(fraction.value), "0 to 1 (0 % to 100 %)");
     return fraction;
@@ -137,6 +137,7 @@ bool looks_like_json(const TextLines& file) {
 
 XrdResult read_json(const TextLines& file) {
     const Json root = parse_json(file.text());
+    if (!root.is_object()) throw InputError("not an object", "an object with the key samples").at("/");
     require_keys(root, {"samples"});
     XrdResult result{.format = XrdFormat::json, .samples = {}};
     const Json& samples = required(root, "samples");

@@ -27,11 +27,14 @@ void check_bytes(std::string_view bytes) {
     std::size_t line_start = 0;
     for (std::size_t i = 0; i < bytes.size(); ++i) {
         const unsigned char c = byte(bytes[i]);
-        if (c == '\n' || c == '\r') line_start = i + 1;
+        if (c == '\n' || c == '\r') {
+            line_start = i + 1;
+            continue;
+        }
         if (i - line_start > longest_line)
             throw InputError("the line is longer than a megabyte", "a text file with lines")
                 .at(at_line(line_number(bytes, i)));
-        const bool control = c < 0x20 && c != '\n' && c != '\r' && c != '\t' && c != '\f' && c != 0x1a;
+        const bool control = c < 0x20 && c != '\t' && c != '\f' && c != 0x1a;
         if (control || c == 0x7f)
             throw InputError("this is a binary file", "a text file").at(at_line(line_number(bytes, i)));
     }

@@ -9,7 +9,7 @@ namespace ashimpact {
 
 namespace {
 
-using namespace xrd;
+using xrd::TextLines;
 
 struct Reader {
     bool (*recognises)(const TextLines&);
@@ -18,10 +18,10 @@ struct Reader {
 
 /// The most telling formats first.
 constexpr std::array readers{
-    Reader{looks_like_json, read_json},
-    Reader{looks_like_bgmn, read_bgmn},
-    Reader{looks_like_gsas2, read_gsas2},
-    Reader{looks_like_table, read_table},
+    Reader{xrd::looks_like_json, xrd::read_json},
+    Reader{xrd::looks_like_bgmn, xrd::read_bgmn},
+    Reader{xrd::looks_like_gsas2, xrd::read_gsas2},
+    Reader{xrd::looks_like_table, xrd::read_table},
 };
 
 XrdResult read(std::string_view text) {
@@ -32,7 +32,7 @@ XrdResult read(std::string_view text) {
         if (file.was_latin1()) result.warnings.emplace_back("the file is not UTF-8 and was read as Latin-1");
         return result;
     }
-    throw InputError("the format is not known", known_formats).at(at_line(1));
+    throw InputError("the format is not known", xrd::known_formats).at(xrd::at_line(1));
 }
 
 /// The file's name without folders and ending.

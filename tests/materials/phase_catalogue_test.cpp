@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <functional>
-#include <regex>
 #include <set>
 
 #include "tests/materials/catalogue.hpp"
@@ -28,9 +27,10 @@ std::string message(const std::function<void()>& action) {
 
 std::set<std::string> keys_of(const std::string& bibliography) {
     std::set<std::string> keys;
-    const std::regex entry(R"(@\w+\{([^,\s]+),)");
-    for (std::sregex_iterator i(bibliography.begin(), bibliography.end(), entry), end; i != end; ++i)
-        keys.insert((*i)[1]);
+    for (auto at = bibliography.find("\n@"); at != std::string::npos; at = bibliography.find("\n@", at + 1)) {
+        const auto open = bibliography.find('{', at) + 1;
+        keys.insert(bibliography.substr(open, bibliography.find(',', open) - open));
+    }
     return keys;
 }
 
@@ -44,7 +44,7 @@ constexpr const char* modulus = R"("young_modulus": {"value": 73, "unit": "GPa",
 }  // namespace
 
 TEST_CASE("every property of every phase cites a key of the bibliography, and every key is used") {
-    const auto keys = keys_of(file_text(ASHIMPACT_DATA "/phases/references.bib"));
+    const auto keys = keys_of("\n" + file_text(ASHIMPACT_DATA "/phases/references.bib"));
     std::set<std::string> used;
     const PhaseCatalogue catalogue = shipped_catalogue();
     for (const PhaseSet& set : catalogue.sets()) {
