@@ -60,7 +60,7 @@ Artifact loaded_artifact(const std::filesystem::path& folder, std::string_view f
     return in_file(path.string(), [&] {
         Json document = without_comments(parse_json(bytes));
         validate_document(document, schema_of(file));
-        return Artifact{std::string(file), std::move(document), std::move(bytes)};
+        return Artifact{std::string(file), std::move(document), std::move(bytes), path.string()};
     });
 }
 

@@ -8,6 +8,8 @@
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/json/writer.hpp"
 #include "pipeline/run.hpp"
+#include "pipeline/stages/contact.hpp"
+#include "pipeline/stages/modulus.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
 #include "pipeline/text/readable.hpp"
 #include "pipeline/text/table.hpp"
@@ -157,8 +159,9 @@ std::string calibration_text(const Case& data, const CalibrationSummary& summary
 
 }  // namespace
 
-CalibrationProblem calibration_problem(const Case& data, const std::vector<SampleModulus>& moduli,
-                                       const std::vector<SampleContact>& contacts) {
+CalibrationProblem calibration_problem(const Case& data, const Artifacts& before) {
+    const auto moduli = before.read("1-modulus.json", read_moduli);
+    const auto contacts = before.read("2-contact.json", read_contacts);
     CalibrationProblem problem{.samples = {}, .free = data.calibration, .critical_velocities = {}, .contact_times = {}};
     const bool elastic = data.wall && std::holds_alternative<ElasticWall>(*data.wall);
     for (const FreeConstant& free : problem.free)
@@ -168,8 +171,8 @@ CalibrationProblem calibration_problem(const Case& data, const std::vector<Sampl
                 .at("/wall");
     for (std::size_t i = 0; i < data.samples.size(); ++i) {
         const Sample& sample = data.samples[i];
-        problem.samples.push_back(start_of(data, sample, entry_named(moduli, sample.name, "1-modulus.json"),
-                                           entry_named(contacts, sample.name, "2-contact.json")));
+        problem.samples.push_back(start_of(data, sample, entry_named(moduli, sample.name, before, "1-modulus.json"),
+                                           entry_named(contacts, sample.name, before, "2-contact.json")));
         if (sample.published) add_observations(*sample.published, i, problem);
     }
     return problem;
@@ -185,8 +188,7 @@ void run_calibrate_command(const CalibrateOptions& options, std::ostream& out) {
     in_file(options.case_file.empty() ? "built-in case" : options.case_file, [&] {
         if (data.calibration.empty())
             throw InputError("nothing is free", "calibration.free in the case, or --free").at("/calibration");
-        const auto problem = calibration_problem(data, artifacts.read("1-modulus.json", read_moduli),
-                                                 artifacts.read("2-contact.json", read_contacts));
+        const auto problem = calibration_problem(data, artifacts);
         const CalibrationSummary summary = calibrate(problem);
         const auto velocities =
             rows_of(data, problem.critical_velocities, summary.critical_velocities, Dimension::velocity);

@@ -152,13 +152,13 @@ StageOutput comparison_stage(const Artifacts& before) {
         const auto fractions = before.read(
             "1-modulus.json", [&](const View& view) { return read_volume_fractions(view, sample.name); });
         const SampleResults of{sample,
-                               entry_named(moduli, sample.name, "1-modulus.json"),
-                               entry_named(fits, sample.name, "6-fit.json").laws,
-                               entry_named(velocities, sample.name, "7-critical-velocity.json").laws,
-                               entry_named(histories, sample.name, "8-histories.json").contact_times,
+                               entry_named(moduli, sample.name, before, "1-modulus.json"),
+                               entry_named(fits, sample.name, before, "6-fit.json").laws,
+                               entry_named(velocities, sample.name, before, "7-critical-velocity.json").laws,
+                               entry_named(histories, sample.name, before, "8-histories.json").contact_times,
                                fractions};
-        const SampleAnalytic& simple = entry_named(analytic, sample.name, "3-analytic.json");
-        const SampleContact& contact = entry_named(contacts, sample.name, "2-contact.json");
+        const SampleAnalytic& simple = entry_named(analytic, sample.name, before, "3-analytic.json");
+        const SampleContact& contact = entry_named(contacts, sample.name, before, "2-contact.json");
         for (const auto& [law, velocity] : of.velocities) gap.take(velocity, simple.critical_velocity);
         Json verdicts = Json::object();
         Json json{{"name", sample.name},

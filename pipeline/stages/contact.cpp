@@ -90,7 +90,7 @@ StageOutput contact_stage(const Artifacts& before) {
     output.options = {{"geometry", "sphere on a flat wall: R* = r, m* = m"}};
     output.result["samples"] = Json::array();
     for (const Sample& sample : data.samples) {
-        const SampleModulus& modulus = entry_named(moduli, sample.name, "1-modulus.json");
+        const SampleModulus& modulus = entry_named(moduli, sample.name, before, "1-modulus.json");
         output.result["samples"].push_back(contact_json(sample, data.wall, modulus, output.warnings));
     }
     return output;

@@ -33,7 +33,7 @@ StageOutput critical_velocity_stage(const Artifacts& before) {
     output.result["samples"] = Json::array();
     const auto read = [&](const View& result) { return read_fits(result, dimension_of(data.damping_law)); };
     for (const SampleFit& sample : before.read("6-fit.json", read)) {
-        const SampleContact& contact = entry_named(contacts, sample.name, "2-contact.json");
+        const SampleContact& contact = entry_named(contacts, sample.name, before, "2-contact.json");
         Json json{{"name", sample.name}};
         for (const LawChoice& choice : data.laws) {
             const LawFit* fit = sample.laws.find(choice.law);

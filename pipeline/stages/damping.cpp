@@ -72,7 +72,7 @@ StageOutput damping_stage(const Artifacts& before) {
         output.options["detachments"][std::string(choice.law.name())] = name_of(choice.detachment);
     output.result["samples"] = Json::array();
     for (const SampleRestitution& sample : before.read("4-restitution.json", read_restitutions)) {
-        const SampleContact& contact = entry_named(contacts, sample.name, "2-contact.json");
+        const SampleContact& contact = entry_named(contacts, sample.name, before, "2-contact.json");
         Json json{{"name", sample.name}};
         for (const LawChoice& choice : data.laws) {
             const RestitutionSeries* series = sample.of(choice.law);

@@ -138,10 +138,10 @@ StageOutput histories_stage(const Artifacts& before) {
     output.options = {{"points", data.histories.points}, {"critical_excess", data.histories.critical_excess}};
     output.result["samples"] = Json::array();
     for (const Sample& sample : data.samples) {
-        const SampleInputs in{sample, entry_named(contacts, sample.name, "2-contact.json").pair,
-                              entry_named(dampings, sample.name, "5-damping.json").laws,
-                              entry_named(fits, sample.name, "6-fit.json").laws,
-                              entry_named(velocities, sample.name, "7-critical-velocity.json").laws};
+        const SampleInputs in{sample, entry_named(contacts, sample.name, before, "2-contact.json").pair,
+                              entry_named(dampings, sample.name, before, "5-damping.json").laws,
+                              entry_named(fits, sample.name, before, "6-fit.json").laws,
+                              entry_named(velocities, sample.name, before, "7-critical-velocity.json").laws};
         Json json{{"name", sample.name}, {"contact_times", contact_times_json(data, in)}};
         for (const LawChoice& choice : data.laws)
             json[std::string(choice.law.name())] = law_json(data, choice, in);

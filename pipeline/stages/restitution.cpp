@@ -97,7 +97,7 @@ StageOutput restitution_stage(const Artifacts& before) {
     for (const Sample& sample : data.samples) {
         Json json{{"name", sample.name}, {"series", Json::array()}};
         if (sample.restitution) {
-            const SampleContact& contact = entry_named(contacts, sample.name, "2-contact.json");
+            const SampleContact& contact = entry_named(contacts, sample.name, before, "2-contact.json");
             for (const auto& series : series_of(data, sample, contact, output.warnings))
                 json["series"].push_back(series_json(series));
         } else {
