@@ -49,7 +49,8 @@ std::pair<std::string, std::string> name_and_unit(std::string_view heading) {
     if (open == std::string_view::npos) return {lower_case(heading), {}};
     const auto close = heading.find_first_of("])", open);
     return {lower_case(trimmed(heading.substr(0, open))),
-            std::string(trimmed(heading.substr(open + 1, close == std::string_view::npos ? close : close - open - 1)))};
+            std::string(trimmed(
+                heading.substr(open + 1, close == std::string_view::npos ? close : close - open - 1)))};
 }
 
 template <class Names>
@@ -61,7 +62,8 @@ Column column_named(const std::vector<std::string_view>& heading, const Names& n
     return {0, {}, false};
 }
 
-double value_in(const std::vector<std::string_view>& row, const Column& column, Dimension dimension, bool comma) {
+double value_in(const std::vector<std::string_view>& row, const Column& column, Dimension dimension,
+                bool comma) {
     if (column.index >= row.size()) throw InputError("the line has too few columns", headings);
     const auto number = xrd::read_number(row[column.index], comma);
     if (!number) throw InputError(in_quotes(row[column.index]) + " is not a number", "a finite number");
@@ -79,8 +81,8 @@ struct Layout {
 Layout layout_of(std::string_view line) {
     const char separator = separator_of(line);
     const auto heading = cells(line, separator);
-    const Layout layout{separator, column_named(heading, velocity_names), column_named(heading, restitution_names),
-                        column_named(heading, rebound_names)};
+    const Layout layout{separator, column_named(heading, velocity_names),
+                        column_named(heading, restitution_names), column_named(heading, rebound_names)};
     if (!layout.velocity.found || (!layout.restitution.found && !layout.rebound.found))
         throw InputError("the heading lacks a column", headings);
     return layout;

@@ -17,7 +17,8 @@ struct CalibrateOptions {
     bool json = false;
 };
 
-/// `ashimpact calibrate`: the unknown constants of a case, from its published critical velocities and contact times.
+/// `ashimpact calibrate`: the unknown constants of a case, from its published critical velocities and contact
+/// times.
 void run_calibrate_command(const CalibrateOptions& options, std::ostream& out);
 
 /// The calibration a case asks for; starts from its modulus and contact artifacts.

@@ -131,7 +131,8 @@ StageOutput histories_stage(const Artifacts& before) {
     const Case data = read_case_artifact(before);
     const auto contacts = before.read("2-contact.json", read_contacts);
     const Dimension dimension = dimension_of(data.damping_law);
-    const auto dampings = before.read("5-damping.json", [&](const View& v) { return read_dampings(v, dimension); });
+    const auto dampings =
+        before.read("5-damping.json", [&](const View& v) { return read_dampings(v, dimension); });
     const auto fits = before.read("6-fit.json", [&](const View& v) { return read_fits(v, dimension); });
     const auto velocities = before.read("7-critical-velocity.json", read_critical_velocities);
     StageOutput output{.citations = {"dong2013, section 4.4, Eqs. 35-45, Figures 7 and 9"}};

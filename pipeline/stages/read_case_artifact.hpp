@@ -14,7 +14,9 @@ template <class Entry>
                                        const Artifacts& artifacts, std::string_view file) {
     for (const Entry& entry : entries)
         if (entry.name == name) return entry;
-    throw InputError("the sample " + name + " is missing").at("/result/samples").in_file(artifacts.place_of(file));
+    throw InputError("the sample " + name + " is missing")
+        .at("/result/samples")
+        .in_file(artifacts.place_of(file));
 }
 
 }  // namespace ashimpact

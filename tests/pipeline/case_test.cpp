@@ -81,12 +81,14 @@ TEST_CASE("a normalised case keeps every way of saying things") {
     document["mixture_rule"] = "hill";
     document["damping_law"] = "tsuji";
     document["detachments"] = {{"jkr", "load-controlled"}, {"hertz", "zero-force"}};
-    document["work_of_adhesion"] = {{"surface_energies", {{"particle", "40 mJ/m2"}, {"wall", 0.5}, {"interfacial", 0.1}}},
-                                    {"rule", "dupre"}};
+    document["work_of_adhesion"] = {
+        {"surface_energies", {{"particle", "40 mJ/m2"}, {"wall", 0.5}, {"interfacial", 0.1}}},
+        {"rule", "dupre"}};
     document["wall"] = {{"rigid", true}};
     document["calibration"] = {{"free", {{{"quantity", "density"}, {"per_sample", true}}}}};
     document["histories"] = {{"points", 11}, {"critical_excess", 0.01}};
-    document["samples"][0]["composition"]["amorphous"] = {{"crystalline_total", {{"value", 53}, {"unit", "%"}, {"standard_uncertainty", 1}}}};
+    document["samples"][0]["composition"]["amorphous"] = {
+        {"crystalline_total", {{"value", 53}, {"unit", "%"}, {"standard_uncertainty", 1}}}};
     document["samples"][0]["porosity"] = {{"law", "spriggs"}, {"value", "5 %"}, {"coefficient", 3}};
     document["samples"][1]["poisson_ratio"] = {{"value", 0.2}, {"unit", "1"}, {"origin", "assumed"}};
     document["samples"][1]["contact_modulus"] = "88 GPa";
@@ -97,7 +99,8 @@ TEST_CASE("a normalised case keeps every way of saying things") {
     CHECK(once["detachments"]["jkr"] == "load-controlled");
     CHECK(once["wall"] == Json{{"rigid", true}});
     CHECK(once["samples"][0]["work_of_adhesion"]["rule"] == "dupre");
-    CHECK(once["samples"][0]["composition"]["amorphous"]["crystalline_total"]["standard_uncertainty"] == 0.01);
+    CHECK(once["samples"][0]["composition"]["amorphous"]["crystalline_total"]["standard_uncertainty"] ==
+          0.01);
     CHECK(once["samples"][0]["porosity"]["coefficient"] == 3.0);
     CHECK(once["samples"][1]["composition"]["densities"]["hematite"]["value"] == 5100.0);
     CHECK(normalised_again(once) == once);
@@ -152,14 +155,17 @@ TEST_CASE("tables of impacts: units in the heading, any separator, ratio or rebo
     const auto data = read_impact_table("v_in (cm/s); e_n\n200; 0,25\n# a remark\n\n400;0.5\n");
     CHECK(data.velocity == std::vector<double>{2.0, 4.0});
     CHECK(data.restitution == std::vector<double>{0.25, 0.5});
-    const auto rebound = read_impact_table("nr,velocity [m/s],rebound_velocity [mm/s]\r\n1,2,500\r\n2,4,0\r\n");
+    const auto rebound =
+        read_impact_table("nr,velocity [m/s],rebound_velocity [mm/s]\r\n1,2,500\r\n2,4,0\r\n");
     CHECK(rebound.restitution == std::vector<double>{0.25, 0.0});
     CHECK(read_impact_table("velocity\trestitution\n1\t0.1\n").velocity == std::vector<double>{1.0});
 }
 
 TEST_CASE("a table that is no table of impacts says the line") {
-    CHECK(table_message("velocity [m/s],restitution\n1,0.1\n2,x\n").starts_with("line 3: \"x\" is not a number"));
-    CHECK(table_message("velocity [m/s],restitution\n1,0.1\n2\n").starts_with("line 3: the line has too few columns"));
+    CHECK(table_message("velocity [m/s],restitution\n1,0.1\n2,x\n")
+              .starts_with("line 3: \"x\" is not a number"));
+    CHECK(table_message("velocity [m/s],restitution\n1,0.1\n2\n")
+              .starts_with("line 3: the line has too few columns"));
     CHECK(table_message("speed,e\n1,2\n").starts_with("line 1: the heading lacks a column"));
     CHECK(table_message("velocity [kg],restitution\n1,0.1\n").starts_with("line 2: the unit \"kg\""));
     CHECK(table_message("velocity [m/s],restitution\n").find("nothing under it") != std::string::npos);

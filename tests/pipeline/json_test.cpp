@@ -30,7 +30,8 @@ std::string parse_message(const std::string& text) {
 }  // namespace
 
 TEST_CASE("broken JSON is placed by line and column, with the reason") {
-    CHECK(parse_message("{\n  \"a\": 1,\n  \"b\" 2\n}").starts_with("line 3, column 7: this is not valid JSON: "));
+    CHECK(parse_message("{\n  \"a\": 1,\n  \"b\" 2\n}")
+              .starts_with("line 3, column 7: this is not valid JSON: "));
     CHECK(parse_message("{\"a\": 1").starts_with("line 1, column 8: "));
     CHECK(parse_message("").starts_with("line 1, column 1: "));
     CHECK(parse_message("{\"a\": NaN}").starts_with("line 1, column 7: "));
@@ -50,7 +51,8 @@ TEST_CASE("a number beyond double precision is refused where it stands") {
 }
 
 TEST_CASE("comments go, at any depth, and nothing else does") {
-    const Json plain = without_comments(parse_json(R"({"//": 1, "a": [{"// note": 2, "b": null}], "c/d": "//"})"));
+    const Json plain =
+        without_comments(parse_json(R"({"//": 1, "a": [{"// note": 2, "b": null}], "c/d": "//"})"));
     CHECK(plain == parse_json(R"({"a": [{"b": null}], "c/d": "//"})"));
 }
 
@@ -79,18 +81,22 @@ TEST_CASE("numbers: shortest in files, 17 digits on request, never one that is n
 }
 
 TEST_CASE("a view says where it is when it is wrong") {
-    const Json document = parse_json(R"({"a/b": [{"m": "3 kg"}, {"m": "3 GPa"}, {"m": {"value": 1, "unit": "g",
+    const Json document =
+        parse_json(R"({"a/b": [{"m": "3 kg"}, {"m": "3 GPa"}, {"m": {"value": 1, "unit": "g",
         "origin": "measured", "source": "a balance"}}], "v": {"values": [1, 2], "unit": "mm/s"}})");
     const View view(document);
     const auto elements = view.at("a/b").elements();
     CHECK(elements[0].at("m").number(Dimension::mass) == 3.0);
     CHECK(elements[2].at("m").number(Dimension::mass) == doctest::Approx(1e-3));
     CHECK(view.at("v").column(Dimension::velocity) == std::vector<double>{1e-3, 2e-3});
-    CHECK(message_of([&] { static_cast<void>(elements[1].at("m").number(Dimension::mass)); })
-              .starts_with("/a~1b/1/m: the unit \"GPa\""));
+    CHECK(message_of([&] {
+              static_cast<void>(elements[1].at("m").number(Dimension::mass));
+          }).starts_with("/a~1b/1/m: the unit \"GPa\""));
     CHECK(message_of([&] { static_cast<void>(view.at("w")); }).starts_with("\"w\" is missing"));
-    CHECK(message_of([&] { static_cast<void>(elements[0].at("n")); }).starts_with("/a~1b/0: \"n\" is missing"));
-    CHECK(message_of([&] { static_cast<void>(view.at("v").at("values").text()); }).starts_with("/v/values: "));
+    CHECK(
+        message_of([&] { static_cast<void>(elements[0].at("n")); }).starts_with("/a~1b/0: \"n\" is missing"));
+    CHECK(
+        message_of([&] { static_cast<void>(view.at("v").at("values").text()); }).starts_with("/v/values: "));
 }
 
 TEST_CASE("every schema is complete in itself and lists what the program knows") {
@@ -106,21 +112,29 @@ TEST_CASE("a violation is told by pointer, what is wrong and what is allowed") {
     const auto message = [](const char* text) {
         return message_of([&] { validate_document(parse_json(text), "case"); });
     };
-    CHECK(message(R"({"name": "x"})").starts_with("/: \"samples\" is missing; allowed: a list of at least one sample"));
-    CHECK(message(R"({"name": "x", "samples": []})").starts_with("/samples: is a list of 0; allowed: a list of at"));
-    CHECK(message(R"({"name": "x", "sample": [], "samples": [{"name": "a", "diameter": 1, "composition": {}}]})")
+    CHECK(message(R"({"name": "x"})")
+              .starts_with("/: \"samples\" is missing; allowed: a list of at least one sample"));
+    CHECK(message(R"({"name": "x", "samples": []})")
+              .starts_with("/samples: is a list of 0; allowed: a list of at"));
+    CHECK(message(
+              R"({"name": "x", "sample": [], "samples": [{"name": "a", "diameter": 1, "composition": {}}]})")
               .starts_with("/sample: unknown key, did you mean \"samples\"?; allowed: $schema, name, "));
     CHECK(message(R"({"name": "x", "samples": [{"name": "a", "diameter": "1 um"}]})")
               .starts_with("/samples/0: \"composition\" is missing; allowed: weight_fractions, "));
-    CHECK(message(R"({"name": "x", "laws": ["herz"], "samples": [{"name": "a", "diameter": 1, "composition": {}}]})")
-              .starts_with("/laws/0: unknown name \"herz\", did you mean \"hertz\"?; allowed: hertz, dmt, "));
+    CHECK(
+        message(
+            R"({"name": "x", "laws": ["herz"], "samples": [{"name": "a", "diameter": 1, "composition": {}}]})")
+            .starts_with("/laws/0: unknown name \"herz\", did you mean \"hertz\"?; allowed: hertz, dmt, "));
     CHECK(message(R"({"name": "x", "samples": [{"name": "a", "diameter": [1], "composition": {}}]})")
               .starts_with("/samples/0/diameter: is a list of 1; allowed: a length: "));
-    CHECK(message(R"({"name": "x", "samples": [{"name": "a", "diameter": {"value": 1, "units": "m"}, "composition": {}}]})")
-              .starts_with("/samples/0/diameter/units: unknown key, did you mean \"unit\"?"));
+    CHECK(
+        message(
+            R"({"name": "x", "samples": [{"name": "a", "diameter": {"value": 1, "units": "m"}, "composition": {}}]})")
+            .starts_with("/samples/0/diameter/units: unknown key, did you mean \"unit\"?"));
     CHECK(message(R"({"name": "x", "samples": [{"name": "a", "diameter": 1, "composition": {}}]})").empty());
 }
 
 TEST_CASE("an unknown schema is refused with the names there are") {
-    CHECK(message_of([] { static_cast<void>(schema_named("cases")); }).find("allowed: 0-case, ") != std::string::npos);
+    CHECK(message_of([] { static_cast<void>(schema_named("cases")); }).find("allowed: 0-case, ") !=
+          std::string::npos);
 }

@@ -23,7 +23,9 @@ Json json_of(const Sandbox& sandbox, const std::string& arguments) {
     return parse_json(finished.out);
 }
 
-double value(const Json& quantity) { return quantity.at("value").get<double>(); }
+double value(const Json& quantity) {
+    return quantity.at("value").get<double>();
+}
 
 }  // namespace
 
@@ -31,11 +33,14 @@ TEST_CASE("help of the program and of every command has an example and the commo
     const Sandbox sandbox;
     const auto program = ashimpact_program(sandbox, "--help");
     CHECK(program.status == 0);
-    for (const char* command : {"run", "modulus", "impact", "critical-velocity", "damping", "calibrate", "inspect", "init", "schema"}) {
+    for (const char* command : {"run", "modulus", "impact", "critical-velocity", "damping", "calibrate",
+                                "inspect", "init", "schema"}) {
         CHECK_MESSAGE(program.out.find(command) != std::string::npos, command);
         const auto help = ashimpact_program(sandbox, std::string(command) + " --help");
         CHECK(help.status == 0);
-        for (const std::string& piece : {"Example:\n  ashimpact " + std::string(command), std::string("--quiet"), std::string("--verbose"), std::string("--version")})
+        for (const std::string& piece :
+             {"Example:\n  ashimpact " + std::string(command), std::string("--quiet"),
+              std::string("--verbose"), std::string("--version")})
             CHECK_MESSAGE(help.out.find(piece) != std::string::npos, command, " ", piece);
         CHECK(ashimpact_program(sandbox, std::string(command) + " --version").out.starts_with("ashimpact "));
     }
@@ -43,9 +48,11 @@ TEST_CASE("help of the program and of every command has an example and the commo
 
 TEST_CASE("impact --json: the contract's keys, and the reference impact of the solver's tests") {
     const Sandbox sandbox;
-    const Json json = json_of(sandbox, "impact --law hertz --velocity '2 m/s' --damping '0.005 kg/s' --radius '44 um' "
-                                       "--density '2600 kg/m3' --contact-modulus '90 GPa'");
-    for (const char* key : {"law", "detachment", "outcome", "restitution", "contact_time", "approach_time", "maximum_overlap", "rebound_velocity", "energy"})
+    const Json json = json_of(sandbox,
+                              "impact --law hertz --velocity '2 m/s' --damping '0.005 kg/s' --radius '44 um' "
+                              "--density '2600 kg/m3' --contact-modulus '90 GPa'");
+    for (const char* key : {"law", "detachment", "outcome", "restitution", "contact_time", "approach_time",
+                            "maximum_overlap", "rebound_velocity", "energy"})
         CHECK_MESSAGE(json.contains(key), key);
     CHECK(json["law"] == "hertz");
     CHECK(json["detachment"] == "zero-overlap");
@@ -59,19 +66,22 @@ TEST_CASE("impact --json: the contract's keys, and the reference impact of the s
 
 TEST_CASE("impact --json: a capture has restitution 0 and no contact time") {
     const Sandbox sandbox;
-    const Json json = json_of(sandbox, "impact --law dmt --velocity '0.5 m/s' --damping '0.0153 kg/s'" + contact);
+    const Json json =
+        json_of(sandbox, "impact --law dmt --velocity '0.5 m/s' --damping '0.0153 kg/s'" + contact);
     CHECK(json["outcome"] == "capture");
     CHECK(value(json["restitution"]) == 0);
     CHECK(json["contact_time"].is_null());
     CHECK(value(json["maximum_overlap"]) > 0);
-    const Json never = json_of(sandbox, "impact --law dmt --velocity '0.01 m/s' --damping '0.0153 kg/s'" + contact);
+    const Json never =
+        json_of(sandbox, "impact --law dmt --velocity '0.01 m/s' --damping '0.0153 kg/s'" + contact);
     CHECK(never["approach_time"].is_null());
     CHECK(value(never["maximum_overlap"]) > 0);
 }
 
 TEST_CASE("numbers of --json have 17 significant digits") {
     const Sandbox sandbox;
-    const auto finished = ashimpact_program(sandbox, "impact --law hertz --velocity 2 --damping 0.005 --json" + contact + " -q");
+    const auto finished = ashimpact_program(
+        sandbox, "impact --law hertz --velocity 2 --damping 0.005 --json" + contact + " -q");
     CHECK(finished.out.find("\"value\": 0.0050000000000000001") != std::string::npos);
     CHECK(finished.err.empty());
 }
@@ -81,7 +91,8 @@ TEST_CASE("mass and density say the same of a sphere") {
     const double mass = 2600 * 4.0 / 3.0 * M_PI * std::pow(44e-6, 3);
     char text[64];
     std::snprintf(text, sizeof text, "%.17g kg", mass);
-    const std::string common = " --law dmt --velocity 2 --radius '44 um' --contact-modulus '90 GPa' --work-of-adhesion 0.3";
+    const std::string common =
+        " --law dmt --velocity 2 --radius '44 um' --contact-modulus '90 GPa' --work-of-adhesion 0.3";
     const Json by_density = json_of(sandbox, "impact --density 2600" + common);
     const Json by_mass = json_of(sandbox, std::string("impact --mass '") + text + "'" + common);
     CHECK(relative_difference(value(by_density["contact_time"]), value(by_mass["contact_time"])) < 1e-14);
@@ -89,28 +100,35 @@ TEST_CASE("mass and density say the same of a sphere") {
 
 TEST_CASE("damping and critical-velocity are the inverses of impact") {
     const Sandbox sandbox;
-    const Json damping = json_of(sandbox, "damping --law brach-dunn --velocity 2 --restitution 0.2" + contact);
+    const Json damping =
+        json_of(sandbox, "damping --law brach-dunn --velocity 2 --restitution 0.2" + contact);
     char eta[64];
     std::snprintf(eta, sizeof eta, "%.17g", value(damping["damping"]));
-    const Json impact = json_of(sandbox, std::string("impact --law brach-dunn --velocity 2 --damping ") + eta + contact);
+    const Json impact =
+        json_of(sandbox, std::string("impact --law brach-dunn --velocity 2 --damping ") + eta + contact);
     CHECK(relative_difference(value(impact["restitution"]), 0.2) < 1e-9);
 
-    const Json critical = json_of(sandbox, std::string("critical-velocity --law brach-dunn --damping ") + eta + contact);
+    const Json critical =
+        json_of(sandbox, std::string("critical-velocity --law brach-dunn --damping ") + eta + contact);
     CHECK(critical["verdict"] == "finite");
     for (const auto& [factor, outcome] : {std::pair{1 - 1e-6, "capture"}, std::pair{1 + 1e-6, "rebound"}}) {
         char velocity[64];
         std::snprintf(velocity, sizeof velocity, "%.17g", factor * value(critical["critical_velocity"]));
-        const Json at = json_of(sandbox, std::string("impact --law brach-dunn --velocity ") + velocity + " --damping " + eta + contact);
+        const Json at = json_of(sandbox, std::string("impact --law brach-dunn --velocity ") + velocity +
+                                             " --damping " + eta + contact);
         CHECK(at["outcome"] == outcome);
     }
-    const Json hertz = json_of(sandbox, "critical-velocity --law hertz --damping 0 --radius 44e-6 --density 2600 --contact-modulus 9e10");
+    const Json hertz = json_of(
+        sandbox,
+        "critical-velocity --law hertz --damping 0 --radius 44e-6 --density 2600 --contact-modulus 9e10");
     CHECK(hertz["verdict"] == "never-captured");
     CHECK(hertz["critical_velocity"].is_null());
 }
 
 TEST_CASE("the trajectory is a CSV with units in its heading, from touch to detachment") {
     const Sandbox sandbox;
-    const auto finished = ashimpact_program(sandbox, "impact --law jkr --velocity 2 --trajectory t.csv --points 11" + contact);
+    const auto finished =
+        ashimpact_program(sandbox, "impact --law jkr --velocity 2 --trajectory t.csv --points 11" + contact);
     REQUIRE(finished.status == 0);
     const auto lines = test::lines_of(sandbox.read("t.csv"));
     REQUIRE(lines.size() == 12);
@@ -124,7 +142,8 @@ TEST_CASE("the paper's explicit scheme comes nearer to the exact impact with its
     const std::string impact = "impact --law dmt --velocity 2 --damping 0.005" + contact;
     const double exact = value(json_of(sandbox, impact)["restitution"]);
     const auto error = [&](const std::string& time_step) {
-        const Json json = json_of(sandbox, impact + " --method paper-explicit --time-step '" + time_step + "'");
+        const Json json =
+            json_of(sandbox, impact + " --method paper-explicit --time-step '" + time_step + "'");
         CHECK(json["method"] == "paper-explicit");
         return std::abs(value(json["restitution"]) - exact);
     };
@@ -184,7 +203,8 @@ TEST_CASE("run --from an edited artifact uses the edit, and gives the same again
     const Sandbox sandbox;
     REQUIRE(ashimpact_program(sandbox, "run -o out").status == 0);
     const auto before = sandbox.everything();
-    const double velocity = value(sandbox.json("out/comparison.json")["result"]["samples"][0]["dynamic_critical_velocity"]["dmt"]);
+    const double velocity = value(
+        sandbox.json("out/comparison.json")["result"]["samples"][0]["dynamic_critical_velocity"]["dmt"]);
 
     const Json unedited = sandbox.json("out/7-critical-velocity.json");
     REQUIRE(ashimpact_program(sandbox, "run -o out --from fit").status == 0);
@@ -195,8 +215,10 @@ TEST_CASE("run --from an edited artifact uses the edit, and gives the same again
         1.01 * value(fit["result"]["samples"][0]["dmt"]["critical_damping"]);
     sandbox.write("out/6-fit.json", fit.dump());
     REQUIRE(ashimpact_program(sandbox, "run -o out --from critical-velocity").status == 0);
-    const double edited = value(sandbox.json("out/comparison.json")["result"]["samples"][0]["dynamic_critical_velocity"]["dmt"]);
-    CHECK(std::log(edited / velocity) / std::log(1.01) == doctest::Approx(3.9).epsilon(0.15));  // d ln v_c/d ln eta
+    const double edited = value(
+        sandbox.json("out/comparison.json")["result"]["samples"][0]["dynamic_critical_velocity"]["dmt"]);
+    CHECK(std::log(edited / velocity) / std::log(1.01) ==
+          doctest::Approx(3.9).epsilon(0.15));  // d ln v_c/d ln eta
     CHECK(sandbox.read("out/5-damping.json") == before[6].second);
 }
 
@@ -222,8 +244,10 @@ TEST_CASE("init, run and inspect, as the help says") {
     CHECK(commented.contains("//"));
     const auto run = ashimpact_program(sandbox, "run my-case/case.json -o my-case/results");
     REQUIRE_MESSAGE(run.status == 0, run.err);
-    for (const char* file : {"0-case", "1-modulus", "2-contact", "3-analytic", "4-restitution", "5-damping", "6-fit", "7-critical-velocity", "8-histories", "comparison", "manifest"}) {
-        const auto shown = ashimpact_program(sandbox, std::string("inspect my-case/results/") + file + ".json");
+    for (const char* file : {"0-case", "1-modulus", "2-contact", "3-analytic", "4-restitution", "5-damping",
+                             "6-fit", "7-critical-velocity", "8-histories", "comparison", "manifest"}) {
+        const auto shown =
+            ashimpact_program(sandbox, std::string("inspect my-case/results/") + file + ".json");
         CHECK_MESSAGE(shown.status == 0, shown.err);
         CHECK_MESSAGE(shown.out.starts_with(std::string(file) + " by ashimpact "), file);
     }
@@ -254,14 +278,17 @@ TEST_CASE("calibrate finds constants that reproduce the published velocities") {
     }
     REQUIRE(json["critical_velocities"].size() == 9);
     REQUIRE(json["contact_times"].size() == 3);
-    for (const auto& row : json["critical_velocities"]) CHECK(std::abs(row["relative_difference"].get<double>()) < 0.03);
-    for (const auto& row : json["contact_times"]) CHECK(std::abs(row["relative_difference"].get<double>()) < 0.03);
+    for (const auto& row : json["critical_velocities"])
+        CHECK(std::abs(row["relative_difference"].get<double>()) < 0.03);
+    for (const auto& row : json["contact_times"])
+        CHECK(std::abs(row["relative_difference"].get<double>()) < 0.03);
 }
 
 TEST_CASE("output that cannot be written is an error, not a silent loss") {
     const Sandbox sandbox;
     const std::string impact = "impact --law dmt --velocity 2 --json" + contact;
-    const auto full = ashimpact_program(sandbox, impact + " >/dev/full 2>full.err; echo $? >full.status; true");
+    const auto full =
+        ashimpact_program(sandbox, impact + " >/dev/full 2>full.err; echo $? >full.status; true");
     CHECK(full.status == 0);  // of the last command of the line
     CHECK(sandbox.read("full.status") == "2\n");
     CHECK(sandbox.read("full.err").starts_with("standard output: cannot be written"));

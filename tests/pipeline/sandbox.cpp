@@ -34,9 +34,13 @@ std::string Sandbox::read(const std::string& name) const {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-Json Sandbox::json(const std::string& name) const { return Json::parse(read(name)); }
+Json Sandbox::json(const std::string& name) const {
+    return Json::parse(read(name));
+}
 
-bool Sandbox::has(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
+bool Sandbox::has(const std::string& name) const {
+    return std::filesystem::exists(folder_ / name);
+}
 
 std::vector<std::pair<std::string, std::string>> Sandbox::everything() const {
     std::vector<std::pair<std::string, std::string>> files;
@@ -50,8 +54,9 @@ std::vector<std::pair<std::string, std::string>> Sandbox::everything() const {
 
 Finished ashimpact_program(const Sandbox& sandbox, const std::string& arguments) {
     const Sandbox outputs;
-    const std::string command = "cd '" + sandbox.folder().string() + "' && '" ASHIMPACT_PROGRAM "' " + arguments +
-                                " >'" + outputs.path("out") + "' 2>'" + outputs.path("err") + "' </dev/null";
+    const std::string command = "cd '" + sandbox.folder().string() + "' && '" ASHIMPACT_PROGRAM "' " +
+                                arguments + " >'" + outputs.path("out") + "' 2>'" + outputs.path("err") +
+                                "' </dev/null";
     const int result = std::system(command.c_str());
     return {WIFEXITED(result) ? WEXITSTATUS(result) : -1, outputs.read("out"), outputs.read("err")};
 }
@@ -63,7 +68,9 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-Json example_case() { return without_comments(parse_json(embedded_file("cases/example/case.json").value())); }
+Json example_case() {
+    return without_comments(parse_json(embedded_file("cases/example/case.json").value()));
+}
 
 void write_example(const Sandbox& sandbox, const Json& document) {
     sandbox.write("case.json", document.dump(1));

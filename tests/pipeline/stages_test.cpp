@@ -30,7 +30,9 @@ const Artifacts& built_in() {
     return artifacts;
 }
 
-const Json& result(std::string_view file) { return built_in().at(file).document.at("result"); }
+const Json& result(std::string_view file) {
+    return built_in().at(file).document.at("result");
+}
 
 template <class Samples>
 const auto& named(const Samples& samples, const std::string& name) {
@@ -56,7 +58,8 @@ TEST_CASE("every artifact of a run conforms to its schema and has the envelope")
             CHECK_NOTHROW(validate_document(document, file.substr(0, file.size() - 5)));
             std::vector<std::string> keys;
             for (const auto& [key, _] : document.items()) keys.push_back(key);
-            CHECK(keys == std::vector<std::string>{"schema", "stage", "provenance", "citations", "warnings", "result"});
+            CHECK(keys == std::vector<std::string>{"schema", "stage", "provenance", "citations", "warnings",
+                                                   "result"});
             CHECK(parse_json(artifacts.at(file).bytes) == document);
         }
     }
@@ -104,7 +107,8 @@ TEST_CASE("2-contact: Eq. 7 with an elastic wall, a rigid one, and a modulus tha
     const Json given = modulus_of();
     const double particle = 1.0 / rigid["contact_modulus"]["value"].get<double>();
     const double wall = (1 - 0.29 * 0.29) / 193e9;
-    CHECK(relative_difference(1.0 / elastic["contact_modulus"]["value"].get<double>(), particle + wall) < 1e-14);
+    CHECK(relative_difference(1.0 / elastic["contact_modulus"]["value"].get<double>(), particle + wall) <
+          1e-14);
     CHECK(given["contact_modulus"]["value"] == 90e9);
     CHECK(elastic["contact_modulus"]["standard_uncertainty"].get<double>() > 0);
 }
@@ -134,17 +138,30 @@ TEST_CASE("4-restitution: an impact with the published damping gives the reconst
     const RestitutionSeries* series = named(restitutions, "88 um").of(Law::of<Dmt>());
     const double e = series->restitution[3];
     const double eta = 0.0223 * e * e - 0.0279 * e + 0.0151;
-    const ImpactResult impact = solve_impact({Law::of<Dmt>(), Detachment::zero_overlap, {DampingLaw::constant, eta},
-                                              named(contacts, "88 um").pair, series->velocity[3]});
+    const ImpactResult impact = solve_impact({Law::of<Dmt>(),
+                                              Detachment::zero_overlap,
+                                              {DampingLaw::constant, eta},
+                                              named(contacts, "88 um").pair,
+                                              series->velocity[3]});
     CHECK(relative_difference(impact.restitution, e) < 1e-10);
 }
 
 TEST_CASE("6-fit: Table 2 and Table 3 come back from the reconstructed points") {
     const std::map<std::string, std::map<std::string, Quadratic>> table_2{
-        {"88 um", {{"hertz", {0.0238, -0.0291, 0.0153}}, {"dmt", {0.0223, -0.0279, 0.0151}}, {"brach-dunn", {0.0193, -0.0247, 0.0141}}}},
-        {"96 um", {{"hertz", {0.0104, -0.0229, 0.0155}}, {"dmt", {0.0115, -0.0235, 0.0156}}, {"brach-dunn", {0.0101, -0.0213, 0.0149}}}},
-        {"104 um", {{"hertz", {0.0074, -0.0217, 0.0163}}, {"dmt", {0.0065, -0.0206, 0.0160}}, {"brach-dunn", {0.0043, -0.0170, 0.0145}}}}};
-    const auto fits = built_in().read("6-fit.json", [](const View& v) { return read_fits(v, Dimension::damping); });
+        {"88 um",
+         {{"hertz", {0.0238, -0.0291, 0.0153}},
+          {"dmt", {0.0223, -0.0279, 0.0151}},
+          {"brach-dunn", {0.0193, -0.0247, 0.0141}}}},
+        {"96 um",
+         {{"hertz", {0.0104, -0.0229, 0.0155}},
+          {"dmt", {0.0115, -0.0235, 0.0156}},
+          {"brach-dunn", {0.0101, -0.0213, 0.0149}}}},
+        {"104 um",
+         {{"hertz", {0.0074, -0.0217, 0.0163}},
+          {"dmt", {0.0065, -0.0206, 0.0160}},
+          {"brach-dunn", {0.0043, -0.0170, 0.0145}}}}};
+    const auto fits =
+        built_in().read("6-fit.json", [](const View& v) { return read_fits(v, Dimension::damping); });
     for (const auto& [name, laws] : table_2)
         for (const auto& [law, fit] : laws) {
             const LawFit* own = named(fits, name).laws.find(Law::named(law));
@@ -157,7 +174,8 @@ TEST_CASE("6-fit: Table 2 and Table 3 come back from the reconstructed points") 
 
 TEST_CASE("7-critical-velocity: captured just below, rebounding just above, for every law") {
     const auto contacts = built_in().read("2-contact.json", read_contacts);
-    const auto fits = built_in().read("6-fit.json", [](const View& v) { return read_fits(v, Dimension::damping); });
+    const auto fits =
+        built_in().read("6-fit.json", [](const View& v) { return read_fits(v, Dimension::damping); });
     for (const auto& sample : built_in().read("7-critical-velocity.json", read_critical_velocities)) {
         const ContactPair& contact = named(contacts, sample.name).pair;
         int laws = 0;
@@ -195,8 +213,10 @@ TEST_CASE("8-histories: columns of the stated length, contact ends where it bega
 }
 
 TEST_CASE("the momentum balance: 2 eta delta_m for constant damping, symmetry without") {
-    const ContactPair contact{.mass = 9.277e-10, .effective_radius = 44e-6, .contact_modulus = 90e9, .work_of_adhesion = 0.3};
-    const Impact damped{Law::of<BrachDunn>(), Detachment::zero_overlap, {DampingLaw::constant, 0.008}, contact, 2.5};
+    const ContactPair contact{
+        .mass = 9.277e-10, .effective_radius = 44e-6, .contact_modulus = 90e9, .work_of_adhesion = 0.3};
+    const Impact damped{
+        Law::of<BrachDunn>(), Detachment::zero_overlap, {DampingLaw::constant, 0.008}, contact, 2.5};
     const double overlap = solve_impact(damped).maximum_overlap;
     const MomentumBalance balance = momentum_balance(damped, 4001);
     CHECK(relative_difference(balance.approach.damping_impulse, 0.008 * overlap) < 1e-6);
@@ -224,14 +244,16 @@ TEST_CASE("comparison: fixed places, published values beside ours, the ratio in 
     CHECK(sample["measured_critical_velocity"]["value"] == 0.69);
     CHECK(sample["published"]["critical_velocity"]["dmt"]["published"]["value"] == 0.64);
     const double ours = sample["dynamic_critical_velocity"]["dmt"]["value"];
-    CHECK(relative_difference(sample["published"]["critical_velocity"]["dmt"]["relative_difference"].get<double>(),
-                              ours / 0.64 - 1) < 1e-12);
+    CHECK(relative_difference(
+              sample["published"]["critical_velocity"]["dmt"]["relative_difference"].get<double>(),
+              ours / 0.64 - 1) < 1e-12);
     CHECK(sample["published"]["contact_times"][0]["law"] == "brach-dunn");
     CHECK_FALSE(sample["published"]["critical_velocity"].contains("jkr"));
     double least = 1e300;
     for (const auto& each : comparison["samples"])
         for (const auto& [law, velocity] : each["dynamic_critical_velocity"].items())
-            least = std::min(least, velocity["value"].get<double>() / each["analytic_critical_velocity"]["value"].get<double>());
+            least = std::min(least, velocity["value"].get<double>() /
+                                        each["analytic_critical_velocity"]["value"].get<double>());
     CHECK(relative_difference(comparison["dynamic_over_analytic"]["least"].get<double>(), least) < 1e-14);
     CHECK(comparison["conclusion"].get<std::string>().find("viscous dissipation does") != std::string::npos);
 }
@@ -262,12 +284,14 @@ TEST_CASE("a sample without restitution data still gets its analytic velocity, a
 
 TEST_CASE("other damping laws go through every stage, with their unit") {
     Json document = test::example_case();
-    for (const auto& [law, unit] : std::map<std::string, std::string>{{"contact-radius", "Pa s"}, {"tsuji", "1"}}) {
+    for (const auto& [law, unit] :
+         std::map<std::string, std::string>{{"contact-radius", "Pa s"}, {"tsuji", "1"}}) {
         document["damping_law"] = law;
         const Artifacts artifacts = computed_from(document);
         const Json& fit = artifacts.at("6-fit.json").document["result"]["samples"][0]["jkr"];
         CHECK(fit["critical_damping"]["unit"] == unit);
-        const Json& velocity = artifacts.at("7-critical-velocity.json").document["result"]["samples"][0]["jkr"];
+        const Json& velocity =
+            artifacts.at("7-critical-velocity.json").document["result"]["samples"][0]["jkr"];
         CHECK(velocity["damping_law"] == law);
         CHECK(velocity["verdict"].is_string());
     }
