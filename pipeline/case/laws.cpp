@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "solver/scaled_impact.hpp"
+
 namespace ashimpact {
 
 bool is_adhesive(Law law) {
@@ -11,7 +13,11 @@ bool is_adhesive(Law law) {
 }
 
 bool yields(Law law) {
-    return law == Law::of<ThorntonNing>();
+    return can_yield(law, {.mass = 1,
+                           .effective_radius = 1,
+                           .contact_modulus = 1,
+                           .work_of_adhesion = 1,
+                           .yield_pressure = 1});
 }
 
 Dimension dimension_of(DampingLaw law) {

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstdlib>
 
 #include "pipeline/files/sha256.hpp"
 #include "pipeline/json/schema.hpp"
@@ -297,4 +298,34 @@ TEST_CASE("output that cannot be written is an error, not a silent loss") {
     CHECK(into_a_file.status == 2);
     CHECK(test::lines_of(into_a_file.err).size() == 1);
     CHECK(sandbox.read("file") == "x");
+}
+
+TEST_CASE("a computation that does not converge is exit 3") {
+    const Sandbox sandbox;
+    const auto finished = ashimpact_program(
+        sandbox, "impact --law dmt --velocity 2 --method paper-explicit --time-step '1e-18 s'" + contact);
+    CHECK(finished.status == 3);
+    CHECK(test::lines_of(finished.err).size() == 1);
+    CHECK(finished.err.starts_with("not converged: "));
+}
+
+TEST_CASE("an interrupted run leaves whole results: those before it or its own") {
+    const Sandbox sandbox;
+    test::write_example(sandbox, test::example_case());
+    REQUIRE(ashimpact_program(sandbox, "run -o out").status == 0);
+    int interrupted = 0;
+    for (int i = 0; i < 16; ++i) {
+        const std::string wait = "0." + std::string(i < 8 ? "0" : "") + std::to_string(i < 8 ? i + 2 : 2 * i);
+        const std::string which = i % 2 == 0 ? "case.json" : "";
+        const std::string program = "'" ASHIMPACT_PROGRAM "' run " + which + " -o out";
+        const std::string shell = "cd '" + sandbox.folder().string() + "' && timeout -s TERM " + wait + " " + program +
+                                  " >/dev/null 2>&1";
+        interrupted += std::system(shell.c_str()) == 0 ? 0 : 1;
+        const Json manifest = sandbox.json("out/manifest.json");
+        REQUIRE(manifest["result"]["artifacts"].size() == 10);
+        for (const auto& artifact : manifest["result"]["artifacts"])
+            CHECK(artifact["sha256"] == sha256(sandbox.read("out/" + artifact["file"].get<std::string>())));
+        for (const auto& [name, content] : sandbox.everything()) CHECK(name.find(".tmp") == std::string::npos);
+    }
+    CHECK(interrupted > 0);
 }
