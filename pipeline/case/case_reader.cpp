@@ -103,6 +103,7 @@ std::vector<LawChoice> read_laws(const View& document) {
         for (const View& name : names->elements()) laws.push_back(Law::named(name.text()));
     }
     std::vector<LawChoice> choices;
+    choices.reserve(laws.size());
     for (const Law law : laws) choices.push_back({law, law.default_detachment()});
     const auto detachments = document.find("detachments");
     if (!detachments) return choices;
