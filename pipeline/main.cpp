@@ -1,3 +1,5 @@
 #include "pipeline/cli/program.hpp"
 
-int main(int argc, char** argv) { return ashimpact::run_program(argc, argv); }
+int main(int argc, char** argv) {
+    return ashimpact::run_program(argc, argv);
+}
