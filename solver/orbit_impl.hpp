@@ -45,6 +45,9 @@ bool CaptureTest<Real>::creeping_up(const MotionState<Real>& state) const {
     if (state.position >= motion_.equilibrium) return false;
     const Real damping = motion_.damping(state.position);
     const Real way = equilibrium_overlap_ - motion_.overlap(state.position);
+    // A spiral so tight that it turns beneath rounding only looks like this one.
+    const Real rounding = 64 * std::numeric_limits<Real>::epsilon() * equilibrium_overlap_;
+    if (std::abs(way) <= rounding && state.velocity <= damping * rounding) return true;
     return damping * damping >= Real(4) * equilibrium_slope_ && state.velocity <= damping / Real(2) * way;
 }
 
