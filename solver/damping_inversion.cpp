@@ -23,8 +23,7 @@ class RestitutionCurve {
     template <class Real>
     [[nodiscard]] double at(double number) {
         ++impacts;
-        const Orbit<Real> orbit = follow<Real>(scaled_motion<Real>(impact(number), scale_), Real(1));
-        return orbit.outcome == Outcome::rebound ? static_cast<double>(std::abs(orbit.end.velocity)) : 0.0;
+        return scaled_restitution<Real>(impact(number), scale_);
     }
     [[nodiscard]] Impact impact(double number) const {
         return {problem_.law, problem_.detachment, damping(number), problem_.contact, problem_.velocity};

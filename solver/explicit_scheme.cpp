@@ -138,6 +138,7 @@ ImpactResult solve_impact_explicit(const Impact& impact, const ExplicitSchemeOpt
                      .at_touch = 0.0,
                      .potential = potential * scale.energy(),
                      .dissipated = r.dissipated * scale.energy(),
+                     .plastic = 0.0,
                      .residual = (0.5 - 0.5 * speed * speed - potential - r.dissipated) * scale.energy(),
                      .minimum = motion.potential(motion.equilibrium) * scale.energy()};
     result.steps = static_cast<int>(count);

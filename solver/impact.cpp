@@ -26,20 +26,43 @@ void require_not_negative(double value, std::string_view quantity, std::string_v
     throw InputError(problem.str(), "a finite number >= 0 " + std::string(unit));
 }
 
-EnergyLedger ledger_of(const Motion<Extended>& motion, const Orbit<Extended>& orbit, double unit) {
-    const MotionState<Extended>& last = orbit.outcome == Outcome::rebound ? orbit.end : orbit.turn;
+/// One solved impact with what the ledger needs of its branches.
+struct Solved {
+    Orbit<Extended> orbit;
+    Motion<Extended> last;  ///< branch of the rebound
+    Extended touch_potential = 0;
+    Extended plastic_work = 0;
+    bool yielded = false;
+};
+
+Solved solved(const Impact& impact, const Scale& scale) {
+    constexpr auto unobserved = [](const Motion<Extended>&, const MotionExpansion<Extended>&, Extended) {};
+    if (can_yield(impact.law, impact.contact)) {
+        const auto motion = scaled_plastic_motion<Extended>(impact, scale);
+        PlasticOrbit<Extended> followed = follow_plastic(motion, 1.0L, unobserved);
+        return {followed.orbit, followed.last, motion.touch_potential(), followed.plastic_work,
+                followed.yielded};
+    }
+    const auto motion = scaled_motion<Extended>(impact, scale);
+    return {follow(motion, 1.0L), motion, motion.potential(motion.touch)};
+}
+
+EnergyLedger ledger_of(const Solved& impact, double unit) {
+    const bool rebound = impact.orbit.outcome == Outcome::rebound;
+    const MotionState<Extended>& last = rebound ? impact.orbit.end : impact.orbit.turn;
     const Extended incident = 0.5L;  // the scale's velocity is v_in
     const Extended remaining = last.velocity * last.velocity / 2;
-    const Extended at_touch = motion.potential(motion.touch);
-    const Extended potential = motion.potential(last.position);
+    const Extended potential = impact.last.potential(last.position);
+    const Extended spent = last.dissipation + impact.plastic_work;
     const auto joule = [unit](Extended energy) { return static_cast<double>(energy) * unit; };
     return {.incident = joule(incident),
             .remaining = joule(remaining),
-            .at_touch = joule(at_touch),
+            .at_touch = joule(impact.touch_potential),
             .potential = joule(potential),
             .dissipated = joule(last.dissipation),
-            .residual = joule(incident + at_touch - remaining - potential - last.dissipation),
-            .minimum = joule(motion.potential(motion.equilibrium))};
+            .plastic = joule(impact.plastic_work),
+            .residual = joule(incident + impact.touch_potential - remaining - potential - spent),
+            .minimum = joule(impact.last.potential(impact.last.equilibrium))};
 }
 
 }  // namespace
@@ -81,6 +104,7 @@ void validate(const ContactPair& contact) {
     require_positive(contact.effective_radius, "effective_radius", "m");
     require_positive(contact.contact_modulus, "contact_modulus", "Pa");
     require_not_negative(contact.work_of_adhesion, "work_of_adhesion", "J/m2");
+    if (!(contact.yield_pressure > 0.0)) require_positive(contact.yield_pressure, "yield_pressure", "Pa");
 }
 
 void validate(const Impact& impact) {
@@ -95,8 +119,8 @@ void validate(const Impact& impact) {
 ImpactResult solve_impact(const Impact& impact) {
     validate(impact);
     const Scale scale = Scale::of(impact.contact, impact.velocity);
-    const Motion<Extended> motion = scaled_motion<Extended>(impact, scale);
-    const Orbit<Extended> orbit = follow<Extended>(motion, 1.0L);
+    const Solved followed = solved(impact, scale);
+    const Orbit<Extended>& orbit = followed.orbit;
 
     const bool rebound = orbit.outcome == Outcome::rebound;
     const auto seconds = [&](Extended time) { return static_cast<double>(time) * scale.time(); };
@@ -107,15 +131,14 @@ ImpactResult solve_impact(const Impact& impact) {
     if (rebound) result.contact_time = seconds(orbit.end.time);
     if (orbit.turned) result.approach_time = seconds(orbit.turn.time);
     result.maximum_overlap = static_cast<double>(orbit.maximum_overlap) * scale.length;
-    result.energy = ledger_of(motion, orbit, scale.energy());
+    result.yielded = followed.yielded;
+    result.energy = ledger_of(followed, scale.energy());
     result.steps = orbit.steps;
     return result;
 }
 
 double restitution_of(const Impact& impact) {
-    const Scale scale = Scale::of(impact.contact, impact.velocity);
-    const Orbit<double> orbit = follow<double>(scaled_motion<double>(impact, scale), 1.0);
-    return orbit.outcome == Outcome::rebound ? std::abs(orbit.end.velocity) : 0.0;
+    return scaled_restitution<double>(impact, Scale::of(impact.contact, impact.velocity));
 }
 
 }  // namespace ashimpact

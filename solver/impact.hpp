@@ -25,13 +25,14 @@ enum class Outcome { rebound, capture };
 [[nodiscard]] std::string_view name_of(Outcome outcome);
 
 /// Where the energy of an impact went, up to detachment, or for a capture up to the greatest overlap [J].
-/// incident + at_touch = remaining + potential + dissipated + residual.
+/// incident + at_touch = remaining + potential + dissipated + plastic + residual.
 struct EnergyLedger {
     double incident;    ///< m v_in^2/2
     double remaining;   ///< kinetic energy at the end of the ledger
     double at_touch;    ///< potential at first touch, 0 by definition at zero contact radius
     double potential;   ///< potential at the end of the ledger
     double dissipated;  ///< work taken by damping
+    double plastic;     ///< work spent in yielding
     double residual;    ///< what does not close: integration error
     double minimum;     ///< U_min, potential at static equilibrium; the depth of the adhesive well
 };
@@ -44,6 +45,7 @@ struct ImpactResult {
     std::optional<double> contact_time;   ///< first touch to detachment [s]
     std::optional<double> approach_time;  ///< first touch to greatest overlap; none where it never turns [s]
     double maximum_overlap;               ///< greatest overlap, or its supremum where it never turns [m]
+    bool yielded;                         ///< the contact went beyond its yield pressure
     EnergyLedger energy;
     int steps;  ///< Taylor steps taken
 };

@@ -4,7 +4,7 @@
 #include "solver/damping/damping.hpp"
 #include "solver/numeric/polynomial.hpp"
 
-#include <limits>
+#include <cmath>
 #include <optional>
 
 namespace ashimpact {
@@ -28,7 +28,47 @@ struct Motion {
     Real equilibrium{};          ///< q of the static equilibrium, the minimum of U
     std::optional<Real> end;     ///< q at which the contact ends; none: not a place but total force zero
     bool squared = false;        ///< q = u^2
+
+    /// q of a state u = sqrt(contact radius).
+    [[nodiscard]] Real coordinate(const Real& u) const { return squared ? u * u : u; }
+    /// u = sqrt(contact radius) of a coordinate q.
+    [[nodiscard]] Real root_radius(const Real& q) const {
+        using std::sqrt;
+        return squared ? sqrt(q > Real(0) ? q : Real(0)) : q;
+    }
 };
+
+/// The scaled coefficient eta(u) of a damping law.
+template <class Real>
+[[nodiscard]] Polynomial<Real> damping_polynomial(DampingLaw law, Real number) {
+    const auto u = Polynomial<Real>::identity();
+    switch (law) {
+        case DampingLaw::constant:
+            return number;
+        case DampingLaw::contact_radius:
+            return number * (u * u);
+        case DampingLaw::tsuji:
+            return number * u;
+    }
+    return {};
+}
+
+/// The equation of motion on one branch delta(u), F(u); touch, equilibrium and end remain to be set.
+template <class Real>
+[[nodiscard]] Motion<Real> branch_motion(const Polynomial<Real>& overlap, const Polynomial<Real>& force,
+                                         const Polynomial<Real>& damping) {
+    Motion<Real> motion;
+    motion.squared = overlap.even() && force.even() && damping.even();
+    const auto reduced = [&](const Polynomial<Real>& p) { return motion.squared ? p.of_square() : p; };
+    motion.overlap = reduced(overlap);
+    motion.force = reduced(force);
+    motion.damping = reduced(damping);
+    motion.slope = motion.overlap.derivative();
+    motion.stiffness = motion.slope * motion.force;
+    motion.drag = motion.slope * motion.damping;
+    motion.potential = motion.stiffness.antiderivative();
+    return motion;
+}
 
 /// Builds the equation of motion from the law's own lines.
 /// @param adhesion, damping_number scaled coefficients [1]
@@ -38,37 +78,12 @@ template <template <class> class L, class Real>
     const L<Real> numeric{adhesion};
     const L<Polynomial<Real>> law{Polynomial<Real>(adhesion)};
     const auto u = Polynomial<Real>::identity();
-
-    Motion<Real> motion;
-    motion.overlap = law.overlap(u);
-    motion.force = law.force(u);
-    switch (damping_law) {
-        case DampingLaw::constant:
-            motion.damping = damping_number;
-            break;
-        case DampingLaw::contact_radius:
-            motion.damping = damping_number * (u * u);
-            break;
-        case DampingLaw::tsuji:
-            motion.damping = damping_number * u;
-            break;
-    }
-    motion.squared = motion.overlap.even() && motion.force.even() && motion.damping.even();
-    if (motion.squared) {
-        motion.overlap = motion.overlap.of_square();
-        motion.force = motion.force.of_square();
-        motion.damping = motion.damping.of_square();
-    }
-    motion.slope = motion.overlap.derivative();
-    motion.stiffness = motion.slope * motion.force;
-    motion.drag = motion.slope * motion.damping;
-    motion.potential = motion.stiffness.antiderivative();
-
-    const auto place = [&](Real state) { return motion.squared ? state * state : state; };
-    motion.touch = place(numeric.touch());
-    motion.equilibrium = place(*numeric.detachment_point(Detachment::zero_force));
+    Motion<Real> motion =
+        branch_motion(law.overlap(u), law.force(u), damping_polynomial<Real>(damping_law, damping_number));
+    motion.touch = motion.coordinate(numeric.touch());
+    motion.equilibrium = motion.coordinate(*numeric.detachment_point(Detachment::zero_force));
     const bool by_force = detachment == Detachment::zero_force && damping_number != Real(0);
-    if (!by_force) motion.end = place(*numeric.detachment_point(detachment));
+    if (!by_force) motion.end = motion.coordinate(*numeric.detachment_point(detachment));
     return motion;
 }
 

@@ -40,8 +40,23 @@ class CaptureTest {
     Real least_damping_{};      ///< smallest eta(q) beyond equilibrium
 };
 
-/// Follows an impact that touches with scaled velocity @p velocity to its end. @p observe is called with each
-/// expansion and the part of its step that was used.
+enum class ApproachEnd {
+    turned,    ///< at greatest overlap
+    left,      ///< reached the place where the branch ends
+    creeping,  ///< never turns
+};
+
+/// The inward leg on one branch, until the motion turns, creeps, or reaches @p leave_at.
+/// @p observe is called with the branch, each expansion and the part of its step that was used.
+template <class Real, class Observer>
+ApproachEnd approach(const Motion<Real>& motion, MotionState<Real>& state,
+                     const std::optional<Real>& leave_at, Orbit<Real>& orbit, Observer& observe);
+
+/// The outward leg on one branch, until detachment or until capture is certain.
+template <class Real, class Observer>
+void rebound(const Motion<Real>& motion, MotionState<Real> state, Orbit<Real>& orbit, Observer& observe);
+
+/// Both legs of an impact on one branch that touches with scaled velocity @p velocity.
 /// @throws ConvergenceError if the step count runs away
 template <class Real, class Observer>
 [[nodiscard]] Orbit<Real> follow(const Motion<Real>& motion, Real velocity, Observer&& observe);
@@ -49,7 +64,7 @@ template <class Real, class Observer>
 /// follow() without an observer.
 template <class Real>
 [[nodiscard]] Orbit<Real> follow(const Motion<Real>& motion, Real velocity) {
-    return follow(motion, velocity, [](const MotionExpansion<Real>&, Real) {});
+    return follow(motion, velocity, [](const Motion<Real>&, const MotionExpansion<Real>&, Real) {});
 }
 
 }  // namespace ashimpact

@@ -66,45 +66,58 @@ template <class Real>
     return inward.value_or(x.step);
 }
 
+template <class Real>
+[[nodiscard]] MotionExpansion<Real> counted_expansion(const MotionStepper<Real>& stepper,
+                                                      const MotionState<Real>& state, int& steps) {
+    if (++steps > most_steps) throw ConvergenceError("impact did not end within the step limit");
+    return stepper.expand(state);
+}
+
 template <class Real, class Observer>
-Orbit<Real> follow(const Motion<Real>& motion, Real velocity, Observer&& observe) {
+ApproachEnd approach(const Motion<Real>& motion, MotionState<Real>& state,
+                     const std::optional<Real>& leave_at, Orbit<Real>& orbit, Observer& observe) {
     const MotionStepper<Real> stepper(motion);
     const CaptureTest<Real> capture(motion);
-    Orbit<Real> orbit;
-    MotionState<Real> state{.position = motion.touch, .velocity = velocity};
-    const auto next_expansion = [&] {
-        if (++orbit.steps > most_steps) throw ConvergenceError("impact did not end within the step limit");
-        return stepper.expand(state);
-    };
-
-    while (!orbit.turned) {
-        const MotionExpansion<Real> x = next_expansion();
+    while (true) {
+        const MotionExpansion<Real> x = counted_expansion(stepper, state, orbit.steps);
         const auto turn = event_within(x, x.step, [](const MotionState<Real>& s) { return s.velocity; });
-        const Real used = turn.value_or(x.step);
-        observe(x, used);
+        Real used = turn.value_or(x.step);
+        const auto to_go = [&](const MotionState<Real>& s) { return *leave_at - s.position; };
+        const auto leave = leave_at ? event_within(x, used, to_go) : std::nullopt;
+        used = leave.value_or(used);
+        observe(motion, x, used);
         state = x.at(used);
-        orbit.turned = turn.has_value();
-        if (!orbit.turned && capture.creeping_up(state)) {
+        if (leave) return ApproachEnd::left;
+        if (turn) {
+            state.velocity = Real(0);
+            orbit.turned = true;
+            orbit.turn = orbit.end = state;
+            orbit.maximum_overlap = motion.overlap(state.position);
+            return ApproachEnd::turned;
+        }
+        if (capture.creeping_up(state)) {
             orbit.turn = orbit.end = state;
             orbit.maximum_overlap = motion.overlap(motion.equilibrium);
-            return orbit;
+            return ApproachEnd::creeping;
         }
     }
-    state.velocity = Real(0);
-    orbit.turn = state;
-    orbit.maximum_overlap = motion.overlap(state.position);
+}
 
+template <class Real, class Observer>
+void rebound(const Motion<Real>& motion, MotionState<Real> state, Orbit<Real>& orbit, Observer& observe) {
+    const MotionStepper<Real> stepper(motion);
+    const CaptureTest<Real> capture(motion);
     const auto remaining = [&](const MotionState<Real>& s) -> Real {
         if (motion.end) return s.position - *motion.end;
         if (s.position <= motion.touch) return Real(-1);  // the total force fell through zero before
         return motion.force(s.position) + motion.damping(s.position) * s.velocity;
     };
     while (!capture.bound(state) && !capture.creeping(state)) {
-        const MotionExpansion<Real> x = next_expansion();
+        const MotionExpansion<Real> x = counted_expansion(stepper, state, orbit.steps);
         const Real outward = outward_part(x);
         const auto end = event_within(x, outward, remaining);
         const Real used = end.value_or(outward);
-        observe(x, used);
+        observe(motion, x, used);
         state = x.at(used);
         if (end) {
             orbit.outcome = Outcome::rebound;
@@ -112,6 +125,15 @@ Orbit<Real> follow(const Motion<Real>& motion, Real velocity, Observer&& observe
         }
     }
     orbit.end = state;
+}
+
+template <class Real, class Observer>
+Orbit<Real> follow(const Motion<Real>& motion, Real velocity, Observer&& observe) {
+    Orbit<Real> orbit;
+    MotionState<Real> state{.position = motion.touch, .velocity = velocity};
+    if (approach<Real>(motion, state, std::nullopt, orbit, observe) == ApproachEnd::turned) {
+        rebound(motion, state, orbit, observe);
+    }
     return orbit;
 }
 

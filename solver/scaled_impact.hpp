@@ -2,13 +2,13 @@
 
 #include "solver/impact.hpp"
 #include "solver/motion.hpp"
+#include "solver/numeric/extended.hpp"
+#include "solver/plastic_motion.hpp"
 #include "solver/scale.hpp"
 
-namespace ashimpact {
+#include <cmath>
 
-/// The scalar solver's number type: its extra bits tell capture from rebound where the adhesive well is a
-/// million times deeper than the kinetic energy.
-using Extended = long double;
+namespace ashimpact {
 
 /// The scaled equation of motion of an impact (its velocity is not used: the scale sets it).
 template <class Real>
@@ -18,6 +18,32 @@ template <class Real>
                                     impact.damping.law, scale.damping_number(impact.damping),
                                     impact.detachment);
     });
+}
+
+/// Whether an impact's law has a plastic history and its contact can yield.
+[[nodiscard]] inline bool can_yield(Law law, const ContactPair& contact) {
+    return law == Law::of<ThorntonNing>() && std::isfinite(contact.yield_pressure);
+}
+
+/// The scaled branches of an elastic-plastic impact; requires can_yield().
+template <class Real>
+[[nodiscard]] PlasticMotion<Real> scaled_plastic_motion(const Impact& impact, const Scale& scale) {
+    return {{Real(ThorntonNing<double>::adhesion_number(impact.contact, scale.length)),
+             Real(ThorntonNing<double>::yield_number(impact.contact, scale.length))},
+            impact.damping.law,
+            Real(scale.damping_number(impact.damping)),
+            impact.detachment};
+}
+
+/// Restitution of an impact in its own scale, without validation or results beside it [1].
+template <class Real>
+[[nodiscard]] double scaled_restitution(const Impact& impact, const Scale& scale) {
+    constexpr auto unobserved = [](const Motion<Real>&, const MotionExpansion<Real>&, Real) {};
+    const Orbit<Real> orbit =
+        can_yield(impact.law, impact.contact)
+            ? follow_plastic(scaled_plastic_motion<Real>(impact, scale), Real(1), unobserved).orbit
+            : follow<Real>(scaled_motion<Real>(impact, scale), Real(1));
+    return orbit.outcome == Outcome::rebound ? static_cast<double>(std::abs(orbit.end.velocity)) : 0.0;
 }
 
 }  // namespace ashimpact

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace ashimpact {
@@ -11,6 +12,7 @@ struct ContactPair {
     double effective_radius;  ///< R* [m], Eq. 6
     double contact_modulus;   ///< E* [Pa], Eq. 7
     double work_of_adhesion;  ///< w [J/m2], energy to separate unit area (not a surface energy)
+    double yield_pressure = std::numeric_limits<double>::infinity();  ///< p_y [Pa]; infinite: never yields
 };
 
 /// Hertz stiffness k = (4/3) E* sqrt(R*) of F = k delta^(3/2) [N/m^(3/2)]; Dong et al. 2013, Eq. 9.

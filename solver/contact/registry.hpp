@@ -4,6 +4,7 @@
 #include "solver/contact/dmt.hpp"
 #include "solver/contact/hertz.hpp"
 #include "solver/contact/jkr.hpp"
+#include "solver/contact/thornton_ning.hpp"
 
 #include <array>
 #include <cstddef>
@@ -34,7 +35,7 @@ struct LawList {
 };
 
 /// Every contact law with dynamics. Registering a law is one word here.
-using RegisteredLaws = LawList<Hertz, Dmt, BrachDunn, Jkr>;
+using RegisteredLaws = LawList<Hertz, Dmt, BrachDunn, Jkr, ThorntonNing>;
 
 /// A registered contact law, chosen at run time.
 class Law {

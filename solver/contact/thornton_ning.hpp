@@ -1,0 +1,112 @@
+#pragma once
+
+#include "solver/contact/jkr.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <string_view>
+
+namespace ashimpact {
+
+/// Thornton & Ning 1998 (Powder Technol. 99:154): adhesive, elastic-perfectly plastic sphere.
+///
+/// Elastic branch: JKR, until the pressure in the centre reaches the contact yield pressure p_y,
+/// p_y = 2 E* a_y/(pi R*) - sqrt(2 w E*/(pi a_y)). Unloading: JKR of the sphere flattened to the radius R_p
+/// that makes force and contact radius continuous at greatest overlap; it breaks at the fold of that curve,
+/// so adhesion acts with R_p. Without adhesion this is Thornton & Ning's closed form. With adhesion, plastic
+/// loading is closed here by the superposition that makes up JKR (Hertz contact plus the retraction of a flat
+/// punch): the Hertz part yields, each further ring of contact adding the pressure p_y + sqrt(2 w E*/(pi a))
+/// to it, the punch part stays elastic. Then loading is smooth at yield and flattening never negative; see
+/// docs/decisions. Lines below are the elastic branch, normalised as in Hertz; the others are in
+/// YieldedContact.
+template <class Real>
+struct ThorntonNing {
+    static constexpr std::string_view name = "thornton-ning";
+    static constexpr Detachment default_detachment = Detachment::pull_off;
+
+    Real adhesion;  ///< as in Jkr [1]
+
+    /// Adhesion number of the law for lengths in @p length [m].
+    [[nodiscard]] static double adhesion_number(const ContactPair& pair, double length) {
+        return Jkr<double>::adhesion_number(pair, length);
+    }
+    /// Yield number (contact radius at which a Hertz contact yields)/sqrt(R* L) = pi R* p_y/(2 E* sqrt(R* L))
+    /// [1].
+    [[nodiscard]] static double yield_number(const ContactPair& pair, double length) {
+        return std::numbers::pi * pair.yield_pressure / (2.0 * pair.contact_modulus) *
+               std::sqrt(pair.effective_radius / length);
+    }
+
+    /// Overlap, positive in contact [L].
+    template <class U>
+    [[nodiscard]] U overlap(const U& u) const {
+        return Jkr<Real>{adhesion}.overlap(u);
+    }
+    /// Total static force, positive where repulsive [k L^(3/2)].
+    template <class U>
+    [[nodiscard]] U force(const U& u) const {
+        return Jkr<Real>{adhesion}.force(u);
+    }
+    /// Attractive part of the force, never positive [k L^(3/2)].
+    [[nodiscard]] Real attractive_force(const Real& u) const {
+        return Jkr<Real>{adhesion}.attractive_force(u);
+    }
+
+    /// State at first touch.
+    [[nodiscard]] Real touch() const { return Jkr<Real>{adhesion}.touch(); }
+
+    /// State at which the elastic branch detaches; a flattened sphere does not come back to zero overlap.
+    [[nodiscard]] std::optional<Real> detachment_point(Detachment detachment) const {
+        if (detachment == Detachment::zero_overlap) return std::nullopt;
+        return Jkr<Real>{adhesion}.detachment_point(detachment);
+    }
+};
+
+/// The history of one yielded contact: plastic loading, then unloading on the flattened sphere; normalised.
+template <class Real>
+struct YieldedContact {
+    Real adhesion;      ///< as in Jkr [1]
+    Real yield_number;  ///< as in ThorntonNing [1]
+
+    /// State u_y at which the elastic branch reaches p_y: u^3 - yield_number u - adhesion/2 = 0.
+    [[nodiscard]] Real yield_point() const {
+        using std::abs;
+        using std::max;
+        // Newton from above on a function that is convex there.
+        Real u = max(root<2>(yield_number), root<3>(adhesion / Real(2))) * Real(1.5);
+        for (int i = 0; i < 100; ++i) {
+            const Real step =
+                (power<3>(u) - yield_number * u - adhesion / Real(2)) / (Real(3) * u * u - yield_number);
+            u -= step;
+            if (!(abs(step) > Real(0)) || abs(step) <= std::numeric_limits<Real>::epsilon() * u) break;
+        }
+        return u;
+    }
+    /// Overlap on the plastic branch: the geometry of the elastic one [L].
+    template <class U>
+    [[nodiscard]] U plastic_overlap(const U& u) const {
+        return power<4>(u) - adhesion * u;
+    }
+    /// Hertz part of the force on the plastic branch [k L^(3/2)].
+    template <class U>
+    [[nodiscard]] U plastic_hertz_force(const U& u) const {
+        const Real at_yield = yield_point();
+        const Real half_yield = (yield_number * power<4>(at_yield) + adhesion * power<3>(at_yield)) / Real(2);
+        return (Real(1.5) * yield_number) * power<4>(u) + adhesion * power<3>(u) - half_yield;
+    }
+    /// Force on the plastic branch [k L^(3/2)].
+    template <class U>
+    [[nodiscard]] U plastic_force(const U& u) const {
+        return plastic_hertz_force(u) - (Real(1.5) * adhesion) * power<3>(u);
+    }
+    /// Flattening R*/R_p <= 1 after loading to @p u.
+    [[nodiscard]] Real flattening(const Real& u) const { return plastic_hertz_force(u) / power<6>(u); }
+    /// Permanent overlap delta_p after loading to @p u [L].
+    [[nodiscard]] Real permanent_overlap(const Real& u) const {
+        return power<4>(u) * (Real(1) - flattening(u));
+    }
+};
+
+}  // namespace ashimpact
