@@ -4,6 +4,7 @@
 #include "materials/error.hpp"
 #include "materials/text.hpp"
 #include "solver/numeric/series.hpp"
+#include "solver/scaled_impact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,11 @@ StaticCurve::StaticCurve(Law law, const ContactPair& contact) : law_(law), lengt
     require_positive("effective_radius", contact.effective_radius, Dimension::length);
     require_positive("contact_modulus", contact.contact_modulus, Dimension::pressure);
     require_not_negative("work_of_adhesion", contact.work_of_adhesion, Dimension::energy_per_area);
+    if (can_yield(law, contact)) {
+        throw InputError(
+            "a contact of law '" + std::string(law.name()) + "' that can yield has no static curve",
+            "an infinite yield_pressure");
+    }
     force_unit_ = hertz_stiffness(contact) * length_ * std::sqrt(length_);
     law.visit<void>([&]<template <class> class L>() {
         adhesion_ = L<double>::adhesion_number(contact, length_);
