@@ -39,7 +39,8 @@ ContactPair in_other_units(const ContactPair& pair) {
     return {.mass = pair.mass * mass,
             .effective_radius = pair.effective_radius * length,
             .contact_modulus = pair.contact_modulus * force / (length * length),
-            .work_of_adhesion = pair.work_of_adhesion * energy / (length * length)};
+            .work_of_adhesion = pair.work_of_adhesion * energy / (length * length),
+            .yield_pressure = pair.yield_pressure * force / (length * length)};
 }
 
 Damping in_other_units(const Damping& damping) {
@@ -101,6 +102,7 @@ TEST_CASE("impacts scale with their units") {
                     .same(a.energy.dissipated, b.energy.dissipated, energy)
                     .same(a.energy.remaining, b.energy.remaining, energy)
                     .same(a.energy.minimum, b.energy.minimum, energy)
+                    .same(a.energy.plastic, b.energy.plastic, energy)
                     .same_within(a.energy.potential, b.energy.potential, energy, size)
                     .same_within(a.energy.at_touch, b.energy.at_touch, energy, size);
             }
@@ -139,6 +141,7 @@ TEST_CASE("damping from restitution scales with its unit") {
     for (const ContactCase& c : contact_cases()) {
         for (const double e : {0.2, 0.7}) {
             DampingProblem problem{c.law, c.detachment, c.damping_law, ash(0.3), 2.0, e};
+            problem.contact.yield_pressure = c.yield_pressure;
             const DampingInversion a = damping_from_restitution(problem);
             problem.contact = in_other_units(problem.contact);
             problem.velocity *= velocity;

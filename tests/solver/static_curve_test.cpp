@@ -80,6 +80,12 @@ TEST_CASE("points outside the curve and impossible contacts are refused") {
     CHECK(contains(input_error_of([&] { static_cast<void>(StaticCurve(Law::of<Dmt>(), wrong)); }),
                    "work_of_adhesion is -0.1 J/m2"));
     wrong = ash(0.3);
+    wrong.yield_pressure = 2e9;
+    CHECK(input_error_of([&] { static_cast<void>(StaticCurve(Law::of<ThorntonNing>(), wrong)); }) ==
+          "a contact of law 'thornton-ning' that can yield has no static curve; allowed: an infinite "
+          "yield_pressure");
+    CHECK(StaticCurve(Law::of<Jkr>(), wrong).at_overlap(1e-8).overlap > 0.0);  // never yields
+    wrong = ash(0.3);
     wrong.mass = 0.0;  // a static law has none
     CHECK(StaticCurve(Law::of<Dmt>(), wrong).at_overlap(1e-8).overlap > 0.0);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -12,15 +13,23 @@ struct ContactCase {
     Law law;
     DampingLaw damping_law;
     Detachment detachment;
+    double yield_pressure = std::numeric_limits<double>::infinity();  ///< [Pa]
 };
 
-/// Every registered law with every damping law and every detachment that is admissible for it.
+/// Every registered law with every damping law and every detachment that is admissible for it, its contact
+/// never yielding: no law has a memory then.
+[[nodiscard]] std::vector<ContactCase> elastic_cases();
+
+/// Those of the laws that have a memory, with a contact that yields in most impacts of ash().
+[[nodiscard]] std::vector<ContactCase> yielding_cases();
+
+/// Both.
 [[nodiscard]] std::vector<ContactCase> contact_cases();
 
-/// The same without damping laws: constant stands for all of them.
+/// The elastic ones without damping laws: constant stands for all of them.
 [[nodiscard]] std::vector<ContactCase> undamped_cases();
 
-/// "dmt, tsuji, zero-overlap".
+/// "dmt, tsuji, zero-overlap"; "..., yielding".
 [[nodiscard]] std::string name_of(const ContactCase& c);
 
 /// The sphere of the reference impacts (88 um, 2600 kg/m3) on its wall, E* = 90 GPa.
@@ -32,7 +41,7 @@ inline constexpr double ash_velocities[] = {0.5, 2.0, 10.0};
 inline constexpr double damping_numbers[] = {0.05, 0.3, 0.8};
 
 /// An impact whose damping has the scaled value @p damping_number at that velocity (beta for constant
-/// damping).
+/// damping), and whose contact has the case's yield pressure.
 [[nodiscard]] Impact impact_of(const ContactCase& c, const ContactPair& pair, double damping_number,
                                double velocity);
 

@@ -16,7 +16,7 @@ double evaluate(double x, void* function) {
 
 }  // namespace
 
-double integral(const std::function<double(double)>& function, double lower, double upper) {
+double integral(const std::function<double(double)>& function, double lower, double upper, double size) {
     constexpr std::size_t most_intervals = 1000;
     const std::unique_ptr<gsl_integration_workspace, decltype(&gsl_integration_workspace_free)> workspace(
         gsl_integration_workspace_alloc(most_intervals), &gsl_integration_workspace_free);
@@ -25,7 +25,7 @@ double integral(const std::function<double(double)>& function, double lower, dou
     double value = 0.0;
     double error = 0.0;
     gsl_error_handler_t* const previous = gsl_set_error_handler_off();
-    const int status = gsl_integration_qag(&wrapped, lower, upper, 0.0, 1e-13, most_intervals,
+    const int status = gsl_integration_qag(&wrapped, lower, upper, 1e-13 * size, 1e-13, most_intervals,
                                            GSL_INTEG_GAUSS61, workspace.get(), &value, &error);
     gsl_set_error_handler(previous);
     if (status != GSL_SUCCESS) throw std::runtime_error(gsl_strerror(status));
