@@ -1,6 +1,7 @@
 #include "solver/critical_velocity.hpp"
 
 #include "materials/error.hpp"
+#include "solver/adhesion_velocity.hpp"
 #include "solver/orbit.hpp"
 #include "solver/scaled_impact.hpp"
 
@@ -118,19 +119,6 @@ double velocity_of_damping(const CriticalVelocityProblem& problem) {
     return std::pow(Scale::of(problem.contact, 1.0).damping_number(problem.damping), 5);
 }
 
-/// Velocity at which the law's adhesion number is one; 0 for a law or a pair without adhesion [m/s].
-double velocity_of_adhesion(const CriticalVelocityProblem& problem) {
-    return problem.law.visit<double>([&]<template <class> class L>() {
-        // The adhesion number falls with a power of length.
-        const double at_one = L<double>::adhesion_number(problem.contact, 1.0);
-        if (at_one == 0.0) return 0.0;
-        const double exponent = std::log2(L<double>::adhesion_number(problem.contact, 0.5) / at_one);
-        const double length = std::pow(at_one, 1.0 / exponent);
-        const Scale unit = Scale::of(problem.contact, 1.0);
-        return std::sqrt(unit.stiffness * length * length * std::sqrt(length) / unit.mass);
-    });
-}
-
 bool is_rest_point(const Motion<Extended>& motion) {
     return std::abs(motion.slope(*motion.end)) < 1e-12L;
 }
@@ -171,10 +159,10 @@ std::string_view name_of(CaptureVerdict verdict) {
 
 CriticalVelocity critical_velocity(const CriticalVelocityProblem& problem) {
     validate(Impact{problem.law, problem.detachment, problem.damping, problem.contact, 1.0});
-    const double adhesion_velocity = velocity_of_adhesion(problem);
-    const bool adhesive = adhesion_velocity > 0.0;
+    const double of_adhesion = adhesion_velocity(problem.law, problem.contact);
+    const bool adhesive = of_adhesion > 0.0;
     const double unit =
-        std::max({adhesion_velocity, velocity_of_damping(problem), std::numeric_limits<double>::min()});
+        std::max({of_adhesion, velocity_of_damping(problem), std::numeric_limits<double>::min()});
     const Scale scale = Scale::of(problem.contact, unit);
     const Motion<Extended> motion = scaled_motion<Extended>(
         {problem.law, problem.detachment, problem.damping, problem.contact, unit}, scale);

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <Eigen/Dense>
+
+namespace ashimpact {
+
+/// One side of the rectangle a ChebyshevSurface covers; degree 0 for a surface that does not depend on it.
+struct ChebyshevAxis {
+    double lower;
+    double upper;
+    int degree;
+
+    /// Position of node @p i of 0 ... degree, from lower to upper (Chebyshev-Lobatto).
+    [[nodiscard]] double node(int i) const;
+};
+
+struct SurfacePoint {
+    double value;
+    double by_x;  ///< derivative along x
+    double by_y;  ///< derivative along y
+};
+
+/// A smooth function of two variables as a polynomial through its values at Chebyshev nodes.
+class ChebyshevSurface {
+  public:
+    static constexpr int greatest_degree = 47;
+
+    ChebyshevSurface() = default;
+    /// @param values value at (x node of the row, y node of the column)
+    ChebyshevSurface(const ChebyshevAxis& x, const ChebyshevAxis& y, const Eigen::MatrixXd& values);
+
+    /// Value and slopes at a point of the rectangle; outside it the polynomial is continued.
+    [[nodiscard]] SurfacePoint operator()(double x, double y) const;
+
+  private:
+    ChebyshevAxis x_{0.0, 1.0, 0};
+    ChebyshevAxis y_{0.0, 1.0, 0};
+    Eigen::MatrixXd coefficients_ = Eigen::MatrixXd::Zero(1, 1);
+};
+
+}  // namespace ashimpact
