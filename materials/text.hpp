@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ashimpact {
 
@@ -10,12 +12,23 @@ namespace ashimpact {
 
 /// Piece of the user's text for a one-line message: in quotes, cut after 60 bytes, control characters
 /// blanked.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string in_quotes(std::string_view text);
 
 /// ASCII letters in lower case; other bytes as they are.
 [[nodiscard]] std::string lower_case(std::string_view text);
 
 /// Shortest decimal form that reads back as the same number.
 [[nodiscard]] std::string shortest(double value);
+
+/// Fewest insertions, deletions and replacements of bytes that turn one word into the other (Levenshtein).
+[[nodiscard]] std::size_t edit_distance(std::string_view from, std::string_view to);
+
+/// Up to `count` of the candidates that are near to the word (edit distance, case ignored, at most half of
+/// its length), nearest first, equally near ones in their order.
+[[nodiscard]] std::vector<std::string> nearest(std::string_view word,
+                                               const std::vector<std::string>& candidates, std::size_t count);
+
+/// The words with ", " between them.
+[[nodiscard]] std::string joined(const std::vector<std::string>& words);
 
 }  // namespace ashimpact

@@ -44,6 +44,22 @@ std::string allowed(Dimension dimension) {
     return "a " + std::string(name) + " [" + std::string(unit) + "], e.g. " + std::string(examples);
 }
 
+/// The number of 15 significant digits next to it: takes away the rounding errors of a product of unit
+/// factors.
+double without_rounding_noise(double factor) {
+    std::array<char, 32> buffer{};
+    const auto [end, _] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), factor,
+                                        std::chars_format::scientific, 14);
+    std::from_chars(buffer.data(), end, factor);
+    return factor;
+}
+
+/// value * scale with one rounding where the unit is decimal: powers of ten below one are not exact, their
+/// inverses are.
+double scaled(double value, double scale) {
+    return scale < 1 ? value / without_rounding_noise(1 / scale) : value * without_rounding_noise(scale);
+}
+
 }  // namespace
 
 std::string_view si_unit(Dimension dimension) {
@@ -58,15 +74,15 @@ double to_si(double value, std::string_view unit, Dimension expected) {
     if (!std::isfinite(value)) throw InputError("the value is not finite", allowed(expected));
     switch (const auto conversion = scale_to(unit, si_unit(expected)); conversion.problem) {
         case UnitProblem::none: {
-            const double converted = value * conversion.scale;
+            const double converted = scaled(value, conversion.scale);
             if (std::isfinite(converted)) return converted;
             throw InputError("the value is too large in SI units", allowed(expected));
         }
         case UnitProblem::unknown:
-            throw InputError("the unit " + quoted(unit) + " is not known", allowed(expected));
+            throw InputError("the unit " + in_quotes(unit) + " is not known", allowed(expected));
         case UnitProblem::other_dimension:
             throw InputError(
-                "the unit " + quoted(unit) + " is not one of " + std::string(dimension_name(expected)),
+                "the unit " + in_quotes(unit) + " is not one of " + std::string(dimension_name(expected)),
                 allowed(expected));
     }
     throw std::logic_error("unit problem without a case");
@@ -79,10 +95,10 @@ double parse_quantity(std::string_view text, Dimension expected) {
     double value = 0;
     const auto [end, status] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
     if (status == std::errc::result_out_of_range)
-        throw InputError(quoted(text) + " is outside the range of numbers", allowed(expected));
+        throw InputError(in_quotes(text) + " is outside the range of numbers", allowed(expected));
     if (status != std::errc{})
-        throw InputError(quoted(text) + " does not start with a number", allowed(expected));
-    if (!std::isfinite(value)) throw InputError(quoted(text) + " is not finite", allowed(expected));
+        throw InputError(in_quotes(text) + " does not start with a number", allowed(expected));
+    if (!std::isfinite(value)) throw InputError(in_quotes(text) + " is not finite", allowed(expected));
     rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
     const std::string_view unit = trimmed(rest);
     return unit.empty() ? value : to_si(value, unit, expected);

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace ashimpact {
 
@@ -30,8 +31,10 @@ struct CriticalVelocity {
     std::optional<double> contact_time{};     ///< first touch to arrival at rest, where that is finite [s]
     std::optional<double> maximum_overlap{};  ///< greatest overlap at v_c [m]
     double dissipated = 0.0;                  ///< work taken by damping at v_c [J]
+    double plastic = 0.0;                     ///< work spent in yielding at v_c [J]
     double detachment_energy = 0.0;           ///< U(end) - U(touch): what the break itself costs [J]
     int steps = 0;                            ///< Taylor steps taken
+    std::vector<double> crossings{};  ///< every velocity at which capture and rebound change places [m/s]
 };
 
 /// The dynamic critical velocity v_c: the velocity whose impact arrives at the end of contact with none left.

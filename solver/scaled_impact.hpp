@@ -2,16 +2,13 @@
 
 #include "solver/impact.hpp"
 #include "solver/motion.hpp"
+#include "solver/numeric/extended.hpp"
 #include "solver/plastic_motion.hpp"
 #include "solver/scale.hpp"
 
 #include <cmath>
 
 namespace ashimpact {
-
-/// The scalar solver's number type: its extra bits tell capture from rebound where the adhesive well is a
-/// million times deeper than the kinetic energy.
-using Extended = long double;
 
 /// The scaled equation of motion of an impact (its velocity is not used: the scale sets it).
 template <class Real>

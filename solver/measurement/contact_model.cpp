@@ -1,9 +1,9 @@
 #include "solver/measurement/contact_model.hpp"
 
 #include "materials/error.hpp"
-#include "solver/adhesion_velocity.hpp"
 #include "solver/impact.hpp"
 #include "solver/scaled_impact.hpp"
+#include "solver/velocity_scales.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ ContactModel::ContactModel(std::shared_ptr<const RestitutionMap> map, const Cont
     : map_(std::move(map)), contact_(contact) {
     validate(contact);
     require_memoryless(map_->impacts().law(), contact);
-    velocity_unit_ = map_->impacts().adhesive() ? adhesion_velocity(map_->impacts().law(), contact) : 1.0;
+    velocity_unit_ = map_->impacts().adhesive() ? velocity_of_adhesion(map_->impacts().law(), contact) : 1.0;
     if (!(velocity_unit_ > 0.0)) throw InputError("work_of_adhesion is 0 J/m2", "> 0 for an adhesive law");
     damping_unit_ = std::pow(contact.mass, 0.6) * std::pow(hertz_stiffness(contact), 0.4);
 }
@@ -114,7 +114,7 @@ std::shared_ptr<const RestitutionMap> make_restitution_map(Law law, Detachment d
     for (const ContactPair& contact : contacts) {
         validate(contact);
         require_memoryless(law, contact);
-        const double unit = adhesion_velocity(law, contact);
+        const double unit = velocity_of_adhesion(law, contact);
         if (unit == 0.0) continue;
         adhesive = true;
         range.lower = std::min(range.lower, std::log(velocities.lower / unit));

@@ -1,12 +1,12 @@
 #include "solver/measurement/scaled_impacts.hpp"
 
 #include "materials/error.hpp"
-#include "solver/adhesion_velocity.hpp"
 #include "solver/critical_velocity.hpp"
 #include "solver/gsl/root.hpp"
 #include "solver/impact.hpp"
 #include "solver/orbit.hpp"
 #include "solver/scaled_impact.hpp"
+#include "solver/velocity_scales.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -57,7 +57,7 @@ double falling_root(const std::function<double(double)>& function, const ScaledI
 ScaledImpacts::ScaledImpacts(Law law, Detachment detachment)
     : law_(law),
       detachment_(detachment),
-      adhesion_velocity_(adhesion_velocity(law, unit_pair)),
+      adhesion_velocity_(velocity_of_adhesion(law, unit_pair)),
       lowest_(-std::numeric_limits<double>::infinity()) {
     validate(impact_at(*this, 0.1, 1.0));
     if (critical_of(impact_at(*this, 0.1, 1.0)).verdict == CaptureVerdict::never_captured) {

@@ -162,6 +162,13 @@ TEST_CASE("the small unit table agrees with the UDUNITS-2 database, with every p
     }
 }
 
+TEST_CASE("rounding noise of the unit factors does not reach the values") {
+    CHECK(parse_quantity("44 um", Dimension::length) == 44e-6);
+    CHECK(parse_quantity("2.8 g/cm3", Dimension::density) == 2800);
+    CHECK(parse_quantity("143.1 GPa", Dimension::pressure) == 143.1e9);
+    CHECK(parse_quantity("294 ns", Dimension::time) == 294e-9);
+}
+
 TEST_CASE("every dimension's own unit converts to itself") {
     for (int i = 0; i <= static_cast<int>(Dimension::damping); ++i) {
         const auto dimension = static_cast<Dimension>(i);

@@ -1,0 +1,247 @@
+#include "materials/composition.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <numeric>
+
+#include "materials/checks.hpp"
+#include "materials/text.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+constexpr const char* how_to_state_amorphous =
+    "the amorphous weight fraction, the crystalline total, an internal standard, fractions of the whole "
+    "sample, or "
+    "the statement that there is none";
+
+double sum(std::span<const double> values) {
+    return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+std::string per_cent(double fraction) {
+    return shortest(std::round(fraction * 1e6) / 1e4) + " %";
+}
+
+/// v_i x_i / sum v_j x_j
+std::vector<double> normalised_products(std::span<const double> fractions, std::span<const double> factors) {
+    assert(fractions.size() == factors.size());
+    std::vector<double> products(fractions.size());
+    for (std::size_t i = 0; i < products.size(); ++i) products[i] = fractions[i] * factors[i];
+    const double total = sum(products);
+    for (double& product : products) product /= total;
+    return products;
+}
+
+void check_fractions(const Analysis& analysis) {
+    if (analysis.phases.empty()) throw InputError("no phases", "at least one phase with its fraction");
+    for (const PhaseFraction& phase : analysis.phases) {
+        if (!(phase.fraction >= 0) || !std::isfinite(phase.fraction))
+            throw InputError("the fraction of " + in_quotes(phase.name) + " is " + shortest(phase.fraction),
+                             "0 to 1 (0 % to 100 %)");
+        if (phase.standard_uncertainty)
+            require_not_negative("uncertainty of the fraction of " + phase.name, *phase.standard_uncertainty,
+                                 Dimension::fraction);
+        if (phase.density) require_positive("density of " + phase.name, *phase.density, Dimension::density);
+    }
+}
+
+Component component(const PhaseFraction& line, ResolvedPhase resolved, std::vector<std::string>& notes) {
+    Component result{.name = line.name, .phase = std::move(resolved.phase)};
+    if (!resolved.note.empty()) notes.push_back(resolved.note);
+    if (!line.density) return result;
+    const double catalogue = result.phase.density.value;
+    notes.push_back("the file's density of " + in_quotes(line.name) + ", " + shortest(*line.density) +
+                    " kg/m3, is used; the catalogue has " + shortest(catalogue) + " kg/m3 (" +
+                    per_cent(*line.density / catalogue - 1) + ")");
+    result.phase.density = {.value = *line.density};
+    return result;
+}
+
+void refuse_repeated(const std::vector<Component>& components) {
+    for (std::size_t i = 0; i < components.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (components[i].phase.name == components[j].phase.name)
+                throw InputError(in_quotes(components[i].name) + " and " + in_quotes(components[j].name) +
+                                     " are the same phase, " + components[i].phase.name,
+                                 "each phase once");
+}
+
+bool holds_amorphous_phase(const std::vector<Component>& components) {
+    for (const Component& c : components)
+        if (c.phase.amorphous) return true;
+    return false;
+}
+
+/// Decides how the sum of the listed amounts is to be understood.
+class Closing {
+  public:
+    Closing(const Analysis& analysis, bool amorphous_listed)
+        : analysis_(analysis), amorphous_listed_(amorphous_listed) {
+        for (const PhaseFraction& phase : analysis.phases) {
+            model_.amounts.push_back(phase.fraction);
+            model_.uncertainties.push_back(phase.standard_uncertainty);
+        }
+        total_ = sum(model_.amounts);
+        if (total_ > 1 + analysis.closure_tolerance)
+            throw InputError("the fractions add up to " + per_cent(total_), "100 % or less");
+        if (!(total_ > 0)) throw InputError("all fractions are zero", "at least one above zero");
+    }
+
+    FractionModel model() {
+        std::visit([this](const auto& stated) { close(stated); }, analysis_.amorphous);
+        return model_;
+    }
+
+  private:
+    [[nodiscard]] bool adds_up_to(double value) const {
+        return std::abs(total_ - value) <= analysis_.closure_tolerance;
+    }
+
+    void require_sum(double value, const std::string& reason) const {
+        if (!adds_up_to(value))
+            throw InputError(
+                "the fractions add up to " + per_cent(total_),
+                per_cent(value) + " within " + per_cent(analysis_.closure_tolerance) + ", " + reason);
+    }
+
+    void refuse_second_statement() const {
+        if (amorphous_listed_)
+            throw InputError("the amorphous part is listed among the phases and stated again",
+                             "one of the two");
+    }
+
+    void close(const AmorphousNotStated&) const {
+        if (!amorphous_listed_)
+            throw InputError("nothing says how much of the sample is amorphous", how_to_state_amorphous);
+        require_sum(1, "as the amorphous part is listed");
+    }
+
+    void close(const AmorphousNone&) const {
+        refuse_second_statement();
+        require_sum(1, "as there is no amorphous part");
+    }
+
+    void close(const AmorphousFraction& stated) {
+        if (stated.basis != analysis_.basis)
+            throw InputError(
+                "the amorphous fraction and the phase fractions are not both by weight or by volume",
+                "the same basis for both");
+        require_fraction("amorphous fraction", stated.value);
+        split(stated.value, "as the amorphous part is " + per_cent(stated.value));
+        model_.parameter_uncertainty = stated.standard_uncertainty;
+    }
+
+    void close(const CrystallineTotal& stated) {
+        require_fraction("crystalline total", stated.value);
+        split(1 - stated.value, "as the crystalline total is " + per_cent(stated.value));
+        model_.parameter_uncertainty = stated.standard_uncertainty;
+    }
+
+    void close(const AmorphousRemainder& stated) {
+        refuse_second_statement();
+        require_positive("scale of the fractions", stated.scale, Dimension::fraction);
+        const double crystalline = stated.scale * total_;
+        if (crystalline > 1 + analysis_.closure_tolerance)
+            throw InputError("the phases make up " + per_cent(crystalline) + " of the sample",
+                             "100 % or less");
+        if (crystalline > 1) return;  // nothing remains, within the tolerance
+        model_.kind = FractionModel::Kind::remainder;
+        model_.parameter = stated.scale;
+        model_.parameter_uncertainty = stated.standard_uncertainty;
+    }
+
+    /// The listed fractions are either of the crystalline part (sum 1) or of the whole (sum 1 - amorphous).
+    void split(double amorphous, const std::string& reason) {
+        refuse_second_statement();
+        if (!adds_up_to(1)) require_sum(1 - amorphous, reason + " (or 100 % of the crystalline part)");
+        if (amorphous == 1)
+            throw InputError("the sample is wholly amorphous", "an amorphous part below 100 %");
+        model_.kind = FractionModel::Kind::split;
+        model_.parameter = amorphous;
+    }
+
+    const Analysis& analysis_;
+    bool amorphous_listed_;
+    FractionModel model_{};
+    double total_ = 0;
+};
+
+void note_rescaling(const FractionModel& model, std::vector<std::string>& notes) {
+    const double total = sum(model.amounts);
+    const bool of_the_crystalline_part = model.kind == FractionModel::Kind::split &&
+                                         std::abs(total - 1) > std::abs(total - (1 - model.parameter));
+    const double expected = of_the_crystalline_part ? 1 - model.parameter : 1;
+    if (model.kind == FractionModel::Kind::remainder || std::abs(total - expected) < 1e-9) return;
+    notes.push_back("the fractions add up to " + per_cent(total) + " and were scaled to " +
+                    per_cent(expected));
+}
+
+void fill_fractions(Composition& composition) {
+    const std::vector<double> fractions = composition.model.fractions();
+    std::vector<double> densities;
+    for (const Component& c : composition.components) densities.push_back(c.phase.density.value);
+    const bool by_weight = composition.basis == FractionBasis::weight;
+    const auto weights = by_weight ? fractions : weight_fractions(fractions, densities);
+    const auto volumes = by_weight ? volume_fractions(fractions, densities) : fractions;
+    for (std::size_t i = 0; i < composition.components.size(); ++i) {
+        composition.components[i].weight_fraction = weights[i];
+        composition.components[i].volume_fraction = volumes[i];
+    }
+    composition.density = mixture_density(volumes, densities);
+}
+
+}  // namespace
+
+std::vector<double> FractionModel::fractions() const {
+    std::vector<double> result = amounts;
+    const double total = sum(amounts);
+    const double crystalline = kind == Kind::remainder ? parameter * total
+                               : kind == Kind::split   ? 1 - parameter
+                                                       : 1;
+    for (double& fraction : result) fraction *= crystalline / total;
+    if (kind != Kind::closed) result.push_back(1 - crystalline);
+    return result;
+}
+
+Composition compose(const Analysis& analysis, const PhaseCatalogue& catalogue) {
+    check_fractions(analysis);
+    std::vector<std::string> names;
+    for (const PhaseFraction& line : analysis.phases) names.push_back(line.name);
+    auto resolved = catalogue.resolve_all(names);
+
+    Composition composition{.components = {}, .basis = analysis.basis};
+    for (std::size_t i = 0; i < names.size(); ++i)
+        composition.components.push_back(
+            component(analysis.phases[i], std::move(resolved[i]), composition.notes));
+    composition.model = Closing(analysis, holds_amorphous_phase(composition.components)).model();
+    if (composition.model.kind != FractionModel::Kind::closed) {
+        const PhaseFraction rest{.name = analysis.amorphous_phase};
+        composition.components.push_back(
+            component(rest, catalogue.resolve(analysis.amorphous_phase), composition.notes));
+    }
+    refuse_repeated(composition.components);
+    note_rescaling(composition.model, composition.notes);
+    fill_fractions(composition);
+    return composition;
+}
+
+std::vector<double> volume_fractions(std::span<const double> weight_fractions,
+                                     std::span<const double> densities) {
+    std::vector<double> specific_volumes;
+    for (const double density : densities) specific_volumes.push_back(1 / density);
+    return normalised_products(weight_fractions, specific_volumes);
+}
+
+std::vector<double> weight_fractions(std::span<const double> volume_fractions,
+                                     std::span<const double> densities) {
+    return normalised_products(volume_fractions, densities);
+}
+
+double mixture_density(std::span<const double> volume_fractions, std::span<const double> densities) {
+    assert(volume_fractions.size() == densities.size());
+    return std::inner_product(volume_fractions.begin(), volume_fractions.end(), densities.begin(), 0.0);
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "materials/phase_catalogue.hpp"
+
+namespace ashimpact {
+
+enum class FractionBasis { weight, volume };
+
+/// One line of an analysis, under the name the file uses.
+struct PhaseFraction {
+    std::string name;
+    double fraction = 0;                           ///< [1], of the crystalline part or of the whole
+    std::optional<double> standard_uncertainty{};  ///< [1]
+    std::optional<double> density{};  ///< [kg/m3] the file's own x-ray density; wins over the catalogue
+};
+
+/// How the amorphous part is known. It is never assumed: an analysis that does not state it is refused.
+struct AmorphousNotStated {};
+struct AmorphousNone {};  ///< the user says that there is none
+struct AmorphousFraction {
+    double value = 0;  ///< [1] of the whole
+    std::optional<double> standard_uncertainty{};
+    FractionBasis basis = FractionBasis::weight;
+};
+struct CrystallineTotal {
+    double value = 0;  ///< [1] of the whole; the rest is amorphous
+    std::optional<double> standard_uncertainty{};
+};
+/// The fractions, times a scale, are of the whole sample; the rest is amorphous. An internal standard gives
+/// the scale.
+struct AmorphousRemainder {
+    double scale = 1;  ///< [1]
+    std::optional<double> standard_uncertainty{};
+};
+using Amorphous =
+    std::variant<AmorphousNotStated, AmorphousNone, AmorphousFraction, CrystallineTotal, AmorphousRemainder>;
+
+/// The largest gap by which rounded fractions may miss their sum [1]; six phases to 0.1 % miss it by 0.003.
+inline constexpr double default_closure_tolerance = 0.005;
+
+/// What is known of a sample. The phases may include the amorphous one; then `amorphous` must not be stated.
+struct Analysis {
+    std::vector<PhaseFraction> phases;
+    FractionBasis basis = FractionBasis::weight;
+    Amorphous amorphous = AmorphousNotStated{};
+    std::string amorphous_phase = "glass";  ///< name under which the amorphous part is looked up
+    double closure_tolerance = default_closure_tolerance;
+};
+
+/// How the fractions of the whole follow from independent inputs; kept for the propagation of uncertainty.
+struct FractionModel {
+    enum class Kind {
+        closed,     ///< f_i = c_i/sum c
+        split,      ///< f_i = (1 - p) c_i/sum c, and the last, amorphous, is p
+        remainder,  ///< f_i = p c_i, and the last, amorphous, is 1 - p sum c
+    };
+    Kind kind = Kind::closed;
+    std::vector<double> amounts{};                       ///< c_i [1]
+    std::vector<std::optional<double>> uncertainties{};  ///< of c_i [1]
+    double parameter = 1;                                ///< p [1]
+    std::optional<double> parameter_uncertainty{};       ///< [1]
+
+    /// Returns the fractions of the whole [1], in the order of the components.
+    [[nodiscard]] std::vector<double> fractions() const;
+};
+
+/// One phase of a sample.
+struct Component {
+    std::string name;            ///< as in the analysis
+    Phase phase;                 ///< density replaced by the file's own where there is one
+    double weight_fraction = 0;  ///< [1] of the whole
+    double volume_fraction = 0;  ///< [1] of the whole
+};
+
+/// A sample whose fractions add up to one.
+struct Composition {
+    std::vector<Component> components;  ///< the amorphous part, if not in the analysis, is the last
+    FractionBasis basis = FractionBasis::weight;
+    FractionModel model{};
+    double density = 0;  ///< of the dense mixture [kg/m3]
+    std::vector<std::string> notes{};
+};
+
+/// Resolves the phases, closes the fractions and converts them both ways.
+/// Errors: InputError for unknown or repeated phases, negative fractions, more than 100 %, fractions that do
+/// not close within the tolerance, and an amorphous part that is missing or stated twice.
+[[nodiscard]] Composition compose(const Analysis& analysis, const PhaseCatalogue& catalogue);
+
+/// Returns volume fractions [1] from weight fractions and densities: v_i = (w_i/rho_i)/sum_j(w_j/rho_j).
+[[nodiscard]] std::vector<double> volume_fractions(std::span<const double> weight_fractions,
+                                                   std::span<const double> densities);
+
+/// Returns weight fractions [1]: w_i = v_i rho_i/sum_j(v_j rho_j).
+[[nodiscard]] std::vector<double> weight_fractions(std::span<const double> volume_fractions,
+                                                   std::span<const double> densities);
+
+/// Returns the density of a dense mixture [kg/m3]: sum v_i rho_i.
+[[nodiscard]] double mixture_density(std::span<const double> volume_fractions,
+                                     std::span<const double> densities);
+
+}  // namespace ashimpact

@@ -1,0 +1,100 @@
+#include "materials/mixture_rules.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <limits>
+
+namespace ashimpact {
+
+namespace {
+
+using Fractions = std::span<const double>;
+using Phases = std::span<const IsotropicModuli>;
+
+/// sum v_i f(x_i) over the phases that are there
+template <class Value, class Function>
+double mean(Fractions fractions, std::span<const Value> phases, Function function) {
+    assert(fractions.size() == phases.size() && !fractions.empty());
+    double sum = 0;
+    for (std::size_t i = 0; i < fractions.size(); ++i)
+        if (fractions[i] != 0) sum += fractions[i] * function(phases[i]);
+    return sum;
+}
+
+/// [sum v_i/(x_i + offset)]^-1 - offset; grows with the offset from the harmonic to the arithmetic mean
+template <class Function>
+double shifted_harmonic_mean(Fractions fractions, Phases phases, double offset, Function modulus) {
+    return 1 / mean(fractions, phases, [&](const IsotropicModuli& m) { return 1 / (modulus(m) + offset); }) -
+           offset;
+}
+
+double bulk(const IsotropicModuli& moduli) {
+    return moduli.bulk;
+}
+double shear(const IsotropicModuli& moduli) {
+    return moduli.shear;
+}
+
+/// Bounds of the comparison medium with these moduli.
+IsotropicModuli walpole(Fractions fractions, Phases phases, const IsotropicModuli& medium) {
+    const double y = 4.0 / 3.0 * medium.shear;
+    const double z =
+        medium.shear * (9 * medium.bulk + 8 * medium.shear) / (6 * (medium.bulk + 2 * medium.shear));
+    return {.bulk = shifted_harmonic_mean(fractions, phases, y, bulk),
+            .shear = shifted_harmonic_mean(fractions, phases, z, shear)};
+}
+
+}  // namespace
+
+double parallel_young_modulus(Fractions volume_fractions, Fractions young_moduli) {
+    return mean(volume_fractions, young_moduli, [](double e) { return e; });
+}
+
+double series_young_modulus(Fractions volume_fractions, Fractions young_moduli) {
+    return 1 / mean(volume_fractions, young_moduli, [](double e) { return 1 / e; });
+}
+
+double hill_young_modulus(Fractions volume_fractions, Fractions young_moduli) {
+    return (parallel_young_modulus(volume_fractions, young_moduli) +
+            series_young_modulus(volume_fractions, young_moduli)) /
+           2;
+}
+
+IsotropicModuli voigt_moduli(Fractions volume_fractions, Phases phases) {
+    return {.bulk = mean(volume_fractions, phases, bulk), .shear = mean(volume_fractions, phases, shear)};
+}
+
+IsotropicModuli reuss_moduli(Fractions volume_fractions, Phases phases) {
+    return {.bulk = shifted_harmonic_mean(volume_fractions, phases, 0, bulk),
+            .shear = shifted_harmonic_mean(volume_fractions, phases, 0, shear)};
+}
+
+IsotropicModuli hill_moduli(Fractions volume_fractions, Phases phases) {
+    const IsotropicModuli upper = voigt_moduli(volume_fractions, phases);
+    const IsotropicModuli lower = reuss_moduli(volume_fractions, phases);
+    return {.bulk = (upper.bulk + lower.bulk) / 2, .shear = (upper.shear + lower.shear) / 2};
+}
+
+IsotropicModuli hashin_shtrikman_lower(Fractions volume_fractions, Phases phases) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    IsotropicModuli softest{.bulk = infinity, .shear = infinity};
+    for (std::size_t i = 0; i < phases.size(); ++i) {
+        if (volume_fractions[i] == 0) continue;
+        softest.bulk = std::min(softest.bulk, phases[i].bulk);
+        softest.shear = std::min(softest.shear, phases[i].shear);
+    }
+    return walpole(volume_fractions, phases, softest);
+}
+
+IsotropicModuli hashin_shtrikman_upper(Fractions volume_fractions, Phases phases) {
+    IsotropicModuli stiffest{.bulk = 0, .shear = 0};
+    for (std::size_t i = 0; i < phases.size(); ++i) {
+        if (volume_fractions[i] == 0) continue;
+        stiffest.bulk = std::max(stiffest.bulk, phases[i].bulk);
+        stiffest.shear = std::max(stiffest.shear, phases[i].shear);
+    }
+    return walpole(volume_fractions, phases, stiffest);
+}
+
+}  // namespace ashimpact

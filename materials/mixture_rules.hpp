@@ -1,0 +1,50 @@
+#pragma once
+
+#include <span>
+
+#include "materials/elastic_moduli.hpp"
+
+/// Elastic moduli of a mixture from those of its phases and their volume fractions. The fractions must add up
+/// to one; each rule is a weighted mean and returns the modulus of the phase for a single one.
+namespace ashimpact {
+
+/// Returns Young's modulus by the parallel model [Pa]: E = sum v_i E_i. Source: Dong et al. 2013, Eq. 1.
+/// It is a mean on E, not a bound: Voigt's bound on (K, G) gives a larger E when the Poisson ratios differ.
+[[nodiscard]] double parallel_young_modulus(std::span<const double> volume_fractions,
+                                            std::span<const double> young_moduli);
+
+/// Returns Young's modulus by the series model (Reuss on E) [Pa]: 1/E = sum v_i/E_i. As 1/E is linear in 1/K
+/// and 1/G, this equals E of the Reuss bounds on (K, G) whatever the Poisson ratios.
+[[nodiscard]] double series_young_modulus(std::span<const double> volume_fractions,
+                                          std::span<const double> young_moduli);
+
+/// Returns the mean of parallel and series (Hill 1952, Proc. Phys. Soc. A 65:349, applied to E) [Pa].
+[[nodiscard]] double hill_young_modulus(std::span<const double> volume_fractions,
+                                        std::span<const double> young_moduli);
+
+/// Returns Voigt's upper bounds [Pa]: arithmetic means of K and of G. Voigt 1889, as in Hill 1952.
+[[nodiscard]] IsotropicModuli voigt_moduli(std::span<const double> volume_fractions,
+                                           std::span<const IsotropicModuli> phases);
+
+/// Returns Reuss' lower bounds [Pa]: harmonic means of K and of G. Reuss 1929, as in Hill 1952.
+[[nodiscard]] IsotropicModuli reuss_moduli(std::span<const double> volume_fractions,
+                                           std::span<const IsotropicModuli> phases);
+
+/// Returns the mean of the two [Pa], the usual estimate for an aggregate.
+[[nodiscard]] IsotropicModuli hill_moduli(std::span<const double> volume_fractions,
+                                          std::span<const IsotropicModuli> phases);
+
+/// Returns the lower Hashin-Shtrikman bounds [Pa] in Walpole's form, which also holds when the stiffest phase
+/// in K is not the stiffest in G: K = [sum v_i/(K_i + y)]^-1 - y with y = (4/3) G_min, G = [sum v_i/(G_i +
+/// z)]^-1 - z with z = G_min (9 K_min + 8 G_min)/(6 (K_min + 2 G_min)); phases of zero fraction are left out
+/// of the extremes. Source: Hashin & Shtrikman 1963, J. Mech. Phys. Solids 11:127; Walpole 1966, J. Mech.
+/// Phys. Solids 14:151. Validity: statistically isotropic and homogeneous mixture.
+[[nodiscard]] IsotropicModuli hashin_shtrikman_lower(std::span<const double> volume_fractions,
+                                                     std::span<const IsotropicModuli> phases);
+
+/// Returns the upper bounds [Pa]: the same with the largest K and G. Pores may stand in as a phase of K = G =
+/// 0.
+[[nodiscard]] IsotropicModuli hashin_shtrikman_upper(std::span<const double> volume_fractions,
+                                                     std::span<const IsotropicModuli> phases);
+
+}  // namespace ashimpact

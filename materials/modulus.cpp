@@ -1,0 +1,239 @@
+#include "materials/modulus.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "materials/checks.hpp"
+#include "materials/mixture_rules.hpp"
+#include "materials/text.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+constexpr std::array<std::string_view, 8> rule_names{"parallel",
+                                                     "series",
+                                                     "hill",
+                                                     "voigt",
+                                                     "reuss",
+                                                     "voigt-reuss-hill",
+                                                     "hashin-shtrikman-lower",
+                                                     "hashin-shtrikman-upper"};
+
+/// One evaluation: everything as numbers, so that it can be differentiated.
+struct Mixture {
+    FractionBasis basis;
+    FractionModel model;
+    std::vector<double> densities;
+    std::vector<double> young_moduli;
+    std::vector<double> poisson_ratios;  ///< empty unless every phase has one
+    ModulusOptions options;
+
+    [[nodiscard]] std::vector<double> volumes() const {
+        const auto fractions = model.fractions();
+        return basis == FractionBasis::weight ? volume_fractions(fractions, densities) : fractions;
+    }
+    [[nodiscard]] bool has_poisson_ratios() const { return !poisson_ratios.empty(); }
+};
+
+struct Results {
+    std::vector<double> rules;  ///< in the order of MixtureRule
+    PorousModuli chosen;
+    double density;
+};
+
+Results evaluate(const Mixture& mixture) {
+    const std::vector<double> v = mixture.volumes();
+    const auto& e = mixture.young_moduli;
+    Results results{
+        .rules = {parallel_young_modulus(v, e), series_young_modulus(v, e), hill_young_modulus(v, e)},
+        .chosen = {},
+        .density = mixture_density(v, mixture.densities)};
+    if (mixture.has_poisson_ratios()) {
+        std::vector<IsotropicModuli> phases;
+        for (std::size_t i = 0; i < e.size(); ++i)
+            phases.push_back(isotropic_moduli(e[i], mixture.poisson_ratios[i]));
+        const IsotropicModuli mean = hill_moduli(v, phases);
+        for (const IsotropicModuli& moduli :
+             {voigt_moduli(v, phases), reuss_moduli(v, phases), mean, hashin_shtrikman_lower(v, phases),
+              hashin_shtrikman_upper(v, phases)})
+            results.rules.push_back(young_modulus(moduli));
+        results.chosen.poisson_ratio = poisson_ratio(mean);
+    }
+    results.chosen.young_modulus = results.rules.at(static_cast<std::size_t>(mixture.options.rule));
+    if (mixture.options.porosity)
+        results.chosen = extrapolated_porous_moduli(results.chosen, *mixture.options.porosity);
+    return results;
+}
+
+Mixture mixture_of(const Composition& composition, const ModulusOptions& options) {
+    Mixture mixture{.basis = composition.basis,
+                    .model = composition.model,
+                    .densities = {},
+                    .young_moduli = {},
+                    .poisson_ratios = {},
+                    .options = options};
+    for (const Component& c : composition.components) {
+        mixture.densities.push_back(c.phase.density.value);
+        mixture.young_moduli.push_back(c.phase.young_modulus.value);
+        if (c.phase.poisson_ratio) mixture.poisson_ratios.push_back(c.phase.poisson_ratio->value);
+    }
+    if (mixture.poisson_ratios.size() != composition.components.size()) mixture.poisson_ratios.clear();
+    return mixture;
+}
+
+/// The inputs in one list, and a mixture rebuilt from their values.
+class Parameters {
+  public:
+    Parameters(const Composition& composition, const Mixture& mixture) : mixture_(mixture) {
+        const auto& components = composition.components;
+        const std::string by = composition.basis == FractionBasis::weight ? "weight" : "volume";
+        const FractionModel& model = mixture.model;
+        for (std::size_t i = 0; i < model.amounts.size(); ++i)
+            add(by + " fraction of " + components[i].name, model.amounts[i], model.uncertainties[i]);
+        add(model.kind == FractionModel::Kind::remainder ? "scale of the internal standard"
+                                                         : "amorphous " + by + " fraction",
+            model.parameter, model.parameter_uncertainty);
+        for (const Component& c : components)
+            add("density of " + c.phase.name, c.phase.density.value, c.phase.density.uncertainty());
+        for (const Component& c : components)
+            add("Young's modulus of " + c.phase.name, c.phase.young_modulus.value,
+                c.phase.young_modulus.uncertainty());
+        if (mixture.has_poisson_ratios())
+            for (const Component& c : components)
+                add("Poisson's ratio of " + c.phase.name, c.phase.poisson_ratio->value,
+                    c.phase.poisson_ratio->uncertainty());
+        if (mixture.options.porosity)
+            add("porosity", mixture.options.porosity->value, mixture.options.porosity->standard_uncertainty);
+    }
+
+    [[nodiscard]] const std::vector<UncertainInput>& inputs() const { return inputs_; }
+
+    [[nodiscard]] Mixture mixture(const std::vector<double>& values) const {
+        Mixture m = mixture_;
+        auto next = values.begin();
+        for (double& amount : m.model.amounts) amount = *next++;
+        m.model.parameter = *next++;
+        for (auto* list : {&m.densities, &m.young_moduli, &m.poisson_ratios})
+            for (double& value : *list) value = *next++;
+        if (m.options.porosity) m.options.porosity->value = *next++;
+        return m;
+    }
+
+  private:
+    void add(const std::string& what, double value, std::optional<double> uncertainty) {
+        inputs_.push_back({.what = what, .value = value, .standard_uncertainty = uncertainty.value_or(0)});
+    }
+
+    Mixture mixture_;
+    std::vector<UncertainInput> inputs_;
+};
+
+/// Results as a flat list: the chosen modulus, the density, then the rules.
+std::vector<double> flat(const Results& results) {
+    std::vector<double> list{results.chosen.young_modulus, results.density};
+    list.insert(list.end(), results.rules.begin(), results.rules.end());
+    return list;
+}
+
+void note_missing(const Composition& composition, std::vector<std::string>& notes) {
+    std::vector<std::string> without_uncertainty;
+    std::vector<std::string> without_ratio;
+    std::vector<std::string> assumed;
+    for (const Component& c : composition.components) {
+        if (!c.phase.young_modulus.uncertainty()) without_uncertainty.push_back(c.phase.name);
+        if (!c.phase.poisson_ratio) without_ratio.push_back(c.phase.name);
+        if (c.phase.poisson_ratio && c.phase.poisson_ratio->assumed) assumed.push_back(c.phase.name);
+    }
+    if (!without_uncertainty.empty())
+        notes.push_back("no uncertainty of Young's modulus is known for " + joined(without_uncertainty) +
+                        ": the uncertainty given is a lower limit");
+    if (!without_ratio.empty())
+        notes.push_back("no Poisson ratio is known for " + joined(without_ratio) +
+                        ": the bounds on bulk and shear modulus are left out");
+    if (!assumed.empty()) notes.push_back("the Poisson ratio is assumed for " + joined(assumed));
+}
+
+void note_dominant(const std::vector<Contribution>& contributions, std::vector<std::string>& notes) {
+    constexpr double most = 0.5;
+    if (contributions.empty() || contributions.front().share <= most) return;
+    notes.push_back(contributions.front().what + " gives " +
+                    shortest(std::round(contributions.front().share * 1000) / 10) +
+                    " % of the variance of E");
+}
+
+bool any_assumed(const Composition& composition) {
+    for (const Component& c : composition.components)
+        if (c.phase.poisson_ratio && c.phase.poisson_ratio->assumed) return true;
+    return false;
+}
+
+}  // namespace
+
+std::string_view mixture_rule_name(MixtureRule rule) {
+    return rule_names.at(static_cast<std::size_t>(rule));
+}
+
+MixtureRule mixture_rule(std::string_view name) {
+    for (std::size_t i = 0; i < rule_names.size(); ++i)
+        if (rule_names[i] == name) return static_cast<MixtureRule>(i);
+    throw InputError("no mixture rule is called " + in_quotes(name),
+                     joined(std::vector<std::string>(rule_names.begin(), rule_names.end())));
+}
+
+std::optional<RuleResult> ModulusEstimate::by(MixtureRule rule) const {
+    for (const RuleResult& result : rules)
+        if (result.rule == rule) return result;
+    return std::nullopt;
+}
+
+ModulusEstimate estimate_modulus(const Composition& composition, const ModulusOptions& options) {
+    if (options.porosity) require_valid(*options.porosity);
+    const Mixture mixture = mixture_of(composition, options);
+    if (options.rule > MixtureRule::hill && !mixture.has_poisson_ratios())
+        throw InputError("the rule " + std::string(mixture_rule_name(options.rule)) +
+                             " needs a Poisson ratio for every phase",
+                         "parallel, series, hill, or Poisson's ratios in the case file");
+    const Parameters parameters(composition, mixture);
+    const auto function = [&](const std::vector<double>& x) { return flat(evaluate(parameters.mixture(x))); };
+    const auto uncertainties = propagate_linearly(function, parameters.inputs());
+    const Results results = evaluate(mixture);
+
+    ModulusEstimate estimate{.young_modulus = results.chosen.young_modulus,
+                             .standard_uncertainty = uncertainties[0].standard_uncertainty};
+    for (std::size_t i = 0; i < results.rules.size(); ++i)
+        estimate.rules.push_back({.rule = static_cast<MixtureRule>(i),
+                                  .young_modulus = results.rules[i],
+                                  .standard_uncertainty = uncertainties[i + 2].standard_uncertainty});
+    estimate.poisson_ratio = results.chosen.poisson_ratio;
+    estimate.poisson_ratio_assumed = any_assumed(composition);
+    estimate.density = results.density;
+    estimate.density_uncertainty = uncertainties[1].standard_uncertainty;
+    estimate.contributions = uncertainties[0].contributions;
+    estimate.notes = composition.notes;
+    note_missing(composition, estimate.notes);
+    note_dominant(estimate.contributions, estimate.notes);
+    if (options.porosity && !porosity_warning(*options.porosity).empty())
+        estimate.notes.push_back(porosity_warning(*options.porosity));
+    return estimate;
+}
+
+ParticleDensity particle_density(double true_density, std::optional<double> porosity,
+                                 std::optional<double> measured_density) {
+    require_positive("density of the phases", true_density, Dimension::density);
+    if (porosity && !(*porosity >= 0 && *porosity < 1))
+        throw InputError("porosity is " + shortest(*porosity), "0 <= porosity < 1");
+    ParticleDensity result{.true_density = true_density, .porosity = porosity.value_or(0)};
+    result.apparent_density = true_density * (1 - result.porosity);
+    if (!measured_density) return result;
+    const double measured_porosity = porosity_from_densities(*measured_density, true_density);
+    if (porosity)
+        result.notes.push_back("the measured density gives a porosity of " + shortest(measured_porosity) +
+                               ", stated is " + shortest(*porosity));
+    else
+        result.porosity = measured_porosity;
+    result.apparent_density = *measured_density;
+    return result;
+}
+
+}  // namespace ashimpact

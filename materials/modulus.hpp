@@ -1,0 +1,78 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "materials/composition.hpp"
+#include "materials/porosity.hpp"
+#include "materials/uncertainty.hpp"
+
+namespace ashimpact {
+
+/// How one Young's modulus is taken from those of the phases.
+enum class MixtureRule {
+    parallel,                ///< "parallel": Eq. 1, the default
+    series,                  ///< "series": Reuss on E
+    hill,                    ///< "hill": mean of the two
+    voigt,                   ///< "voigt": upper bounds on K and G; the following need every Poisson ratio
+    reuss,                   ///< "reuss": lower bounds on K and G
+    voigt_reuss_hill,        ///< "voigt-reuss-hill": mean of the two
+    hashin_shtrikman_lower,  ///< "hashin-shtrikman-lower"
+    hashin_shtrikman_upper,  ///< "hashin-shtrikman-upper"
+};
+
+/// Name of a rule in files, and back. Errors: InputError that lists the names.
+[[nodiscard]] std::string_view mixture_rule_name(MixtureRule rule);
+[[nodiscard]] MixtureRule mixture_rule(std::string_view name);
+
+struct ModulusOptions {
+    MixtureRule rule = MixtureRule::parallel;
+    std::optional<Porosity> porosity{};  ///< nothing: dense
+};
+
+/// Young's modulus by one rule, of the dense mixture.
+struct RuleResult {
+    MixtureRule rule = MixtureRule::parallel;
+    double young_modulus = 0;         ///< [Pa]
+    double standard_uncertainty = 0;  ///< [Pa]
+};
+
+/// Elastic properties of a sample.
+struct ModulusEstimate {
+    double young_modulus = 0;                   ///< by the chosen rule, porosity applied [Pa]
+    double standard_uncertainty = 0;            ///< [Pa], from the inputs whose uncertainty is known
+    std::vector<RuleResult> rules{};            ///< every rule that can be computed, dense [Pa]
+    std::optional<double> poisson_ratio{};      ///< of the Voigt-Reuss-Hill mean, porosity applied [1]
+    bool poisson_ratio_assumed = false;         ///< one of the phases has an assumed one
+    double density = 0;                         ///< of the dense mixture [kg/m3]
+    double density_uncertainty = 0;             ///< [kg/m3]
+    std::vector<Contribution> contributions{};  ///< to the variance of young_modulus, largest first
+    std::vector<std::string> notes{};           ///< what the reader of the result should know
+
+    /// The result of one rule; nothing where a Poisson ratio is missing.
+    [[nodiscard]] std::optional<RuleResult> by(MixtureRule rule) const;
+};
+
+/// Computes the moduli of a composition by every rule, with uncertainties propagated linearly from the
+/// fractions and the phase properties. Errors: InputError if the chosen rule or the porosity law needs a
+/// Poisson ratio that no source gives.
+[[nodiscard]] ModulusEstimate estimate_modulus(const Composition& composition,
+                                               const ModulusOptions& options = {});
+
+/// Density of a particle from its phases beside the measured one.
+struct ParticleDensity {
+    double true_density = 0;      ///< of the dense mixture [kg/m3]
+    double porosity = 0;          ///< [1]
+    double apparent_density = 0;  ///< to be used for the mass [kg/m3]
+    std::vector<std::string> notes{};
+};
+
+/// Returns the density of a particle: the measured (apparent) one where there is one, else true (1 - P). With
+/// a measured one and no porosity, the porosity follows from the two; with both, a disagreement is noted.
+/// Errors: InputError for a measured density above the true one, or a porosity outside [0, 1).
+[[nodiscard]] ParticleDensity particle_density(double true_density, std::optional<double> porosity,
+                                               std::optional<double> measured_density);
+
+}  // namespace ashimpact

@@ -1,0 +1,249 @@
+#include "materials/phase_catalogue.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+
+#include "materials/checks.hpp"
+#include "materials/quantity.hpp"
+#include "materials/text.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+std::pair<double, double> read_range(const Json& node, const std::string& unit, Dimension dimension,
+                                     double value) {
+    if (as_array(node).size() != 2) throw InputError("not two numbers", "[lowest, highest]");
+    const double low = to_si(as_number(node[0]), unit, dimension);
+    const double high = to_si(as_number(node[1]), unit, dimension);
+    if (!(low <= value && value <= high))
+        throw InputError("the value lies outside its own range", "low <= value <= high");
+    return {low, high};
+}
+
+PhaseProperty read_property(const Json& node, Dimension dimension) {
+    if (!node.is_object()) return {.value = read_quantity(node, dimension).value};
+    require_keys(node, {"value", "unit", "standard_uncertainty", "range", "assumed", "citations"});
+    Json plain = node;
+    for (const auto* key : {"range", "assumed", "citations"}) plain.erase(key);
+    const Quantity quantity = read_quantity(plain, dimension);
+    PhaseProperty property{.value = quantity.value, .standard_uncertainty = quantity.standard_uncertainty};
+    property.range = optional_member(node, "range", [&](const Json& range) {
+        return read_range(range, node.at("unit").get<std::string>(), dimension, property.value);
+    });
+    if (node.contains("assumed")) property.assumed = node.at("assumed") == true;
+    if (node.contains("citations")) property.citations = required_member(node, "citations", as_strings);
+    return property;
+}
+
+PhaseProperty positive(const Json& node, Dimension dimension) {
+    PhaseProperty property = read_property(node, dimension);
+    require_positive("value", property.value, dimension);
+    return property;
+}
+
+PhaseProperty poisson(const Json& node) {
+    PhaseProperty property = read_property(node, Dimension::fraction);
+    require_poisson_ratio("value", property.value);
+    return property;
+}
+
+Phase read_phase(const Json& node) {
+    require_keys(node, {"name", "formula", "group", "amorphous", "density", "young_modulus", "poisson_ratio",
+                        "synonyms", "bgmn", "remark"});
+    Phase phase{.name = required_member(node, "name", as_string)};
+    phase.formula = optional_member(node, "formula", as_string).value_or("");
+    phase.group = optional_member(node, "group", as_string).value_or("");
+    phase.amorphous = node.value("amorphous", false);
+    phase.density =
+        required_member(node, "density", [](const Json& n) { return positive(n, Dimension::density); });
+    phase.young_modulus = required_member(node, "young_modulus",
+                                          [](const Json& n) { return positive(n, Dimension::pressure); });
+    phase.poisson_ratio = optional_member(node, "poisson_ratio", poisson);
+    phase.synonyms = optional_member(node, "synonyms", as_strings).value_or(std::vector<std::string>{});
+    phase.bgmn = optional_member(node, "bgmn", as_strings).value_or(std::vector<std::string>{});
+    phase.remark = optional_member(node, "remark", as_string).value_or("");
+    return phase;
+}
+
+std::vector<std::string> names_of(const Phase& phase) {
+    std::vector<std::string> names{phase.name};
+    names.insert(names.end(), phase.synonyms.begin(), phase.synonyms.end());
+    names.insert(names.end(), phase.bgmn.begin(), phase.bgmn.end());
+    return names;
+}
+
+void require_unambiguous(const std::vector<Phase>& phases) {
+    std::map<std::string, std::string> owners;
+    for (const Phase& phase : phases) {
+        for (const auto& name : names_of(phase)) {
+            const auto [owner, is_new] = owners.emplace(phase_key(name), phase.name);
+            if (phase_key(name).empty())
+                throw InputError("the phase " + in_quotes(phase.name) + " has an empty name");
+            if (!is_new && owner->second != phase.name)
+                throw InputError(in_quotes(name) + " stands for both " + owner->second + " and " + phase.name,
+                                 "one phase for each name");
+        }
+    }
+}
+
+std::vector<Phase> read_phases(const Json& list) {
+    std::vector<Phase> phases;
+    for (std::size_t i = 0; i < as_array(list).size(); ++i)
+        phases.push_back(at_place("/" + std::to_string(i), [&] { return read_phase(list[i]); }));
+    require_unambiguous(phases);
+    return phases;
+}
+
+void require_citations(const PhaseSet& set) {
+    for (const Phase& phase : set.phases) {
+        const bool cited = !phase.density.citations.empty() && !phase.young_modulus.citations.empty() &&
+                           (!phase.poisson_ratio || !phase.poisson_ratio->citations.empty());
+        if (!cited) throw InputError("the phase " + phase.name + " has a property without a citation");
+    }
+}
+
+/// A data-base number behind an identifier, as in Quartz9000775.
+std::string without_database_number(std::string key) {
+    const auto last = key.find_last_not_of("0123456789");
+    if (last != std::string::npos && key.size() - last > 4) key.resize(last + 1);
+    return key;
+}
+
+}  // namespace
+
+std::string phase_key(std::string_view name) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 15> spelled{{
+        {"\u03b1", "alpha"},
+        {"\u03b2", "beta"},
+        {"\u03b3", "gamma"},
+        {"\u03b8", "theta"},
+        {"\u2080", "0"},
+        {"\u2081", "1"},
+        {"\u2082", "2"},
+        {"\u2083", "3"},
+        {"\u2084", "4"},
+        {"\u2085", "5"},
+        {"\u2086", "6"},
+        {"\u2087", "7"},
+        {"\u2088", "8"},
+        {"\u2089", "9"},
+        {"\u00b7", ""},
+    }};
+    std::string key;
+    while (!name.empty()) {
+        const auto* const found = std::find_if(
+            spelled.begin(), spelled.end(), [&](const auto& entry) { return name.starts_with(entry.first); });
+        const char c = name.front();
+        const bool special = found != spelled.end();
+        const bool kept = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                          static_cast<unsigned char>(c) >= 0x80;
+        if (special)
+            key += found->second;
+        else if (kept)
+            key += c;
+        name.remove_prefix(special ? found->first.size() : 1);
+    }
+    return lower_case(key);
+}
+
+PhaseSet read_phase_set(std::string_view json_text) {
+    const Json root = parse_json(json_text);
+    require_keys(root, {"set", "title", "group_representatives", "phases"});
+    PhaseSet set{.name = required_member(root, "set", as_string),
+                 .phases = required_member(root, "phases", read_phases)};
+    if (root.contains("group_representatives"))
+        for (const auto& [group, phase] : root.at("group_representatives").items())
+            set.group_representatives.emplace_back(group, as_string(phase));
+    require_citations(set);
+    return set;
+}
+
+PhaseSet read_user_phases(const Json& list) {
+    return {.name = "user", .phases = read_phases(list)};
+}
+
+PhaseCatalogue::PhaseCatalogue(std::vector<PhaseSet> sets) : sets_(std::move(sets)) {}
+
+PhaseCatalogue PhaseCatalogue::preferring(std::string_view set) const {
+    std::vector<PhaseSet> sets = sets_;
+    const auto wanted =
+        std::find_if(sets.begin(), sets.end(), [&](const PhaseSet& s) { return s.name == set; });
+    if (wanted == sets.end()) {
+        std::vector<std::string> names;
+        for (const PhaseSet& s : sets_) names.push_back(s.name);
+        throw InputError("no phase set is called " + in_quotes(set), joined(names));
+    }
+    std::rotate(sets.begin(), wanted, wanted + 1);
+    return PhaseCatalogue(std::move(sets));
+}
+
+PhaseCatalogue PhaseCatalogue::overridden_by(PhaseSet set) const {
+    std::vector<PhaseSet> sets{std::move(set)};
+    sets.insert(sets.end(), sets_.begin(), sets_.end());
+    return PhaseCatalogue(std::move(sets));
+}
+
+const Phase* PhaseCatalogue::find(const std::string& key) const {
+    for (const PhaseSet& set : sets_)
+        for (const Phase& phase : set.phases)
+            for (const auto& name : names_of(phase))
+                if (phase_key(name) == key) return &phase;
+    return nullptr;
+}
+
+std::vector<std::string> PhaseCatalogue::nearest_names(std::string_view name) const {
+    std::vector<std::string> names;
+    for (const PhaseSet& set : sets_)
+        for (const Phase& phase : set.phases) {
+            const auto all = names_of(phase);
+            names.insert(names.end(), all.begin(), all.end());
+        }
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    return nearest(name, names, 3);
+}
+
+ResolvedPhase PhaseCatalogue::resolve(std::string_view name) const {
+    const std::string key = phase_key(name);
+    if (const Phase* phase = find(key)) return {.phase = *phase};
+    if (const Phase* phase = find(without_database_number(key))) return {.phase = *phase};
+    std::vector<std::string> members;
+    for (const PhaseSet& set : sets_) {
+        for (const auto& [group, representative] : set.group_representatives)
+            if (phase_key(group) == key)
+                return {
+                    .phase = resolve(representative).phase,
+                    .note = in_quotes(name) + " is a mineral group: " + representative + " stands for it"};
+        for (const Phase& phase : set.phases)
+            if (!phase.group.empty() && phase_key(phase.group) == key) members.push_back(phase.name);
+    }
+    if (!members.empty())
+        throw InputError(in_quotes(name) + " is a mineral group", "one of its phases: " + joined(members));
+    const auto candidates = nearest_names(name);
+    throw InputError("no phase is called " + in_quotes(name),
+                     candidates.empty() ? "a phase of the catalogue, or one of your own in the case file"
+                                        : "nearest: " + joined(candidates));
+}
+
+std::vector<ResolvedPhase> PhaseCatalogue::resolve_all(const std::vector<std::string>& names) const {
+    std::vector<ResolvedPhase> resolved;
+    std::vector<InputError> errors;
+    for (const auto& name : names) {
+        try {
+            resolved.push_back(resolve(name));
+        } catch (const InputError& error) {
+            errors.push_back(error);
+        }
+    }
+    if (errors.empty()) return resolved;
+    if (errors.size() == 1) throw errors.front();
+    std::string problems;
+    for (const auto& error : errors)
+        problems += (problems.empty() ? "" : ", ") + error.problem() + " (" + error.allowed() + ")";
+    throw InputError(problems, "phases of the catalogue, or your own in the case file");
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "materials/json_input.hpp"
+#include "materials/phase.hpp"
+
+namespace ashimpact {
+
+/// Phases from one origin, chosen together by its name: "literature", "dong2013", "user".
+struct PhaseSet {
+    std::string name;
+    std::vector<Phase> phases;
+    std::vector<std::pair<std::string, std::string>> group_representatives{};  ///< group name, phase name
+};
+
+/// Reads a catalogue file (data/phases/*.json). Every property must cite its source.
+/// Errors: InputError with line number or JSON pointer; also when a name stands for two phases of the set.
+[[nodiscard]] PhaseSet read_phase_set(std::string_view json_text);
+
+/// Reads the phases of a case file, a list of the same form; citations may be missing. The set is called
+/// "user".
+[[nodiscard]] PhaseSet read_user_phases(const Json& list);
+
+/// A phase found under the name a file uses.
+struct ResolvedPhase {
+    Phase phase;
+    std::string note{};  ///< why the phase is not simply the one named; usually empty
+};
+
+/// Phase sets in order of preference: a name is looked for in the first set, then in the next.
+class PhaseCatalogue {
+  public:
+    explicit PhaseCatalogue(std::vector<PhaseSet> sets);
+
+    /// The same sets with `set` (its name) in front. Errors: InputError that lists the sets.
+    [[nodiscard]] PhaseCatalogue preferring(std::string_view set) const;
+
+    /// The same sets behind `set`: its phases hide phases of the same name.
+    [[nodiscard]] PhaseCatalogue overridden_by(PhaseSet set) const;
+
+    /// The phase a name stands for: its own name, a synonym, a BGMN identifier (a trailing data-base number
+    /// is ignored), or a mineral group with a representative. Case, blanks and punctuation do not matter.
+    /// Errors: InputError with the nearest candidates, or the members of a group that has no representative.
+    [[nodiscard]] ResolvedPhase resolve(std::string_view name) const;
+
+    /// The same for several names at once, so that all unknown ones are in one message.
+    [[nodiscard]] std::vector<ResolvedPhase> resolve_all(const std::vector<std::string>& names) const;
+
+    [[nodiscard]] const std::vector<PhaseSet>& sets() const& { return sets_; }
+
+  private:
+    [[nodiscard]] const Phase* find(const std::string& key) const;
+    [[nodiscard]] std::vector<std::string> nearest_names(std::string_view name) const;
+
+    std::vector<PhaseSet> sets_;
+};
+
+/// The form in which names are compared: ASCII lower case, Greek letters spelled, subscripts as digits,
+/// blanks and punctuation dropped.
+[[nodiscard]] std::string phase_key(std::string_view name);
+
+}  // namespace ashimpact

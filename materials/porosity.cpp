@@ -1,0 +1,122 @@
+#include "materials/porosity.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "materials/checks.hpp"
+#include "materials/elastic_moduli.hpp"
+#include "materials/error.hpp"
+#include "materials/mixture_rules.hpp"
+#include "materials/text.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+struct LawRow {
+    PorosityLaw law;
+    std::string_view name;
+    double lowest;   ///< P from which the law holds
+    double highest;  ///< P up to which it holds
+};
+
+constexpr std::array law_rows{
+    LawRow{PorosityLaw::hashin_shtrikman, "hashin-shtrikman", 0, 1},
+    LawRow{PorosityLaw::coble_kingery, "coble-kingery", 0, 0.5},
+    LawRow{PorosityLaw::pabst_gregorova, "pabst-gregorova", 0, 1},
+    LawRow{PorosityLaw::spriggs, "spriggs", 0, 1},
+    LawRow{PorosityLaw::gibson_ashby, "gibson-ashby", 0.7, 1},
+};
+
+const LawRow& row(PorosityLaw law) {
+    return law_rows.at(static_cast<std::size_t>(law));
+}
+
+PorousModuli with_pores_as_a_phase(const PorousModuli& dense, double p) {
+    if (!dense.poisson_ratio)
+        throw InputError("the law hashin-shtrikman needs Poisson's ratio, which is not known for every phase",
+                         "another law, or Poisson's ratios in the case file");
+    const std::array phases{isotropic_moduli(dense.young_modulus, *dense.poisson_ratio), IsotropicModuli{}};
+    const IsotropicModuli moduli = hashin_shtrikman_upper(std::array{1 - p, p}, phases);
+    return {.young_modulus = young_modulus(moduli), .poisson_ratio = poisson_ratio(moduli)};
+}
+
+}  // namespace
+
+void require_valid(const Porosity& porosity) {
+    if (!(porosity.value >= 0 && porosity.value < 1))
+        throw InputError("porosity is " + shortest(porosity.value), "0 <= porosity < 1");
+    if (porosity.law == PorosityLaw::spriggs && !porosity.coefficient)
+        throw InputError("the law spriggs has no coefficient b", "b of E = E0 exp(-b P), usually 2 to 5");
+    if (porosity.coefficient && porosity.law != PorosityLaw::spriggs)
+        throw InputError("the law " + std::string(row(porosity.law).name) + " has no coefficient", "none");
+    if (porosity.coefficient) require_positive("coefficient b", *porosity.coefficient, Dimension::fraction);
+    if (porosity.standard_uncertainty)
+        require_not_negative("uncertainty of the porosity", *porosity.standard_uncertainty,
+                             Dimension::fraction);
+}
+
+PorousModuli porous_moduli(const PorousModuli& dense, const Porosity& porosity) {
+    require_valid(porosity);
+    return extrapolated_porous_moduli(dense, porosity);
+}
+
+PorousModuli extrapolated_porous_moduli(const PorousModuli& dense, const Porosity& porosity) {
+    const double p = porosity.value;
+    PorousModuli porous = dense;
+    switch (porosity.law) {
+        case PorosityLaw::hashin_shtrikman:
+            return with_pores_as_a_phase(dense, p);
+        case PorosityLaw::coble_kingery:
+            porous.young_modulus *= 1 - 1.9 * p + 0.9 * p * p;
+            break;
+        case PorosityLaw::pabst_gregorova:
+            porous.young_modulus *= std::exp(-2 * p / (1 - p));
+            break;
+        case PorosityLaw::spriggs:
+            porous.young_modulus *= std::exp(-porosity.coefficient.value() * p);
+            break;
+        case PorosityLaw::gibson_ashby:
+            porous.young_modulus *= (1 - p) * (1 - p);
+            break;
+    }
+    return porous;
+}
+
+std::string porosity_warning(const Porosity& porosity) {
+    const LawRow& law = row(porosity.law);
+    if (porosity.value >= law.lowest && porosity.value <= law.highest) return {};
+    return "the porosity " + shortest(porosity.value) + " is outside the validity of the law " +
+           std::string(law.name) + ", " + shortest(law.lowest) + " to " + shortest(law.highest);
+}
+
+std::string_view porosity_law_name(PorosityLaw law) {
+    return row(law).name;
+}
+
+PorosityLaw porosity_law(std::string_view name) {
+    std::vector<std::string> names;
+    for (const LawRow& law : law_rows) {
+        if (law.name == name) return law.law;
+        names.emplace_back(law.name);
+    }
+    throw InputError("no porosity law is called " + in_quotes(name), joined(names));
+}
+
+double porosity_from_densities(double apparent_density, double true_density) {
+    require_positive("apparent density", apparent_density, Dimension::density);
+    require_positive("true density", true_density, Dimension::density);
+    if (apparent_density > true_density)
+        throw InputError("the apparent density " + shortest(apparent_density) +
+                             " kg/m3 is above the true density " + shortest(true_density) + " kg/m3",
+                         "apparent density <= true density");
+    return 1 - apparent_density / true_density;
+}
+
+double cenosphere_wall_thickness(double radius, double porosity) {
+    require_positive("radius", radius, Dimension::length);
+    require_valid({.value = porosity});
+    return radius * (1 - std::cbrt(porosity));
+}
+
+}  // namespace ashimpact

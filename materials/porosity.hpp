@@ -1,0 +1,68 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ashimpact {
+
+/// Laws for Young's modulus of a porous solid, E = E0 f(P). None is the default: a law is chosen by name.
+enum class PorosityLaw {
+    hashin_shtrikman,  ///< "hashin-shtrikman": upper bound of (K, G) with pores as a phase of K = G = 0
+    coble_kingery,     ///< "coble-kingery": f = 1 - 1.9 P + 0.9 P^2
+    pabst_gregorova,   ///< "pabst-gregorova": f = exp(-2 P/(1 - P))
+    spriggs,           ///< "spriggs": f = exp(-b P), b from the user
+    gibson_ashby,      ///< "gibson-ashby": f = (1 - P)^2
+};
+
+/// A chosen law with the porosity P.
+struct Porosity {
+    PorosityLaw law = PorosityLaw::hashin_shtrikman;
+    double value = 0;                              ///< P [1], volume of the pores over the whole, 0 <= P < 1
+    std::optional<double> standard_uncertainty{};  ///< [1]
+    std::optional<double> coefficient{};           ///< b of spriggs [1]
+};
+
+/// Young's modulus and Poisson's ratio of a solid, dense or porous.
+struct PorousModuli {
+    double young_modulus = 0;               ///< [Pa]
+    std::optional<double> poisson_ratio{};  ///< [1]
+};
+
+/// Returns the moduli of a solid with pores. Sources and validity:
+///   hashin-shtrikman  Hashin & Shtrikman 1963, J. Mech. Phys. Solids 11:127. An upper bound for isotropic
+///   porous
+///                     solids, met by hollow-sphere assemblages (cenospheres) in K; needs Poisson's ratio,
+///                     changes it.
+///   coble-kingery     Coble & Kingery 1956, J. Am. Ceram. Soc. 39:377: closed spherical pores, nu0 near 0.3,
+///                     measured up to P = 0.5.
+///   pabst-gregorova   Pabst & Gregorova 2004, J. Mater. Sci. 39:3213: closed isometric pores.
+///   spriggs           Spriggs 1961, J. Am. Ceram. Soc. 44:628: where b was fitted; does not vanish at P = 1.
+///   gibson-ashby      Gibson & Ashby 1997, Cellular Solids: open cells, P above 0.7.
+/// All but the first leave Poisson's ratio as it is. Errors: InputError for P outside [0, 1), a missing or
+/// superfluous coefficient, and hashin-shtrikman without Poisson's ratio.
+[[nodiscard]] PorousModuli porous_moduli(const PorousModuli& dense, const Porosity& porosity);
+
+/// The same formulas without the check of P, for differences across P = 0.
+[[nodiscard]] PorousModuli extrapolated_porous_moduli(const PorousModuli& dense, const Porosity& porosity);
+
+/// Throws InputError for P outside [0, 1) and for a coefficient that is missing or superfluous.
+void require_valid(const Porosity& porosity);
+
+/// Returns what is to be said of a law used outside of its validity; empty inside.
+[[nodiscard]] std::string porosity_warning(const Porosity& porosity);
+
+/// Name of a law in files, and back. Errors: InputError that lists the names.
+[[nodiscard]] std::string_view porosity_law_name(PorosityLaw law);
+[[nodiscard]] PorosityLaw porosity_law(std::string_view name);
+
+/// Returns the porosity [1] from the apparent (mercury, helium with closed pores) and the true density
+/// [kg/m3]: P = 1 - apparent/true. Errors: InputError if the apparent density is the larger one.
+[[nodiscard]] double porosity_from_densities(double apparent_density, double true_density);
+
+/// Returns the wall thickness of a hollow sphere (cenosphere) [m]: r (1 - P^(1/3)). A contact that is small
+/// against it touches the dense wall: then take E without porosity, and the apparent density for the mass.
+[[nodiscard]] double cenosphere_wall_thickness(double radius, double porosity);
+
+}  // namespace ashimpact

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "materials/xrd/text_lines.hpp"
+#include "materials/xrd/xrd.hpp"
+
+/// One reader a format; read_xrd chooses. Errors: InputError at "line N" (JSON: at the pointer).
+namespace ashimpact::xrd {
+
+/// BGMN and Profex list files: GEWICHT of each phase over their sum, XrayDensity, checked against the goals.
+[[nodiscard]] bool looks_like_bgmn(const TextLines& file);
+[[nodiscard]] XrdResult read_bgmn(const TextLines& file);
+
+/// GSAS-II list files: the weight fractions of each histogram.
+[[nodiscard]] bool looks_like_gsas2(const TextLines& file);
+[[nodiscard]] XrdResult read_gsas2(const TextLines& file);
+
+/// Tables of fractions or of peak intensities, separated by comma, semicolon or tab.
+[[nodiscard]] bool looks_like_table(const TextLines& file);
+[[nodiscard]] XrdResult read_table(const TextLines& file);
+
+/// The project's JSON.
+[[nodiscard]] bool looks_like_json(const TextLines& file);
+[[nodiscard]] XrdResult read_json(const TextLines& file);
+
+/// What read_xrd says where no reader feels addressed.
+inline constexpr const char* known_formats =
+    "a BGMN/Profex .lst, a GSAS-II .lst, a CSV or TSV table with a header, or the project's JSON";
+
+}  // namespace ashimpact::xrd

@@ -1,0 +1,90 @@
+#include "materials/xrd/text_lines.hpp"
+
+#include <algorithm>
+
+#include "materials/error.hpp"
+#include "materials/text.hpp"
+
+namespace ashimpact::xrd {
+
+namespace {
+
+constexpr std::size_t longest_line = std::size_t{1} << 20;
+
+unsigned char byte(char c) { return static_cast<unsigned char>(c); }
+
+std::size_t line_number(std::string_view text, std::size_t position) {
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(position);
+    return 1 + static_cast<std::size_t>(std::count(text.begin(), end, '\n'));
+}
+
+/// Refuses what cannot be text before anything is copied.
+void check_bytes(std::string_view bytes) {
+    if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
+        throw InputError("this is UTF-16", "UTF-8, ASCII or Latin-1 text").at(at_line(1));
+    std::size_t line_start = 0;
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        const unsigned char c = byte(bytes[i]);
+        if (c == '\n' || c == '\r') line_start = i + 1;
+        if (i - line_start > longest_line)
+            throw InputError("the line is longer than a megabyte", "a text file with lines")
+                .at(at_line(line_number(bytes, i)));
+        const bool control = c < 0x20 && c != '\n' && c != '\r' && c != '\t' && c != '\f' && c != 0x1a;
+        if (control || c == 0x7f)
+            throw InputError("this is a binary file", "a text file").at(at_line(line_number(bytes, i)));
+    }
+    if (trimmed(bytes).empty()) throw InputError("the file is empty", "an XRD result").at(at_line(1));
+}
+
+/// Length of the UTF-8 sequence at the front, or zero.
+std::size_t utf8_length(std::string_view text) {
+    const unsigned char first = byte(text.front());
+    const std::size_t length = first < 0x80 ? 1 : first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf5 ? 4 : 0;
+    if (length == 0 || length > text.size()) return 0;
+    for (std::size_t i = 1; i < length; ++i)
+        if ((byte(text[i]) & 0xc0) != 0x80) return 0;
+    return length;
+}
+
+bool is_utf8(std::string_view text) {
+    while (!text.empty()) {
+        const std::size_t length = utf8_length(text);
+        if (length == 0) return false;
+        text.remove_prefix(length);
+    }
+    return true;
+}
+
+std::string from_latin1(std::string_view bytes) {
+    std::string text;
+    for (const char c : bytes) {
+        if (byte(c) < 0x80) {
+            text += c;
+            continue;
+        }
+        text += static_cast<char>(0xc0 | (byte(c) >> 6));
+        text += static_cast<char>(0x80 | (byte(c) & 0x3f));
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string at_line(std::size_t number) { return "line " + std::to_string(number); }
+
+TextLines::TextLines(std::string_view bytes) {
+    if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
+    check_bytes(bytes);
+    if (bytes.ends_with('\x1a')) bytes.remove_suffix(1);  // end-of-file mark of DOS editors
+    was_latin1_ = !is_utf8(bytes);
+    text_ = was_latin1_ ? from_latin1(bytes) : std::string(bytes);
+    std::string_view rest = text_;
+    while (!rest.empty()) {
+        const auto end = std::min(rest.find_first_of("\r\n"), rest.size());
+        lines_.push_back({.number = lines_.size() + 1, .text = rest.substr(0, end)});
+        const bool crlf = rest.substr(end).starts_with("\r\n");
+        rest.remove_prefix(std::min(rest.size(), end + (crlf ? 2 : 1)));
+    }
+}
+
+}  // namespace ashimpact::xrd

@@ -1,0 +1,192 @@
+#include "materials/phase_catalogue.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <functional>
+#include <regex>
+#include <set>
+
+#include "tests/materials/catalogue.hpp"
+#include "tests/relative_difference.hpp"
+
+using namespace ashimpact;
+using ashimpact::test::file_text;
+using ashimpact::test::relative_difference;
+using ashimpact::test::shipped_catalogue;
+
+namespace {
+
+std::string message(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+std::set<std::string> keys_of(const std::string& bibliography) {
+    std::set<std::string> keys;
+    const std::regex entry(R"(@\w+\{([^,\s]+),)");
+    for (std::sregex_iterator i(bibliography.begin(), bibliography.end(), entry), end; i != end; ++i)
+        keys.insert((*i)[1]);
+    return keys;
+}
+
+std::string one_phase(const std::string& members) {
+    return R"({"set": "s", "title": "", "phases": [{"name": "x", )" + members + "}]}";
+}
+
+constexpr const char* density = R"("density": {"value": 2.5, "unit": "g/cm3", "citations": ["k"]})";
+constexpr const char* modulus = R"("young_modulus": {"value": 73, "unit": "GPa", "citations": ["k"]})";
+
+}  // namespace
+
+TEST_CASE("every property of every phase cites a key of the bibliography, and every key is used") {
+    const auto keys = keys_of(file_text(ASHIMPACT_DATA "/phases/references.bib"));
+    std::set<std::string> used;
+    const PhaseCatalogue catalogue = shipped_catalogue();
+    for (const PhaseSet& set : catalogue.sets()) {
+        REQUIRE(set.phases.size() >= 3);
+        for (const Phase& phase : set.phases) {
+            CAPTURE(phase.name);
+            std::vector<PhaseProperty> properties{phase.density, phase.young_modulus};
+            if (phase.poisson_ratio) properties.push_back(*phase.poisson_ratio);
+            for (const PhaseProperty& property : properties) {
+                CHECK(!property.citations.empty());
+                for (const auto& citation : property.citations) {
+                    CAPTURE(citation);
+                    CHECK(keys.contains(citation));
+                    used.insert(citation);
+                }
+            }
+        }
+    }
+    CHECK(used == keys);
+}
+
+TEST_CASE("values of the catalogue agree with the bulk and shear moduli of their sources") {
+    struct Row {
+        const char* phase;
+        double bulk;
+        double shear;
+    };
+    // K and G [GPa] as the sources print them, from which E = 9KG/(3K+G) and nu = (3K-2G)/(6K+2G) follow.
+    for (const auto& [name, k, g] :
+         {Row{"quartz", 37.8, 44.3}, Row{"mullite", 170.9, 87.8}, Row{"anorthite", 84.2, 39.9},
+          Row{"anhydrite", 54.9, 29.3}, Row{"calcite", 73.3, 32.0}, Row{"corundum", 253.5, 163.2},
+          Row{"rutile", 215.5, 112.4}, Row{"hematite", 100.2, 95.2}, Row{"orthoclase", 59.45, 30.3},
+          Row{"cristobalite", 16.4, 39.1}}) {
+        const Phase phase = shipped_catalogue().resolve(name).phase;
+        CAPTURE(phase.name);
+        CHECK(relative_difference(phase.young_modulus.value, 9e9 * k * g / (3 * k + g)) < 1.1e-3);
+        CHECK(std::abs(phase.poisson_ratio->value - (3 * k - 2 * g) / (6 * k + 2 * g)) < 1.1e-3);
+    }
+}
+
+TEST_CASE("the paper's values are their own entries and can be preferred") {
+    const PhaseCatalogue literature = shipped_catalogue();
+    CHECK(literature.resolve("mullite").phase.young_modulus.value == doctest::Approx(224.9e9));
+    const PhaseCatalogue paper = literature.preferring("dong2013");
+    CHECK(paper.resolve("Quartz").phase.name == "quartz-dong2013");
+    CHECK(paper.resolve("mullite").phase.young_modulus.value == 230e9);
+    CHECK(paper.resolve("mullite").phase.density.value == 2800);
+    CHECK(paper.resolve("glass").phase.density.value == 2500);
+    CHECK(paper.resolve("hematite").phase.name == "hematite");
+    CHECK(literature.resolve("quartz-dong2013").phase.young_modulus.value == 94e9);
+    CHECK(literature.resolve("amorphous").phase.name == "glass-dong2013");
+    CHECK(literature.resolve("glass").phase.poisson_ratio->assumed);
+    CHECK(message([&] { static_cast<void>(literature.preferring("paper")); }) ==
+          "no phase set is called \"paper\"; allowed: literature, dong2013");
+}
+
+TEST_CASE("names are found whatever their case, punctuation, spelling and data-base number") {
+    const PhaseCatalogue catalogue = shipped_catalogue();
+    for (const auto& [name, phase] :
+         std::initializer_list<std::pair<const char*, const char*>>{{"Quartz low", "quartz"},
+                                                                    {"quartz, low", "quartz"},
+                                                                    {"SiO2", "quartz"},
+                                                                    {"SiO\u2082", "quartz"},
+                                                                    {"\u03b1-Quartz", "quartz"},
+                                                                    {"QUARTZ", "quartz"},
+                                                                    {"Quartz9000775", "quartz"},
+                                                                    {"Mullite 3:2", "mullite"},
+                                                                    {"Mullite_32", "mullite"},
+                                                                    {"Al6Si2O13", "mullite"},
+                                                                    {"Haematite", "hematite"},
+                                                                    {"Anorthite", "anorthite"},
+                                                                    {"fused silica", "fused-silica"},
+                                                                    {"K-feldspar", "orthoclase"},
+                                                                    {"Plagioclase", "anorthite"}}) {
+        CAPTURE(name);
+        CHECK(catalogue.resolve(name).phase.name == phase);
+    }
+    CHECK(catalogue.resolve("Plagioclase").note ==
+          "\"Plagioclase\" is a mineral group: anorthite stands for it");
+    CHECK(catalogue.resolve("Quartz").note.empty());
+}
+
+TEST_CASE("what is not found comes with the nearest names, all at once") {
+    const PhaseCatalogue catalogue = shipped_catalogue();
+    CHECK(message([&] { static_cast<void>(catalogue.resolve("Qartz")); }).find("nearest: Quartz") !=
+          std::string::npos);
+    CHECK(message([&] { static_cast<void>(catalogue.resolve("silica")); }) ==
+          "\"silica\" is a mineral group; allowed: one of its phases: quartz, cristobalite");
+    CHECK(message([&] {
+              static_cast<void>(catalogue.resolve("lime"));
+          }).find("no phase is called \"lime\"") == 0);
+    const std::string both = message([&] {
+        static_cast<void>(catalogue.resolve_all({"quartz", "mulite", "kryptonite"}));
+    });
+    CHECK(both.find("\"mulite\" (nearest: ") != std::string::npos);
+    CHECK(both.find("\"kryptonite\"") != std::string::npos);
+    CHECK(both.find('\n') == std::string::npos);
+    CHECK(catalogue.resolve_all({"quartz", "mullite"}).size() == 2);
+}
+
+TEST_CASE("the user's own phases come first") {
+    const Json own = parse_json(R"([{"name": "quartz", "density": "2.7 g/cm3", "young_modulus": 9.0e10},
+                                     {"name": "lime", "density": {"value": 3.3, "unit": "g/cm3"},
+                                      "young_modulus": {"value": 190, "unit": "GPa", "standard_uncertainty": 10}}])");
+    const PhaseCatalogue catalogue = shipped_catalogue().overridden_by(read_user_phases(own));
+    CHECK(relative_difference(catalogue.resolve("quartz").phase.density.value, 2700) < 1e-15);
+    CHECK(catalogue.resolve("lime").phase.young_modulus.uncertainty().value() == doctest::Approx(10e9));
+    CHECK(catalogue.resolve("Quartz low").phase.young_modulus.value == doctest::Approx(95.6e9));
+}
+
+TEST_CASE("the uncertainty of a range is that of a rectangular distribution") {
+    const Phase mullite = shipped_catalogue().resolve("mullite").phase;
+    CHECK(relative_difference(mullite.young_modulus.uncertainty().value(), 86.9e9 / std::sqrt(12.0)) < 1e-14);
+    CHECK(!shipped_catalogue().resolve("corundum").phase.young_modulus.uncertainty());
+}
+
+TEST_CASE("a broken catalogue says where it is broken") {
+    const auto read = [](const std::string& text) {
+        return message([&] { static_cast<void>(read_phase_set(text)); });
+    };
+    const std::string good = std::string(density) + ", " + modulus;
+    CHECK(read(one_phase(good)).empty());
+    CHECK(read("{").starts_with("line 1: this is not valid JSON"));
+    CHECK(read("{\n\"set\": 3,,\n}").starts_with("line 2: "));
+    CHECK(
+        read(one_phase(std::string(density))).starts_with("/phases/0: the key \"young_modulus\" is missing"));
+    CHECK(read(one_phase(good + R"(, "young": 3)")).starts_with("/phases/0/young: unknown key"));
+    CHECK(
+        read(one_phase(good + ", " + density)).starts_with("/phases/0: the key \"density\" is there twice"));
+    CHECK(read(one_phase(good + R"(, "poisson_ratio": {"value": 0.2, "unit": "1"})"))
+              .find("without a citation") != std::string::npos);
+    CHECK(read(one_phase(good + R"(, "poisson_ratio": {"value": 0.6, "unit": "1"})"))
+              .starts_with("/phases/0/poisson_ratio: value is 0.6"));
+    CHECK(read(one_phase(R"("density": {"value": -2.5, "unit": "g/cm3"}, )" + std::string(modulus)))
+              .starts_with("/phases/0/density: value is -2500 kg/m3"));
+    CHECK(read(one_phase(R"("density": {"value": 2.5, "unit": "GPa"}, )" + std::string(modulus)))
+              .starts_with("/phases/0/density: the unit \"GPa\" is not one of density"));
+    CHECK(read(one_phase(R"("density": {"value": 2.5, "unit": "g/cm3", "range": [2.6, 2.7]}, )" +
+                         std::string(modulus)))
+              .starts_with("/phases/0/density/range: the value lies outside"));
+    CHECK(read(R"({"set": "s", "title": "", "phases": [{"name": "x", )" + good +
+               R"(}, {"name": "y", "synonyms": ["X"], )" + good + "}]}")
+              .starts_with("/phases: \"X\" stands for both x and y"));
+    CHECK(read(std::string(5000, '[')).find("nested too deeply") != std::string::npos);
+}
