@@ -52,7 +52,8 @@ double ContactModel::greatest_restitution(double velocity) const {
     return map_->greatest_restitution(x_of(velocity));
 }
 
-std::optional<double> ContactModel::velocity(double restitution, double damping) const {
+std::optional<VelocityAt> ContactModel::velocity(double restitution, double damping,
+                                                 std::optional<double> guess) const {
     // ln eta(v, e) rises with ln v: Newton, kept within a bracket that only shrinks.
     double lower = map_->range().lower;
     double upper = map_->range().upper;
@@ -60,28 +61,29 @@ std::optional<double> ContactModel::velocity(double restitution, double damping)
         const double undamped = map_->impacts().lowest() - 0.5 * std::log1p(-restitution * restitution);
         lower = std::max(lower, undamped);
     }
+    const double wanted = std::log(damping / damping_unit_) - 0.2 * std::log(velocity_unit_);
     double x = std::isfinite(lower) ? 0.5 * (lower + upper) : 0.0;
-    const double wanted = std::log(damping / damping_unit_);
-    const double offset = 0.2 * std::log(velocity_unit_);
+    if (guess) x = std::clamp(x_of(*guess), lower, upper);
     for (int i = 0; i < most_iterations; ++i) {
         const DampingNumber number = map_->damping_number(restitution, x);
-        const double miss = number.value > 0.0 ? offset + 0.2 * x + std::log(number.value) - wanted : -1.0;
-        (miss < 0.0 ? lower : upper) = x;
+        const bool positive = number.value > 0.0;
+        const double miss = positive ? 0.2 * x + std::log(number.value) - wanted : -1.0;
         const double slope = 0.2 + number.by_x / number.value;
-        const double newton = x - miss / slope;
-        const bool usable = number.value > 0.0 && slope > 0.0 && newton > lower && newton < upper;
-        const double next = usable ? newton : 0.5 * (lower + upper);
-        if (std::abs(next - x) <= 1e-13 * std::max(1.0, std::abs(x))) {
-            const bool inside = std::abs(miss) < 1e-9;
-            return inside ? std::optional(velocity_unit_ * std::exp(next)) : std::nullopt;
+        if (std::abs(miss) < 1e-7) {  // the step leaves its square
+            const double value = velocity_unit_ * std::exp(x - miss / slope);
+            return VelocityAt{value, value / (damping * slope)};
         }
-        x = next;
+        (miss < 0.0 ? lower : upper) = x;
+        const double newton = x - miss / slope;
+        x = positive && newton > lower && newton < upper ? newton : 0.5 * (lower + upper);
+        if (!(x > lower && x < upper)) break;
     }
     return std::nullopt;
 }
 
 std::optional<double> ContactModel::critical_velocity(double damping) const {
-    return velocity(0.0, damping);
+    const auto at = velocity(0.0, damping);
+    return at ? std::optional(at->value) : std::nullopt;
 }
 
 double ContactModel::restitution(double velocity, double damping) const {

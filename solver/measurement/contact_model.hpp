@@ -24,6 +24,12 @@ struct DampingAt {
     double by_velocity;     ///< d eta/dv [kg/m], positive
 };
 
+/// Velocity and its slope at one (restitution, damping).
+struct VelocityAt {
+    double value;       ///< v [m/s]
+    double by_damping;  ///< dv/d eta [m/kg], positive
+};
+
 /// One law, one contact, constant damping: the relation between velocity, restitution and damping in every
 /// direction, read from a map (microseconds; its accuracy() is stated). For fits and Monte Carlo; single
 /// published numbers come from solve_impact, damping_from_restitution and critical_velocity.
@@ -44,8 +50,9 @@ class ContactModel {
     /// Restitution without damping, the greatest that can be reached [1].
     [[nodiscard]] double greatest_restitution(double velocity) const;
     /// The velocity at which an impact with this damping has this restitution; none where it lies outside
-    /// range() [m/s]. @param damping > 0 [kg/s]
-    [[nodiscard]] std::optional<double> velocity(double restitution, double damping) const;
+    /// range(). @param damping > 0 [kg/s] @param guess a velocity close by, where one is known [m/s]
+    [[nodiscard]] std::optional<VelocityAt> velocity(double restitution, double damping,
+                                                     std::optional<double> guess = std::nullopt) const;
     /// The velocity up to which impacts are captured; none where it lies outside range() [m/s].
     [[nodiscard]] std::optional<double> critical_velocity(double damping) const;
     /// Restitution of an impact, 0 for a capture [1]. @param velocity within range() [m/s]

@@ -1,18 +1,8 @@
 #pragma once
 
-#include <Eigen/Dense>
+#include "solver/numeric/chebyshev.hpp"
 
 namespace ashimpact {
-
-/// One side of the rectangle a ChebyshevSurface covers; degree 0 for a surface that does not depend on it.
-struct ChebyshevAxis {
-    double lower;
-    double upper;
-    int degree;
-
-    /// Position of node @p i of 0 ... degree, from lower to upper (Chebyshev-Lobatto).
-    [[nodiscard]] double node(int i) const;
-};
 
 struct SurfacePoint {
     double value;
@@ -23,8 +13,6 @@ struct SurfacePoint {
 /// A smooth function of two variables as a polynomial through its values at Chebyshev nodes.
 class ChebyshevSurface {
   public:
-    static constexpr int greatest_degree = 47;
-
     ChebyshevSurface() = default;
     /// @param values value at (x node of the row, y node of the column)
     ChebyshevSurface(const ChebyshevAxis& x, const ChebyshevAxis& y, const Eigen::MatrixXd& values);
