@@ -78,12 +78,10 @@ bool holds_amorphous_phase(const std::vector<Component>& components) {
 class Closing {
   public:
     Closing(const Analysis& analysis, bool amorphous_listed)
-        : analysis_(analysis), amorphous_listed_(amorphous_listed) {
-        for (const PhaseFraction& phase : analysis.phases) {
-            model_.amounts.push_back(phase.fraction);
-            model_.uncertainties.push_back(phase.standard_uncertainty);
-        }
-        total_ = sum(model_.amounts);
+        : analysis_(analysis),
+          amorphous_listed_(amorphous_listed),
+          model_(listed(analysis)),
+          total_(sum(model_.amounts)) {
         if (total_ > 1 + analysis.closure_tolerance)
             throw InputError("the fractions add up to " + per_cent(total_), "100 % or less");
         if (!(total_ > 0)) throw InputError("all fractions are zero", "at least one above zero");
@@ -95,6 +93,15 @@ class Closing {
     }
 
   private:
+    static FractionModel listed(const Analysis& analysis) {
+        FractionModel model;
+        for (const PhaseFraction& phase : analysis.phases) {
+            model.amounts.push_back(phase.fraction);
+            model.uncertainties.push_back(phase.standard_uncertainty);
+        }
+        return model;
+    }
+
     [[nodiscard]] bool adds_up_to(double value) const {
         return std::abs(total_ - value) <= analysis_.closure_tolerance;
     }
@@ -164,8 +171,8 @@ class Closing {
 
     const Analysis& analysis_;
     bool amorphous_listed_;
-    FractionModel model_{};
-    double total_ = 0;
+    FractionModel model_;
+    double total_;
 };
 
 void note_rescaling(const FractionModel& model, std::vector<std::string>& notes) {

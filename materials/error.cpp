@@ -12,24 +12,26 @@ std::string one_line(const std::string& place, const std::string& problem, const
     return line;
 }
 
-std::string nested(const std::string& outer, const std::string& inner) {
-    if (inner.empty()) return outer;
-    return outer.front() == '/' ? outer + inner : outer + ": " + inner;
-}
-
 }  // namespace
 
 InputError::InputError(std::string problem, std::string allowed)
-    : InputError(std::string{}, std::move(problem), std::move(allowed)) {}
+    : InputError(std::string{}, std::move(problem), std::move(allowed), false) {}
 
-InputError::InputError(std::string place, std::string problem, std::string allowed)
+InputError::InputError(std::string place, std::string problem, std::string allowed, bool names_file)
     : std::runtime_error(one_line(place, problem, allowed)),
       place_(std::move(place)),
       problem_(std::move(problem)),
-      allowed_(std::move(allowed)) {}
+      allowed_(std::move(allowed)),
+      names_file_(names_file) {}
 
 InputError InputError::at(const std::string& place) const {
-    return {nested(place, place_), problem_, allowed_};
+    if (place_.empty()) return {place, problem_, allowed_, names_file_};
+    const bool one_pointer = !names_file_ && place.starts_with('/') && place_.starts_with('/');
+    return {one_pointer ? place + place_ : place + ": " + place_, problem_, allowed_, names_file_};
+}
+
+InputError InputError::in_file(const std::string& file) const {
+    return {place_.empty() ? file : file + ": " + place_, problem_, allowed_, true};
 }
 
 }  // namespace ashimpact

@@ -12,19 +12,25 @@ class InputError : public std::runtime_error {
     /// @param allowed what would be accepted; may be empty
     explicit InputError(std::string problem, std::string allowed = {});
 
-    /// The same error with the place (file, JSON pointer or line) it was found at; an inner place is kept.
+    /// The same error with the place (JSON pointer, line, option) it was found at; an inner place is kept, and two
+    /// pointers make one.
     [[nodiscard]] InputError at(const std::string& place) const;
+
+    /// The same error with the file it was found in, in front of any place; a file's name is no pointer, even if it
+    /// begins with a slash.
+    [[nodiscard]] InputError in_file(const std::string& file) const;
 
     [[nodiscard]] const std::string& place() const { return place_; }
     [[nodiscard]] const std::string& problem() const { return problem_; }
     [[nodiscard]] const std::string& allowed() const { return allowed_; }
 
   private:
-    InputError(std::string place, std::string problem, std::string allowed);
+    InputError(std::string place, std::string problem, std::string allowed, bool names_file);
 
     std::string place_;
     std::string problem_;
     std::string allowed_;
+    bool names_file_;
 };
 
 /// A computation did not converge (exit status 3).

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <vector>
 
@@ -23,6 +24,13 @@ class Watcher {
         if (event == Event::key) name(parsed.get<std::string>());
         if (event == Event::value) count();
         return true;
+    }
+
+    [[nodiscard]] std::string pointer() const {
+        std::string pointer;
+        for (const Level& level : levels_)
+            pointer = level.is_array ? child_pointer(pointer, level.index) : child_pointer(pointer, level.key);
+        return pointer.empty() ? "/" : pointer;
     }
 
   private:
@@ -47,28 +55,29 @@ class Watcher {
     }
     void name(const std::string& key) {
         Level& level = levels_.back();
-        if (!level.keys.insert(key).second)
-            throw InputError("the key " + in_quotes(key) + " is there twice", "each key once")
-                .at(pointer_of_parent());
         level.key = key;
+        if (level.keys.insert(key).second || is_comment(key)) return;
+        throw InputError("this key is there twice", "each key once").at(pointer());
     }
-    [[nodiscard]] std::string pointer_to(std::size_t levels) const {
-        std::string pointer;
-        for (std::size_t i = 0; i < levels; ++i)
-            pointer += "/" + (levels_[i].is_array ? std::to_string(levels_[i].index) : levels_[i].key);
-        return pointer.empty() ? "/" : pointer;
-    }
-    [[nodiscard]] std::string pointer() const { return pointer_to(levels_.size()); }
-    [[nodiscard]] std::string pointer_of_parent() const { return pointer_to(levels_.size() - 1); }
-
     std::vector<Level> levels_;
 };
 
-/// "line N" of a byte of the text; the library counts bytes from 1.
-std::string line_of(std::string_view text, std::size_t byte) {
-    const auto end =
-        text.begin() + static_cast<std::ptrdiff_t>(std::min(byte == 0 ? 0 : byte - 1, text.size()));
-    return "line " + std::to_string(1 + std::count(text.begin(), end, '\n'));
+/// "line N, column M" of a byte of the text; the library counts bytes from 1.
+std::string place_of(std::string_view text, std::size_t byte) {
+    const std::string_view before = text.substr(0, byte == 0 ? 0 : byte - 1);
+    const auto line_start = before.rfind('\n') + 1;  // npos + 1 is 0
+    return "line " + std::to_string(1 + std::count(before.begin(), before.end(), '\n')) + ", column " +
+           std::to_string(1 + before.size() - line_start);
+}
+
+/// What the library says, in one line without its own name and place.
+std::string reason_of(std::string message) {
+    for (const std::string_view before : {"] ", "parse error", ": "}) {
+        const auto found = message.find(before);
+        if (found != std::string::npos) message.erase(0, found + before.size());
+    }
+    std::replace(message.begin(), message.end(), '\n', ' ');
+    return message;
 }
 
 std::string list(std::initializer_list<std::string_view> words) {
@@ -79,13 +88,36 @@ std::string list(std::initializer_list<std::string_view> words) {
 
 }  // namespace
 
+bool is_comment(std::string_view key) {
+    return key.starts_with("//");
+}
+
+std::string child_pointer(const std::string& pointer, std::string_view key) {
+    std::string child = pointer + "/";
+    for (const char c : key) {
+        if (c == '~')
+            child += "~0";
+        else if (c == '/')
+            child += "~1";
+        else
+            child += c;
+    }
+    return child;
+}
+
+std::string child_pointer(const std::string& pointer, std::size_t index) {
+    return pointer + "/" + std::to_string(index);
+}
+
 Json parse_json(std::string_view text) {
+    Watcher watcher;
     try {
-        return Json::parse(text.begin(), text.end(), Watcher{});
+        return Json::parse(text.begin(), text.end(), std::ref(watcher));
     } catch (const Json::parse_error& error) {
-        throw InputError("this is not valid JSON", "JSON (RFC 8259)").at(line_of(text, error.byte));
+        throw InputError("this is not valid JSON: " + reason_of(error.what()), "JSON (RFC 8259)")
+            .at(place_of(text, error.byte));
     } catch (const Json::out_of_range&) {
-        throw InputError("a number is out of the range of double precision", "finite numbers");
+        throw InputError("a number is out of the range of double precision", "finite numbers").at(watcher.pointer());
     }
 }
 

@@ -14,9 +14,16 @@ namespace ashimpact {
 
 using Json = nlohmann::ordered_json;
 
-/// Parses the user's JSON, stricter than the library: a key twice in one object, more than 64 levels, a
-/// number out of range and text after the end are errors, and so is what is no JSON. Errors: InputError at
-/// "line N" or at the JSON pointer.
+/// Whether a key holds a comment: it begins with "//".
+[[nodiscard]] bool is_comment(std::string_view key);
+
+/// A JSON pointer one level down, with "~" and "/" in the key escaped.
+[[nodiscard]] std::string child_pointer(const std::string& pointer, std::string_view key);
+[[nodiscard]] std::string child_pointer(const std::string& pointer, std::size_t index);
+
+/// Parses the user's JSON, stricter than the library: a key twice in one object (comments apart), more than 64
+/// levels, a number out of range and text after the end are errors, and so is what is no JSON. Errors: InputError
+/// at "line N, column M" or at the JSON pointer.
 [[nodiscard]] Json parse_json(std::string_view text);
 
 /// Throws InputError unless `node` is an object whose keys are all in `allowed`; names the nearest allowed
@@ -39,6 +46,16 @@ decltype(auto) at_place(const std::string& place, Read&& read) {
         return std::forward<Read>(read)();
     } catch (const InputError& error) {
         throw error.at(place);
+    }
+}
+
+/// Runs `read` and puts the name of a file in front of the place of an InputError it throws.
+template <class Read>
+decltype(auto) in_file(const std::string& file, Read&& read) {
+    try {
+        return std::forward<Read>(read)();
+    } catch (const InputError& error) {
+        throw error.in_file(file);
     }
 }
 

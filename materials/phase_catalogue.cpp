@@ -230,20 +230,22 @@ ResolvedPhase PhaseCatalogue::resolve(std::string_view name) const {
 
 std::vector<ResolvedPhase> PhaseCatalogue::resolve_all(const std::vector<std::string>& names) const {
     std::vector<ResolvedPhase> resolved;
-    std::vector<InputError> errors;
+    std::string problems;
+    std::string allowed;
+    int unknown = 0;
     for (const auto& name : names) {
         try {
             resolved.push_back(resolve(name));
         } catch (const InputError& error) {
-            errors.push_back(error);
+            ++unknown;
+            problems += (problems.empty() ? "" : ", ") + error.problem() +
+                        (names.size() > 1 ? " (" + error.allowed() + ")" : "");
+            allowed = error.allowed();
         }
     }
-    if (errors.empty()) return resolved;
-    if (errors.size() == 1) throw errors.front();
-    std::string problems;
-    for (const auto& error : errors)
-        problems += (problems.empty() ? "" : ", ") + error.problem() + " (" + error.allowed() + ")";
-    throw InputError(problems, "phases of the catalogue, or your own in the case file");
+    if (unknown == 0) return resolved;
+    throw InputError(problems,
+                     names.size() == 1 ? allowed : "phases of the catalogue, or your own in the case file");
 }
 
 }  // namespace ashimpact

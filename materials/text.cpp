@@ -41,10 +41,10 @@ std::string shortest(double value) {
 std::size_t edit_distance(std::string_view from, std::string_view to) {
     std::vector<std::size_t> row(to.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < from.size(); ++i) {
+    for (const char wanted : from) {
         std::size_t diagonal = row[0]++;
         for (std::size_t j = 0; j < to.size(); ++j) {
-            const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
+            const std::size_t replaced = diagonal + (wanted == to[j] ? 0 : 1);
             diagonal = row[j + 1];
             row[j + 1] = std::min({replaced, diagonal + 1, row[j] + 1});
         }
@@ -65,6 +65,7 @@ std::vector<std::string> nearest(std::string_view word, const std::vector<std::s
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     ranked.resize(std::min(count, ranked.size()));
     std::vector<std::string> words;
+    words.reserve(ranked.size());
     for (auto& [_, candidate] : ranked) words.push_back(std::move(candidate));
     return words;
 }

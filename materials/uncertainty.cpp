@@ -10,6 +10,7 @@ namespace {
 
 std::vector<double> values_of(const std::vector<UncertainInput>& inputs) {
     std::vector<double> values;
+    values.reserve(inputs.size());
     for (const UncertainInput& input : inputs) values.push_back(input.value);
     return values;
 }

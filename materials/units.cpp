@@ -33,6 +33,8 @@ constexpr std::array dimension_rows{
     DimensionRow{Dimension::energy, "energy", "J", "1.9 nJ, 1.9e-9 J"},
     DimensionRow{Dimension::energy_per_area, "energy per area", "J/m2", "0.3 J/m2, 300 mJ/m2, 0.3 N/m"},
     DimensionRow{Dimension::damping, "damping", "kg/s", "0.0141 kg/s, 14.1 g/s, 0.0141 N s/m"},
+    DimensionRow{Dimension::viscosity, "viscosity", "Pa s", "300 Pa s, 0.3 kPa s"},
+    DimensionRow{Dimension::impulse, "impulse", "N s", "1.9 nN s, 1.9e-9 kg m/s"},
 };
 
 const DimensionRow& row(Dimension dimension) {

@@ -17,6 +17,8 @@ enum class Dimension {
     energy,           ///< [J]
     energy_per_area,  ///< [J/m2], the same as N/m
     damping,          ///< [kg/s], the same as N s/m
+    viscosity,        ///< [Pa s]
+    impulse,          ///< [N s], the same as kg m/s
 };
 
 /// Name of the SI unit of a dimension as files and tables show it: "Pa", "kg/m3", "1".

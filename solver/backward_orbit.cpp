@@ -63,10 +63,12 @@ Arrival at_damped_end(const Motion<Extended>& motion) {
     return arrival;
 }
 
+/// Expands backward, counting the steps of this orbit in @p own and of all in @p total.
 MotionExpansion<Extended> backward_expansion(const MotionStepper<Extended>& stepper,
-                                             const MotionState<Extended>& state, int& steps) {
-    MotionExpansion<Extended> x = counted_expansion(stepper, state, steps);
+                                             const MotionState<Extended>& state, int& own, int& total) {
+    MotionExpansion<Extended> x = counted_expansion(stepper, state, own);
     x.step = -x.step;
+    ++total;
     return x;
 }
 
@@ -89,8 +91,9 @@ std::optional<MotionState<Extended>> back_to_turn(const Motion<Extended>& motion
                                                   int& steps) {
     const MotionStepper<Extended> stepper(motion);
     const Extended farthest = escape * std::max({1.0L, motion.equilibrium, state.position});
+    int own = 0;
     while (state.position < farthest) {
-        const MotionExpansion<Extended> x = backward_expansion(stepper, state, steps);
+        const MotionExpansion<Extended> x = backward_expansion(stepper, state, own, steps);
         const auto turn = event_within(x, x.step, [](const MotionState<Extended>& s) { return -s.velocity; });
         state = x.at(turn.value_or(x.step));
         if (turn) {
@@ -104,8 +107,9 @@ std::optional<MotionState<Extended>> back_to_turn(const Motion<Extended>& motion
 MotionState<Extended> back_to(const Motion<Extended>& motion, MotionState<Extended> state, Extended target,
                               int& steps) {
     const MotionStepper<Extended> stepper(motion);
+    int own = 0;
     while (true) {
-        const MotionExpansion<Extended> x = backward_expansion(stepper, state, steps);
+        const MotionExpansion<Extended> x = backward_expansion(stepper, state, own, steps);
         const auto rest = event_within(x, x.step, [](const MotionState<Extended>& s) { return s.velocity; });
         const Extended part = rest.value_or(x.step);
         const auto there =

@@ -117,6 +117,7 @@ template <class Observations>
 std::vector<CalibrationResidual> residuals_of(const std::vector<CalibrationSample>& samples,
                                               const Observations& observations) {
     std::vector<CalibrationResidual> residuals;
+    residuals.reserve(observations.size());
     for (const auto& observation : observations) residuals.push_back(residual_of(samples, observation));
     return residuals;
 }

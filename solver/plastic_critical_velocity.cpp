@@ -102,7 +102,8 @@ std::vector<double> critical_contacts(PlasticCapture& capture, double farthest) 
     double lower = static_cast<double>(capture.motion().yield());
     double margin = capture.margin(lower);
     if (margin < 0.0 && margin > -1.0) contacts.push_back(lower * (1.0 + margin));  // on the elastic branch
-    for (double u = lower * scan_ratio; u <= farthest; u *= scan_ratio) {
+    while (lower < farthest) {
+        const double u = lower * scan_ratio;
         const double next = capture.margin(u);
         if ((next > 0.0) != (margin > 0.0)) {
             contacts.push_back(gsl::brent([&](double x) { return capture.margin(x); }, lower, u).root);

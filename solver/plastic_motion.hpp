@@ -18,8 +18,8 @@ class PlasticMotion {
 
     [[nodiscard]] const Motion<Real>& elastic() const { return elastic_; }
     [[nodiscard]] const Motion<Real>& loading() const { return loading_; }
-    /// Unloading from the state u of greatest contact, which must not be below yield().
-    [[nodiscard]] Motion<Real> unloading(Real u) const;
+    /// Unloading from the state u_greatest of greatest contact, which must not be below yield().
+    [[nodiscard]] Motion<Real> unloading(Real u_greatest) const;
 
     /// State u at which plastic loading starts: the yield point, or first touch where adhesion alone yields.
     [[nodiscard]] Real yield() const { return std::max(yield_, elastic_touch()); }
@@ -109,12 +109,12 @@ PlasticMotion<Real>::PlasticMotion(const YieldedContact<Real>& contact, DampingL
 }
 
 template <class Real>
-Motion<Real> PlasticMotion<Real>::unloading(Real greatest) const {
+Motion<Real> PlasticMotion<Real>::unloading(Real u_greatest) const {
     const auto u = Polynomial<Real>::identity();
-    const Real flattening = contact_.flattening(greatest);
+    const Real flattening = contact_.flattening(u_greatest);
     const Real adhesion = contact_.adhesion;
     Motion<Real> motion = branch_motion<Real>(
-        flattening * power<4>(u) - adhesion * u + Polynomial<Real>(contact_.permanent_overlap(greatest)),
+        flattening * power<4>(u) - adhesion * u + Polynomial<Real>(contact_.permanent_overlap(u_greatest)),
         flattening * power<6>(u) - (Real(1.5) * adhesion) * power<3>(u), damping_);
     const ThorntonNing<Real> flattened{adhesion /
                                        flattening};  // same points in u, in units of the flattened sphere

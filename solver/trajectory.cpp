@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 
 namespace ashimpact {
@@ -14,15 +15,29 @@ namespace {
 
 /// One Taylor step of a followed impact.
 struct Piece {
+    std::shared_ptr<const Motion<Extended>> branch;
     MotionExpansion<Extended> expansion;
     Extended used;
     Extended end_time;
 };
 
+/// Keeps the pieces of a followed impact, one copy of each branch.
+struct Recorder {
+    std::vector<Piece> pieces;
+    const Motion<Extended>* last = nullptr;
+
+    void operator()(const Motion<Extended>& motion, const MotionExpansion<Extended>& x, Extended used) {
+        const bool same = &motion == last;
+        last = &motion;
+        pieces.push_back({same ? pieces.back().branch : std::make_shared<const Motion<Extended>>(motion), x,
+                          used, value(x.time, used)});
+    }
+};
+
 /// The pieces of a captured particle's ringing after @p state, until it rests to 1 % or @p most pieces.
-void ring(const Motion<Extended>& motion, MotionState<Extended> state, std::size_t most,
-          std::vector<Piece>& pieces) {
+void ring(const Motion<Extended>& motion, MotionState<Extended> state, std::size_t most, Recorder& record) {
     const MotionStepper<Extended> stepper(motion);
+    record.last = nullptr;  // the branch may have moved
     const Extended rest = motion.potential(motion.equilibrium);
     const auto energy = [&](const MotionState<Extended>& s) {
         return s.velocity * s.velocity / 2 + motion.potential(s.position) - rest;
@@ -30,8 +45,22 @@ void ring(const Motion<Extended>& motion, MotionState<Extended> state, std::size
     for (std::size_t i = 0; i < most && energy(state) > 0.5e-4L; ++i) {
         const MotionExpansion<Extended> x = stepper.expand(state);
         state = x.at(x.step);
-        pieces.push_back({x, x.step, state.time});
+        record(motion, x, x.step);
     }
+}
+
+/// Follows the impact, and its ringing where it is captured.
+Recorder recorded(const Impact& impact, const Scale& scale, std::size_t most) {
+    Recorder record;
+    if (can_yield(impact.law, impact.contact)) {
+        const auto followed = follow_plastic(scaled_plastic_motion<Extended>(impact, scale), 1.0L, record);
+        if (followed.orbit.outcome == Outcome::capture) ring(followed.last, followed.orbit.end, most, record);
+        return record;
+    }
+    const auto motion = scaled_motion<Extended>(impact, scale);
+    const Orbit<Extended> orbit = follow(motion, 1.0L, record);
+    if (orbit.outcome == Outcome::capture) ring(motion, orbit.end, most, record);
+    return record;
 }
 
 /// Pseudo-time within the piece at which its time series reaches @p time.
@@ -42,34 +71,45 @@ Extended pseudo_time(const Piece& piece, Extended time) {
                                  piece.used);
 }
 
+/// Turns scaled states into points with their forces.
 class Sampler {
   public:
-    Sampler(const Impact& impact, const Motion<Extended>& motion, const Scale& scale)
-        : law_(impact.law), motion_(motion), scale_(scale) {
+    Sampler(const Impact& impact, const Scale& scale) : law_(impact.law), scale_(scale) {
         adhesion_ = law_.visit<double>([&]<template <class> class L>() {
             return L<double>::adhesion_number(impact.contact, scale.length);
         });
     }
 
-    [[nodiscard]] TrajectoryPoint at(const MotionState<Extended>& s) const {
-        const Extended u = motion_.root_radius(s.position);
-        const Extended attraction = law_.visit<Extended>(
-            [&]<template <class> class L>() { return L<Extended>{Extended(adhesion_)}.attractive_force(u); });
-        const Extended force = motion_.force(s.position);
+    [[nodiscard]] TrajectoryPoint at(const Motion<Extended>& motion, const MotionState<Extended>& s) const {
+        const Extended u = motion.root_radius(s.position);
+        const Extended force = motion.force(s.position);
+        const Extended attraction = attraction_at(u, force);
         const auto newton = [&](Extended f) { return static_cast<double>(f) * scale_.force(); };
         return {.time = static_cast<double>(s.time) * scale_.time(),
-                .overlap = static_cast<double>(motion_.overlap(s.position)) * scale_.length,
+                .overlap = static_cast<double>(motion.overlap(s.position)) * scale_.length,
                 .velocity = static_cast<double>(s.velocity) * scale_.velocity,
                 .contact_radius = static_cast<double>(u * u) * scale_.radius_length,
                 .repulsive_force = newton(std::max(0.0L, force - attraction)),
                 .attractive_force = newton(attraction),
-                .damping_force = newton(motion_.damping(s.position) * s.velocity)};
+                .damping_force = newton(motion.damping(s.position) * s.velocity)};
     }
 
   private:
+    /// The law's attraction; on the branches of a yielded contact the tensile rim of JKR, or all of the force
+    /// where the contact is tensile throughout.
+    [[nodiscard]] Extended attraction_at(Extended u, Extended force) const {
+        const Extended adhesion = adhesion_;
+        if (law_ == Law::of<ThorntonNing>()) {
+            const Extended hertz_part = force + 1.5L * adhesion * power<3>(u);
+            const Extended rim = adhesion * u;
+            return 2 * hertz_part <= adhesion * power<3>(u) ? force : -rim * std::sqrt(rim / 2);
+        }
+        return law_.visit<Extended>(
+            [&]<template <class> class L>() { return L<Extended>{adhesion}.attractive_force(u); });
+    }
+
     Law law_;
-    const Motion<Extended>& motion_;
-    const Scale& scale_;
+    Scale scale_;
     double adhesion_;
 };
 
@@ -79,15 +119,8 @@ std::vector<TrajectoryPoint> trajectory(const Impact& impact, int count) {
     validate(impact);
     if (count < 2) throw InputError("trajectory has " + std::to_string(count) + " points", "at least 2");
     const Scale scale = Scale::of(impact.contact, impact.velocity);
-    const Motion<Extended> motion = scaled_motion<Extended>(impact, scale);
-    std::vector<Piece> pieces;
-    const Orbit<Extended> orbit =
-        follow(motion, 1.0L, [&](const auto&, const MotionExpansion<Extended>& x, Extended used) {
-            pieces.push_back({x, used, value(x.time, used)});
-        });
-    if (orbit.outcome == Outcome::capture) ring(motion, orbit.end, static_cast<std::size_t>(count), pieces);
-
-    const Sampler sampler(impact, motion, scale);
+    const std::vector<Piece> pieces = recorded(impact, scale, static_cast<std::size_t>(count)).pieces;
+    const Sampler sampler(impact, scale);
     const Extended last = pieces.back().end_time;
     std::vector<TrajectoryPoint> points;
     points.reserve(static_cast<std::size_t>(count));
@@ -95,7 +128,8 @@ std::vector<TrajectoryPoint> trajectory(const Impact& impact, int count) {
     for (int i = 0; i < count; ++i) {
         const Extended time = last * i / (count - 1);
         while (at + 1 < pieces.size() && pieces[at].end_time < time) ++at;
-        points.push_back(sampler.at(pieces[at].expansion.at(pseudo_time(pieces[at], time))));
+        const Piece& piece = pieces[at];
+        points.push_back(sampler.at(*piece.branch, piece.expansion.at(pseudo_time(piece, time))));
     }
     return points;
 }

@@ -78,8 +78,8 @@ std::optional<PrintedNumber> read_number(std::string_view text, bool decimal_com
 
 bool says_no_number(std::string_view text) {
     const std::string word = lower_case(trimmed(text));
-    constexpr std::array<std::string_view, 14> words{"",    "-",     "--",  "n.d.", "nd",  "n/d", "n.a.",
-                                                     "n/a", "undef", "error", "nan", "tr", "traces", "trace"};
+    constexpr std::array<std::string_view, 14> words{
+        "", "-", "--", "n.d.", "nd", "n/d", "n.a.", "n/a", "undef", "error", "nan", "tr", "traces", "trace"};
     return word.starts_with('<') || std::find(words.begin(), words.end(), word) != words.end();
 }
 

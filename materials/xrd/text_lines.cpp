@@ -11,7 +11,9 @@ namespace {
 
 constexpr std::size_t longest_line = std::size_t{1} << 20;
 
-unsigned char byte(char c) { return static_cast<unsigned char>(c); }
+unsigned char byte(char c) {
+    return static_cast<unsigned char>(c);
+}
 
 std::size_t line_number(std::string_view text, std::size_t position) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(position);
@@ -25,11 +27,14 @@ void check_bytes(std::string_view bytes) {
     std::size_t line_start = 0;
     for (std::size_t i = 0; i < bytes.size(); ++i) {
         const unsigned char c = byte(bytes[i]);
-        if (c == '\n' || c == '\r') line_start = i + 1;
+        if (c == '\n' || c == '\r') {
+            line_start = i + 1;
+            continue;
+        }
         if (i - line_start > longest_line)
             throw InputError("the line is longer than a megabyte", "a text file with lines")
                 .at(at_line(line_number(bytes, i)));
-        const bool control = c < 0x20 && c != '\n' && c != '\r' && c != '\t' && c != '\f' && c != 0x1a;
+        const bool control = c < 0x20 && c != '\t' && c != '\f' && c != 0x1a;
         if (control || c == 0x7f)
             throw InputError("this is a binary file", "a text file").at(at_line(line_number(bytes, i)));
     }
@@ -39,7 +44,12 @@ void check_bytes(std::string_view bytes) {
 /// Length of the UTF-8 sequence at the front, or zero.
 std::size_t utf8_length(std::string_view text) {
     const unsigned char first = byte(text.front());
-    const std::size_t length = first < 0x80 ? 1 : first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf5 ? 4 : 0;
+    const std::size_t length = first < 0x80   ? 1
+                               : first < 0xc2 ? 0
+                               : first < 0xe0 ? 2
+                               : first < 0xf0 ? 3
+                               : first < 0xf5 ? 4
+                                              : 0;
     if (length == 0 || length > text.size()) return 0;
     for (std::size_t i = 1; i < length; ++i)
         if ((byte(text[i]) & 0xc0) != 0x80) return 0;
@@ -70,7 +80,9 @@ std::string from_latin1(std::string_view bytes) {
 
 }  // namespace
 
-std::string at_line(std::size_t number) { return "line " + std::to_string(number); }
+std::string at_line(std::size_t number) {
+    return "line " + std::to_string(number);
+}
 
 TextLines::TextLines(std::string_view bytes) {
     if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);

@@ -27,32 +27,35 @@ struct XrdResult {
     std::vector<std::string> warnings{};  ///< about the file as a whole
 };
 
-/// Reads an XRD result, told apart by content: BGMN/Profex .lst, GSAS-II .lst, a CSV or TSV table of fractions or of
-/// peak intensities with RIR values, or the project's JSON. docs/materials.md describes them.
+/// Reads an XRD result, told apart by content: BGMN/Profex .lst, GSAS-II .lst, a CSV or TSV table of
+/// fractions or of peak intensities with RIR values, or the project's JSON. docs/materials.md describes them.
 /// A byte-order mark, CRLF and Latin-1 are accepted.
-/// Errors: InputError "NAME: line N: problem; allowed: ..." (JSON pointer for the contents of JSON) for anything that
-/// is empty, binary, cut off, malformed, has a phase twice or more than 100 %.
+/// Errors: InputError "NAME: line N: problem; allowed: ..." (JSON pointer for the contents of JSON) for
+/// anything that is empty, binary, cut off, malformed, has a phase twice or more than 100 %.
 [[nodiscard]] XrdResult read_xrd(std::string_view text, std::string_view name);
 
-/// Rescales a sample to which a known weight of a standard was added before the measurement: w_i = w_s c_i/c_s in the
-/// mixture, divided by 1 - w_s in the sample; the rest is amorphous. The standard is taken out of the phases.
-/// Source: Chung 1974, J. Appl. Cryst. 7:519 (matrix flushing). `added_fraction` is the weight of the standard over
-/// that of the mixture. Errors: InputError if the standard is not among the phases, has no fraction, or says that more
-/// than 100 % of the sample is crystalline.
-[[nodiscard]] XrdSample with_internal_standard(const XrdSample& sample, std::string_view standard, double added_fraction);
+/// Rescales a sample to which a known weight of a standard was added before the measurement: w_i = w_s
+/// c_i/c_s in the mixture, divided by 1 - w_s in the sample; the rest is amorphous. The standard is taken out
+/// of the phases. Source: Chung 1974, J. Appl. Cryst. 7:519 (matrix flushing). `added_fraction` is the weight
+/// of the standard over that of the mixture. Errors: InputError if the standard is not among the phases, has
+/// no fraction, or says that more than 100 % of the sample is crystalline.
+[[nodiscard]] XrdSample with_internal_standard(const XrdSample& sample, std::string_view standard,
+                                               double added_fraction);
 
-/// One phase of a powder pattern: the intensity of its strongest peak and its reference intensity ratio I/I_corundum.
+/// One phase of a powder pattern: the intensity of its strongest peak and its reference intensity ratio
+/// I/I_corundum.
 struct PeakIntensity {
     std::string name;
-    double intensity = 0;                              ///< [any unit, the same for all]
-    double reference_intensity_ratio = 0;              ///< RIR [1]; corundum is 1 by definition
-    std::optional<double> intensity_uncertainty{};     ///< [unit of the intensity]
-    std::optional<double> ratio_uncertainty{};         ///< [1]
+    double intensity = 0;                           ///< [any unit, the same for all]
+    double reference_intensity_ratio = 0;           ///< RIR [1]; corundum is 1 by definition
+    std::optional<double> intensity_uncertainty{};  ///< [unit of the intensity]
+    std::optional<double> ratio_uncertainty{};      ///< [1]
 };
 
 /// Returns weight fractions of the crystalline part [1] by the adiabatic principle:
-/// w_i = (I_i/RIR_i)/sum_j(I_j/RIR_j). Source: Chung 1974, J. Appl. Cryst. 7:526 (Ref. 27 of Dong et al. 2013).
-/// Validity: every crystalline phase is listed. Errors: InputError for intensities below zero, ratios not above zero.
+/// w_i = (I_i/RIR_i)/sum_j(I_j/RIR_j). Source: Chung 1974, J. Appl. Cryst. 7:526 (Ref. 27 of Dong et al.
+/// 2013). Validity: every crystalline phase is listed. Errors: InputError for intensities below zero, ratios
+/// not above zero.
 [[nodiscard]] std::vector<PhaseFraction> adiabatic_fractions(const std::vector<PeakIntensity>& peaks);
 
 }  // namespace ashimpact

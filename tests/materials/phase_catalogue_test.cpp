@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <functional>
-#include <regex>
 #include <set>
 
 #include "tests/materials/catalogue.hpp"
@@ -28,9 +27,10 @@ std::string message(const std::function<void()>& action) {
 
 std::set<std::string> keys_of(const std::string& bibliography) {
     std::set<std::string> keys;
-    const std::regex entry(R"(@\w+\{([^,\s]+),)");
-    for (std::sregex_iterator i(bibliography.begin(), bibliography.end(), entry), end; i != end; ++i)
-        keys.insert((*i)[1]);
+    for (auto at = bibliography.find("\n@"); at != std::string::npos; at = bibliography.find("\n@", at + 1)) {
+        const auto open = bibliography.find('{', at) + 1;
+        keys.insert(bibliography.substr(open, bibliography.find(',', open) - open));
+    }
     return keys;
 }
 
@@ -44,7 +44,7 @@ constexpr const char* modulus = R"("young_modulus": {"value": 73, "unit": "GPa",
 }  // namespace
 
 TEST_CASE("every property of every phase cites a key of the bibliography, and every key is used") {
-    const auto keys = keys_of(file_text(ASHIMPACT_DATA "/phases/references.bib"));
+    const auto keys = keys_of("\n" + file_text(ASHIMPACT_DATA "/phases/references.bib"));
     std::set<std::string> used;
     const PhaseCatalogue catalogue = shipped_catalogue();
     for (const PhaseSet& set : catalogue.sets()) {
@@ -167,13 +167,13 @@ TEST_CASE("a broken catalogue says where it is broken") {
     };
     const std::string good = std::string(density) + ", " + modulus;
     CHECK(read(one_phase(good)).empty());
-    CHECK(read("{").starts_with("line 1: this is not valid JSON"));
-    CHECK(read("{\n\"set\": 3,,\n}").starts_with("line 2: "));
+    CHECK(read("{").starts_with("line 1, column 2: this is not valid JSON"));
+    CHECK(read("{\n\"set\": 3,,\n}").starts_with("line 2, column 10: "));
     CHECK(
         read(one_phase(std::string(density))).starts_with("/phases/0: the key \"young_modulus\" is missing"));
     CHECK(read(one_phase(good + R"(, "young": 3)")).starts_with("/phases/0/young: unknown key"));
     CHECK(
-        read(one_phase(good + ", " + density)).starts_with("/phases/0: the key \"density\" is there twice"));
+        read(one_phase(good + ", " + density)).starts_with("/phases/0/density: this key is there twice"));
     CHECK(read(one_phase(good + R"(, "poisson_ratio": {"value": 0.2, "unit": "1"})"))
               .find("without a citation") != std::string::npos);
     CHECK(read(one_phase(good + R"(, "poisson_ratio": {"value": 0.6, "unit": "1"})"))

@@ -1,0 +1,190 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "materials/text.hpp"
+#include "materials/xrd/number.hpp"
+#include "materials/xrd/readers.hpp"
+
+namespace ashimpact::xrd {
+
+namespace {
+
+constexpr std::string_view block_heading = "Local parameters and GOALs for phase";
+constexpr std::string_view goals_heading = "Global parameters and GOALs";
+constexpr std::string_view title = "Rietveld refinement to file(s)";
+
+/// A value that may be a number, or a word that says there is none.
+struct Value {
+    std::optional<PrintedNumber> number{};
+    std::size_t line = 0;
+};
+
+struct Block {
+    std::string name;
+    std::size_t line = 0;
+    std::optional<Value> weight{};  ///< GEWICHT; nothing if the block has no such line
+    std::optional<double> density{};
+    bool has_positions = false;
+};
+
+struct Contents {
+    std::string sample;
+    std::vector<Block> blocks;
+    std::map<std::string, Value> goals;  ///< Q-goals, without the Q
+};
+
+Value read_value(std::string_view text, std::size_t line) {
+    const std::string_view value = trimmed(text.substr(0, text.find(',')));
+    if (says_no_number(value)) return {.line = line};
+    const auto number = read_number(value);
+    if (!number)
+        throw InputError("cannot read " + in_quotes(value), "a number, possibly with +- and its uncertainty")
+            .at(at_line(line));
+    return {.number = number, .line = line};
+}
+
+/// GEWICHT may be anisotropic; the number that counts then stands behind MeanValue(GEWICHT)=.
+Value read_weight(std::string_view text, std::size_t line) {
+    constexpr std::string_view mean = "MeanValue(GEWICHT)=";
+    const auto found = text.find(mean);
+    return read_value(found == std::string_view::npos ? text : text.substr(found + mean.size()), line);
+}
+
+void read_member(Block& block, std::string_view key, std::string_view value, std::size_t line) {
+    if (key == "GEWICHT") {
+        if (block.weight)
+            throw InputError("GEWICHT is there twice in the block of " + in_quotes(block.name),
+                             "once in a block")
+                .at(at_line(line));
+        block.weight = read_weight(value, line);
+    } else if (key == "XrayDensity") {
+        const Value density = read_value(value, line);
+        if (density.number) block.density = density.number->value * 1000;  // g/cm3
+    }
+}
+
+void start_block(Contents& contents, std::string_view name, std::size_t line) {
+    if (name.empty()) throw InputError("the heading has no phase name", "a phase name").at(at_line(line));
+    for (const Block& block : contents.blocks)
+        if (block.name == name)
+            throw InputError("the phase " + in_quotes(name) + " is there twice, first in line " +
+                                 std::to_string(block.line),
+                             "each phase once")
+                .at(at_line(line));
+    contents.blocks.push_back({.name = std::string(name), .line = line});
+}
+
+Contents scan(const TextLines& file) {
+    Contents contents;
+    bool in_goals = false;
+    for (const auto& [number, raw] : file.lines()) {
+        const std::string_view text = trimmed(raw);
+        const auto equals = text.find('=');
+        if (text.starts_with(block_heading)) {
+            start_block(contents, trimmed(text.substr(block_heading.size())), number);
+        } else if (text.starts_with(goals_heading)) {
+            in_goals = true;
+        } else if (text.starts_with(title)) {
+            const std::string_view name = trimmed(text.substr(title.size()));
+            contents.sample = std::string(name.substr(0, name.rfind('.')));
+        } else if (text.starts_with("Atomic positions for phase") && !contents.blocks.empty()) {
+            contents.blocks.back().has_positions = true;
+        } else if (equals != std::string_view::npos) {
+            if (!contents.blocks.empty())
+                read_member(contents.blocks.back(), text.substr(0, equals), text.substr(equals + 1), number);
+            else if (in_goals && text.starts_with('Q'))
+                contents.goals.emplace(text.substr(1, equals - 1),
+                                       read_value(text.substr(equals + 1), number));
+        }
+    }
+    return contents;
+}
+
+[[noreturn]] void cut_off(const std::string& reason, const TextLines& file) {
+    throw InputError(reason + ": the file seems to be cut off", "a complete list file")
+        .at(at_line(file.last_line()));
+}
+
+/// A list file has no end mark; its goals say which blocks must follow.
+void require_complete(const Contents& contents, const TextLines& file) {
+    if (contents.blocks.empty()) cut_off("there is no block of a phase", file);
+    for (const Block& block : contents.blocks)
+        if (!block.weight) cut_off("the block of " + in_quotes(block.name) + " has no GEWICHT", file);
+    double present = 0;
+    std::string missing;
+    for (const auto& [name, goal] : contents.goals) {
+        if (!goal.number) continue;
+        const bool has_block = std::any_of(
+            contents.blocks.begin(), contents.blocks.end(),
+            [wanted = std::string_view(name)](const Block& block) { return block.name == wanted; });
+        if (has_block)
+            present += goal.number->value;
+        else if (goal.number->value > 0 && missing.empty())
+            missing = name;
+    }
+    // Goals of groups of phases have no block either, but then the blocks add up to one without them.
+    if (!missing.empty() && present < 0.99) cut_off("the goal Q" + missing + " has no block", file);
+    const auto positions = [](const Block& block) { return block.has_positions; };
+    if (contents.goals.empty() && std::any_of(contents.blocks.begin(), contents.blocks.end(), positions) &&
+        !contents.blocks.back().has_positions)
+        cut_off("the last block has no atomic positions", file);
+}
+
+void compare_with_goal(const PhaseFraction& phase, const Contents& contents,
+                       std::vector<std::string>& warnings) {
+    const auto goal = contents.goals.find(phase.name);
+    if (goal == contents.goals.end()) return;
+    if (!goal->second.number) {
+        warnings.push_back("the goal Q" + phase.name + " could not be computed by the refinement");
+        return;
+    }
+    constexpr double largest_rounding = 0.002;
+    const double u = phase.standard_uncertainty.value_or(0);
+    if (std::abs(goal->second.number->value - phase.fraction) > std::max(largest_rounding, 3 * u))
+        warnings.push_back("the goal Q" + phase.name + " is " + shortest(goal->second.number->value) +
+                           ", GEWICHT gives " + shortest(std::round(phase.fraction * 1e4) / 1e4) +
+                           " (a correction for microabsorption is only in the goal)");
+}
+
+}  // namespace
+
+bool looks_like_bgmn(const TextLines& file) {
+    const std::string& text = file.text();
+    return text.find(block_heading) != std::string::npos || text.find("BGMN version") != std::string::npos ||
+           text.find(title) != std::string::npos;
+}
+
+XrdResult read_bgmn(const TextLines& file) {
+    const Contents contents = scan(file);
+    require_complete(contents, file);
+    XrdSample sample{.name = contents.sample};
+    double total = 0;
+    for (const Block& block : contents.blocks) {
+        if (!block.weight->number) {
+            sample.warnings.push_back("the phase " + in_quotes(block.name) + " has no weight (line " +
+                                      std::to_string(block.weight->line) + ") and is left out");
+            continue;
+        }
+        const PrintedNumber& weight = *block.weight->number;
+        if (weight.value < 0)
+            throw InputError("the weight of " + in_quotes(block.name) + " is below zero", "zero or more")
+                .at(at_line(block.weight->line));
+        sample.analysis.phases.push_back({.name = block.name,
+                                          .fraction = weight.value,
+                                          .standard_uncertainty = weight.standard_uncertainty,
+                                          .density = block.density});
+        total += weight.value;
+    }
+    if (!(total > 0))
+        throw InputError("no phase has a weight", "GEWICHT above zero").at(at_line(file.last_line()));
+    for (PhaseFraction& phase : sample.analysis.phases) {
+        phase.fraction /= total;
+        if (phase.standard_uncertainty) *phase.standard_uncertainty /= total;
+        compare_with_goal(phase, contents, sample.warnings);
+    }
+    return {.format = XrdFormat::bgmn_lst, .samples = {std::move(sample)}};
+}
+
+}  // namespace ashimpact::xrd

@@ -1,0 +1,215 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "materials/text.hpp"
+#include "materials/xrd/readers.hpp"
+#include "materials/xrd/table_layout.hpp"
+
+namespace ashimpact::xrd {
+
+namespace {
+
+/// Whether the amounts are per cent: what headings and cells say, else their size.
+double scale_of(const Table& table, const std::vector<Entry>& entries, std::vector<std::string>& warnings) {
+    bool per_cent = false;
+    bool fraction = false;
+    for (const Heading& heading : table.headings) {
+        if (heading.role == Role::standard) continue;
+        per_cent = per_cent || heading.scale == Scale::per_cent;
+        fraction = fraction || heading.scale == Scale::fraction;
+    }
+    double largest = 0;
+    for (const Entry& entry : entries) {
+        if (!entry.amount) continue;
+        per_cent = per_cent || entry.amount->per_cent;
+        largest = std::max(largest, entry.amount->value);
+    }
+    if (per_cent != fraction) return per_cent ? 0.01 : 1;
+    const bool guess = largest > 1;
+    warnings.emplace_back(
+        std::string("the table does not say whether its amounts are per cent or fractions: by their "
+                    "size they are ") +
+        (guess ? "per cent" : "fractions"));
+    return guess ? 0.01 : 1;
+}
+
+/// The entries of one sample, in the order of the file.
+struct Group {
+    std::string sample;
+    std::vector<Entry> entries;
+};
+
+std::vector<Group> groups_of(std::vector<Entry> entries) {
+    std::vector<Group> groups;
+    for (Entry& entry : entries) {
+        auto group = std::find_if(groups.begin(), groups.end(),
+                                  [&](const Group& g) { return g.sample == entry.sample; });
+        if (group == groups.end())
+            group = groups.insert(groups.end(), Group{.sample = entry.sample, .entries = {}});
+        group->entries.push_back(std::move(entry));
+    }
+    return groups;
+}
+
+void refuse_repeated(const std::vector<Entry>& entries) {
+    std::map<std::string, std::size_t> first;
+    for (const Entry& entry : entries) {
+        const auto [earlier, is_new] = first.emplace(phase_key(entry.phase), entry.line);
+        if (!is_new)
+            throw InputError("the phase " + in_quotes(entry.phase) + " is there twice in sample " +
+                                 in_quotes(entry.sample) + ", first in line " +
+                                 std::to_string(earlier->second),
+                             "each phase once in a sample")
+                .at(at_line(entry.line));
+    }
+}
+
+std::string per_cent(double fraction) {
+    return shortest(std::round(fraction * 1e6) / 1e4) + " %";
+}
+
+void check_total(double sum, double stated, const Entry& entry) {
+    if (std::abs(sum - stated) > default_closure_tolerance)
+        throw InputError(
+            "the total is given as " + per_cent(stated) + ", the phases above add up to " + per_cent(sum),
+            "the same within " + per_cent(default_closure_tolerance))
+            .at(at_line(entry.line));
+}
+
+/// Fractions of one sample, with totals checked and an amorphous part by difference understood.
+XrdSample sample_of_fractions(const Group& group, double scale) {
+    XrdSample sample{.name = group.sample};
+    double sum = 0;
+    for (const Entry& entry : group.entries) {
+        if (!entry.amount) {
+            sample.warnings.push_back(in_quotes(entry.phase) + " has no amount (line " +
+                                      std::to_string(entry.line) + ") and is left out");
+            continue;
+        }
+        const double fraction = entry.amount->value * scale;
+        if (!(fraction >= 0 && fraction <= 1 + default_closure_tolerance))
+            throw InputError("the amount of " + in_quotes(entry.phase) + " is " + per_cent(fraction),
+                             "0 % to 100 %")
+                .at(at_line(entry.line));
+        auto uncertainty = entry.uncertainty ? entry.uncertainty : entry.amount->standard_uncertainty;
+        if (uncertainty) *uncertainty *= scale;
+        if (means_total(entry.phase)) {
+            check_total(sum, fraction, entry);
+            continue;
+        }
+        if (means_crystalline_total(entry.phase)) {
+            sample.analysis.amorphous =
+                CrystallineTotal{.value = std::min(fraction, 1.0), .standard_uncertainty = uncertainty};
+            continue;
+        }
+        sum += fraction;
+        if (sum > 1 + default_closure_tolerance)
+            throw InputError("the fractions of sample " + in_quotes(group.sample) + " add up to " +
+                                 per_cent(sum) + " or more",
+                             "100 % or less")
+                .at(at_line(entry.line));
+        sample.analysis.phases.push_back({.name = entry.phase,
+                                          .fraction = fraction,
+                                          .standard_uncertainty = uncertainty,
+                                          .density = entry.density});
+    }
+    if (sample.analysis.phases.empty())
+        throw InputError("the sample " + in_quotes(group.sample) + " has no phase with an amount",
+                         "at least one")
+            .at(at_line(group.entries.front().line));
+    return sample;
+}
+
+XrdSample sample_of_peaks(const Group& group) {
+    std::vector<PeakIntensity> peaks;
+    for (const Entry& entry : group.entries) {
+        if (!entry.intensity || !entry.ratio)
+            throw InputError("intensity or rir of " + in_quotes(entry.phase) + " is missing", "both numbers")
+                .at(at_line(entry.line));
+        if (!(entry.intensity->value >= 0) || !(entry.ratio->value > 0))
+            throw InputError("intensity or rir of " + in_quotes(entry.phase) + " is out of range",
+                             "intensity zero or more, rir above zero")
+                .at(at_line(entry.line));
+        peaks.push_back({.name = entry.phase,
+                         .intensity = entry.intensity->value,
+                         .reference_intensity_ratio = entry.ratio->value,
+                         .intensity_uncertainty =
+                             entry.uncertainty ? entry.uncertainty : entry.intensity->standard_uncertainty,
+                         .ratio_uncertainty = entry.ratio_uncertainty ? entry.ratio_uncertainty
+                                                                      : entry.ratio->standard_uncertainty});
+    }
+    try {
+        XrdSample sample{.name = group.sample};
+        sample.analysis.phases = adiabatic_fractions(peaks);
+        for (std::size_t i = 0; i < peaks.size(); ++i)
+            sample.analysis.phases[i].density = group.entries[i].density;
+        return sample;
+    } catch (const InputError& error) {
+        throw error.at(at_line(group.entries.front().line));
+    }
+}
+
+/// An added standard is a phase whose weight in the mixture is known.
+XrdSample standardised(const XrdSample& sample, const Group& group, const Table& table) {
+    const Entry* standard = nullptr;
+    for (const Entry& entry : group.entries) {
+        if (!entry.standard) continue;
+        if (standard)
+            throw InputError("there are two internal standards, " + in_quotes(standard->phase) + " and " +
+                                 in_quotes(entry.phase),
+                             "one a sample")
+                .at(at_line(entry.line));
+        standard = &entry;
+    }
+    if (!standard) return sample;
+    const bool per_cent = standard->standard->per_cent ||
+                          table.headings[*table.column(Role::standard)].scale == Scale::per_cent ||
+                          standard->standard->value > 1;
+    try {
+        return with_internal_standard(sample, standard->phase,
+                                      standard->standard->value * (per_cent ? 0.01 : 1));
+    } catch (const InputError& error) {
+        throw error.at(at_line(standard->line));
+    }
+}
+
+void warn_of_ignored(const Table& table, Layout layout, std::vector<std::string>& warnings) {
+    if (layout == Layout::one_column_a_phase || layout == Layout::one_column_a_sample) return;
+    std::vector<std::string> ignored;
+    for (const Heading& heading : table.headings)
+        if (heading.role == Role::other && !heading.text.empty()) ignored.push_back(heading.text);
+    if (!ignored.empty()) warnings.push_back("columns not read: " + joined(ignored));
+}
+
+bool by_volume(const Table& table) {
+    return std::any_of(table.headings.begin(), table.headings.end(), [](const Heading& heading) {
+        return heading.role == Role::volume || lower_case(heading.unit).starts_with("v");
+    });
+}
+
+}  // namespace
+
+bool looks_like_table(const TextLines& file) {
+    return has_heading(file);
+}
+
+XrdResult read_table(const TextLines& file) {
+    const Table table = parse_table(file);
+    const Layout layout = layout_of(table);
+    XrdResult result{.format = XrdFormat::table, .samples = {}, .warnings = table.warnings};
+    std::vector<Entry> entries = entries_of(table, layout);
+    const double scale = layout == Layout::peaks ? 1 : scale_of(table, entries, result.warnings);
+    warn_of_ignored(table, layout, result.warnings);
+    for (const Group& group : groups_of(std::move(entries))) {
+        refuse_repeated(group.entries);
+        XrdSample sample =
+            layout == Layout::peaks ? sample_of_peaks(group) : sample_of_fractions(group, scale);
+        if (by_volume(table)) sample.analysis.basis = FractionBasis::volume;
+        result.samples.push_back(standardised(sample, group, table));
+    }
+    return result;
+}
+
+}  // namespace ashimpact::xrd

@@ -1,0 +1,208 @@
+#include "materials/xrd/table_layout.hpp"
+
+#include <algorithm>
+
+#include "materials/error.hpp"
+#include "materials/text.hpp"
+#include "materials/units.hpp"
+
+namespace ashimpact::xrd {
+
+namespace {
+
+constexpr std::string_view heading_help =
+    "a heading line with phase and weight (and sample, uncertainty, density), or phase, intensity and rir, "
+    "or sample "
+    "and one column a phase, or phase and one column a sample";
+
+std::vector<Heading> headings_of(const Row& row) {
+    std::vector<Heading> headings;
+    for (const std::string& cell : row.cells) headings.push_back(read_heading(cell));
+    return headings;
+}
+
+/// A line is the heading if it names a sample or phase column and at least one more.
+bool is_heading(const std::vector<Heading>& headings) {
+    return headings.size() >= 2 && std::any_of(headings.begin(), headings.end(), [](const Heading& heading) {
+               return heading.role == Role::phase || heading.role == Role::sample;
+           });
+}
+
+/// Index of the heading line among the first lines; titles may stand above it.
+std::optional<std::size_t> find_heading(const std::vector<Line>& lines) {
+    constexpr std::size_t most_titles = 20;
+    for (std::size_t i = 0; i < std::min(lines.size(), most_titles); ++i) {
+        try {
+            if (is_heading(headings_of(cut(lines[i], separator_of(lines[i].text))))) return i;
+        } catch (const InputError&) {
+            continue;  // a title with an odd quote
+        }
+    }
+    return std::nullopt;
+}
+
+Row checked_row(const Line& line, const Table& table) {
+    Row row = cut(line, table.separator);
+    while (row.cells.size() > table.headings.size() && row.cells.back().empty()) row.cells.pop_back();
+    if (row.cells.size() != table.headings.size())
+        throw InputError("the line has " + std::to_string(row.cells.size()) + " cells, the heading has " +
+                             std::to_string(table.headings.size()),
+                         "as many cells as headings (a decimal comma needs another separator, or quotes)")
+            .at(at_line(line.number));
+    return row;
+}
+
+/// The number of a cell; nothing if the cell says that there is none.
+std::optional<PrintedNumber> number_in(const std::string& cell, std::size_t line, const Table& table) {
+    if (says_no_number(cell)) return std::nullopt;
+    const bool decimal_comma = cell.find('.') == std::string::npos && cell.find(',') != std::string::npos &&
+                               std::count(cell.begin(), cell.end(), ',') <= 2;
+    const auto number = read_number(cell, decimal_comma);
+    if (!number)
+        throw InputError("cannot read " + in_quotes(cell),
+                         table.separator == ',' ? "a number with a decimal point" : "a number")
+            .at(at_line(line));
+    return number;
+}
+
+std::optional<double> density_in(const std::string& cell, const Heading& heading, std::size_t line,
+                                 const Table& table) {
+    if (says_no_number(cell)) return std::nullopt;
+    try {
+        if (heading.unit.empty() && read_number(cell))
+            throw InputError("the density has no unit",
+                             "density [g/cm3] as the heading, or a unit in each cell");
+        const auto number = heading.unit.empty() ? std::nullopt : number_in(cell, line, table);
+        const double density = number ? to_si(number->value, heading.unit, Dimension::density)
+                                      : parse_quantity(cell, Dimension::density);
+        if (!(density > 0)) throw InputError("the density is not positive", "a positive density");
+        return density;
+    } catch (const InputError& error) {
+        throw error.place().empty() ? error.at(at_line(line)) : error;
+    }
+}
+
+/// One row a phase: phase and weight, or phase, intensity and RIR.
+std::vector<Entry> long_entries(const Table& table) {
+    std::vector<Entry> entries;
+    for (const Row& row : table.rows) {
+        const auto cell = [&](Role role) -> std::string {
+            const auto column = table.column(role);
+            return column ? row.cells[*column] : std::string();
+        };
+        const auto number = [&](Role role) { return number_in(cell(role), row.line, table); };
+        const auto plain = [&](Role role) -> std::optional<double> {
+            const auto found = number(role);
+            return found ? std::optional(found->value) : std::nullopt;
+        };
+        Entry entry{.sample = cell(Role::sample), .phase = cell(Role::phase), .line = row.line};
+        if (entry.sample.empty() && !entries.empty())
+            entry.sample = entries.back().sample;  // named once, above
+        if (entry.phase.empty()) throw InputError("the line names no phase", "a phase").at(at_line(row.line));
+        entry.amount = number(table.has(Role::weight) ? Role::weight : Role::volume);
+        entry.uncertainty = plain(Role::uncertainty);
+        if (entry.uncertainty && *entry.uncertainty < 0)
+            throw InputError("the uncertainty is below zero", "zero or more").at(at_line(row.line));
+        entry.intensity = number(Role::intensity);
+        entry.ratio = number(Role::ratio);
+        entry.ratio_uncertainty = plain(Role::ratio_uncertainty);
+        entry.standard = number(Role::standard);
+        if (const auto column = table.column(Role::density))
+            entry.density = density_in(row.cells[*column], table.headings[*column], row.line, table);
+        entries.push_back(std::move(entry));
+    }
+    return entries;
+}
+
+/// One column a phase (one row a sample), or one column a sample (one row a phase).
+std::vector<Entry> wide_entries(const Table& table, Role row_role) {
+    const std::size_t label = *table.column(row_role);
+    std::vector<Entry> entries;
+    for (const Row& row : table.rows) {
+        if (row.cells[label].empty())
+            throw InputError("the first cell is empty", "a name").at(at_line(row.line));
+        for (std::size_t i = 0; i < row.cells.size(); ++i) {
+            if (i == label) continue;
+            const std::string& name = table.headings[i].text;
+            const bool uncertainty =
+                table.headings[i].role == Role::uncertainty || phase_of_uncertainty(name);
+            const auto number = number_in(row.cells[i], row.line, table);
+            if (uncertainty && !entries.empty() && entries.back().line == row.line) {
+                if (number) entries.back().uncertainty = number->value;
+                continue;
+            }
+            entries.push_back({.sample = row_role == Role::sample ? row.cells[label] : name,
+                               .phase = row_role == Role::sample ? name : row.cells[label],
+                               .line = row.line,
+                               .amount = number});
+        }
+    }
+    return entries;
+}
+
+/// Uncertainties may stand behind each of several columns; everything else must be unique to be understood.
+void refuse_repeated_roles(const Table& table) {
+    for (std::size_t i = 0; i < table.headings.size(); ++i) {
+        const Role role = table.headings[i].role;
+        if (role == Role::other || role == Role::uncertainty || *table.column(role) == i) continue;
+        throw InputError("the columns " + in_quotes(table.headings[*table.column(role)].text) + " and " +
+                             in_quotes(table.headings[i].text) + " hold the same quantity",
+                         "one of the two")
+            .at(at_line(table.heading_line));
+    }
+}
+
+}  // namespace
+
+bool has_heading(const TextLines& file) {
+    return find_heading(lines_with_content(file)).has_value();
+}
+
+Table parse_table(const TextLines& file) {
+    const std::vector<Line> lines = lines_with_content(file);
+    const auto heading = find_heading(lines);
+    if (!heading)
+        throw InputError("no heading line was found", std::string(heading_help))
+            .at(at_line(lines.empty() ? 1 : lines[0].number));
+    Table table{.heading_line = lines[*heading].number,
+                .headings = {},
+                .rows = {},
+                .separator = separator_of(lines[*heading].text)};
+    table.headings = headings_of(cut(lines[*heading], table.separator));
+    if (*heading > 0)
+        table.warnings.push_back("the " + std::to_string(*heading) +
+                                 " lines above the heading were not read");
+    for (std::size_t i = *heading + 1; i < lines.size(); ++i)
+        table.rows.push_back(checked_row(lines[i], table));
+    if (table.rows.empty())
+        throw InputError("there are no lines below the heading", "one line a phase or a sample")
+            .at(at_line(file.last_line()));
+    return table;
+}
+
+Layout layout_of(const Table& table) {
+    refuse_repeated_roles(table);
+    const std::size_t line = table.heading_line;
+    const bool phase = table.has(Role::phase);
+    if (phase && table.has(Role::intensity) && table.has(Role::ratio)) return Layout::peaks;
+    if (phase && table.has(Role::weight) && table.has(Role::volume))
+        throw InputError("there are fractions by weight and by volume", "one of the two").at(at_line(line));
+    if (phase && (table.has(Role::weight) || table.has(Role::volume))) return Layout::fractions;
+    if (phase && table.has(Role::intensity))
+        throw InputError("there are intensities without reference intensity ratios", "a column rir")
+            .at(at_line(line));
+    if (phase && lower_case(table.headings[*table.column(Role::phase)].text) == "name")
+        throw InputError("\"name\" may be that of a phase or of a sample", "the heading phase or sample")
+            .at(at_line(line));
+    if (phase && !table.has(Role::sample)) return Layout::one_column_a_sample;
+    if (!phase && table.has(Role::sample)) return Layout::one_column_a_phase;
+    throw InputError("no column holds the amounts", std::string(heading_help)).at(at_line(line));
+}
+
+std::vector<Entry> entries_of(const Table& table, Layout layout) {
+    if (layout == Layout::one_column_a_phase) return wide_entries(table, Role::sample);
+    if (layout == Layout::one_column_a_sample) return wide_entries(table, Role::phase);
+    return long_entries(table);
+}
+
+}  // namespace ashimpact::xrd

@@ -1,0 +1,63 @@
+#include "materials/xrd/xrd.hpp"
+
+#include <array>
+
+#include "materials/error.hpp"
+#include "materials/xrd/readers.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+using xrd::TextLines;
+
+struct Reader {
+    bool (*recognises)(const TextLines&);
+    XrdResult (*read)(const TextLines&);
+};
+
+/// The most telling formats first.
+constexpr std::array readers{
+    Reader{xrd::looks_like_json, xrd::read_json},
+    Reader{xrd::looks_like_bgmn, xrd::read_bgmn},
+    Reader{xrd::looks_like_gsas2, xrd::read_gsas2},
+    Reader{xrd::looks_like_table, xrd::read_table},
+};
+
+XrdResult read(std::string_view text) {
+    const TextLines file(text);
+    for (const Reader& reader : readers) {
+        if (!reader.recognises(file)) continue;
+        XrdResult result = reader.read(file);
+        if (file.was_latin1()) result.warnings.emplace_back("the file is not UTF-8 and was read as Latin-1");
+        return result;
+    }
+    throw InputError("the format is not known", xrd::known_formats).at(xrd::at_line(1));
+}
+
+/// The file's name without folders and ending.
+std::string stem(std::string_view name) {
+    name.remove_prefix(name.find_last_of("/\\") + 1);
+    const auto dot = name.rfind('.');
+    return std::string(dot == 0 ? name : name.substr(0, dot));
+}
+
+}  // namespace
+
+std::string_view xrd_format_name(XrdFormat format) {
+    constexpr std::array<std::string_view, 4> names{"BGMN/Profex .lst", "GSAS-II .lst", "table", "JSON"};
+    return names.at(static_cast<std::size_t>(format));
+}
+
+XrdResult read_xrd(std::string_view text, std::string_view name) {
+    try {
+        XrdResult result = read(text);
+        for (XrdSample& sample : result.samples)
+            if (sample.name.empty()) sample.name = stem(name);
+        return result;
+    } catch (const InputError& error) {
+        throw error.in_file(std::string(name));
+    }
+}
+
+}  // namespace ashimpact

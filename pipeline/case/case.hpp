@@ -1,0 +1,123 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "materials/composition.hpp"
+#include "materials/contact_properties.hpp"
+#include "materials/modulus.hpp"
+#include "materials/quantity.hpp"
+#include "materials/work_of_adhesion.hpp"
+#include "pipeline/case/law_map.hpp"
+#include "solver/calibration.hpp"
+#include "solver/damping/damping.hpp"
+
+namespace ashimpact {
+
+/// A quantity of the case and where it comes from.
+struct Stated {
+    Quantity quantity{};           ///< in SI
+    std::string origin = "given";  ///< "given", "measured", "inferred", ...; see docs/case.md
+    std::string source{};          ///< in words; may be empty
+
+    [[nodiscard]] double value() const { return quantity.value; }
+};
+
+/// The wall: elastic, rigid, or known only through the contact modulus of the pair.
+struct ElasticWall {
+    Stated young_modulus;
+    Stated poisson_ratio;
+};
+using Wall = std::variant<ElasticWall, RigidWall, Stated>;
+
+/// Work of adhesion from the surface energies of the two bodies.
+struct AdhesionFromSurfaces {
+    SurfaceEnergies energies;
+    AdhesionRule rule;
+};
+using Adhesion = std::variant<Stated, AdhesionFromSurfaces>;
+
+/// eta = a e^2 + b e + c, coefficients in [kg/s].
+using Quadratic = std::array<double, 3>;
+
+/// Restitution against incident velocity, as measured.
+struct MeasuredRestitution {
+    std::string source{};
+    std::vector<double> velocity{};     ///< [m/s]
+    std::vector<double> restitution{};  ///< [1], 0 for a capture
+};
+
+/// Restitution data to be reconstructed from published fits eta(e); see reconstructed_velocity().
+struct Reconstruction {
+    std::string source{};
+    LawMap<Quadratic> damping_fits{};
+    double from = 0;         ///< smallest restitution [1]
+    double to = 0;           ///< largest restitution [1]
+    int points = 0;          ///< evenly spaced between them
+    std::string reference{}; ///< law whose points stand for laws without a fit of their own
+};
+using RestitutionData = std::variant<MeasuredRestitution, Reconstruction>;
+
+/// Published values of a sample: for comparison and calibration, never a result.
+struct PublishedSample {
+    struct ContactTime {
+        Law law;
+        Quantity velocity;
+        Quantity contact_time;
+    };
+    std::string source{};
+    std::optional<Quantity> young_modulus{};
+    std::vector<std::pair<std::string, Quantity>> volume_fractions{};
+    LawMap<Quadratic> damping_fits{};
+    LawMap<Quantity> critical_damping{};
+    LawMap<Quantity> critical_velocity{};
+    std::optional<Quantity> measured_critical_velocity{};
+    std::vector<ContactTime> contact_times{};
+    LawMap<Quantity> critical_contact_times{};
+};
+
+/// One sieve size.
+struct Sample {
+    std::string name;
+    Stated diameter;
+    Analysis analysis{};
+    std::string analysis_source{};
+    std::optional<Porosity> porosity{};
+    std::optional<Stated> poisson_ratio{};    ///< else mixed from the phases
+    std::optional<Stated> density{};          ///< apparent; else that of the phases, less the pores
+    std::optional<Stated> contact_modulus{};  ///< instead of Eq. 7 [Pa]
+    std::optional<Stated> yield_pressure{};   ///< for laws that yield; else never [Pa]
+    std::optional<Adhesion> work_of_adhesion{};
+    std::optional<Stated> measured_critical_velocity{};
+    std::optional<RestitutionData> restitution{};
+    std::optional<PublishedSample> published{};
+};
+
+struct LawChoice {
+    Law law;
+    Detachment detachment;
+};
+
+struct HistoryOptions {
+    int points = 49;
+    double critical_excess = 1e-3;  ///< the history "at" v_c is taken at v_c (1 + this) [1]
+};
+
+/// A case, complete: every default filled in, every file it names read.
+struct Case {
+    std::string name;
+    std::vector<Phase> phases{};  ///< every phase the samples need, with its properties
+    MixtureRule mixture_rule = MixtureRule::parallel;
+    std::optional<Wall> wall{};
+    std::vector<Sample> samples{};
+    std::vector<LawChoice> laws{};
+    DampingLaw damping_law = DampingLaw::constant;
+    HistoryOptions histories{};
+    std::vector<FreeConstant> calibration{};  ///< constants left to a calibration
+};
+
+}  // namespace ashimpact

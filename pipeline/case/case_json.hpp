@@ -1,0 +1,16 @@
+#pragma once
+
+#include "pipeline/case/case.hpp"
+#include "pipeline/json/document.hpp"
+
+namespace ashimpact {
+
+/// The case, complete, as a case document: reading it back gives the same case.
+[[nodiscard]] Json case_json(const Case& data);
+
+/// Parts of it that artifacts repeat.
+[[nodiscard]] Json stated_json(const Stated& stated);
+[[nodiscard]] Json quadratic_json(const Quadratic& fit);
+[[nodiscard]] Json published_json(const PublishedSample& published);
+
+}  // namespace ashimpact

@@ -1,0 +1,313 @@
+#include "pipeline/case/case_parts.hpp"
+
+#include <cmath>
+
+#include "materials/checks.hpp"
+#include "materials/text.hpp"
+#include "materials/xrd/xrd.hpp"
+#include "pipeline/case/impact_table.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+Stated read_stated(const View& node, Dimension dimension) {
+    Stated stated{.quantity = node.quantity(dimension)};
+    if (!node.is_object()) return stated;
+    if (const auto origin = node.find("origin")) stated.origin = origin->text();
+    if (const auto source = node.find("source")) stated.source = source->text();
+    return stated;
+}
+
+Law law_of(const View::Member& member) {
+    return member.value.located([&] { return Law::named(member.key); });
+}
+
+/// How many of the keys an object has.
+int count_of(const View& node, std::initializer_list<std::string_view> keys) {
+    int count = 0;
+    for (const std::string_view key : keys) count += node.has(key) ? 1 : 0;
+    return count;
+}
+
+Quadratic read_quadratic(const View& node) {
+    const auto coefficient = [&](const char* key) { return node.at(key).number(Dimension::damping); };
+    return {coefficient("a"), coefficient("b"), coefficient("c")};
+}
+
+LawMap<Quadratic> read_quadratics(const View& node) {
+    LawMap<Quadratic> fits;
+    for (const auto& member : node.members()) fits.set(law_of(member), read_quadratic(member.value));
+    return fits;
+}
+
+Amorphous read_amorphous(const View& node, FractionBasis basis) {
+    if (node.is_string()) {
+        if (node.text() == "none") return AmorphousNone{};
+        if (node.text() == "remainder") return AmorphousRemainder{};
+    }
+    const auto fraction = [](const View& at) {
+        const Quantity quantity = at.quantity(Dimension::fraction);
+        at.located([&] { require_fraction("fraction", quantity.value); });
+        return quantity;
+    };
+    if (node.is_object()) {
+        if (const auto total = node.find("crystalline_total")) {
+            const Quantity q = fraction(*total);
+            return CrystallineTotal{q.value, q.standard_uncertainty};
+        }
+        if (const auto scale = node.find("remainder_scale")) {
+            const Quantity q = scale->quantity(Dimension::fraction);
+            return AmorphousRemainder{q.value, q.standard_uncertainty};
+        }
+    }
+    const Quantity q = fraction(node);
+    return AmorphousFraction{q.value, q.standard_uncertainty, basis};
+}
+
+std::vector<PhaseFraction> read_fractions(const View& node, const std::optional<View>& densities) {
+    std::vector<PhaseFraction> phases;
+    for (const auto& [name, value] : node.members()) {
+        const Quantity fraction = value.quantity(Dimension::fraction);
+        value.located([&] { require_fraction("fraction", fraction.value); });
+        phases.push_back({.name = name,
+                          .fraction = fraction.value,
+                          .standard_uncertainty = fraction.standard_uncertainty});
+        if (!densities || !densities->has(name)) continue;
+        phases.back().density = read_positive(densities->at(name), "density", Dimension::density).value();
+    }
+    return phases;
+}
+
+/// The sample of an XRD file that the case means.
+XrdSample chosen_sample(const View& node, const XrdResult& result) {
+    const auto name = node.find("xrd_sample");
+    std::vector<std::string> names;
+    for (const XrdSample& sample : result.samples) {
+        if (name && sample.name == name->text()) return sample;
+        names.push_back(sample.name);
+    }
+    if (name) name->fail("the XRD file has no such sample", joined(names));
+    if (result.samples.size() != 1)
+        node.at("xrd").fail("the file holds " + std::to_string(names.size()) + " samples", "xrd_sample, one of " + joined(names));
+    return result.samples.front();
+}
+
+ReadAnalysis read_xrd_analysis(const View& node, InputFiles& files) {
+    const View file = node.at("xrd");
+    const std::string name = file.text();
+    const XrdResult result = file.located([&] { return read_xrd(files.read(name), files.shown(name)); });
+    XrdSample sample = chosen_sample(node, result);
+    if (const auto standard = node.find("internal_standard")) {
+        sample = standard->located([&] {
+            return with_internal_standard(sample, standard->at("phase").text(),
+                                          standard->at("added_fraction").number(Dimension::fraction));
+        });
+    }
+    ReadAnalysis read{.analysis = sample.analysis, .source = name, .warnings = result.warnings};
+    read.warnings.insert(read.warnings.end(), sample.warnings.begin(), sample.warnings.end());
+    return read;
+}
+
+MeasuredRestitution read_inline_restitution(const View& node) {
+    MeasuredRestitution data{.source = "the case file", .velocity = node.at("velocity").column(Dimension::velocity)};
+    const View second = node.at(node.has("restitution") ? "restitution" : "rebound_velocity");
+    const bool ratio = node.has("restitution");
+    data.restitution = second.column(ratio ? Dimension::fraction : Dimension::velocity);
+    if (data.restitution.size() != data.velocity.size())
+        second.fail("has " + std::to_string(data.restitution.size()) + " values, velocity has " +
+                        std::to_string(data.velocity.size()),
+                    "one value for each velocity");
+    for (std::size_t i = 0; !ratio && i < data.velocity.size(); ++i) data.restitution[i] /= data.velocity[i];
+    return data;
+}
+
+void check_restitution(const View& node, const MeasuredRestitution& data) {
+    node.located([&] {
+        for (std::size_t i = 0; i < data.velocity.size(); ++i) {
+            const auto place = "point " + std::to_string(i + 1);
+            at_place(place, [&] {
+                require_positive("velocity", data.velocity[i], Dimension::velocity);
+                if (!(data.restitution[i] >= 0 && data.restitution[i] < 1))
+                    throw InputError("restitution is " + shortest(data.restitution[i]), "0 <= restitution < 1");
+            });
+        }
+    });
+}
+
+Reconstruction read_reconstruction(const View& node, const std::optional<PublishedSample>& published) {
+    Reconstruction plan{.from = node.at("from").number(Dimension::fraction),
+                        .to = node.at("to").number(Dimension::fraction),
+                        .points = node.at("points").integer(),
+                        .reference = node.at("reference_law").text()};
+    if (!(plan.from > 0 && plan.from < plan.to && plan.to < 1))
+        node.fail("from is " + shortest(plan.from) + " and to is " + shortest(plan.to), "0 < from < to < 1");
+    if (const auto fits = node.find("damping_fits")) {
+        plan.damping_fits = read_quadratics(*fits);
+        plan.source = node.has("source") ? node.at("source").text() : "fits of the case file";
+    } else {
+        if (!published || published->damping_fits.empty())
+            node.fail("\"damping_fits\" is missing and nothing is published for this sample", "damping_fits");
+        plan.damping_fits = published->damping_fits;
+        plan.source = published->source;
+    }
+    if (plan.damping_fits.find(Law::named(plan.reference)) == nullptr)
+        node.at("reference_law").fail("the reference law " + in_quotes(plan.reference) + " has no fit");
+    return plan;
+}
+
+/// Published quantities of one kind.
+class Printed {
+  public:
+    Printed(Dimension dimension, const std::optional<View>& rounding, const char* kind) : dimension_(dimension) {
+        if (!rounding) return;
+        if (const auto digit = rounding->find(kind)) digit_ = digit->number(dimension);
+    }
+    [[nodiscard]] Quantity read(const View& node) const {
+        Quantity quantity = node.quantity(dimension_);
+        if (!quantity.standard_uncertainty && digit_) quantity.standard_uncertainty = *digit_ / std::sqrt(12.0);
+        return quantity;
+    }
+    [[nodiscard]] LawMap<Quantity> read_by_law(const View& parent, const char* key) const {
+        LawMap<Quantity> values;
+        if (const auto node = parent.find(key))
+            for (const auto& member : node->members()) values.set(law_of(member), read(member.value));
+        return values;
+    }
+
+  private:
+    Dimension dimension_;
+    std::optional<double> digit_;
+};
+
+}  // namespace
+
+Stated read_positive(const View& node, std::string_view name, Dimension dimension) {
+    Stated stated = read_stated(node, dimension);
+    node.located([&] { require_positive(name, stated.value(), dimension); });
+    return stated;
+}
+
+Stated read_poisson_ratio(const View& node) {
+    Stated stated = read_stated(node, Dimension::fraction);
+    node.located([&] { require_poisson_ratio("Poisson's ratio", stated.value()); });
+    return stated;
+}
+
+Wall read_wall(const View& node) {
+    constexpr auto allowed = "young_modulus and poisson_ratio, or \"rigid\": true, or contact_modulus";
+    const bool elastic = count_of(node, {"young_modulus", "poisson_ratio"}) > 0;
+    if (count_of(node, {"rigid", "contact_modulus"}) + (elastic ? 1 : 0) != 1)
+        node.fail("the wall is described in more than one way, or in none", allowed);
+    if (elastic) {
+        if (count_of(node, {"young_modulus", "poisson_ratio"}) != 2)
+            node.fail(node.has("young_modulus") ? "\"poisson_ratio\" is missing" : "\"young_modulus\" is missing", allowed);
+        return ElasticWall{read_positive(node.at("young_modulus"), "Young's modulus", Dimension::pressure),
+                           read_poisson_ratio(node.at("poisson_ratio"))};
+    }
+    if (node.has("contact_modulus"))
+        return read_positive(node.at("contact_modulus"), "contact modulus", Dimension::pressure);
+    if (!node.at("rigid").truth()) node.at("rigid").fail("a wall that is not rigid needs its moduli", allowed);
+    return RigidWall{};
+}
+
+Adhesion read_adhesion(const View& node) {
+    if (!node.is_object() || node.has("value")) {
+        if (node.is_object() && count_of(node, {"surface_energies", "rule"}) > 0)
+            node.fail("a value and surface energies are both given", "one of the two");
+        Stated stated = read_stated(node, Dimension::energy_per_area);
+        node.located([&] { require_not_negative("work of adhesion", stated.value(), Dimension::energy_per_area); });
+        return stated;
+    }
+    const View energies = node.at("surface_energies");
+    const auto energy = [&](const char* key) { return energies.at(key).number(Dimension::energy_per_area); };
+    AdhesionFromSurfaces from{.energies = {.particle = energy("particle"), .wall = energy("wall")},
+                              .rule = adhesion_rule(node.at("rule").text())};
+    if (energies.has("interfacial")) from.energies.interfacial = energy("interfacial");
+    node.located([&] { static_cast<void>(work_of_adhesion(from.rule, from.energies)); });
+    return from;
+}
+
+Porosity read_porosity(const View& node) {
+    const Quantity value = node.at("value").quantity(Dimension::fraction);
+    Porosity porosity{.law = porosity_law(node.at("law").text()),
+                      .value = value.value,
+                      .standard_uncertainty = value.standard_uncertainty};
+    if (const auto coefficient = node.find("coefficient")) porosity.coefficient = coefficient->number(Dimension::fraction);
+    return porosity;
+}
+
+ReadAnalysis read_analysis(const View& node, InputFiles& files) {
+    if (count_of(node, {"weight_fractions", "volume_fractions", "xrd"}) != 1)
+        node.fail("the composition is given in more than one way, or in none",
+                  "weight_fractions, volume_fractions or xrd");
+    ReadAnalysis read;
+    if (node.has("xrd")) {
+        read = read_xrd_analysis(node, files);
+    } else {
+        const bool by_weight = node.has("weight_fractions");
+        read.analysis.basis = by_weight ? FractionBasis::weight : FractionBasis::volume;
+        read.analysis.phases =
+            read_fractions(node.at(by_weight ? "weight_fractions" : "volume_fractions"), node.find("densities"));
+        for (const auto* key : {"xrd_sample", "internal_standard"})
+            if (const auto stray = node.find(key)) stray->fail("belongs to an XRD file", "xrd beside it");
+    }
+    if (const auto source = node.find("source")) read.source = source->text();
+    if (const auto amorphous = node.find("amorphous"))
+        read.analysis.amorphous = read_amorphous(*amorphous, read.analysis.basis);
+    if (const auto name = node.find("amorphous_phase")) read.analysis.amorphous_phase = name->text();
+    return read;
+}
+
+RestitutionData read_restitution(const View& node, const std::optional<PublishedSample>& published,
+                                 InputFiles& files) {
+    constexpr auto allowed = "velocity with restitution or rebound_velocity, or file, or reconstruct";
+    const bool points = node.has("velocity") && count_of(node, {"restitution", "rebound_velocity"}) == 1;
+    const int ways = count_of(node, {"file", "reconstruct"}) +
+                     (count_of(node, {"velocity", "restitution", "rebound_velocity"}) > 0 ? 1 : 0);
+    if (ways != 1 || (count_of(node, {"file", "reconstruct"}) == 0 && !points))
+        node.fail("the restitution data are incomplete or given in more than one way", allowed);
+    if (const auto plan = node.find("reconstruct")) return read_reconstruction(*plan, published);
+
+    MeasuredRestitution data;
+    if (const auto file = node.find("file")) {
+        const std::string name = file->text();
+        data = file->located([&] {
+            return in_file(files.shown(name), [&] { return read_impact_table(files.read(name)); });
+        });
+        data.source = name;
+    } else {
+        data = read_inline_restitution(node);
+    }
+    if (const auto source = node.find("source")) data.source = source->text();
+    check_restitution(node, data);
+    return data;
+}
+
+PublishedSample read_published(const View& node, const std::string& source, const std::optional<View>& rounding) {
+    const Printed modulus(Dimension::pressure, rounding, "young_modulus");
+    const Printed fraction(Dimension::fraction, rounding, "volume_fraction");
+    const Printed damping(Dimension::damping, rounding, "critical_damping");
+    const Printed velocity(Dimension::velocity, rounding, "critical_velocity");
+    const Printed time(Dimension::time, rounding, "contact_time");
+
+    PublishedSample published{.source = node.has("source") ? node.at("source").text() : source};
+    if (const auto value = node.find("young_modulus")) published.young_modulus = modulus.read(*value);
+    if (const auto fractions = node.find("volume_fractions"))
+        for (const auto& [name, value] : fractions->members())
+            published.volume_fractions.emplace_back(name, fraction.read(value));
+    if (const auto fits = node.find("damping_fits")) published.damping_fits = read_quadratics(*fits);
+    published.critical_damping = damping.read_by_law(node, "critical_damping");
+    published.critical_velocity = velocity.read_by_law(node, "critical_velocity");
+    if (const auto value = node.find("measured_critical_velocity"))
+        published.measured_critical_velocity = velocity.read(*value);
+    if (const auto times = node.find("contact_times"))
+        for (const View& entry : times->elements())
+            published.contact_times.push_back({Law::named(entry.at("law").text()),
+                                               entry.at("velocity").quantity(Dimension::velocity),
+                                               time.read(entry.at("contact_time"))});
+    published.critical_contact_times = time.read_by_law(node, "critical_contact_times");
+    return published;
+}
+
+}  // namespace ashimpact

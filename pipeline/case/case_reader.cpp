@@ -1,0 +1,229 @@
+#include "pipeline/case/case_reader.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "data/embedded.hpp"
+#include "materials/checks.hpp"
+#include "pipeline/case/case_parts.hpp"
+#include "pipeline/case/laws.hpp"
+#include "pipeline/json/schema.hpp"
+#include "solver/impact.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+/// Values a sample takes where it does not state its own.
+struct Defaults {
+    std::optional<View> particle;
+    std::optional<Adhesion> work_of_adhesion;
+    std::optional<PublishedSample> published;
+};
+
+std::optional<View> own_or_default(const View& sample, const Defaults& defaults, const char* key) {
+    if (auto own = sample.find(key)) return own;
+    return defaults.particle ? defaults.particle->find(key) : std::nullopt;
+}
+
+std::optional<Stated> read_optional(const std::optional<View>& node, std::string_view name, Dimension dimension) {
+    if (!node) return std::nullopt;
+    return read_positive(*node, name, dimension);
+}
+
+Sample read_sample(const View& node, const Defaults& defaults, InputFiles& files, std::vector<std::string>& warnings) {
+    Sample sample{.name = node.at("name").text(),
+                  .diameter = read_positive(node.at("diameter"), "diameter", Dimension::length)};
+    auto analysis = read_analysis(node.at("composition"), files);
+    for (const std::string& warning : analysis.warnings) warnings.push_back(sample.name + ": " + warning);
+    sample.analysis = std::move(analysis.analysis);
+    sample.analysis_source = std::move(analysis.source);
+    if (const auto porosity = node.find("porosity")) sample.porosity = read_porosity(*porosity);
+    if (const auto nu = own_or_default(node, defaults, "poisson_ratio")) sample.poisson_ratio = read_poisson_ratio(*nu);
+    sample.density = read_optional(own_or_default(node, defaults, "density"), "density", Dimension::density);
+    sample.contact_modulus =
+        read_optional(own_or_default(node, defaults, "contact_modulus"), "contact modulus", Dimension::pressure);
+    sample.yield_pressure =
+        read_optional(own_or_default(node, defaults, "yield_pressure"), "yield pressure", Dimension::pressure);
+    sample.work_of_adhesion = defaults.work_of_adhesion;
+    if (const auto w = node.find("work_of_adhesion")) sample.work_of_adhesion = read_adhesion(*w);
+    sample.measured_critical_velocity =
+        read_optional(node.find("measured_critical_velocity"), "critical velocity", Dimension::velocity);
+    sample.published = defaults.published;
+    if (const auto published = node.find("published"))
+        sample.published = read_published(*published, "the case file", std::nullopt);
+    if (const auto data = node.find("restitution"))
+        sample.restitution = read_restitution(*data, sample.published, files);
+    return sample;
+}
+
+/// The sets of published values that a case refers to, by sample.
+class PublishedSets {
+  public:
+    PublishedSets(const View& document, InputFiles& files) {
+        const auto name = document.find("published");
+        if (!name) return;
+        name->located([&] {
+            const std::string built_in = "published/" + name->text() + ".json";
+            const bool carried = embedded_file(built_in).has_value();
+            const std::string shown = carried ? built_in : files.shown(name->text());
+            in_file(shown, [&] {
+                json_ = without_comments(parse_json(carried ? files.read_built_in(built_in) : files.read(name->text())));
+                validate_document(json_, "published");
+                read(View(json_));
+            });
+        });
+    }
+
+    [[nodiscard]] std::optional<PublishedSample> of(const std::string& sample) const {
+        for (const auto& [name, values] : samples_)
+            if (name == sample) return values;
+        return std::nullopt;
+    }
+
+  private:
+    void read(const View& set) {
+        for (const auto& [name, value] : set.at("samples").members())
+            samples_.emplace_back(name, read_published(value, set.at("source").text(), set.find("rounding")));
+    }
+
+    Json json_;
+    std::vector<std::pair<std::string, PublishedSample>> samples_;
+};
+
+std::vector<LawChoice> read_laws(const View& document) {
+    std::vector<Law> laws{Law::named("hertz"), Law::named("dmt"), Law::named("brach-dunn"), Law::named("jkr")};
+    if (const auto names = document.find("laws")) {
+        laws.clear();
+        for (const View& name : names->elements()) laws.push_back(Law::named(name.text()));
+    }
+    std::vector<LawChoice> choices;
+    for (const Law law : laws) choices.push_back({law, law.default_detachment()});
+    const auto detachments = document.find("detachments");
+    if (!detachments) return choices;
+    for (const auto& [name, value] : detachments->members()) {
+        const Law law = value.located([&] { return Law::named(name); });
+        const Detachment detachment = detachment_named(value.text());
+        if (const auto reason = refusal(law, detachment)) value.fail(*reason, admissible_detachments(law));
+        for (LawChoice& choice : choices)
+            if (choice.law == law) choice.detachment = detachment;
+    }
+    return choices;
+}
+
+PhaseCatalogue catalogue_of(const View& document, const PhaseCatalogue& built_in) {
+    PhaseCatalogue catalogue = built_in;
+    if (const auto set = document.find("phase_set"))
+        catalogue = set->located([&] { return catalogue.preferring(set->text()); });
+    if (const auto own = document.find("phases"))
+        catalogue = own->located([&] { return catalogue.overridden_by(read_user_phases(own->json())); });
+    return catalogue;
+}
+
+/// Every phase the samples need, once. @throws InputError where a composition is impossible
+std::vector<Phase> phases_of(const std::vector<Sample>& samples, const View& document, const PhaseCatalogue& catalogue) {
+    std::vector<Phase> phases;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const View place = document.at("samples").elements()[i].at("composition");
+        const Composition composition = place.located([&] { return compose(samples[i].analysis, catalogue); });
+        for (const Component& component : composition.components) {
+            const Phase phase = catalogue.resolve(component.name).phase;
+            const bool known =
+                std::any_of(phases.begin(), phases.end(), [&](const Phase& p) { return p.name == phase.name; });
+            if (!known) phases.push_back(phase);
+        }
+    }
+    return phases;
+}
+
+std::vector<FreeConstant> read_calibration(const View& document) {
+    std::vector<FreeConstant> free;
+    const auto calibration = document.find("calibration");
+    if (!calibration) return free;
+    for (const View& entry : calibration->at("free").elements()) {
+        const std::string name = entry.at("quantity").text();
+        for (const CalibrationQuantityName& known : calibration_quantity_names)
+            if (known.name == name)
+                free.push_back({known.quantity, entry.has("per_sample") && entry.at("per_sample").truth()});
+    }
+    return free;
+}
+
+HistoryOptions read_histories(const View& document) {
+    HistoryOptions options;
+    const auto node = document.find("histories");
+    if (!node) return options;
+    if (const auto points = node->find("points")) options.points = points->integer();
+    if (const auto excess = node->find("critical_excess")) options.critical_excess = excess->number(Dimension::fraction);
+    return options;
+}
+
+/// What only the whole case shows.
+void check_whole(const Case& data, const View& document) {
+    std::set<std::string> names;
+    const auto nodes = document.at("samples").elements();
+    for (std::size_t i = 0; i < data.samples.size(); ++i) {
+        const Sample& sample = data.samples[i];
+        if (!names.insert(sample.name).second) nodes[i].at("name").fail("two samples have this name", "another name");
+        if (!data.wall && !sample.contact_modulus)
+            nodes[i].fail("neither a wall nor a contact modulus is given", "\"wall\" of the case, or contact_modulus here");
+        const bool adhesive = std::any_of(data.laws.begin(), data.laws.end(),
+                                          [](const LawChoice& choice) { return is_adhesive(choice.law); });
+        if (adhesive && !sample.work_of_adhesion)
+            nodes[i].fail("\"work_of_adhesion\" is missing, here and in the case", "an energy per area, such as \"0.3 J/m2\"");
+    }
+}
+
+Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputFiles& files,
+                    std::vector<std::string>& warnings) {
+    Case data{.name = document.at("name").text()};
+    const PhaseCatalogue catalogue = catalogue_of(document, built_in);
+    const PublishedSets published(document, files);
+    if (const auto rule = document.find("mixture_rule")) data.mixture_rule = mixture_rule(rule->text());
+    if (const auto wall = document.find("wall")) data.wall = read_wall(*wall);
+    Defaults defaults{.particle = document.find("particle"), .work_of_adhesion = {}, .published = {}};
+    if (const auto w = document.find("work_of_adhesion")) defaults.work_of_adhesion = read_adhesion(*w);
+    for (const View& node : document.at("samples").elements()) {
+        defaults.published = published.of(node.at("name").text());
+        data.samples.push_back(read_sample(node, defaults, files, warnings));
+    }
+    data.laws = read_laws(document);
+    if (const auto law = document.find("damping_law")) data.damping_law = damping_named(law->text());
+    data.histories = read_histories(document);
+    data.calibration = read_calibration(document);
+    data.phases = phases_of(data.samples, document, catalogue);
+    check_whole(data, document);
+    return data;
+}
+
+}  // namespace
+
+PhaseCatalogue built_in_phases() {
+    std::vector<PhaseSet> sets;
+    for (const char* name : {"literature", "dong2013"}) {
+        const auto text = embedded_file("phases/" + std::string(name) + ".json");
+        if (!text) throw std::logic_error("a phase set is missing");
+        sets.push_back(read_phase_set(*text));
+    }
+    return PhaseCatalogue(std::move(sets));
+}
+
+Case read_case(const View& document, const PhaseCatalogue& catalogue, InputFiles& files) {
+    std::vector<std::string> warnings;
+    return read_case_with(document, catalogue, files, warnings);
+}
+
+LoadedCase load_case(const std::optional<std::string>& file) {
+    InputFiles files = file ? InputFiles::beside(*file) : InputFiles::built_in(built_in_case);
+    const std::string text = files.read_case();
+    return in_file(files.case_name(), [&] {
+        const Json document = without_comments(parse_json(text));
+        validate_document(document, "case");
+        LoadedCase loaded;
+        loaded.data = read_case_with(View(document), built_in_phases(), files, loaded.warnings);
+        loaded.inputs = files.used();
+        return loaded;
+    });
+}
+
+}  // namespace ashimpact

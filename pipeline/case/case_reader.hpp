@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "materials/phase_catalogue.hpp"
+#include "pipeline/case/case.hpp"
+#include "pipeline/case/input_files.hpp"
+#include "pipeline/json/view.hpp"
+
+namespace ashimpact {
+
+/// A case with the files it was made of.
+struct LoadedCase {
+    Case data;
+    std::vector<InputFile> inputs;
+    std::vector<std::string> warnings;
+};
+
+/// Reads and checks a case file and every file it names; the built-in case where no file is given.
+/// @throws InputError: file, JSON pointer or line, what is wrong, what is allowed
+[[nodiscard]] LoadedCase load_case(const std::optional<std::string>& file);
+
+/// Reads a case that conforms to the schema and checks what a schema cannot say. @p files serves the files it names.
+[[nodiscard]] Case read_case(const View& document, const PhaseCatalogue& catalogue, InputFiles& files);
+
+/// The phase sets the program carries, literature values first.
+[[nodiscard]] PhaseCatalogue built_in_phases();
+
+/// The built-in case of that file.
+inline constexpr auto built_in_case = "cases/dong2013/case.json";
+
+}  // namespace ashimpact

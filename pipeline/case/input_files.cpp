@@ -1,0 +1,52 @@
+#include "pipeline/case/input_files.hpp"
+
+#include <algorithm>
+
+#include "data/embedded.hpp"
+#include "materials/error.hpp"
+#include "pipeline/files/file.hpp"
+#include "pipeline/files/sha256.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+constexpr auto built_in_mark = "builtin:";
+
+}  // namespace
+
+InputFiles::InputFiles(std::string case_name, std::filesystem::path folder, bool is_built_in)
+    : case_name_(std::move(case_name)), folder_(std::move(folder)), is_built_in_(is_built_in) {}
+
+InputFiles InputFiles::beside(const std::filesystem::path& case_file) {
+    return {case_file.string(), case_file.parent_path(), false};
+}
+
+InputFiles InputFiles::built_in(const std::string& case_file) {
+    return {case_file, std::filesystem::path(case_file).parent_path(), true};
+}
+
+std::string InputFiles::read_case() {
+    return is_built_in_ ? read_built_in(case_name_) : record(case_name_, read_file(case_name_));
+}
+
+std::string InputFiles::read(const std::string& name) {
+    const std::string path = shown(name);
+    return is_built_in_ ? read_built_in(path) : record(path, read_file(path));
+}
+
+std::string InputFiles::read_built_in(const std::string& path) {
+    const auto bytes = embedded_file(path);
+    if (!bytes) throw InputError("the program carries no such file").in_file(built_in_mark + path);
+    return record(built_in_mark + path, std::string(*bytes));
+}
+
+std::string InputFiles::shown(const std::string& name) const { return (folder_ / name).string(); }
+
+std::string InputFiles::record(const std::string& name, std::string bytes) {
+    const bool known = std::any_of(used_.begin(), used_.end(), [&](const auto& entry) { return entry.file == name; });
+    if (!known) used_.push_back({name, sha256(bytes)});
+    return bytes;
+}
+
+}  // namespace ashimpact

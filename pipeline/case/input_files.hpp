@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ashimpact {
+
+/// A file that went into a result.
+struct InputFile {
+    std::string file;    ///< as the user named it, or "builtin:" and its path in the program
+    std::string sha256;  ///< of its bytes
+};
+
+/// The files a case names, read relative to it, and a record of those that were read.
+class InputFiles {
+  public:
+    /// Files beside a case file of the user.
+    [[nodiscard]] static InputFiles beside(const std::filesystem::path& case_file);
+    /// Files beside a case the program carries, such as "cases/dong2013/case.json".
+    [[nodiscard]] static InputFiles built_in(const std::string& case_file);
+
+    /// The bytes of the case file itself, which comes first in the record.
+    [[nodiscard]] std::string read_case();
+    /// The bytes of another file. @throws InputError if it cannot be read
+    [[nodiscard]] std::string read(const std::string& name);
+    /// The bytes of a file the program carries.
+    [[nodiscard]] std::string read_built_in(const std::string& path);
+
+    /// What a message calls a file.
+    [[nodiscard]] std::string shown(const std::string& name) const;
+    [[nodiscard]] const std::string& case_name() const { return case_name_; }
+    [[nodiscard]] const std::vector<InputFile>& used() const { return used_; }
+
+  private:
+    InputFiles(std::string case_name, std::filesystem::path folder, bool is_built_in);
+    std::string record(const std::string& name, std::string bytes);
+
+    std::string case_name_;
+    std::filesystem::path folder_;
+    bool is_built_in_;
+    std::vector<InputFile> used_;
+};
+
+}  // namespace ashimpact

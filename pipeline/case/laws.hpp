@@ -1,0 +1,18 @@
+#pragma once
+
+#include "materials/units.hpp"
+#include "solver/contact/registry.hpp"
+#include "solver/damping/damping.hpp"
+
+namespace ashimpact {
+
+/// Whether the law has any attraction.
+[[nodiscard]] bool is_adhesive(Law law);
+
+/// Whether the law knows a yield pressure.
+[[nodiscard]] bool yields(Law law);
+
+/// What the coefficient of a damping law measures.
+[[nodiscard]] Dimension dimension_of(DampingLaw law);
+
+}  // namespace ashimpact

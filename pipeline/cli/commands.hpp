@@ -1,0 +1,29 @@
+#pragma once
+
+#include <functional>
+#include <iosfwd>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace ashimpact {
+
+/// What the command line asked for; set by the command that was named.
+using Action = std::function<void(std::ostream& out)>;
+
+/// A new command with the options that every command has.
+[[nodiscard]] CLI::App* add_command(CLI::App& program, const std::string& name, const std::string& purpose,
+                                    const std::string& example);
+
+/// run, modulus
+void add_case_commands(CLI::App& program, Action& action);
+
+/// impact, critical-velocity, damping
+void add_contact_commands(CLI::App& program, Action& action);
+
+/// calibrate, inspect, init, schema
+void add_document_commands(CLI::App& program, Action& action);
+
+}  // namespace ashimpact

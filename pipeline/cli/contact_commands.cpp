@@ -1,0 +1,111 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "pipeline/cli/commands.hpp"
+#include "pipeline/commands/critical_velocity.hpp"
+#include "pipeline/commands/damping.hpp"
+#include "pipeline/commands/impact.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+constexpr auto json_help = "print one JSON object, numbers with 17 significant digits";
+
+void add_contact_options(CLI::App& command, ContactOptions& options) {
+    command.add_option("--law", options.law, "contact law: " + law_names())->required()->type_name("NAME");
+    command.add_option("--radius", options.radius, "of the sphere, \"44 um\"")->required()->type_name("Q");
+    command.add_option("--density", options.density, "of the sphere, \"2160 kg/m3\"")->type_name("Q");
+    command.add_option("--mass", options.mass, "of the sphere, instead of its density")->type_name("Q");
+    command.add_option("--contact-modulus", options.contact_modulus, "E*, \"90 GPa\" (not a Young's modulus)")
+        ->required()
+        ->type_name("Q");
+    command
+        .add_option("--work-of-adhesion", options.work_of_adhesion,
+                    "w, \"0.3 J/m2\" (not a surface energy); not needed for hertz")
+        ->type_name("Q");
+    command.add_option("--yield-pressure", options.yield_pressure, "p_y, \"35.3 MPa\", for thornton-ning")
+        ->type_name("Q");
+    command
+        .add_option("--detachment", options.detachment,
+                    "where the contact ends: zero-overlap, zero-force, pull-off, load-controlled; default: that "
+                    "of the law")
+        ->type_name("NAME");
+    command
+        .add_option("--damping-law", options.damping_law,
+                    "constant, contact-radius or tsuji; the unit of the damping goes with it")
+        ->capture_default_str()
+        ->type_name("NAME");
+}
+
+void add_damping_option(CLI::App& command, ContactOptions& options) {
+    command.add_option("--damping", options.damping, "\"0.0141 kg/s\"; default: none")->type_name("Q");
+}
+
+void add_impact(CLI::App& program, Action& action) {
+    auto* command = add_command(program, "impact", "One normal impact of a sphere on a flat wall",
+                                "ashimpact impact --law dmt --radius \"44 um\" --density \"2600 kg/m3\" "
+                                "--contact-modulus \"90 GPa\" --work-of-adhesion \"0.3 J/m2\" "
+                                "--damping \"0.0141 kg/s\" --velocity \"2 m/s\"");
+    const auto options = std::make_shared<ImpactOptions>();
+    add_contact_options(*command, options->contact);
+    add_damping_option(*command, options->contact);
+    command->add_option("--velocity", options->velocity, "at first touch, \"2 m/s\"")->required()->type_name("Q");
+    command
+        ->add_option("--method", options->method,
+                     "taylor (exact) or paper-explicit (the paper's scheme, first order in the time step)")
+        ->capture_default_str()
+        ->type_name("NAME");
+    command->add_option("--time-step", options->time_step, "of paper-explicit; default: 10000 steps a contact")
+        ->type_name("Q");
+    command->add_option("--trajectory", options->trajectory, "write overlap, velocity and forces against time (CSV)")
+        ->type_name("FILE");
+    command->add_option("--points", options->points, "number of points of the trajectory")
+        ->capture_default_str()
+        ->check(CLI::Range(2, 10'000'000));
+    command->add_flag("--json", options->json, json_help);
+    command->callback([options, &action] {
+        action = [options](std::ostream& out) { run_impact_command(*options, out); };
+    });
+}
+
+void add_critical_velocity(CLI::App& program, Action& action) {
+    auto* command = add_command(program, "critical-velocity", "The velocity below which a sphere is captured",
+                                "ashimpact critical-velocity --law brach-dunn --radius \"44 um\" "
+                                "--density \"2600 kg/m3\" --contact-modulus \"90 GPa\" "
+                                "--work-of-adhesion \"0.3 J/m2\" --damping \"0.0141 kg/s\"");
+    const auto options = std::make_shared<CriticalVelocityOptions>();
+    add_contact_options(*command, options->contact);
+    add_damping_option(*command, options->contact);
+    command->add_flag("--json", options->json, json_help);
+    command->callback([options, &action] {
+        action = [options](std::ostream& out) { run_critical_velocity_command(*options, out); };
+    });
+}
+
+void add_damping(CLI::App& program, Action& action) {
+    auto* command = add_command(program, "damping", "The damping that gives back a measured restitution",
+                                "ashimpact damping --law dmt --radius \"44 um\" --density \"2600 kg/m3\" "
+                                "--contact-modulus \"90 GPa\" --work-of-adhesion \"0.3 J/m2\" "
+                                "--velocity \"2 m/s\" --restitution 0.2");
+    const auto options = std::make_shared<DampingOptions>();
+    add_contact_options(*command, options->contact);
+    command->add_option("--velocity", options->velocity, "at first touch, \"2 m/s\"")->required()->type_name("Q");
+    command->add_option("--restitution", options->restitution, "e_n; 0: the smallest damping that captures")
+        ->required()
+        ->type_name("X");
+    command->add_flag("--json", options->json, json_help);
+    command->callback([options, &action] {
+        action = [options](std::ostream& out) { run_damping_command(*options, out); };
+    });
+}
+
+}  // namespace
+
+void add_contact_commands(CLI::App& program, Action& action) {
+    add_impact(program, action);
+    add_critical_velocity(program, action);
+    add_damping(program, action);
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,211 @@
+#include "pipeline/commands/calibrate.hpp"
+
+#include <fmt/format.h>
+
+#include <ostream>
+
+#include "materials/text.hpp"
+#include "pipeline/json/quantity_json.hpp"
+#include "pipeline/json/writer.hpp"
+#include "pipeline/run.hpp"
+#include "pipeline/stages/read_case_artifact.hpp"
+#include "pipeline/text/readable.hpp"
+#include "pipeline/text/table.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+const CalibrationQuantityName& entry_of(CalibrationQuantity quantity) {
+    for (const CalibrationQuantityName& entry : calibration_quantity_names)
+        if (entry.quantity == quantity) return entry;
+    throw std::logic_error("calibration quantity without a name");
+}
+
+/// "density" or "density:each".
+FreeConstant read_free(const std::string& text) {
+    const auto colon = text.find(':');
+    const std::string name = text.substr(0, colon);
+    const bool each = colon != std::string::npos;
+    std::vector<std::string> names;
+    for (const CalibrationQuantityName& entry : calibration_quantity_names) {
+        names.emplace_back(entry.name);
+        if (entry.name == name && (!each || text.substr(colon) == ":each")) return {entry.quantity, each};
+    }
+    throw InputError("unknown constant " + in_quotes(text), joined(names) + "; with :each for one value a sample")
+        .at("--free");
+}
+
+CalibrationSample start_of(const Case& data, const Sample& sample, const SampleModulus& modulus,
+                           const SampleContact& contact) {
+    CalibrationSample start{.diameter = sample.diameter.value(),
+                            .density = contact.density,
+                            .work_of_adhesion = contact.pair.work_of_adhesion,
+                            .particle = {.young_modulus = modulus.young_modulus.value},
+                            .wall = {},
+                            .contact_modulus = {}};
+    if (sample.poisson_ratio) start.particle.poisson_ratio = sample.poisson_ratio->value();
+    else start.particle.poisson_ratio = modulus.poisson_ratio.value_or(0);
+    const auto* elastic = data.wall ? std::get_if<ElasticWall>(&*data.wall) : nullptr;
+    if (elastic != nullptr) start.wall = {elastic->young_modulus.value(), elastic->poisson_ratio.value()};
+    if (elastic == nullptr || sample.contact_modulus) start.contact_modulus = contact.pair.contact_modulus;
+    return start;
+}
+
+void add_observations(const PublishedSample& published, std::size_t index, CalibrationProblem& problem) {
+    for (const auto& [law, velocity] : published.critical_velocity) {
+        const Quantity* damping = published.critical_damping.find(law);
+        if (damping == nullptr) continue;
+        problem.critical_velocities.push_back(
+            {.sample = index,
+             .law = law,
+             .critical_damping = damping->value,
+             .critical_damping_uncertainty = damping->standard_uncertainty.value_or(0),
+             .value = velocity.value,
+             .standard_uncertainty = velocity.standard_uncertainty.value_or(1e-3 * velocity.value)});
+    }
+    for (const auto& time : published.contact_times) {
+        const Quadratic* fit = published.damping_fits.find(time.law);
+        if (fit == nullptr) continue;
+        problem.contact_times.push_back(
+            {.sample = index,
+             .law = time.law,
+             .damping_fit = *fit,
+             .velocity = time.velocity.value,
+             .velocity_uncertainty = time.velocity.standard_uncertainty.value_or(0),
+             .value = time.contact_time.value,
+             .standard_uncertainty = time.contact_time.standard_uncertainty.value_or(1e-3 * time.contact_time.value)});
+    }
+}
+
+/// One observation beside what the calibrated model says.
+struct Row {
+    std::string sample;
+    std::string law;
+    std::string unit;
+    CalibrationResidual residual;
+};
+
+template <class Observations>
+std::vector<Row> rows_of(const Case& data, const Observations& observations,
+                         const std::vector<CalibrationResidual>& residuals, Dimension dimension) {
+    std::vector<Row> rows;
+    for (std::size_t i = 0; i < observations.size(); ++i)
+        rows.push_back({data.samples[observations[i].sample].name, std::string(observations[i].law.name()),
+                        std::string(si_unit(dimension)), residuals[i]});
+    return rows;
+}
+
+Json rows_json(const std::vector<Row>& rows) {
+    Json list = Json::array();
+    for (const Row& row : rows)
+        list.push_back({{"sample", row.sample},
+                        {"law", row.law},
+                        {"published", quantity_json(row.residual.observed, row.unit)},
+                        {"calibrated", quantity_json(row.residual.predicted, row.unit)},
+                        {"relative_difference", row.residual.relative_difference()},
+                        {"relative_standard_uncertainty", row.residual.relative_uncertainty}});
+    return list;
+}
+
+Json constants_json(const Case& data, const CalibrationSummary& summary) {
+    Json list = Json::array();
+    for (const CalibratedConstant& constant : summary.constants) {
+        const CalibrationQuantityName& entry = entry_of(constant.quantity);
+        Json value = quantity_json(constant.value, entry.unit);
+        value["standard_uncertainty"] = constant.standard_uncertainty;
+        list.push_back({{"quantity", entry.name},
+                        {"sample", constant.sample ? Json(data.samples[*constant.sample].name) : Json(nullptr)},
+                        {"value", value},
+                        {"interval_95", {quantity_json(constant.lower, entry.unit), quantity_json(constant.upper, entry.unit)}}});
+    }
+    return list;
+}
+
+Json matrix_json(const Eigen::MatrixXd& matrix) {
+    Json rows = Json::array();
+    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+        Json row = Json::array();
+        for (Eigen::Index j = 0; j < matrix.cols(); ++j) row.push_back(matrix(i, j));
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+std::string calibration_text(const Case& data, const CalibrationSummary& summary, const std::vector<Row>& velocities,
+                             const std::vector<Row>& times) {
+    TextTable constants({"constant", "sample", "value", "95 % interval"});
+    for (const CalibratedConstant& constant : summary.constants) {
+        const CalibrationQuantityName& entry = entry_of(constant.quantity);
+        constants.add({std::string(entry.name), constant.sample ? data.samples[*constant.sample].name : "all",
+                       readable(constant.value, entry.unit),
+                       fmt::format("{} to {}", readable(constant.lower, entry.unit),
+                                   readable(constant.upper, entry.unit))});
+    }
+    TextTable residuals({"sample", "law", "published", "calibrated", "difference", "in u"});
+    for (const auto* rows : {&velocities, &times})
+        for (const Row& row : *rows)
+            residuals.add({row.sample, row.law, readable(row.residual.observed, row.unit),
+                           readable(row.residual.predicted, row.unit),
+                           fmt::format("{:+.2f} %", 100 * row.residual.relative_difference()),
+                           fmt::format("{:+.1f}", row.residual.relative_difference() / row.residual.relative_uncertainty)});
+    return constants.text() + "\n" + residuals.text() +
+           fmt::format("\nchi^2 {} with {} degrees of freedom, probability {}; AIC {}\n",
+                       readable_number(summary.chi_squared), summary.degrees_of_freedom,
+                       readable_number(summary.probability, 2), readable_number(summary.akaike));
+}
+
+}  // namespace
+
+CalibrationProblem calibration_problem(const Case& data, const std::vector<SampleModulus>& moduli,
+                                       const std::vector<SampleContact>& contacts) {
+    CalibrationProblem problem{.samples = {}, .free = data.calibration, .critical_velocities = {}, .contact_times = {}};
+    const bool elastic = data.wall && std::holds_alternative<ElasticWall>(*data.wall);
+    for (const FreeConstant& free : problem.free)
+        if (free.quantity == CalibrationQuantity::wall_young_modulus && !elastic)
+            throw InputError("wall_young_modulus is free, but the wall has none", "a wall with young_modulus and "
+                             "poisson_ratio, to start from")
+                .at("/wall");
+    for (std::size_t i = 0; i < data.samples.size(); ++i) {
+        const Sample& sample = data.samples[i];
+        problem.samples.push_back(start_of(data, sample, entry_named(moduli, sample.name, "1-modulus.json"),
+                                           entry_named(contacts, sample.name, "2-contact.json")));
+        if (sample.published) add_observations(*sample.published, i, problem);
+    }
+    return problem;
+}
+
+void run_calibrate_command(const CalibrateOptions& options, std::ostream& out) {
+    const auto file = options.case_file.empty() ? std::nullopt : std::optional(options.case_file);
+    const Artifacts artifacts = compute_artifacts(file, "contact");
+    Case data = read_case_artifact(artifacts);
+    if (!options.free.empty()) data.calibration.clear();
+    for (const std::string& text : options.free) data.calibration.push_back(read_free(text));
+
+    in_file(options.case_file.empty() ? "built-in case" : options.case_file, [&] {
+        if (data.calibration.empty())
+            throw InputError("nothing is free", "calibration.free in the case, or --free").at("/calibration");
+        const auto problem = calibration_problem(data, artifacts.read("1-modulus.json", read_moduli),
+                                                 artifacts.read("2-contact.json", read_contacts));
+        const CalibrationSummary summary = calibrate(problem);
+        const auto velocities =
+            rows_of(data, problem.critical_velocities, summary.critical_velocities, Dimension::velocity);
+        const auto times = rows_of(data, problem.contact_times, summary.contact_times, Dimension::time);
+        if (!options.json) {
+            out << calibration_text(data, summary, velocities, times);
+            return;
+        }
+        out << write_json({{"constants", constants_json(data, summary)},
+                           {"correlation", matrix_json(summary.correlation)},
+                           {"critical_velocities", rows_json(velocities)},
+                           {"contact_times", rows_json(times)},
+                           {"chi_squared", summary.chi_squared},
+                           {"degrees_of_freedom", summary.degrees_of_freedom},
+                           {"probability", summary.probability},
+                           {"akaike", summary.akaike},
+                           {"iterations", summary.iterations}},
+                          Digits::seventeen);
+    });
+}
+
+}  // namespace ashimpact

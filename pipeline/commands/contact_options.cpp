@@ -1,0 +1,105 @@
+#include "pipeline/commands/contact_options.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <limits>
+
+#include "materials/checks.hpp"
+#include "materials/contact_properties.hpp"
+#include "materials/error.hpp"
+#include "pipeline/case/laws.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+/// Calls @p read and gives any InputError of it the option as its place.
+template <class Read>
+auto at_option(const std::string& option, Read&& read) {
+    try {
+        return read();
+    } catch (const InputError& error) {
+        throw error.at(option);
+    }
+}
+
+double read_positive(const std::string& option, const std::string& text, Dimension dimension) {
+    const double value = read_option(option, text, dimension);
+    return at_option(option, [&] {
+        require_positive(dimension_name(dimension), value, dimension);
+        return value;
+    });
+}
+
+double read_mass(const ContactOptions& options, double radius) {
+    if (options.density.empty() == options.mass.empty()) {
+        const std::string problem = options.mass.empty() ? "neither is given" : "both are given";
+        throw InputError(problem, "one of the two").at("--density, --mass");
+    }
+    if (!options.mass.empty()) return read_positive("--mass", options.mass, Dimension::mass);
+    return sphere_mass(radius, read_positive("--density", options.density, Dimension::density));
+}
+
+double read_work_of_adhesion(const ContactOptions& options, Law law) {
+    constexpr auto option = "--work-of-adhesion";
+    if (!is_adhesive(law) && !options.work_of_adhesion.empty())
+        spdlog::warn("warning: {}: {} has no attraction, so it changes nothing", option, law.name());
+    if (!is_adhesive(law) && options.work_of_adhesion.empty()) return 0;
+    const double value = read_option(option, options.work_of_adhesion, Dimension::energy_per_area);
+    return at_option(option, [&] {
+        require_not_negative("work of adhesion", value, Dimension::energy_per_area);
+        return value;
+    });
+}
+
+double read_yield_pressure(const ContactOptions& options, Law law) {
+    if (yields(law)) return read_positive("--yield-pressure", options.yield_pressure, Dimension::pressure);
+    if (!options.yield_pressure.empty())
+        spdlog::warn("warning: --yield-pressure: {} never yields, so it changes nothing", law.name());
+    return std::numeric_limits<double>::infinity();
+}
+
+Detachment read_detachment(const std::string& name, Law law) {
+    if (name.empty()) return law.default_detachment();
+    return at_option("--detachment", [&] {
+        const Detachment detachment = detachment_named(name);
+        if (const auto reason = refusal(law, detachment)) throw InputError(*reason, admissible_detachments(law));
+        return detachment;
+    });
+}
+
+}  // namespace
+
+double read_option(const std::string& option, const std::string& text, Dimension dimension) {
+    return at_option(option, [&] {
+        if (text.empty())
+            throw InputError("is missing", "a " + std::string(dimension_name(dimension)) + " [" +
+                                               std::string(si_unit(dimension)) + "]");
+        return parse_quantity(text, dimension);
+    });
+}
+
+ContactChoice read_contact(const ContactOptions& options) {
+    const Law law = at_option("--law", [&] { return Law::named(options.law); });
+    const Detachment detachment = read_detachment(options.detachment, law);
+    const double radius = read_positive("--radius", options.radius, Dimension::length);
+    const ContactPair contact{
+        .mass = read_mass(options, radius),
+        .effective_radius = radius,
+        .contact_modulus = read_positive("--contact-modulus", options.contact_modulus, Dimension::pressure),
+        .work_of_adhesion = read_work_of_adhesion(options, law),
+        .yield_pressure = read_yield_pressure(options, law)};
+    return {law, detachment, contact};
+}
+
+Damping read_damping(const ContactOptions& options) {
+    const DampingLaw law = at_option("--damping-law", [&] { return damping_named(options.damping_law); });
+    if (options.damping.empty()) return {law, 0};
+    const double coefficient = read_option("--damping", options.damping, dimension_of(law));
+    return at_option("--damping", [&] {
+        require_not_negative("damping", coefficient, dimension_of(law));
+        return Damping{law, coefficient};
+    });
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "materials/units.hpp"
+#include "solver/impact.hpp"
+
+namespace ashimpact {
+
+/// One contact as the user typed it; empty where an option was not given.
+struct ContactOptions {
+    std::string law;
+    std::string detachment;
+    std::string radius;
+    std::string density;
+    std::string mass;
+    std::string contact_modulus;
+    std::string work_of_adhesion;
+    std::string yield_pressure;
+    std::string damping_law = "constant";
+    std::string damping;
+};
+
+/// A sphere on a flat wall with its contact law.
+struct ContactChoice {
+    Law law;
+    Detachment detachment;
+    ContactPair contact;
+};
+
+/// @throws InputError naming the option
+[[nodiscard]] ContactChoice read_contact(const ContactOptions& options);
+
+/// The damping law and its coefficient, 0 where it was not given. @throws InputError naming the option
+[[nodiscard]] Damping read_damping(const ContactOptions& options);
+
+/// What an option says [SI unit of the dimension]. @throws InputError naming the option
+[[nodiscard]] double read_option(const std::string& option, const std::string& text, Dimension dimension);
+
+}  // namespace ashimpact

@@ -1,0 +1,136 @@
+#include "pipeline/commands/impact.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <ostream>
+
+#include "materials/error.hpp"
+#include "materials/text.hpp"
+#include "pipeline/files/file.hpp"
+#include "pipeline/json/quantity_json.hpp"
+#include "pipeline/json/writer.hpp"
+#include "pipeline/text/readable.hpp"
+#include "pipeline/text/table.hpp"
+#include "solver/explicit_scheme.hpp"
+#include "solver/trajectory.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+Json energy_json(const EnergyLedger& energy) {
+    const auto joule = [](double value) { return quantity_json(value, Dimension::energy); };
+    return {{"incident", joule(energy.incident)},     {"at_touch", joule(energy.at_touch)},
+            {"remaining", joule(energy.remaining)},   {"potential", joule(energy.potential)},
+            {"dissipated", joule(energy.dissipated)}, {"plastic", joule(energy.plastic)},
+            {"residual", joule(energy.residual)},
+            {"minimum", joule(energy.minimum)}};
+}
+
+std::string trajectory_csv(const std::vector<TrajectoryPoint>& points) {
+    std::string csv =
+        "time [s],overlap [m],velocity [m/s],contact_radius [m],repulsive_force [N],attractive_force [N],"
+        "damping_force [N]\n";
+    for (const TrajectoryPoint& p : points) {
+        const char* separator = "";
+        for (const double value : {p.time, p.overlap, p.velocity, p.contact_radius, p.repulsive_force,
+                                   p.attractive_force, p.damping_force}) {
+            csv += separator + shortest(value);
+            separator = ",";
+        }
+        csv += '\n';
+    }
+    return csv;
+}
+
+std::string energy_text(const EnergyLedger& energy) {
+    return fmt::format("{} incident, {} dissipated, {} left", readable(energy.incident, "J"),
+                       readable(energy.dissipated, "J"), readable(energy.remaining, "J"));
+}
+
+}  // namespace
+
+Json impact_json(const Impact& impact, const ImpactResult& result) {
+    return {{"law", impact.law.name()},
+            {"detachment", name_of(impact.detachment)},
+            {"damping_law", name_of(impact.damping.law)},
+            {"damping", quantity_json(impact.damping.coefficient, unit_of(impact.damping.law))},
+            {"outcome", name_of(result.outcome)},
+            {"restitution", quantity_json(result.restitution, Dimension::fraction)},
+            {"contact_time", quantity_json(result.contact_time, Dimension::time)},
+            {"approach_time", quantity_json(result.approach_time, Dimension::time)},
+            {"maximum_overlap", quantity_json(result.maximum_overlap, Dimension::length)},
+            {"rebound_velocity", quantity_json(result.rebound_velocity, Dimension::velocity)},
+            {"energy", energy_json(result.energy)}};
+}
+
+std::string impact_text(const Impact& impact, const ImpactResult& result) {
+    const auto time = [](const std::optional<double>& value, const char* none) {
+        return value ? readable(*value, "s") : std::string(none);
+    };
+    TextList list;
+    list.add("law", fmt::format("{}, contact ends at {}", impact.law.name(), name_of(impact.detachment)));
+    list.add("damping", fmt::format("{} ({})", readable(impact.damping.coefficient, unit_of(impact.damping.law)),
+                                    name_of(impact.damping.law)));
+    list.add("velocity", readable(impact.velocity, "m/s"));
+    list.add("outcome", std::string(name_of(result.outcome)));
+    list.add("restitution", readable_number(result.restitution));
+    list.add("rebound velocity", readable(result.rebound_velocity, "m/s"));
+    list.add("contact time", time(result.contact_time, "none: the particle stays"));
+    list.add("approach time", time(result.approach_time, "none: the approach never turns"));
+    list.add("maximum overlap", readable(result.maximum_overlap, "m"));
+    list.add("energy", energy_text(result.energy));
+    return list.text(0);
+}
+
+namespace {
+
+/// How an impact was solved: 0 for the time step of the exact method.
+struct Solution {
+    ImpactResult result;
+    double time_step;
+};
+
+Solution solve(const ImpactOptions& options, const Impact& impact) {
+    constexpr double steps = 1e4;
+    if (options.method == "taylor") {
+        if (!options.time_step.empty()) throw InputError("belongs to the explicit method", "--method paper-explicit").at("--time-step");
+        return {solve_impact(impact), 0};
+    }
+    if (options.method != "paper-explicit")
+        throw InputError("unknown method " + in_quotes(options.method), "taylor, paper-explicit").at("--method");
+    if (!options.trajectory.empty())
+        throw InputError("is written by the exact method alone", "--method taylor").at("--trajectory");
+    validate(impact);
+    const double time_step = options.time_step.empty() ? explicit_time_step(impact, steps)
+                                                       : read_option("--time-step", options.time_step, Dimension::time);
+    return {solve_impact_explicit(impact, {.time_step = time_step}), time_step};
+}
+
+}  // namespace
+
+void run_impact_command(const ImpactOptions& options, std::ostream& out) {
+    const ContactChoice choice = read_contact(options.contact);
+    const Impact impact{.law = choice.law,
+                        .detachment = choice.detachment,
+                        .damping = read_damping(options.contact),
+                        .contact = choice.contact,
+                        .velocity = read_option("--velocity", options.velocity, Dimension::velocity)};
+    const auto [result, time_step] = solve(options, impact);
+    if (!options.trajectory.empty()) {
+        const auto points = trajectory(impact, options.points);
+        write_file(options.trajectory, trajectory_csv(points));
+        spdlog::info("{}: {} points", options.trajectory, points.size());
+    }
+    if (!options.json) {
+        out << impact_text(impact, result);
+        return;
+    }
+    Json json = impact_json(impact, result);
+    json["method"] = options.method;
+    if (time_step > 0) json["time_step"] = quantity_json(time_step, Dimension::time);
+    out << write_json(json, Digits::seventeen);
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+namespace ashimpact {
+
+struct RunOptions {
+    std::string case_file;            ///< empty: the built-in case
+    std::string folder = "results";
+    std::string from;
+    std::string only;
+};
+
+/// `ashimpact run`: every stage, its artifacts in a folder, the comparison as a table.
+void run_run_command(const RunOptions& options, std::ostream& out);
+
+}  // namespace ashimpact

@@ -1,0 +1,115 @@
+#include "pipeline/files/file.hpp"
+
+#include <pthread.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+#include <vector>
+
+#include "materials/error.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+/// Keeps the signals that end the program waiting for as long as it lives.
+class SignalsHeld {
+  public:
+    SignalsHeld() {
+        sigset_t ending;
+        sigemptyset(&ending);
+        for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) sigaddset(&ending, signal);
+        pthread_sigmask(SIG_BLOCK, &ending, &before_);
+    }
+    ~SignalsHeld() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    SignalsHeld(const SignalsHeld&) = delete;
+    SignalsHeld& operator=(const SignalsHeld&) = delete;
+    SignalsHeld(SignalsHeld&&) = delete;
+    SignalsHeld& operator=(SignalsHeld&&) = delete;
+
+  private:
+    sigset_t before_{};
+};
+
+std::string reason(int error) { return std::generic_category().message(error); }
+
+[[noreturn]] void refuse_write(const std::filesystem::path& path, const std::string& why) {
+    throw InputError("cannot be written: " + why, "a place you may write to").in_file(path.string());
+}
+
+/// Files under their temporary names; those not yet in their place are removed in the end.
+class Staged {
+  public:
+    Staged() = default;
+    ~Staged() {
+        for (const Entry& entry : entries_) std::filesystem::remove(entry.temporary, ignored_);
+    }
+    Staged(const Staged&) = delete;
+    Staged& operator=(const Staged&) = delete;
+    Staged(Staged&&) = delete;
+    Staged& operator=(Staged&&) = delete;
+
+    void add(const FileContent& file) {
+        if (std::filesystem::is_directory(file.path, ignored_)) refuse_write(file.path, "it is a folder");
+        const auto folder = file.path.parent_path();
+        std::error_code failure;
+        if (!folder.empty()) std::filesystem::create_directories(folder, failure);
+        if (failure) refuse_write(folder, failure.message());
+        const auto name = "." + file.path.filename().string() + "." + std::to_string(getpid()) + ".tmp";
+        entries_.push_back({folder / name, file.path});
+        errno = 0;
+        std::ofstream stream(entries_.back().temporary, std::ios::binary | std::ios::trunc);
+        stream << file.content << std::flush;
+        if (!stream) refuse_write(file.path, reason(errno != 0 ? errno : EIO));
+    }
+
+    void commit() {
+        for (; !entries_.empty(); entries_.erase(entries_.begin())) {
+            std::error_code failure;
+            std::filesystem::rename(entries_.front().temporary, entries_.front().place, failure);
+            if (failure) refuse_write(entries_.front().place, failure.message());
+        }
+    }
+
+  private:
+    struct Entry {
+        std::filesystem::path temporary;
+        std::filesystem::path place;
+    };
+    std::vector<Entry> entries_;
+    std::error_code ignored_;
+};
+
+}  // namespace
+
+std::string read_file(const std::filesystem::path& path) {
+    std::error_code ignored;
+    errno = 0;
+    std::ifstream stream(path, std::ios::binary);
+    const bool folder = std::filesystem::is_directory(path, ignored);
+    if (!stream || folder) {
+        const std::string why = folder ? "it is a folder" : reason(errno != 0 ? errno : EIO);
+        throw InputError("cannot be read: " + why, "a file").in_file(path.string());
+    }
+    std::ostringstream content;
+    content << stream.rdbuf();
+    return std::move(content).str();
+}
+
+void write_files(std::span<const FileContent> files) {
+    const SignalsHeld held;
+    Staged staged;
+    for (const FileContent& file : files) staged.add(file);
+    staged.commit();
+}
+
+void write_file(const std::filesystem::path& path, const std::string& content) {
+    const FileContent file{path, content};
+    write_files(std::span(&file, 1));
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "materials/json_input.hpp"
+
+namespace ashimpact {
+
+/// The document without its comments, at any depth.
+[[nodiscard]] Json without_comments(const Json& document);
+
+}  // namespace ashimpact

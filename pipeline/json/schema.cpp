@@ -1,0 +1,190 @@
+#include "pipeline/json/schema.hpp"
+
+#include <array>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "data/embedded.hpp"
+#include "materials/error.hpp"
+#include "materials/modulus.hpp"
+#include "materials/text.hpp"
+#include "materials/work_of_adhesion.hpp"
+#include "solver/calibration.hpp"
+#include "solver/contact/registry.hpp"
+#include "solver/damping/damping.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+constexpr std::string_view folder = "schemas/";
+constexpr std::string_view suffix = ".json";
+
+using Names = std::vector<std::string>;
+
+template <class Entries, class NameOf>
+Names names_in(const Entries& entries, NameOf name_of_entry) {
+    Names names;
+    for (const auto& entry : entries) names.emplace_back(name_of_entry(entry));
+    return names;
+}
+
+Names mixture_rules() {
+    Names names;
+    for (int i = 0; i <= static_cast<int>(MixtureRule::hashin_shtrikman_upper); ++i)
+        names.emplace_back(mixture_rule_name(static_cast<MixtureRule>(i)));
+    return names;
+}
+
+Names porosity_laws() {
+    Names names;
+    for (int i = 0; i <= static_cast<int>(PorosityLaw::gibson_ashby); ++i)
+        names.emplace_back(porosity_law_name(static_cast<PorosityLaw>(i)));
+    return names;
+}
+
+Names adhesion_rules() {
+    return names_in(std::array{AdhesionRule::girifalco_good, AdhesionRule::dong2013, AdhesionRule::dupre},
+                    adhesion_rule_name);
+}
+
+/// What stands for "@..." in the schema files: lists that live in the code.
+Names listed(const std::string& placeholder) {
+    const auto by_name = [](const auto& entry) { return entry.name; };
+    if (placeholder == "@laws") return names_in(RegisteredLaws::names, [](std::string_view name) { return name; });
+    if (placeholder == "@detachments") return names_in(detachment_names, by_name);
+    if (placeholder == "@damping_laws") return names_in(damping_names, by_name);
+    if (placeholder == "@calibration_quantities") return names_in(calibration_quantity_names, by_name);
+    if (placeholder == "@mixture_rules") return mixture_rules();
+    if (placeholder == "@porosity_laws") return porosity_laws();
+    if (placeholder == "@adhesion_rules") return adhesion_rules();
+    throw std::logic_error("no list for " + placeholder);
+}
+
+Json schema_file(const std::string& name) {
+    const auto text = embedded_file(std::string(folder) + name + std::string(suffix));
+    if (!text) throw std::logic_error("no schema file " + name);
+    return parse_json(*text);
+}
+
+/// Gathers a schema and the files it refers to into one document.
+class Bundle {
+  public:
+    explicit Bundle(const std::string& name) : root_(schema_file(name)) {
+        const Json own = root_.contains("definitions") ? root_["definitions"] : Json::object();
+        root_.erase("definitions");
+        resolve(root_);
+        take_definitions(own);
+        for (auto& [key, definition] : definitions_) root_["definitions"][key] = std::move(definition);
+    }
+
+    [[nodiscard]] Json take() && { return std::move(root_); }
+
+  private:
+    /// Makes every reference one to "#/definitions/...", every list the program's own.
+    void resolve(Json& node) {
+        if (node.is_object() && node.contains("enum") && node["enum"].size() == 1) {
+            const auto only = node["enum"][0].get<std::string>();
+            if (only.starts_with('@')) node["enum"] = listed(only);
+        }
+        if (node.is_object() && node.contains("$ref")) node["$ref"] = reference(node["$ref"]);
+        if (node.is_structured())
+            for (Json& child : node) resolve(child);
+    }
+
+    std::string reference(const std::string& target) {
+        const auto hash = target.find('#');
+        const std::string other = target.substr(0, hash == std::string::npos ? target.size() : hash);
+        if (!other.empty()) include(other.substr(0, other.size() - suffix.size()));
+        if (hash != std::string::npos) return target.substr(hash);
+        return "#/definitions/" + other.substr(0, other.size() - suffix.size());
+    }
+
+    void include(const std::string& name) {
+        if (!included_.insert(name).second) return;
+        Json file = schema_file(name);
+        const Json own = file.contains("definitions") ? file["definitions"] : Json::object();
+        for (const auto* key : {"definitions", "$schema"}) file.erase(key);
+        resolve(file);
+        take_definitions(own);
+        if (file.contains("type")) definitions_[name] = std::move(file);
+    }
+
+    void take_definitions(const Json& definitions) {
+        for (const auto& [key, value] : definitions.items()) {
+            Json definition = value;
+            resolve(definition);
+            definitions_[key] = std::move(definition);
+        }
+    }
+
+    Json root_;
+    std::map<std::string, Json> definitions_;
+    std::set<std::string> included_;
+};
+
+void allow_comments(Json& node) {
+    if (node.is_object() && node.contains("additionalProperties"))
+        node["patternProperties"] = Json{{"^//", Json::object()}};
+    if (node.is_structured())
+        for (Json& child : node) allow_comments(child);
+}
+
+const Json& dereferenced(const Json& schema, const Json& node) {
+    const Json* at = &node;
+    while (at->contains("$ref"))
+        at = &schema.at(Json::json_pointer(at->at("$ref").get<std::string>().substr(1)));
+    return *at;
+}
+
+/// The schema of a member or element of a value described by @p node.
+const Json* child_schema(const Json& schema, const Json& node, const std::string& key) {
+    if (node.contains("properties") && node["properties"].contains(key)) return &node["properties"][key];
+    for (const auto* combined : {"allOf", "oneOf", "anyOf"}) {
+        if (!node.contains(combined)) continue;
+        for (const Json& branch : node[combined])
+            if (const Json* found = child_schema(schema, dereferenced(schema, branch), key)) return found;
+    }
+    const bool index = !key.empty() && key.find_first_not_of("0123456789") == std::string::npos;
+    if (index && node.contains("items") && node["items"].is_object()) return &node["items"];
+    if (node.contains("additionalProperties") && node["additionalProperties"].is_object())
+        return &node["additionalProperties"];
+    return nullptr;
+}
+
+}  // namespace
+
+std::vector<std::string> schema_names() {
+    std::vector<std::string> names;
+    for (const std::string_view path : embedded_files(folder)) {
+        const std::string name(path.substr(folder.size(), path.size() - folder.size() - suffix.size()));
+        if (name != "common") names.push_back(name);
+    }
+    return names;
+}
+
+Json schema_named(std::string_view name) {
+    const auto names = schema_names();
+    for (const std::string& known : names)
+        if (known == name) return Bundle(known).take();
+    throw InputError("no schema is called " + in_quotes(name), joined(names));
+}
+
+Json schema_with_comments(std::string_view name) {
+    Json schema = schema_named(name);
+    allow_comments(schema);
+    return schema;
+}
+
+const Json* schema_part(const Json& schema, const std::vector<std::string>& path) {
+    const Json* node = &dereferenced(schema, schema);
+    for (const std::string& key : path) {
+        node = child_schema(schema, *node, key);
+        if (node == nullptr) return nullptr;
+        node = &dereferenced(schema, *node);
+    }
+    return node;
+}
+
+}  // namespace ashimpact

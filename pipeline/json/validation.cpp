@@ -1,0 +1,135 @@
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validation_results.hpp>
+#include <valijson/validator.hpp>
+
+#include "materials/error.hpp"
+#include "materials/text.hpp"
+#include "pipeline/json/schema.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+using Path = std::vector<std::string>;
+using Error = valijson::ValidationResults::Error;
+
+/// valijson names a place "<root>", "[samples]", "[0]".
+Path path_of(const Error& error) {
+    Path path;
+    for (std::size_t i = 1; i < error.context.size(); ++i)
+        path.push_back(error.context[i].substr(1, error.context[i].size() - 2));
+    return path;
+}
+
+/// The first error, or the choice ("anyOf") that encloses it.
+Error decisive(const valijson::ValidationResults& results) {
+    const Error first = *results.begin();
+    for (const Error& error : results) {
+        const bool choice = error.description.find("Of constraint") != std::string::npos &&
+                            error.description.find("allOf") == std::string::npos;
+        if (choice && error.context.size() <= first.context.size()) return error;
+    }
+    return first;
+}
+
+const Json& value_at(const Json& document, const Path& path) {
+    const Json* value = &document;
+    for (const std::string& key : path) value = value->is_array() ? &value->at(std::stoul(key)) : &value->at(key);
+    return *value;
+}
+
+std::string shown(const Json& value) {
+    if (value.is_object()) return "an object";
+    if (value.is_array()) return "a list of " + std::to_string(value.size());
+    return value.is_string() ? in_quotes(value.get<std::string>()) : value.dump();
+}
+
+/// What the schema says a value may be.
+std::string allowed_by(const Json& schema, const Path& path) {
+    const Json* part = schema_part(schema, path);
+    if (part == nullptr) return {};
+    if (part->contains("enum")) return joined((*part)["enum"].get<std::vector<std::string>>());
+    return part->value("description", "");
+}
+
+std::vector<std::string> keys_in(const Json* part) {
+    std::vector<std::string> keys;
+    if (part != nullptr && part->contains("properties"))
+        for (const auto& [key, _] : (*part)["properties"].items()) keys.push_back(key);
+    return keys;
+}
+
+/// The text between the last pair of single quotes.
+std::string last_quoted(const std::string& text) {
+    const auto end = text.rfind('\'');
+    const auto start = text.rfind('\'', end - 1);
+    return text.substr(start + 1, end - start - 1);
+}
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
+    const auto guess = nearest(word, candidates, 1);
+    return guess.empty() ? std::string{} : ", did you mean " + in_quotes(guess.front()) + "?";
+}
+
+std::string pointer_to(const Path& path) {
+    std::string pointer;
+    for (const std::string& key : path) pointer = child_pointer(pointer, key);
+    return pointer.empty() ? "/" : pointer;
+}
+
+/// The schema of the object at @p path that lists its keys, behind "allOf" too.
+std::vector<std::string> keys_allowed(const Json& schema, const Path& path) {
+    const Json* part = schema_part(schema, path);
+    if (part != nullptr && !part->contains("properties") && part->contains("allOf")) {
+        const auto reference = (*part)["allOf"][0].value("$ref", "#");
+        part = &schema.at(Json::json_pointer(reference.substr(1)));
+    }
+    return keys_in(part);
+}
+
+[[noreturn]] void refuse(const Json& document, const Json& schema, const Error& error) {
+    const Path path = path_of(error);
+    const Json& value = value_at(document, path);
+    const auto says = [&](const char* text) { return error.description.find(text) != std::string::npos; };
+    if (says("Missing required property")) {
+        const std::string key = last_quoted(error.description);
+        Path member = path;
+        member.push_back(key);
+        throw InputError(in_quotes(key) + " is missing", allowed_by(schema, member)).at(pointer_to(path));
+    }
+    if (says("could not be validated using 'properties'")) {
+        const std::string key = last_quoted(error.description);
+        Path member = path;
+        member.push_back(key);
+        const auto keys = keys_allowed(schema, path);
+        throw InputError("unknown key" + did_you_mean(key, keys), joined(keys)).at(pointer_to(member));
+    }
+    std::string problem = "is " + shown(value);
+    if (says("enum") && value.is_string()) {
+        const Json* part = schema_part(schema, path);
+        const auto names = part != nullptr && part->contains("enum") ? (*part)["enum"].get<std::vector<std::string>>()
+                                                                     : std::vector<std::string>{};
+        problem = "unknown name " + shown(value) + did_you_mean(value.get<std::string>(), names);
+    }
+    if (says("uniqueness")) problem = "holds the same value twice";
+    throw InputError(problem, allowed_by(schema, path)).at(pointer_to(path));
+}
+
+}  // namespace
+
+void validate_document(const Json& document, std::string_view schema_name) {
+    const Json schema = schema_named(schema_name);
+    const nlohmann::json plain_schema(schema);
+    const nlohmann::json plain_document(document);
+    valijson::Schema compiled;
+    valijson::SchemaParser parser;
+    parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(plain_schema), compiled);
+    valijson::Validator validator;
+    valijson::ValidationResults results;
+    const valijson::adapters::NlohmannJsonAdapter target(plain_document);
+    if (!validator.validate(compiled, target, &results)) refuse(document, schema, decisive(results));
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/stages/stage.hpp"
+
+namespace ashimpact {
+
+/// What a run is to do.
+struct RunPlan {
+    std::optional<std::string> case_file;  ///< none: the built-in case
+    std::filesystem::path folder;          ///< of the artifacts
+    std::string from{};  ///< stage to start from, with the artifacts before it as they are; empty: the case
+    std::string only{};  ///< the one stage to run; empty: all from there on
+};
+
+/// A finished run.
+struct RunSummary {
+    std::vector<Artifact> written;  ///< in order, the manifest last
+    std::vector<std::string> warnings;
+};
+
+/// Runs the stages and writes their artifacts. Everything is read, checked and computed before the first file is
+/// touched; then all are replaced at once.
+/// @throws InputError, ConvergenceError; nothing is written then
+[[nodiscard]] RunSummary run_stages(const RunPlan& plan);
+
+/// The artifacts of a case up to and with a stage, nothing written.
+[[nodiscard]] Artifacts compute_artifacts(const std::optional<std::string>& case_file, std::string_view last_stage);
+
+/// Names of the stages a run can start from.
+[[nodiscard]] std::vector<std::string> stage_names();
+
+}  // namespace ashimpact

@@ -1,0 +1,53 @@
+#include "pipeline/stages/analytic.hpp"
+
+#include "materials/separation_energy.hpp"
+#include "pipeline/json/quantity_json.hpp"
+#include "pipeline/stages/contact.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+Json pair_json(double energy, double velocity) {
+    return {{"separation_energy", quantity_json(energy, Dimension::energy)},
+            {"critical_velocity", quantity_json(velocity, Dimension::velocity)}};
+}
+
+Json analytic_json(const SampleContact& sample) {
+    const AdhesiveContact contact{.work_of_adhesion = sample.pair.work_of_adhesion,
+                                  .effective_radius = sample.pair.effective_radius,
+                                  .contact_modulus = sample.pair.contact_modulus};
+    Json json{{"name", sample.name}};
+    json.update(pair_json(separation_energy(contact), separation_velocity(contact, sample.density)));
+    json["load_controlled"] = pair_json(separation_energy(contact, Separation::load_controlled),
+                                        separation_velocity(contact, sample.density, Separation::load_controlled));
+    json["with_printed_constants"] =
+        pair_json(dong2013::separation_energy(contact), dong2013::separation_velocity(contact, sample.density));
+    return json;
+}
+
+}  // namespace
+
+StageOutput analytic_stage(const Artifacts& before) {
+    StageOutput output{.citations = {"dong2013, Eqs. 28-30", "thornton1998"}};
+    output.options = {{"separation", "pull-off"},
+                      {"energy_constant", separation_energy_constant(Separation::pull_off)},
+                      {"velocity_constant", separation_velocity_constant(Separation::pull_off)},
+                      {"modulus", "contact modulus E* (the paper prints Young's modulus)"},
+                      {"adhesion", "work of adhesion w (the paper prints a surface energy)"}};
+    output.result["samples"] = Json::array();
+    for (const SampleContact& sample : before.read("2-contact.json", read_contacts))
+        output.result["samples"].push_back(analytic_json(sample));
+    return output;
+}
+
+std::vector<SampleAnalytic> read_analytic(const View& result) {
+    std::vector<SampleAnalytic> samples;
+    for (const View& sample : result.at("samples").elements())
+        samples.push_back({.name = sample.at("name").text(),
+                           .separation_energy = sample.at("separation_energy").number(Dimension::energy),
+                           .critical_velocity = sample.at("critical_velocity").number(Dimension::velocity)});
+    return samples;
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,183 @@
+#include "pipeline/stages/comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "pipeline/case/case_json.hpp"
+#include "pipeline/case/laws.hpp"
+#include "pipeline/json/quantity_json.hpp"
+#include "pipeline/stages/analytic.hpp"
+#include "pipeline/stages/contact.hpp"
+#include "pipeline/stages/critical_velocity.hpp"
+#include "pipeline/stages/fit.hpp"
+#include "pipeline/stages/histories.hpp"
+#include "pipeline/stages/modulus.hpp"
+#include "pipeline/stages/read_case_artifact.hpp"
+#include "pipeline/text/readable.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+/// Everything the artifacts say of one sample.
+struct SampleResults {
+    const Sample& sample;
+    const SampleModulus& modulus;
+    const LawMap<LawFit>& fits;
+    const LawMap<LawCriticalVelocity>& velocities;
+    const std::vector<ContactTimeAt>& contact_times;
+    const std::vector<std::pair<std::string, double>>& volume_fractions;
+};
+
+/// How far apart analytic and dynamic velocities are, over all samples and laws.
+struct Gap {
+    double least_ratio = std::numeric_limits<double>::infinity();
+    double greatest_ratio = 0;
+    double least_share = std::numeric_limits<double>::infinity();  ///< of damping in the energy lost at v_c
+    double greatest_share = 0;
+
+    void take(const LawCriticalVelocity& dynamic, double analytic) {
+        if (!dynamic.value || !(analytic > 0)) return;
+        least_ratio = std::min(least_ratio, *dynamic.value / analytic);
+        greatest_ratio = std::max(greatest_ratio, *dynamic.value / analytic);
+        const double share =
+            dynamic.dissipated / (dynamic.dissipated + dynamic.plastic + std::max(0.0, dynamic.detachment_energy));
+        least_share = std::min(least_share, share);
+        greatest_share = std::max(greatest_share, share);
+    }
+
+    [[nodiscard]] bool known() const { return greatest_ratio > 0; }
+
+    [[nodiscard]] std::string sentence() const {
+        if (!known()) return "There are no analytic and dynamic critical velocities to compare.";
+        const std::string ratios =
+            fmt::format("The dynamic critical velocities are {} to {} times the analytic ones of Eq. 30",
+                        readable_number(least_ratio, 3), readable_number(greatest_ratio, 3));
+        const std::string share = fmt::format("{} to {} %", readable_number(100 * least_share, 4),
+                                              readable_number(100 * greatest_share, 4));
+        if (least_ratio > 2)
+            return fmt::format("{}: the first-contact adhesive loss W_s does not explain capture here, viscous "
+                               "dissipation does, which takes {} of the energy lost at v_c.",
+                               ratios, share);
+        return fmt::format("{}; viscous dissipation takes {} of the energy lost at v_c, breaking the contact the rest.",
+                           ratios, share);
+    }
+};
+
+Json beside(double ours, const Quantity& published) {
+    return {{"ours", quantity_json(ours, published.unit)},
+            {"published", published},
+            {"relative_difference", ours / published.value - 1}};
+}
+
+/// Ours beside the published, for every law that has both.
+template <class Ours, class Value>
+Json beside_by_law(const LawMap<Quantity>& published, const LawMap<Ours>& ours, Value&& value) {
+    Json json = Json::object();
+    for (const auto& [law, printed] : published) {
+        const Ours* own = ours.find(law);
+        if (own == nullptr) continue;
+        const std::optional<double> number = value(*own);
+        if (number) json[std::string(law.name())] = beside(*number, printed);
+    }
+    return json;
+}
+
+Json published_beside_json(const PublishedSample& published, const SampleResults& of) {
+    Json json{{"source", published.source}};
+    if (published.young_modulus)
+        json["young_modulus"] = beside(of.modulus.young_modulus.value, *published.young_modulus);
+    for (const auto& [name, printed] : published.volume_fractions)
+        for (const auto& [own_name, fraction] : of.volume_fractions)
+            if (own_name == name) json["volume_fractions"][name] = beside(fraction, printed);
+    const auto add = [&](const char* key, Json values) {
+        if (!values.empty()) json[key] = std::move(values);
+    };
+    add("critical_damping", beside_by_law(published.critical_damping, of.fits, [](const LawFit& fit) {
+            return std::optional(fit.critical_damping);
+        }));
+    add("critical_velocity", beside_by_law(published.critical_velocity, of.velocities,
+                                           [](const LawCriticalVelocity& velocity) { return velocity.value; }));
+    add("critical_contact_times", beside_by_law(published.critical_contact_times, of.velocities,
+                                                [](const LawCriticalVelocity& v) { return v.contact_time; }));
+    for (const auto& printed : published.contact_times)
+        for (const ContactTimeAt& own : of.contact_times) {
+            if (!(own.law == printed.law) || own.velocity != printed.velocity.value) continue;
+            Json entry{{"law", own.law.name()}, {"velocity", printed.velocity}};
+            entry.update(beside(own.contact_time, printed.contact_time));
+            json["contact_times"].push_back(std::move(entry));
+        }
+    return json;
+}
+
+std::vector<std::pair<std::string, double>> read_volume_fractions(const View& result, const std::string& name) {
+    std::vector<std::pair<std::string, double>> fractions;
+    for (const View& sample : result.at("samples").elements()) {
+        if (sample.at("name").text() != name) continue;
+        for (const View& phase : sample.at("phases").elements())
+            fractions.emplace_back(phase.at("name").text(), phase.at("volume_fraction").number(Dimension::fraction));
+    }
+    return fractions;
+}
+
+Json dynamic_json(const SampleResults& of, const std::vector<LawChoice>& laws, Json& verdicts) {
+    Json velocities = Json::object();
+    for (const LawChoice& choice : laws) {
+        const LawCriticalVelocity* velocity = of.velocities.find(choice.law);
+        const std::string name(choice.law.name());
+        velocities[name] = velocity == nullptr ? Json(nullptr) : quantity_json(velocity->value, Dimension::velocity);
+        verdicts[name] = velocity == nullptr ? "no damping data" : velocity->verdict;
+    }
+    return velocities;
+}
+
+}  // namespace
+
+StageOutput comparison_stage(const Artifacts& before) {
+    const Case data = read_case_artifact(before);
+    const Dimension dimension = dimension_of(data.damping_law);
+    const auto moduli = before.read("1-modulus.json", read_moduli);
+    const auto contacts = before.read("2-contact.json", read_contacts);
+    const auto analytic = before.read("3-analytic.json", read_analytic);
+    const auto fits = before.read("6-fit.json", [&](const View& v) { return read_fits(v, dimension); });
+    const auto velocities = before.read("7-critical-velocity.json", read_critical_velocities);
+    const auto histories = before.read("8-histories.json", read_histories);
+
+    StageOutput output{.citations = {"dong2013, Tables 1, 3 and 4, Eq. 30"}};
+    output.result["samples"] = Json::array();
+    Gap gap;
+    for (const Sample& sample : data.samples) {
+        const auto fractions = before.read(
+            "1-modulus.json", [&](const View& view) { return read_volume_fractions(view, sample.name); });
+        const SampleResults of{sample,
+                               entry_named(moduli, sample.name, "1-modulus.json"),
+                               entry_named(fits, sample.name, "6-fit.json").laws,
+                               entry_named(velocities, sample.name, "7-critical-velocity.json").laws,
+                               entry_named(histories, sample.name, "8-histories.json").contact_times,
+                               fractions};
+        const SampleAnalytic& simple = entry_named(analytic, sample.name, "3-analytic.json");
+        const SampleContact& contact = entry_named(contacts, sample.name, "2-contact.json");
+        for (const auto& [law, velocity] : of.velocities) gap.take(velocity, simple.critical_velocity);
+        Json verdicts = Json::object();
+        Json json{{"name", sample.name},
+                  {"young_modulus", of.modulus.young_modulus},
+                  {"contact_modulus", quantity_json(contact.pair.contact_modulus, Dimension::pressure)},
+                  {"separation_energy", quantity_json(simple.separation_energy, Dimension::energy)},
+                  {"analytic_critical_velocity", quantity_json(simple.critical_velocity, Dimension::velocity)},
+                  {"dynamic_critical_velocity", dynamic_json(of, data.laws, verdicts)},
+                  {"verdict", verdicts},
+                  {"measured_critical_velocity", sample.measured_critical_velocity
+                                                     ? stated_json(*sample.measured_critical_velocity)
+                                                     : Json(nullptr)}};
+        if (sample.published) json["published"] = published_beside_json(*sample.published, of);
+        output.result["samples"].push_back(std::move(json));
+    }
+    if (gap.known())
+        output.result["dynamic_over_analytic"] = {{"least", gap.least_ratio}, {"greatest", gap.greatest_ratio}};
+    output.result["conclusion"] = gap.sentence();
+    return output;
+}
+
+}  // namespace ashimpact

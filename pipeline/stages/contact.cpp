@@ -1,0 +1,117 @@
+#include "pipeline/stages/contact.hpp"
+
+#include <cmath>
+
+#include "materials/text.hpp"
+#include "pipeline/case/case_json.hpp"
+#include "pipeline/json/quantity_json.hpp"
+#include "pipeline/stages/modulus.hpp"
+#include "pipeline/stages/read_case_artifact.hpp"
+#include "solver/impact.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+Stated computed(double value, Dimension dimension, std::string source) {
+    return {.quantity = make_quantity(value, dimension), .origin = "computed", .source = std::move(source)};
+}
+
+Stated poisson_ratio_of(const Sample& sample, const SampleModulus& modulus) {
+    if (sample.poisson_ratio) return *sample.poisson_ratio;
+    if (modulus.poisson_ratio) return computed(*modulus.poisson_ratio, Dimension::fraction, "mixed from the phases");
+    throw InputError("Poisson's ratio of the sample " + sample.name + " is not known",
+                     "poisson_ratio of the sample, or of each of its phases");
+}
+
+Stated contact_modulus_of(const Sample& sample, const std::optional<Wall>& wall, const SampleModulus& modulus,
+                          const std::optional<Stated>& poisson_ratio) {
+    if (sample.contact_modulus) return *sample.contact_modulus;
+    if (const auto* given = std::get_if<Stated>(&*wall)) return *given;
+    const ElasticBody particle{modulus.young_modulus.value, poisson_ratio->value()};
+    const auto* elastic = std::get_if<ElasticWall>(&*wall);
+    const double value =
+        elastic == nullptr
+            ? contact_modulus(particle, RigidWall{})
+            : contact_modulus(particle, ElasticBody{elastic->young_modulus.value(), elastic->poisson_ratio.value()});
+    Stated stated = computed(value, Dimension::pressure, "Eq. 7");
+    if (const auto u = modulus.young_modulus.standard_uncertainty)
+        stated.quantity.standard_uncertainty =
+            value * particle_share_of_compliance(particle, value) * *u / modulus.young_modulus.value;
+    return stated;
+}
+
+bool needs_poisson_ratio(const Sample& sample, const std::optional<Wall>& wall) {
+    return !sample.contact_modulus && !std::holds_alternative<Stated>(*wall);
+}
+
+Stated density_of(const Sample& sample, const SampleModulus& modulus, std::vector<std::string>& warnings) {
+    const double porosity = sample.porosity ? sample.porosity->value : 0;
+    const double from_phases = modulus.density * (1 - porosity);
+    if (!sample.density) return computed(from_phases, Dimension::density, "phases, less the pores");
+    const double ratio = sample.density->value() / modulus.density;
+    if (ratio > 1)
+        warnings.push_back(sample.name + ": the stated density is above that of the dense phases, by a factor " +
+                           shortest(std::round(1e4 * ratio) / 1e4));
+    return *sample.density;
+}
+
+Stated adhesion_of(const Sample& sample) {
+    if (!sample.work_of_adhesion) return computed(0, Dimension::energy_per_area, "no law of the case has attraction");
+    if (const auto* stated = std::get_if<Stated>(&*sample.work_of_adhesion)) return *stated;
+    const auto& from = std::get<AdhesionFromSurfaces>(*sample.work_of_adhesion);
+    return computed(work_of_adhesion(from.rule, from.energies), Dimension::energy_per_area,
+                    "surface energies, rule " + std::string(adhesion_rule_name(from.rule)));
+}
+
+Json contact_json(const Sample& sample, const std::optional<Wall>& wall, const SampleModulus& modulus,
+                  std::vector<std::string>& warnings) {
+    std::optional<Stated> poisson_ratio;
+    if (needs_poisson_ratio(sample, wall)) poisson_ratio = poisson_ratio_of(sample, modulus);
+    const double radius = sample.diameter.value() / 2;
+    const Stated density = density_of(sample, modulus, warnings);
+    Json json{{"name", sample.name},
+              {"contact_modulus", stated_json(contact_modulus_of(sample, wall, modulus, poisson_ratio))},
+              {"effective_radius", quantity_json(radius, Dimension::length)},
+              {"mass", quantity_json(sphere_mass(radius, density.value()), Dimension::mass)},
+              {"density", stated_json(density)},
+              {"work_of_adhesion", stated_json(adhesion_of(sample))}};
+    if (poisson_ratio) json["poisson_ratio"] = stated_json(*poisson_ratio);
+    if (sample.yield_pressure) json["yield_pressure"] = stated_json(*sample.yield_pressure);
+    return json;
+}
+
+}  // namespace
+
+StageOutput contact_stage(const Artifacts& before) {
+    const Case data = read_case_artifact(before);
+    const auto moduli = before.read("1-modulus.json", read_moduli);
+    StageOutput output{.citations = {"dong2013, Eqs. 6, 7, 11"}};
+    output.options = {{"geometry", "sphere on a flat wall: R* = r, m* = m"}};
+    output.result["samples"] = Json::array();
+    for (const Sample& sample : data.samples) {
+        const SampleModulus& modulus = entry_named(moduli, sample.name, "1-modulus.json");
+        output.result["samples"].push_back(contact_json(sample, data.wall, modulus, output.warnings));
+    }
+    return output;
+}
+
+std::vector<SampleContact> read_contacts(const View& result) {
+    std::vector<SampleContact> samples;
+    for (const View& sample : result.at("samples").elements()) {
+        SampleContact contact{
+            .name = sample.at("name").text(),
+            .pair = {.mass = sample.at("mass").number(Dimension::mass),
+                     .effective_radius = sample.at("effective_radius").number(Dimension::length),
+                     .contact_modulus = sample.at("contact_modulus").number(Dimension::pressure),
+                     .work_of_adhesion = sample.at("work_of_adhesion").number(Dimension::energy_per_area)},
+            .density = sample.at("density").number(Dimension::density)};
+        if (const auto pressure = sample.find("yield_pressure"))
+            contact.pair.yield_pressure = pressure->number(Dimension::pressure);
+        sample.located([&] { validate(contact.pair); });
+        samples.push_back(std::move(contact));
+    }
+    return samples;
+}
+
+}  // namespace ashimpact

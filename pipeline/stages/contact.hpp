@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/stages/stage.hpp"
+#include "solver/contact/pair.hpp"
+
+namespace ashimpact {
+
+/// What later stages need of 2-contact.json.
+struct SampleContact {
+    std::string name;
+    ContactPair pair;
+    double density;  ///< apparent [kg/m3]
+};
+
+/// Contact modulus, effective radius, mass and work of adhesion; Dong et al. 2013, Eqs. 6, 7 and 11.
+[[nodiscard]] StageOutput contact_stage(const Artifacts& before);
+
+[[nodiscard]] std::vector<SampleContact> read_contacts(const View& result);
+
+}  // namespace ashimpact

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/case/law_map.hpp"
+#include "pipeline/stages/stage.hpp"
+
+namespace ashimpact {
+
+/// Damping against restitution and velocity, by one law.
+struct DampingSeries {
+    std::string origin{};                ///< of the restitution data
+    std::vector<double> velocity{};      ///< [m/s]
+    std::vector<double> restitution{};   ///< above 0 [1]
+    std::vector<double> damping{};       ///< [unit of the damping law]
+    std::vector<double> contact_time{};  ///< [s]
+};
+
+/// What later stages need of 5-damping.json.
+struct SampleDamping {
+    std::string name;
+    LawMap<DampingSeries> laws;
+};
+
+/// The damping that gives back each restitution; Dong et al. 2013, section 4.2. Captures (restitution 0) bound the
+/// damping but do not fix it: they are listed apart.
+[[nodiscard]] StageOutput damping_stage(const Artifacts& before);
+
+/// @param dimension of the coefficient of the damping law
+[[nodiscard]] std::vector<SampleDamping> read_dampings(const View& result, Dimension dimension);
+
+}  // namespace ashimpact

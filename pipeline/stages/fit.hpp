@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/case/law_map.hpp"
+#include "pipeline/stages/stage.hpp"
+#include "solver/damping_fit.hpp"
+
+namespace ashimpact {
+
+/// eta = a e^2 + b e + c of one law.
+struct LawFit {
+    double a;
+    double b;
+    double c;
+    double critical_damping;  ///< eta(0) [unit of the damping law]
+};
+
+/// What later stages need of 6-fit.json.
+struct SampleFit {
+    std::string name;
+    LawMap<LawFit> laws;
+};
+
+/// The quadratic eta(e) over the rising branch of e(v) and the critical damping eta(0); Dong et al. 2013, section
+/// 4.3, Tables 2 and 3.
+[[nodiscard]] StageOutput fit_stage(const Artifacts& before);
+
+/// @param dimension of the coefficient of the damping law
+[[nodiscard]] std::vector<SampleFit> read_fits(const View& result, Dimension dimension);
+
+}  // namespace ashimpact

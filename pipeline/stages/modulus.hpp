@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "materials/modulus.hpp"
+#include "pipeline/stages/stage.hpp"
+
+namespace ashimpact {
+
+/// What later stages need of 1-modulus.json.
+struct SampleModulus {
+    std::string name;
+    Quantity young_modulus;               ///< [Pa]
+    std::optional<double> poisson_ratio;  ///< mixed from the phases [1]
+    double density;                       ///< of the dense mixture [kg/m3]
+};
+
+/// Phases, fractions both ways and Young's modulus by every rule; Dong et al. 2013, Eq. 1.
+[[nodiscard]] StageOutput modulus_stage(const Artifacts& before);
+
+[[nodiscard]] std::vector<SampleModulus> read_moduli(const View& result);
+
+/// Composition and modulus of one sample, with the keys of `ashimpact modulus --json`.
+[[nodiscard]] Json modulus_json(const Composition& composition, const ModulusEstimate& estimate, MixtureRule rule);
+
+}  // namespace ashimpact

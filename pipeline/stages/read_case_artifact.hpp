@@ -1,0 +1,20 @@
+#pragma once
+
+#include "pipeline/case/case.hpp"
+#include "pipeline/stages/stage.hpp"
+
+namespace ashimpact {
+
+/// The case of a run, from 0-case.json.
+[[nodiscard]] Case read_case_artifact(const Artifacts& artifacts);
+
+/// The entry of that name. @throws InputError naming the sample
+template <class Entry>
+[[nodiscard]] const Entry& entry_named(const std::vector<Entry>& entries, const std::string& name,
+                                       std::string_view file) {
+    for (const Entry& entry : entries)
+        if (entry.name == name) return entry;
+    throw InputError("the sample " + name + " is missing").at("/result/samples").in_file(std::string(file));
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/stages/stage.hpp"
+#include "solver/contact/registry.hpp"
+
+namespace ashimpact {
+
+/// Restitution against incident velocity that stands for some laws.
+struct RestitutionSeries {
+    std::vector<Law> laws{};
+    std::string origin{};              ///< "measured" or "reconstructed"
+    std::string source{};
+    std::vector<double> velocity{};    ///< [m/s]
+    std::vector<double> restitution{}; ///< [1], 0 for a capture
+};
+
+/// What later stages need of 4-restitution.json.
+struct SampleRestitution {
+    std::string name;
+    std::vector<RestitutionSeries> series;
+
+    /// The series of a law, or null.
+    [[nodiscard]] const RestitutionSeries* of(Law law) const;
+};
+
+/// The restitution data of each sample: as measured, or reconstructed from published fits eta(e) by asking at which
+/// velocity an impact with eta(e) gives e back.
+[[nodiscard]] StageOutput restitution_stage(const Artifacts& before);
+
+[[nodiscard]] std::vector<SampleRestitution> read_restitutions(const View& result);
+
+}  // namespace ashimpact

@@ -1,0 +1,208 @@
+#include "materials/modulus.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+
+#include "materials/xrd/xrd.hpp"
+#include "tests/materials/catalogue.hpp"
+#include "tests/materials/messages.hpp"
+#include "tests/relative_difference.hpp"
+
+using namespace ashimpact;
+using ashimpact::test::file_text;
+using ashimpact::test::holds;
+using ashimpact::test::refusal;
+using ashimpact::test::relative_difference;
+using ashimpact::test::shipped_catalogue;
+
+namespace {
+
+struct Table1Row {
+    const char* sample;
+    double quartz;         ///< [vol%], as printed
+    double mullite;        ///< [vol%], as printed
+    double young_modulus;  ///< [GPa], Eq. 1 of the printed fractions
+    double printed;        ///< [GPa], truncated by the paper
+};
+
+// Dong et al. 2013, Table 1 and the text under Eq. 1
+constexpr std::initializer_list<Table1Row> table1{{"88 um", 1.65, 47.63, 148.126, 148.13},
+                                                  {"96 um", 6.29, 48.73, 150.827, 150.82},
+                                                  {"104 um", 10.19, 57.12, 164.818, 164.81}};
+
+/// Glass and mullite with round numbers, for results that can be checked by hand.
+PhaseCatalogue round_numbers() {
+    return PhaseCatalogue({read_user_phases(parse_json(R"([
+        {"name": "hard", "density": "3 g/cm3", "poisson_ratio": 0.25,
+         "young_modulus": {"value": 200, "unit": "GPa", "standard_uncertainty": 20}},
+        {"name": "soft", "density": {"value": 2.5, "unit": "g/cm3", "standard_uncertainty": 0.1}, "poisson_ratio": 0.25,
+         "young_modulus": {"value": 80, "unit": "GPa", "standard_uncertainty": 4}}])"))});
+}
+
+double square(double x) {
+    return x * x;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "Table 1 and the three moduli of the paper come back from the weight fractions of the built-in case") {
+    const XrdResult file = read_xrd(file_text(ASHIMPACT_DATA "/cases/dong2013/xrd.csv"), "xrd.csv");
+    REQUIRE(file.samples.size() == 3);
+    CHECK(file.warnings.empty());
+    const PhaseCatalogue catalogue = shipped_catalogue().preferring("dong2013");
+    for (const auto& [name, quartz, mullite, modulus, printed] : table1) {
+        const auto sample = std::find_if(file.samples.begin(), file.samples.end(),
+                                         [n = name](const XrdSample& s) { return s.name == n; });
+        REQUIRE(sample != file.samples.end());
+        const Composition composition = compose(sample->analysis, catalogue);
+        const auto per_cent = [&](std::size_t i) {
+            return std::round(composition.components[i].volume_fraction * 1e4) / 100;
+        };
+        CAPTURE(name);
+        CHECK(per_cent(0) == quartz);
+        CHECK(per_cent(1) == mullite);
+        CHECK(per_cent(2) == std::round((100 - quartz - mullite) * 100) / 100);
+        const ModulusEstimate estimate = estimate_modulus(composition);
+        CHECK(std::abs(estimate.young_modulus / 1e9 - modulus) < 0.001);
+        CHECK(std::abs(estimate.young_modulus / 1e9 - printed) < 0.01);
+    }
+}
+
+TEST_CASE("the uncertainty of a two-phase sample, worked by hand") {
+    // 60 % hard, 40 % soft by volume: E = 152 GPa, u = sqrt((0.6 20)^2 + (0.4 4)^2 + (0.02 120)^2) for u(v)
+    // of a crystalline total of 0.60(2)
+    const Composition composition =
+        compose({.phases = {{.name = "hard", .fraction = 1}},
+                 .basis = FractionBasis::volume,
+                 .amorphous = CrystallineTotal{.value = 0.6, .standard_uncertainty = 0.02},
+                 .amorphous_phase = "soft"},
+                round_numbers());
+    const ModulusEstimate estimate = estimate_modulus(composition);
+    CHECK(relative_difference(estimate.young_modulus, 152e9) < 1e-14);
+    const double variance = square(12) + square(1.6) + square(2.4);
+    CHECK(relative_difference(estimate.standard_uncertainty, std::sqrt(variance) * 1e9) < 1e-8);
+    REQUIRE(estimate.contributions.size() == 3);
+    CHECK(estimate.contributions[0].what == "Young's modulus of hard");
+    CHECK(relative_difference(estimate.contributions[0].share, 144 / variance) < 1e-8);
+    CHECK(estimate.contributions[1].what == "amorphous volume fraction");
+    CHECK(relative_difference(estimate.contributions[2].share, 2.56 / variance) < 1e-8);
+    CHECK(relative_difference(estimate.density, 2800) < 1e-14);
+    // density: 0.4 100 and 0.02 500 kg/m3
+    CHECK(relative_difference(estimate.density_uncertainty, std::hypot(40.0, 10.0)) < 1e-8);
+}
+
+TEST_CASE("the propagated uncertainty is the spread of a Monte Carlo sample") {
+    const Analysis analysis{.phases = {{.name = "hard", .fraction = 0.7, .standard_uncertainty = 0.02},
+                                       {.name = "soft", .fraction = 0.3, .standard_uncertainty = 0.01}},
+                            .amorphous = AmorphousNone{}};
+    const ModulusEstimate estimate = estimate_modulus(compose(analysis, round_numbers()));
+    std::mt19937_64 generator(11);
+    std::normal_distribution<double> normal;
+    double sum = 0;
+    double squares = 0;
+    const int draws = 200'000;
+    for (int i = 0; i < draws; ++i) {
+        const double hard = 0.7 + 0.02 * normal(generator);
+        const double soft = 0.3 + 0.01 * normal(generator);
+        const double v_hard = hard / 3000;
+        const double v_soft = soft / (2500 + 100 * normal(generator));
+        const double e = (v_hard * (200 + 20 * normal(generator)) + v_soft * (80 + 4 * normal(generator))) /
+                         (v_hard + v_soft);
+        sum += e;
+        squares += e * e;
+    }
+    const double spread = std::sqrt(squares / draws - square(sum / draws));
+    CHECK(relative_difference(estimate.standard_uncertainty, spread * 1e9) < 0.01);
+}
+
+TEST_CASE("every rule of the paper's first sample, in its order") {
+    const Composition composition =
+        compose({.phases = {{.name = "quartz", .fraction = 0.0165}, {.name = "mullite", .fraction = 0.4763}},
+                 .basis = FractionBasis::volume,
+                 .amorphous = CrystallineTotal{.value = 0.4928}},
+                shipped_catalogue().preferring("dong2013"));
+    const ModulusEstimate estimate = estimate_modulus(composition);
+    REQUIRE(estimate.rules.size() == 8);
+    const auto e = [&](MixtureRule rule) { return estimate.by(rule)->young_modulus / 1e9; };
+    CHECK(relative_difference(e(MixtureRule::parallel), 148.1256) < 1e-13);
+    // 1/(0.0165/94 + 0.4763/230 + 0.5072/73)
+    CHECK(relative_difference(e(MixtureRule::series), 108.76248570953034) < 1e-13);
+    CHECK(relative_difference(e(MixtureRule::hill), (148.1256 + 108.76248570953034) / 2) < 1e-13);
+    CHECK(relative_difference(e(MixtureRule::reuss), e(MixtureRule::series)) < 1e-13);
+    CHECK(e(MixtureRule::reuss) < e(MixtureRule::hashin_shtrikman_lower));
+    CHECK(e(MixtureRule::hashin_shtrikman_lower) < e(MixtureRule::hashin_shtrikman_upper));
+    CHECK(e(MixtureRule::hashin_shtrikman_upper) < e(MixtureRule::parallel));
+    CHECK(e(MixtureRule::parallel) < e(MixtureRule::voigt));
+    CHECK(*estimate.poisson_ratio > 0.17);
+    CHECK(*estimate.poisson_ratio < 0.281);
+    CHECK(estimate.poisson_ratio_assumed);
+    bool mullite_dominates = false;
+    for (const auto& note : estimate.notes)
+        mullite_dominates = mullite_dominates ||
+                            holds(note, "Young's modulus of mullite-dong2013 gives 100 % of the variance");
+    CHECK(mullite_dominates);
+    for (const RuleResult& result : estimate.rules) {
+        CHECK(mixture_rule(mixture_rule_name(result.rule)) == result.rule);
+        CHECK(result.standard_uncertainty > 0);
+    }
+}
+
+TEST_CASE("a missing Poisson ratio leaves out what needs it, and refuses it when asked for") {
+    const PhaseCatalogue catalogue = shipped_catalogue().overridden_by(read_user_phases(
+        parse_json(R"([{"name": "lime", "density": "3.3 g/cm3", "young_modulus": "190 GPa"}])")));
+    const Composition composition =
+        compose({.phases = {{.name = "lime", .fraction = 0.1}, {.name = "quartz", .fraction = 0.9}},
+                 .amorphous = AmorphousNone{}},
+                catalogue);
+    const ModulusEstimate estimate = estimate_modulus(composition);
+    CHECK(estimate.rules.size() == 3);
+    CHECK(!estimate.poisson_ratio);
+    CHECK(!estimate.by(MixtureRule::voigt));
+    REQUIRE(estimate.notes.size() == 3);
+    CHECK(holds(estimate.notes[0], "no uncertainty of Young's modulus is known for lime"));
+    CHECK(holds(estimate.notes[1], "no Poisson ratio is known for lime"));
+    CHECK(holds(refusal([&] { return estimate_modulus(composition, {.rule = MixtureRule::voigt}); }),
+                "the rule voigt needs a Poisson ratio for every phase"));
+    CHECK(holds(refusal([&] { return estimate_modulus(composition, {.porosity = Porosity{.value = 0.1}}); }),
+                "needs Poisson's ratio"));
+    CHECK(holds(refusal([] { return mixture_rule("eq1"); }), "allowed: parallel, series, hill"));
+}
+
+TEST_CASE("porosity acts on the chosen rule, and its own uncertainty is propagated") {
+    const Composition composition =
+        compose({.phases = {{.name = "hard", .fraction = 1}}, .amorphous = AmorphousNone{}}, round_numbers());
+    const Porosity porosity{.law = PorosityLaw::coble_kingery, .value = 0.2, .standard_uncertainty = 0.05};
+    const ModulusEstimate estimate = estimate_modulus(composition, {.porosity = porosity});
+    CHECK(relative_difference(estimate.young_modulus, 0.656 * 200e9) < 1e-14);
+    CHECK(relative_difference(estimate.by(MixtureRule::parallel)->young_modulus, 200e9) < 1e-14);
+    // dE/dP = 200 (-1.9 + 1.8 P) = -308 GPa
+    CHECK(relative_difference(estimate.standard_uncertainty, std::hypot(0.656 * 20, 308 * 0.05) * 1e9) <
+          1e-8);
+    const Porosity none{.law = PorosityLaw::coble_kingery, .value = 0, .standard_uncertainty = 0.05};
+    CHECK(relative_difference(estimate_modulus(composition, {.porosity = none}).standard_uncertainty,
+                              std::hypot(20.0, 380 * 0.05) * 1e9) < 1e-8);
+    const ModulusEstimate outside = estimate_modulus(
+        composition, {.porosity = Porosity{.law = PorosityLaw::coble_kingery, .value = 0.6}});
+    CHECK(holds(outside.notes.back(), "outside the validity"));
+}
+
+TEST_CASE("density of a particle beside a measured one") {
+    const ParticleDensity dense = particle_density(2645.365, {}, {});
+    CHECK(dense.apparent_density == 2645.365);
+    CHECK(dense.porosity == 0);
+    const ParticleDensity porous = particle_density(2600, 0.2, {});
+    CHECK(relative_difference(porous.apparent_density, 2080) < 1e-15);
+    const ParticleDensity measured = particle_density(2600, {}, 2080.0);
+    CHECK(relative_difference(measured.porosity, 0.2) < 1e-14);
+    CHECK(measured.apparent_density == 2080);
+    const ParticleDensity both = particle_density(2600, 0.1, 2080.0);
+    CHECK(both.apparent_density == 2080);
+    CHECK(both.porosity == 0.1);
+    REQUIRE(both.notes.size() == 1);
+    CHECK(holds(both.notes[0], "stated is 0.1"));
+    CHECK(holds(refusal([] { return particle_density(2600, {}, 2700.0); }), "above the true density"));
+    CHECK(holds(refusal([] { return particle_density(2600, 1.0, {}); }), "porosity is 1"));
+}

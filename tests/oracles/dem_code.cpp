@@ -1,0 +1,183 @@
+#include "tests/oracles/dem_code.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "tests/oracles/program.hpp"
+
+namespace ashimpact::oracles {
+
+namespace {
+
+using std::numbers::pi;
+
+bool hertz_or_dmt(const ImpactCase& impact) {
+    return (impact.law == Law::hertz || impact.law == Law::dmt) &&
+           impact.detachment == Detachment::zero_overlap;
+}
+
+DeckValues wall_values(const ImpactCase& impact) {
+    return {{"radius", exact(impact.radius)},
+            {"diameter", exact(2 * impact.radius)},
+            {"velocity", exact(impact.velocity)},
+            {"box", exact(10 * impact.radius)},
+            {"skin", exact(0.1 * impact.radius)}};
+}
+
+// E = 2 E* and nu = 0 are right for a pair and for the wall, whose effective modulus this version of LAMMPS
+// takes as E/(2 (1 - nu)); its surface energy is that of one surface, w/2.
+std::string lammps_material(const ImpactCase& impact) {
+    return exact(2 * impact.contact_modulus) + " " + exact(impact.damping) + " 0 " +
+           exact(impact.work_of_adhesion / 2);
+}
+
+DemCode::Setup lammps_wall(const ImpactCase& impact) {
+    auto values = wall_values(impact);
+    values["mass"] = exact(impact.mass);
+    values["normal_model"] = impact.law == Law::dmt ? "dmt " + lammps_material(impact)
+                                                    : "hertz " + exact(4.0 / 3.0 * impact.contact_modulus) +
+                                                          " " + exact(impact.damping);
+    return {deck_template("lammps_wall.in"), std::move(values)};
+}
+
+DemCode::Setup lammps_pair(const ImpactCase& impact) {
+    const double distance = 4 * impact.radius;
+    DeckValues values{{"distance", exact(distance)},
+                      {"within", exact(2 * std::numeric_limits<double>::epsilon() * distance)},
+                      {"diameter", exact(distance)},
+                      {"mass", exact(impact.mass)},
+                      {"velocity", exact(impact.velocity)},
+                      {"normal_model", "jkr " + lammps_material(impact)},
+                      {"box", exact(20 * impact.radius)},
+                      {"skin", exact(0.1 * impact.radius)}};
+    return {deck_template("lammps_pair.in"), std::move(values)};
+}
+
+DemCode::Setup liggghts_wall(const ImpactCase& impact) {
+    auto values = wall_values(impact);
+    const double stiffness = 4.0 / 3.0 * impact.contact_modulus * std::sqrt(impact.radius);
+    const double fraction = impact.damping / (2 * std::sqrt(impact.mass * stiffness));
+    values["density"] = exact(impact.mass / sphere_mass(impact.radius, 1));
+    values["young_modulus"] = exact(2 * impact.contact_modulus);
+    values["damping_restitution"] = exact(std::exp(-pi * fraction / std::sqrt(1 - fraction * fraction)));
+    values["pull_off_force"] = exact(-2 * pi * impact.work_of_adhesion * impact.radius);
+    return {deck_template("liggghts_wall.in"), std::move(values)};
+}
+
+struct Job {
+    DemCode::Setup setup;
+    const DemRun& run;
+};
+
+void write_deck(const std::vector<Job>& jobs, const std::filesystem::path& file) {
+    std::ofstream deck(file);
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+        auto values = jobs[i].setup.values;
+        values["index"] = std::to_string(i);
+        values["time_step"] = exact(jobs[i].run.time_step);
+        values["steps"] = std::to_string(jobs[i].run.steps);
+        values["output_every"] = std::to_string(jobs[i].run.output_every);
+        deck << fill(jobs[i].setup.deck, values) << '\n';
+    }
+    if (!deck.flush()) throw std::runtime_error("cannot write " + file.string());
+}
+
+std::string complaint(const std::filesystem::path& file) {
+    std::ifstream log(file);
+    for (std::string line; std::getline(log, line);)
+        if (line.starts_with("ERROR")) return line;
+    return "no error in its log";
+}
+
+// Reads the numbers a line begins with; false where there are fewer.
+template <class... Number>
+bool read_numbers(std::string_view line, Number&... numbers) {
+    const char* const end = line.data() + line.size();
+    const char* at = line.data();
+    const auto read = [&](auto& number) {
+        at = std::find_if(at, end, [](char c) { return c != ' '; });
+        const auto [rest, error] = std::from_chars(at, end, number);
+        at = rest;
+        return error == std::errc{};
+    };
+    return (read(numbers) && ...);
+}
+
+// The log holds, for each run, its "impact <index>" line and then a table of step, position, speed.
+std::vector<Track> read_log(const std::vector<Job>& jobs, const std::filesystem::path& file) {
+    constexpr std::string_view title = "impact ";
+    std::vector<Track> tracks(jobs.size());
+    std::ifstream log(file);
+    std::size_t index = 0;
+    std::size_t step = 0;
+    double position = 0;
+    double speed = 0;
+    for (std::string line; std::getline(log, line);) {
+        if (line.starts_with(title) && read_numbers(std::string_view(line).substr(title.size()), index))
+            continue;
+        if (!read_numbers(line, step, position, speed)) continue;
+        auto& samples = tracks.at(index).samples;
+        if (step != samples.size() * jobs[index].run.output_every)
+            throw std::runtime_error(file.string() + ": a step is missing in run " + std::to_string(index));
+        samples.push_back({-position, -speed});
+    }
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+        const DemRun& run = jobs[i].run;
+        tracks[i].time_step = run.time_step * static_cast<double>(run.output_every);
+        if (tracks[i].samples.size() != run.steps / run.output_every + 1)
+            throw std::runtime_error(file.string() + ": run " + std::to_string(i) + " is not complete");
+    }
+    return tracks;
+}
+
+}  // namespace
+
+DemCode lammps() {
+    return {.name = "LAMMPS",
+            .program = "lmp",
+            .debian_package = "lammps",
+            .covers =
+                [](const ImpactCase& impact) {
+                    return hertz_or_dmt(impact) ||
+                           (impact.law == Law::jkr && impact.detachment == Detachment::load_controlled);
+                },
+            .setup =
+                [](const ImpactCase& impact) {
+                    return impact.law == Law::jkr ? lammps_pair(impact) : lammps_wall(impact);
+                }};
+}
+
+DemCode liggghts() {
+    return {.name = "LIGGGHTS",
+            .program = "liggghts",
+            .debian_package = "liggghts",
+            .covers = hertz_or_dmt,
+            .setup = liggghts_wall};
+}
+
+std::vector<Track> run(const DemCode& code, std::span<const DemRun> runs, const std::string& directory) {
+    const auto program = find_program(code.program, code.debian_package);
+    const std::filesystem::path place = std::filesystem::path(ASHIMPACT_ORACLE_WORK) / directory;
+    std::filesystem::remove_all(place);
+    std::filesystem::create_directories(place);
+    std::vector<Job> jobs;
+    for (const DemRun& one : runs) jobs.push_back({code.setup(one.impact), one});
+    write_deck(jobs, place / "deck.in");
+    const int status = run_program(
+        program, {"-in", "deck.in", "-log", "log", "-screen", "none", "-echo", "none", "-nocite"}, place);
+    if (status != 0)
+        throw std::runtime_error(program.string() + " ended with status " + std::to_string(status) + ": " +
+                                 complaint(place / "log"));
+    return read_log(jobs, place / "log");
+}
+
+}  // namespace ashimpact::oracles

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ashimpact::oracles {
+
+/// Returns the path of a program on PATH.
+/// @throws std::runtime_error naming the program and the Debian package that has it, where it is missing
+std::filesystem::path find_program(const std::string& program, const std::string& debian_package);
+
+/// Runs a program in a directory, on one OpenMP thread and with its output dropped, and waits for it.
+/// Returns its exit status; 127 where it cannot be started or was stopped by a signal.
+int run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                const std::filesystem::path& directory);
+
+}  // namespace ashimpact::oracles

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+namespace ashimpact::oracles {
+
+/// One time step of a DEM run.
+struct Sample {
+    double overlap;   ///< [m]
+    double velocity;  ///< rate of overlap [m/s]
+};
+
+/// A DEM run from first touch (sample 0) at a constant time step.
+struct Track {
+    double time_step = 0;  ///< [s]
+    std::vector<Sample> samples;
+};
+
+/// What one run says, before any extrapolation in the time step.
+struct Contact {
+    bool separated = false;
+    double restitution = 0;
+    double contact_time = 0;     ///< [s]
+    double maximum_overlap = 0;  ///< [m]
+    double end_in_steps = 0;     ///< contact time in time steps: where between two samples the end fell
+};
+
+/// Reads turning point and end of contact between the samples, by polynomials through samples of the contact
+/// alone: the first one outside has felt the jump of the force.
+/// @param end_overlap the overlap at which the contact ends [m]
+Contact read_contact(const Track& track, double end_overlap);
+
+}  // namespace ashimpact::oracles
