@@ -11,10 +11,9 @@ namespace ashimpact {
 
 namespace {
 
-[[noreturn]] void fail(const MeasurementSet& set, const Measurement& point, const std::string& problem,
-                       const std::string& allowed) {
-    const std::string place = point.line == 0 ? set.source : set.source + ":" + std::to_string(point.line);
-    throw InputError(problem, allowed).at(place);
+[[noreturn]] void fail(const Measurement& point, const std::string& problem, const std::string& allowed) {
+    const InputError error(problem, allowed);
+    throw point.line == 0 ? error : error.at("line " + std::to_string(point.line));
 }
 
 bool is_physical(const VelocityNoise& noise) {
@@ -44,16 +43,16 @@ bool MeasurementSet::has_noise() const {
 }
 
 void validate(const MeasurementSet& set) {
-    if (set.points.empty()) throw InputError("there is no measurement", "at least one").at(set.source);
+    if (set.points.empty()) throw InputError("there is no measurement", "at least one");
     for (const Measurement& point : set.points) {
         if (!(std::isfinite(point.velocity) && point.velocity > 0.0))
-            fail(set, point, "v_in is " + shortest(point.velocity) + " m/s", "a finite number > 0");
+            fail(point, "v_in is " + shortest(point.velocity) + " m/s", "a finite number > 0");
         if (!(std::isfinite(point.rebound) && point.rebound >= 0.0))
-            fail(set, point, "v_r is " + shortest(point.rebound) + " m/s", "a finite number >= 0");
+            fail(point, "v_r is " + shortest(point.rebound) + " m/s", "a finite number >= 0");
         if (point.noise.has_value() != set.has_noise())
-            fail(set, point, "only some measurements have an uncertainty", "all of them or none");
+            fail(point, "only some measurements have an uncertainty", "all of them or none");
         if (point.noise && !is_physical(*point.noise))
-            fail(set, point, "an uncertainty is not a finite number > 0", "> 0 for every point");
+            fail(point, "an uncertainty is not a finite number > 0", "> 0 for every point");
     }
 }
 

@@ -27,7 +27,7 @@ Eigen::MatrixXd coefficients_from_values(const RestitutionLikelihood& likelihood
     return powers.inverse();
 }
 
-Eigen::VectorXd joined(double first, const Eigen::VectorXd& rest) {
+Eigen::VectorXd prepended(double first, const Eigen::VectorXd& rest) {
     Eigen::VectorXd all(rest.size() + 1);
     all << first, rest;
     return all;
@@ -38,7 +38,7 @@ double least_with(const RestitutionLikelihood& likelihood, const Eigen::MatrixXd
                   const Eigen::VectorXd& start) {
     if (start.size() == 1) return likelihood.rows(to_coefficients * start).residuals.squaredNorm();
     const auto coefficients = [&](const Eigen::VectorXd& others) -> Eigen::VectorXd {
-        return to_coefficients * joined(start[0], others);
+        return to_coefficients * prepended(start[0], others);
     };
     const Eigen::MatrixXd by_others = to_coefficients.rightCols(start.size() - 1);
     return gsl::fit_nonlinear(

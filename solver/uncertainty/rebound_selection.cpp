@@ -58,7 +58,7 @@ void require_enough(const ReboundSelection& selection, const MeasurementSet& set
                           std::to_string(set.captures()) + " captures) for a damping curve of order " +
                           std::to_string(order);
     if (!selection.noise_known) problem += " with unknown uncertainties";
-    throw InputError(problem, "at least " + std::to_string(needed)).at(set.source);
+    throw InputError(problem, "at least " + std::to_string(needed)).in_file(set.source);
 }
 
 Eigen::VectorXd starting_coefficients(const ContactModel& model, const RestitutionData& data, int order) {
