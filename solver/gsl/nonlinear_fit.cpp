@@ -14,11 +14,9 @@ namespace ashimpact::gsl {
 
 namespace {
 
-using Residuals = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
-
-/// Carries the residuals through GSL's C interface; an exception is kept and thrown again outside it.
+/// Carries the problem through GSL's C interface; an exception is kept and thrown again outside it.
 struct Target {
-    const Residuals& residuals;
+    const NonlinearProblem& problem;
     std::exception_ptr error;
 };
 
@@ -28,12 +26,22 @@ Eigen::VectorXd from_gsl(const gsl_vector* v) {
     return result;
 }
 
-int evaluate(const gsl_vector* x, void* parameters, gsl_vector* f) {
-    auto& target = *static_cast<Target*>(parameters);
+Eigen::MatrixXd from_gsl(const gsl_matrix* m) {
+    Eigen::MatrixXd result(static_cast<Eigen::Index>(m->size1), static_cast<Eigen::Index>(m->size2));
+    for (std::size_t i = 0; i < m->size1; ++i) {
+        for (std::size_t j = 0; j < m->size2; ++j) {
+            result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = gsl_matrix_get(m, i, j);
+        }
+    }
+    return result;
+}
+
+/// Calls @p action unless an earlier call threw; keeps what it throws.
+template <class Action>
+int guarded(Target& target, Action&& action) {
     if (target.error) return GSL_EFAILED;
     try {
-        const Eigen::VectorXd value = target.residuals(from_gsl(x));
-        for (std::size_t i = 0; i < f->size; ++i) gsl_vector_set(f, i, value[static_cast<Eigen::Index>(i)]);
+        action();
         return GSL_SUCCESS;
     } catch (...) {
         target.error = std::current_exception();
@@ -60,6 +68,27 @@ bool is_stationary(const gsl_multifit_nlinear_workspace* workspace) {
            (step.array().abs() <= 1e-6 * parameters.array().abs()).all();
 }
 
+int evaluate(const gsl_vector* x, void* parameters, gsl_vector* f) {
+    auto& target = *static_cast<Target*>(parameters);
+    return guarded(target, [&] {
+        const Eigen::VectorXd value = target.problem.residuals(from_gsl(x));
+        for (std::size_t i = 0; i < f->size; ++i) gsl_vector_set(f, i, value[static_cast<Eigen::Index>(i)]);
+    });
+}
+
+int differentiate(const gsl_vector* x, void* parameters, gsl_matrix* jacobian) {
+    auto& target = *static_cast<Target*>(parameters);
+    return guarded(target, [&] {
+        const Eigen::MatrixXd value = target.problem.jacobian(from_gsl(x));
+        for (std::size_t i = 0; i < jacobian->size1; ++i) {
+            for (std::size_t j = 0; j < jacobian->size2; ++j) {
+                gsl_matrix_set(jacobian, i, j,
+                               value(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+            }
+        }
+    });
+}
+
 Eigen::MatrixXd covariance_of(const gsl_multifit_nlinear_workspace* workspace, std::size_t size) {
     RowMajor covariance(static_cast<Eigen::Index>(size), static_cast<Eigen::Index>(size));
     auto view = gsl_matrix_view_array(covariance.data(), size, size);
@@ -69,10 +98,15 @@ Eigen::MatrixXd covariance_of(const gsl_multifit_nlinear_workspace* workspace, s
 
 }  // namespace
 
-NonlinearFit fit_nonlinear(const Residuals& residuals, const Eigen::VectorXd& start,
+NonlinearFit fit_nonlinear(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& residuals,
+                           const Eigen::VectorXd& start, const NonlinearFitOptions& options) {
+    return fit_nonlinear(NonlinearProblem{.residuals = residuals}, start, options);
+}
+
+NonlinearFit fit_nonlinear(const NonlinearProblem& fitted, const Eigen::VectorXd& start,
                            const NonlinearFitOptions& options) {
     quiet();
-    const auto count = static_cast<std::size_t>(residuals(start).size());
+    const auto count = static_cast<std::size_t>(fitted.residuals(start).size());
     const auto size = static_cast<std::size_t>(start.size());
     gsl_multifit_nlinear_parameters setup = gsl_multifit_nlinear_default_parameters();
     setup.fdtype = GSL_MULTIFIT_NLINEAR_CTRDIFF;
@@ -81,9 +115,10 @@ NonlinearFit fit_nonlinear(const Residuals& residuals, const Eigen::VectorXd& st
         gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &setup, count, size),
         &gsl_multifit_nlinear_free);
 
-    Target target{residuals, nullptr};
+    Target target{fitted, nullptr};
     gsl_multifit_nlinear_fdf problem{};
     problem.f = &evaluate;
+    if (fitted.jacobian) problem.df = &differentiate;
     problem.n = count;
     problem.p = size;
     problem.params = &target;
@@ -106,6 +141,7 @@ NonlinearFit fit_nonlinear(const Residuals& residuals, const Eigen::VectorXd& st
     NonlinearFit fit;
     fit.parameters = from_gsl(gsl_multifit_nlinear_position(workspace.get()));
     fit.residuals = from_gsl(gsl_multifit_nlinear_residual(workspace.get()));
+    fit.jacobian = from_gsl(gsl_multifit_nlinear_jac(workspace.get()));
     fit.covariance = covariance_of(workspace.get(), size);
     fit.chi_squared = fit.residuals.squaredNorm();
     fit.iterations = static_cast<int>(gsl_multifit_nlinear_niter(workspace.get()));
