@@ -8,6 +8,7 @@ find_package(UDUNITS2 REQUIRED)  # ashimpact::udunits2
 find_package(valijson REQUIRED)  # ashimpact::valijson
 find_package(fmt REQUIRED)
 find_package(Nettle REQUIRED)    # nettle::nettle, for SHA-256
+find_package(Boost 1.68 REQUIRED)  # headers only: the tables of Boost.Random
 if(BUILD_TESTING)
   find_package(doctest REQUIRED)
 endif()
