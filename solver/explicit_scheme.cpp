@@ -15,10 +15,10 @@ constexpr double hertz_contact_time = 3.21806546;
 
 void require_treatable(const Impact& impact, const ExplicitSchemeOptions& options) {
     validate(impact);
-    if (impact.law == Law::of<Jkr>()) {
-        throw InputError(
-            "the paper's explicit scheme cannot treat law 'jkr': its force is not a function of overlap",
-            "hertz, dmt, brach-dunn");
+    if (impact.law == Law::of<Jkr>() || impact.law == Law::of<ThorntonNing>()) {
+        throw InputError("the paper's explicit scheme cannot treat law '" + std::string(impact.law.name()) +
+                             "': its force is not a function of overlap",
+                         "hertz, dmt, brach-dunn");
     }
     if (impact.detachment != Detachment::zero_overlap) {
         throw InputError("the paper's explicit scheme ends contact at zero overlap", "zero-overlap");

@@ -15,9 +15,12 @@ namespace {
 
 std::string verdict_text(const CriticalVelocity& result) {
     switch (result.verdict) {
-        case CaptureVerdict::finite: return readable(*result.value, "m/s");
-        case CaptureVerdict::always_captured: return "none: captured at every velocity";
-        case CaptureVerdict::never_captured: return "none: rebounds at every velocity";
+        case CaptureVerdict::finite:
+            return readable(*result.value, "m/s");
+        case CaptureVerdict::always_captured:
+            return "none: captured at every velocity";
+        case CaptureVerdict::never_captured:
+            return "none: rebounds at every velocity";
     }
     return {};
 }
@@ -30,8 +33,9 @@ std::string critical_velocity_text(const CriticalVelocityProblem& problem, const
                          name_of(problem.damping.law)));
     list.add("critical velocity", verdict_text(result));
     if (result.verdict == CaptureVerdict::finite) {
-        list.add("contact time", result.contact_time ? readable(*result.contact_time, "s")
-                                                     : "infinite: the particle comes to rest only at the end");
+        list.add("contact time", result.contact_time
+                                     ? readable(*result.contact_time, "s")
+                                     : "infinite: the particle comes to rest only at the end");
         if (result.maximum_overlap) list.add("maximum overlap", readable(*result.maximum_overlap, "m"));
         list.add("energy", fmt::format("{} dissipated, {} spent in yielding, {} to break the contact",
                                        readable(result.dissipated, "J"), readable(result.plastic, "J"),

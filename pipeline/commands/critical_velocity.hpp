@@ -17,6 +17,7 @@ struct CriticalVelocityOptions {
 void run_critical_velocity_command(const CriticalVelocityOptions& options, std::ostream& out);
 
 /// A critical velocity with the keys of the command's --json.
-[[nodiscard]] Json critical_velocity_json(const CriticalVelocityProblem& problem, const CriticalVelocity& result);
+[[nodiscard]] Json critical_velocity_json(const CriticalVelocityProblem& problem,
+                                          const CriticalVelocity& result);
 
 }  // namespace ashimpact

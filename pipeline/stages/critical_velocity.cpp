@@ -33,18 +33,20 @@ StageOutput critical_velocity_stage(const Artifacts& before) {
     output.result["samples"] = Json::array();
     const auto read = [&](const View& result) { return read_fits(result, dimension_of(data.damping_law)); };
     for (const SampleFit& sample : before.read("6-fit.json", read)) {
-        const SampleContact& contact = entry_named(contacts, sample.name, "2-contact.json");
+        const SampleContact& contact = entry_named(contacts, sample.name, before, "2-contact.json");
         Json json{{"name", sample.name}};
         for (const LawChoice& choice : data.laws) {
             const LawFit* fit = sample.laws.find(choice.law);
             if (fit == nullptr) continue;
             if (fit->critical_damping < 0) {
-                output.warnings.push_back(fmt::format("{}, {}: the fit gives a negative critical damping, so the data "
-                                                      "do not say where capture begins",
-                                                      sample.name, choice.law.name()));
+                output.warnings.push_back(
+                    fmt::format("{}, {}: the fit gives a negative critical damping, so the data "
+                                "do not say where capture begins",
+                                sample.name, choice.law.name()));
                 continue;
             }
-            json[std::string(choice.law.name())] = law_json(data, choice, fit->critical_damping, contact.pair);
+            json[std::string(choice.law.name())] =
+                law_json(data, choice, fit->critical_damping, contact.pair);
         }
         output.result["samples"].push_back(std::move(json));
     }
@@ -58,15 +60,19 @@ std::vector<SampleCriticalVelocity> read_critical_velocities(const View& result)
         for (const auto& [name, node] : sample.members()) {
             if (name == "name") continue;
             const Law law = node.located([&, &key = name] { return Law::named(key); });
-            LawCriticalVelocity velocity{.verdict = node.at("verdict").text(),
-                                         .value = {},
-                                         .contact_time = {},
-                                         .dissipated = node.at("dissipated").number(Dimension::energy),
-                                         .plastic = 0.0,
-                                         .detachment_energy = node.at("detachment_energy").number(Dimension::energy)};
-            if (const auto value = node.find("critical_velocity")) velocity.value = value->number(Dimension::velocity);
-            if (const auto plastic = node.find("plastic")) velocity.plastic = plastic->number(Dimension::energy);
-            if (const auto time = node.find("contact_time")) velocity.contact_time = time->number(Dimension::time);
+            LawCriticalVelocity velocity{
+                .verdict = node.at("verdict").text(),
+                .value = {},
+                .contact_time = {},
+                .dissipated = node.at("dissipated").number(Dimension::energy),
+                .plastic = 0.0,
+                .detachment_energy = node.at("detachment_energy").number(Dimension::energy)};
+            if (const auto value = node.find("critical_velocity"))
+                velocity.value = value->number(Dimension::velocity);
+            if (const auto plastic = node.find("plastic"))
+                velocity.plastic = plastic->number(Dimension::energy);
+            if (const auto time = node.find("contact_time"))
+                velocity.contact_time = time->number(Dimension::time);
             entry.laws.set(law, std::move(velocity));
         }
         samples.push_back(std::move(entry));

@@ -43,7 +43,9 @@ std::string TextTable::text(std::size_t indent) const {
     return out;
 }
 
-void TextList::add(const std::string& name, const std::string& value) { rows_.emplace_back(name, value); }
+void TextList::add(const std::string& name, const std::string& value) {
+    rows_.emplace_back(name, value);
+}
 
 std::string TextList::text(std::size_t indent) const {
     std::size_t longest = 0;
