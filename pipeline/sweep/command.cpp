@@ -7,7 +7,6 @@
 #include <ostream>
 
 #include "materials/error.hpp"
-#include "pipeline/commands/sweep.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/files/sha256.hpp"
 #include "pipeline/json/writer.hpp"
@@ -97,7 +96,8 @@ bool lead(const SweepOptions& options, const SweepPlan& plan, const SpecFile& sp
 
 }  // namespace
 
-void run_sweep_command(const SweepOptions& options, MpiSession& session, std::ostream& out) {
+void run_sweep_command(const SweepOptions& options, MpiSession& session, const ImpactSolver& solver,
+                       std::ostream& out) {
     session.join();
     std::string text;
     if (session.rank() == 0) {
@@ -109,7 +109,7 @@ void run_sweep_command(const SweepOptions& options, MpiSession& session, std::os
     text = session.broadcast(text);
     const SweepPlan plan(text);
     const int threads = options.threads > 0 ? options.threads : default_threads(session.size_here());
-    Crew crew(threads, work_of(plan, solve_one_by_one));
+    Crew crew(threads, work_of(plan, solver));
     if (session.rank() != 0) {
         serve(crew, session);
         return;

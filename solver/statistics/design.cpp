@@ -52,7 +52,8 @@ Design::Design(std::vector<Distribution> variables, const Sampling& sampling, st
     shifts_.assign(axes, std::vector<std::uint64_t>(groups_));
     for (std::size_t axis = 0; axis < axes; ++axis)
         for (std::uint32_t copy = 0; copy < groups_; ++copy)
-            shifts_[axis][copy] = random_bits(sampling_.seed, axis, copy, RandomStream::shifts)[0];
+            shifts_[axis][copy] =
+                random_bits(sampling_.seed, copy, static_cast<std::uint32_t>(axis), RandomStream::shifts)[0];
 }
 
 void Design::fill(std::size_t sample, std::size_t variable, std::uint64_t first,
@@ -81,9 +82,16 @@ void Design::fill_grid(std::size_t variable, std::uint64_t first, std::span<doub
 }
 
 void Design::fill_random(std::size_t axis, std::uint64_t first, std::span<double> values) const {
-    const auto pair = static_cast<std::uint32_t>(axis / 2);
-    for (double& value : values)
-        value = unit_interval(random_bits(sampling_.seed, first++, pair, RandomStream::points)[axis % 2]);
+    const auto bits_of = [&](std::uint64_t point) {
+        return random_bits(sampling_.seed, point / 2, static_cast<std::uint32_t>(axis), RandomStream::points);
+    };
+    std::size_t i = 0;
+    if (first % 2 == 1 && !values.empty()) values[i++] = unit_interval(bits_of(first)[1]);
+    for (; i < values.size(); i += 2) {
+        const auto bits = bits_of(first + i);
+        values[i] = unit_interval(bits[0]);
+        if (i + 1 < values.size()) values[i + 1] = unit_interval(bits[1]);
+    }
 }
 
 void Design::fill_quasi_random(std::size_t axis, std::uint64_t first, std::span<double> values) const {

@@ -25,13 +25,13 @@ namespace ashimpact {
 /// What a random stream is for; streams of one seed do not overlap.
 enum class RandomStream : std::uint32_t { points = 0, shifts = 1 };
 
-/// Two words of 64 random bits: numbers 2 @p pair and 2 @p pair + 1 of sample @p sample.
-[[nodiscard]] constexpr std::array<std::uint64_t, 2> random_bits(std::uint64_t seed, std::uint64_t sample,
-                                                                 std::uint32_t pair, RandomStream stream) {
+/// Two words of 64 random bits: those of samples 2 @p pair and 2 @p pair + 1 on one axis.
+[[nodiscard]] constexpr std::array<std::uint64_t, 2> random_bits(std::uint64_t seed, std::uint64_t pair,
+                                                                 std::uint32_t axis, RandomStream stream) {
     const auto low = [](std::uint64_t word) { return static_cast<std::uint32_t>(word); };
     const auto high = [](std::uint64_t word) { return static_cast<std::uint32_t>(word >> 32U); };
-    const auto bits = philox({low(sample), high(sample), pair, static_cast<std::uint32_t>(stream)},
-                             {low(seed), high(seed)});
+    const auto bits =
+        philox({low(pair), high(pair), axis, static_cast<std::uint32_t>(stream)}, {low(seed), high(seed)});
     return {bits[0] | std::uint64_t{bits[1]} << 32U, bits[2] | std::uint64_t{bits[3]} << 32U};
 }
 

@@ -22,7 +22,7 @@ TEST_CASE("numbers of the unit interval never reach its ends") {
     CHECK(unit_interval(~std::uint64_t{0}) == 1 - 0x1p-53);
 }
 
-TEST_CASE("seed, sample, pair and stream each change the bits") {
+TEST_CASE("seed, sample, axis and stream each change the bits") {
     const auto bits = random_bits(1, 2, 3, RandomStream::points);
     CHECK(bits[0] != bits[1]);
     CHECK(bits != random_bits(2, 2, 3, RandomStream::points));
