@@ -83,7 +83,7 @@ CLI::App* add_command(CLI::App& program, const std::string& name, const std::str
     return command;
 }
 
-int run_program(int argc, const char* const* argv) {
+int run_program(int argc, const char* const* argv, const SweepRunner& sweep) {
     set_up_messages();
     CLI::App program(purpose, "ashimpact");
     add_common_options(program);
@@ -92,6 +92,7 @@ int run_program(int argc, const char* const* argv) {
     Action action;
     add_case_commands(program, action);
     add_contact_commands(program, action);
+    add_sweep_command(program, action, sweep);
     add_document_commands(program, action);
     try {
         program.parse(argc, argv);
