@@ -47,8 +47,9 @@ using Quadratic = std::array<double, 3>;
 /// Restitution against incident velocity, as measured.
 struct MeasuredRestitution {
     std::string source{};
-    std::vector<double> velocity{};     ///< [m/s]
-    std::vector<double> restitution{};  ///< [1], 0 for a capture
+    std::vector<std::string> warnings{};  ///< of the file they were read from
+    std::vector<double> velocity{};       ///< [m/s]
+    std::vector<double> restitution{};    ///< [1], 0 for a capture
 };
 
 /// Restitution data to be reconstructed from published fits eta(e); see reconstructed_velocity().

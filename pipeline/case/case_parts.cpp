@@ -5,7 +5,7 @@
 #include "materials/checks.hpp"
 #include "materials/text.hpp"
 #include "materials/xrd/xrd.hpp"
-#include "pipeline/case/impact_table.hpp"
+#include "solver/measurement/measurement_reader.hpp"
 
 namespace ashimpact {
 
@@ -108,6 +108,16 @@ ReadAnalysis read_xrd_analysis(const View& node, InputFiles& files) {
     ReadAnalysis read{.analysis = sample.analysis, .source = name, .warnings = result.warnings};
     read.warnings.insert(read.warnings.end(), sample.warnings.begin(), sample.warnings.end());
     return read;
+}
+
+MeasuredRestitution read_table(const std::string& name, InputFiles& files) {
+    const MeasurementSet set = read_measurements(files.read(name), files.shown(name));
+    MeasuredRestitution data{.source = name, .warnings = set.warnings};
+    for (const Measurement& point : set.points) {
+        data.velocity.push_back(point.velocity);
+        data.restitution.push_back(point.restitution());
+    }
+    return data;
 }
 
 MeasuredRestitution read_inline_restitution(const View& node) {
@@ -281,10 +291,7 @@ RestitutionData read_restitution(const View& node, const std::optional<Published
 
     MeasuredRestitution data;
     if (const auto file = node.find("file")) {
-        const std::string name = file->text();
-        data = file->located(
-            [&] { return in_file(files.shown(name), [&] { return read_impact_table(files.read(name)); }); });
-        data.source = name;
+        data = file->located([&] { return read_table(file->text(), files); });
     } else {
         data = read_inline_restitution(node);
     }

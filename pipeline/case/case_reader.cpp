@@ -57,6 +57,10 @@ Sample read_sample(const View& node, const Defaults& defaults, InputFiles& files
         sample.published = read_published(*published, "the case file", std::nullopt);
     if (const auto data = node.find("restitution"))
         sample.restitution = read_restitution(*data, sample.published, files);
+    if (const auto* measured =
+            sample.restitution ? std::get_if<MeasuredRestitution>(&*sample.restitution) : nullptr)
+        for (const std::string& warning : measured->warnings)
+            warnings.push_back(sample.name + ": " + warning);
     return sample;
 }
 

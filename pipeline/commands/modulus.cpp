@@ -35,6 +35,19 @@ void state_amorphous_part(Analysis& analysis, const std::string& text) {
             AmorphousFraction{.value = fraction, .standard_uncertainty = {}, .basis = analysis.basis};
 }
 
+/// The composition of a sample; where nothing says what is amorphous, the error names the option that does.
+Composition composed(const XrdSample& sample, const PhaseCatalogue& catalogue) {
+    try {
+        return compose(sample.analysis, catalogue);
+    } catch (const InputError& error) {
+        const bool not_stated = std::holds_alternative<AmorphousNotStated>(sample.analysis.amorphous);
+        if (!not_stated || error.problem().find("amorphous") == std::string::npos) throw;
+        throw InputError(
+            error.problem(),
+            "--amorphous-fraction X, the weight fraction of the whole that is amorphous (0: none)");
+    }
+}
+
 std::vector<XrdSample> chosen(const XrdResult& result, const std::string& name) {
     std::vector<XrdSample> samples;
     std::vector<std::string> names;
@@ -95,7 +108,7 @@ void run_modulus_command(const ModulusCommandOptions& options, std::ostream& out
     for (XrdSample& sample : chosen(result, options.sample)) {
         state_amorphous_part(sample.analysis, options.amorphous_fraction);
         estimates.push_back(in_file(options.file, [&] {
-            Composition composition = compose(sample.analysis, catalogue);
+            Composition composition = composed(sample, catalogue);
             ModulusEstimate estimate = estimate_modulus(composition, {.rule = rule, .porosity = {}});
             return SampleEstimate{sample.name, std::move(composition), std::move(estimate)};
         }));

@@ -152,6 +152,7 @@ StageOutput comparison_stage(const Artifacts& before) {
     const auto histories = before.read("8-histories.json", read_histories);
 
     StageOutput output{.citations = {"dong2013, Tables 1, 3 and 4, Eq. 30"}};
+    output.result["case"] = data.name;
     output.result["samples"] = Json::array();
     Gap gap;
     for (const Sample& sample : data.samples) {
