@@ -150,7 +150,8 @@ void note_missing(const Composition& composition, std::vector<std::string>& note
                         ": the uncertainty given is a lower limit");
     if (!without_ratio.empty())
         notes.push_back("no Poisson ratio is known for " + joined(without_ratio) +
-                        ": the bounds on bulk and shear modulus are left out");
+                        ": the bounds on bulk and shear modulus are left out, and E has no rigorous upper "
+                        "bound (the parallel rule is none)");
     if (!assumed.empty()) notes.push_back("the Poisson ratio is assumed for " + joined(assumed));
 }
 
@@ -226,11 +227,11 @@ ParticleDensity particle_density(double true_density, std::optional<double> poro
     result.apparent_density = true_density * (1 - result.porosity);
     if (!measured_density) return result;
     const double measured_porosity = porosity_from_densities(*measured_density, true_density);
-    if (porosity)
+    constexpr double disagreement = 0.005;
+    if (porosity && std::abs(measured_porosity - *porosity) > disagreement)
         result.notes.push_back("the measured density gives a porosity of " + shortest(measured_porosity) +
                                ", stated is " + shortest(*porosity));
-    else
-        result.porosity = measured_porosity;
+    if (!porosity) result.porosity = measured_porosity;
     result.apparent_density = *measured_density;
     return result;
 }

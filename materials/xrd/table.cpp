@@ -43,12 +43,11 @@ struct Group {
 
 std::vector<Group> groups_of(std::vector<Entry> entries) {
     std::vector<Group> groups;
+    std::map<std::string, std::size_t> places;
     for (Entry& entry : entries) {
-        auto group = std::find_if(groups.begin(), groups.end(),
-                                  [&](const Group& g) { return g.sample == entry.sample; });
-        if (group == groups.end())
-            group = groups.insert(groups.end(), Group{.sample = entry.sample, .entries = {}});
-        group->entries.push_back(std::move(entry));
+        const auto [place, is_new] = places.emplace(entry.sample, groups.size());
+        if (is_new) groups.push_back({.sample = entry.sample, .entries = {}});
+        groups[place->second].entries.push_back(std::move(entry));
     }
     return groups;
 }
@@ -113,7 +112,8 @@ XrdSample sample_of_fractions(const Group& group, double scale) {
         sample.analysis.phases.push_back({.name = entry.phase,
                                           .fraction = fraction,
                                           .standard_uncertainty = uncertainty,
-                                          .density = entry.density});
+                                          .density = entry.density,
+                                          .place = at_line(entry.line)});
     }
     if (sample.analysis.phases.empty())
         throw InputError("the sample " + in_quotes(group.sample) + " has no phase with an amount",
@@ -143,8 +143,10 @@ XrdSample sample_of_peaks(const Group& group) {
     try {
         XrdSample sample{.name = group.sample};
         sample.analysis.phases = adiabatic_fractions(peaks);
-        for (std::size_t i = 0; i < peaks.size(); ++i)
+        for (std::size_t i = 0; i < peaks.size(); ++i) {
             sample.analysis.phases[i].density = group.entries[i].density;
+            sample.analysis.phases[i].place = at_line(group.entries[i].line);
+        }
         return sample;
     } catch (const InputError& error) {
         throw error.at(at_line(group.entries.front().line));
@@ -168,8 +170,11 @@ XrdSample standardised(const XrdSample& sample, const Group& group, const Table&
                           table.headings[*table.column(Role::standard)].scale == Scale::per_cent ||
                           standard->standard->value > 1;
     try {
-        return with_internal_standard(sample, standard->phase,
-                                      standard->standard->value * (per_cent ? 0.01 : 1));
+        const double scale = per_cent ? 0.01 : 1;
+        auto uncertainty = standard->standard->standard_uncertainty;
+        if (uncertainty) *uncertainty *= scale;
+        return with_internal_standard(sample, standard->phase, standard->standard->value * scale,
+                                      uncertainty);
     } catch (const InputError& error) {
         throw error.at(at_line(standard->line));
     }

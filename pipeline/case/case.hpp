@@ -88,6 +88,7 @@ struct Sample {
     Analysis analysis{};
     std::string analysis_source{};
     std::optional<Porosity> porosity{};
+    bool porosity_from_density = false;       ///< the porosity's value follows from density and phases
     std::optional<Stated> poisson_ratio{};    ///< else mixed from the phases
     std::optional<Stated> density{};          ///< apparent; else that of the phases, less the pores
     std::optional<Stated> contact_modulus{};  ///< instead of Eq. 7 [Pa]

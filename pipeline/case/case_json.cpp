@@ -94,9 +94,9 @@ Json analysis_json(const Analysis& analysis, const std::string& source) {
     return json;
 }
 
-Json porosity_json(const Porosity& porosity) {
-    Json json{{"law", porosity_law_name(porosity.law)},
-              {"value", fraction_json(porosity.value, porosity.standard_uncertainty)}};
+Json porosity_json(const Porosity& porosity, bool from_density) {
+    Json json{{"law", porosity_law_name(porosity.law)}};
+    if (!from_density) json["value"] = fraction_json(porosity.value, porosity.standard_uncertainty);
     if (porosity.coefficient) json["coefficient"] = *porosity.coefficient;
     return json;
 }
@@ -125,7 +125,7 @@ Json sample_json(const Sample& sample) {
     const auto add = [&](const char* key, const std::optional<Stated>& value) {
         if (value) json[key] = stated_json(*value);
     };
-    if (sample.porosity) json["porosity"] = porosity_json(*sample.porosity);
+    if (sample.porosity) json["porosity"] = porosity_json(*sample.porosity, sample.porosity_from_density);
     add("poisson_ratio", sample.poisson_ratio);
     add("density", sample.density);
     add("contact_modulus", sample.contact_modulus);

@@ -99,10 +99,13 @@ ReadAnalysis read_xrd_analysis(const View& node, InputFiles& files) {
     const std::string name = file.text();
     const XrdResult result = file.located([&] { return read_xrd(files.read(name), files.shown(name)); });
     XrdSample sample = chosen_sample(node, result);
+    for (PhaseFraction& phase : sample.analysis.phases)
+        if (!phase.place.empty()) phase.place.insert(0, files.shown(name) + ": ");
     if (const auto standard = node.find("internal_standard")) {
         sample = standard->located([&] {
-            return with_internal_standard(sample, standard->at("phase").text(),
-                                          standard->at("added_fraction").number(Dimension::fraction));
+            const Quantity added = standard->at("added_fraction").quantity(Dimension::fraction);
+            return with_internal_standard(sample, standard->at("phase").text(), added.value,
+                                          added.standard_uncertainty);
         });
     }
     ReadAnalysis read{.analysis = sample.analysis, .source = name, .warnings = result.warnings};
@@ -248,12 +251,15 @@ Adhesion read_adhesion(const View& node) {
 }
 
 Porosity read_porosity(const View& node) {
-    const Quantity value = node.at("value").quantity(Dimension::fraction);
-    Porosity porosity{.law = porosity_law(node.at("law").text()),
-                      .value = value.value,
-                      .standard_uncertainty = value.standard_uncertainty};
+    Porosity porosity{.law = porosity_law(node.at("law").text())};
+    if (const auto value = node.find("value")) {
+        const Quantity quantity = value->quantity(Dimension::fraction);
+        porosity.value = quantity.value;
+        porosity.standard_uncertainty = quantity.standard_uncertainty;
+    }
     if (const auto coefficient = node.find("coefficient"))
         porosity.coefficient = coefficient->number(Dimension::fraction);
+    node.located([&] { require_valid(porosity); });
     return porosity;
 }
 

@@ -44,6 +44,10 @@ Sample read_sample(const View& node, const Defaults& defaults, InputFiles& files
     if (const auto nu = own_or_default(node, defaults, "poisson_ratio"))
         sample.poisson_ratio = read_poisson_ratio(*nu);
     sample.density = read_optional(own_or_default(node, defaults, "density"), "density", Dimension::density);
+    if (const auto porosity = node.find("porosity"); porosity && !porosity->has("value")) {
+        if (!sample.density) porosity->fail("the porosity has no value", "value, or density of the sample");
+        sample.porosity_from_density = true;
+    }
     sample.contact_modulus = read_optional(own_or_default(node, defaults, "contact_modulus"),
                                            "contact modulus", Dimension::pressure);
     sample.yield_pressure = read_optional(own_or_default(node, defaults, "yield_pressure"), "yield pressure",
@@ -130,6 +134,16 @@ PhaseCatalogue catalogue_of(const View& document, const PhaseCatalogue& built_in
     return catalogue;
 }
 
+/// The artifact has no other sets and no groups: a phase must know every name under which it was found.
+void answer_to(Phase& phase, const std::string& name) {
+    const PhaseCatalogue alone({PhaseSet{.name = "case", .phases = {phase}}});
+    try {
+        static_cast<void>(alone.resolve(name));
+    } catch (const InputError&) {
+        phase.synonyms.push_back(name);
+    }
+}
+
 /// Every phase the samples need, once. @throws InputError where a composition is impossible
 std::vector<Phase> phases_of(const std::vector<Sample>& samples, const View& document,
                              const PhaseCatalogue& catalogue) {
@@ -140,9 +154,10 @@ std::vector<Phase> phases_of(const std::vector<Sample>& samples, const View& doc
             place.located([&] { return compose(samples[i].analysis, catalogue); });
         for (const Component& component : composition.components) {
             const Phase phase = catalogue.resolve(component.name).phase;
-            const bool known = std::any_of(phases.begin(), phases.end(),
-                                           [&](const Phase& p) { return p.name == phase.name; });
-            if (!known) phases.push_back(phase);
+            auto known = std::find_if(phases.begin(), phases.end(),
+                                      [&](const Phase& p) { return p.name == phase.name; });
+            if (known == phases.end()) known = phases.insert(phases.end(), phase);
+            answer_to(*known, component.name);
         }
     }
     return phases;

@@ -36,22 +36,30 @@ void add_run(CLI::App& program, Action& action) {
 void add_modulus(CLI::App& program, Action& action) {
     auto* command =
         add_command(program, "modulus", "XRD result -> phase volumes -> Young's modulus with bounds",
-                    "ashimpact modulus ash.lst --amorphous-fraction 0.42");
+                    "ashimpact modulus ash.lst --amorphous-fraction '42 +- 2 %'\n"
+                    "  ashimpact modulus ash.lst --internal-standard corundum --added-fraction '10 %'");
     const auto options = std::make_shared<ModulusCommandOptions>();
     command->add_option("file", options->file, "XRD result: BGMN/Profex or GSAS-II .lst, CSV, TSV or JSON")
         ->required()
         ->type_name("FILE");
-    command
-        ->add_option("--amorphous-fraction", options->amorphous_fraction,
-                     "weight fraction of the whole that is amorphous; 0: none")
-        ->type_name("X");
-    command->add_option("--sample", options->sample, "of a file with several; default: all")
-        ->type_name("NAME");
-    command->add_option("--phase-set", options->phase_set, "phase set to look in first: literature, dong2013")
-        ->type_name("NAME");
-    command->add_option("--rule", options->rule, "mixture rule of the modulus")
-        ->capture_default_str()
-        ->type_name("NAME");
+    const auto add = [&](const char* name, std::string& value, const char* type, const char* purpose) {
+        return command->add_option(name, value, purpose)->type_name(type);
+    };
+    add("--amorphous-fraction", options->amorphous_fraction, "X",
+        "amorphous part of the whole, by weight (by volume where the file is); none; remainder: what is "
+        "missing to 100 %");
+    add("--crystalline-total", options->crystalline_total, "X", "the rest of the whole is amorphous");
+    add("--internal-standard", options->internal_standard, "PHASE",
+        "standard that was added and refined; the amorphous part follows");
+    add("--added-fraction", options->added_fraction, "X", "its weight over that of the mixture");
+    add("--sample", options->sample, "NAME", "of a file with several; default: all");
+    add("--phase-set", options->phase_set, "NAME", "phase set to look in first: literature, dong2013");
+    add("--phases", options->phases, "CASE.json", "case file whose own phases come before all others");
+    add("--rule", options->rule, "NAME", "mixture rule of the modulus")->capture_default_str();
+    add("--porosity-law", options->porosity_law, "NAME", "law by which pores soften; default: no pores");
+    add("--porosity", options->porosity, "X", "default: from --particle-density and the phases");
+    add("--porosity-coefficient", options->porosity_coefficient, "B", "b of the law spriggs");
+    add("--particle-density", options->particle_density, "RHO", "as measured, pores included");
     command->add_flag("--json", options->json, "print one JSON object, numbers with 17 significant digits");
     command->callback([options, &action] {
         action = [options](std::ostream& out) { run_modulus_command(*options, out); };

@@ -3,10 +3,11 @@
 #include <pthread.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <fstream>
-#include <sstream>
 #include <system_error>
 #include <vector>
 
@@ -88,7 +89,7 @@ class Staged {
 
 }  // namespace
 
-std::string read_file(const std::filesystem::path& path) {
+std::string read_file(const std::filesystem::path& path, std::size_t most) {
     std::error_code ignored;
     errno = 0;
     std::ifstream stream(path, std::ios::binary);
@@ -97,9 +98,13 @@ std::string read_file(const std::filesystem::path& path) {
         const std::string why = folder ? "it is a folder" : reason(errno != 0 ? errno : EIO);
         throw InputError("cannot be read: " + why, "a file").in_file(path.string());
     }
-    std::ostringstream content;
-    content << stream.rdbuf();
-    return std::move(content).str();
+    std::string content;
+    std::array<char, 1 << 16> block{};
+    while (stream && content.size() < most) {
+        stream.read(block.data(), static_cast<std::streamsize>(std::min(block.size(), most - content.size())));
+        content.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+    }
+    return content;
 }
 
 void write_files(std::span<const FileContent> files) {

@@ -1,13 +1,16 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <span>
 #include <string>
 
 namespace ashimpact {
 
-/// The bytes of a file. @throws InputError if it cannot be read
-[[nodiscard]] std::string read_file(const std::filesystem::path& path);
+/// The bytes of a file, or its first `most` where it is longer. @throws InputError if it cannot be read
+[[nodiscard]] std::string read_file(const std::filesystem::path& path,
+                                    std::size_t most = std::numeric_limits<std::size_t>::max());
 
 struct FileContent {
     std::filesystem::path path;

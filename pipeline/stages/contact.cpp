@@ -46,11 +46,20 @@ bool needs_poisson_ratio(const Sample& sample, const std::optional<Wall>& wall) 
     return !sample.contact_modulus && !std::holds_alternative<Stated>(*wall);
 }
 
+/// Density that follows from the phases and the stated porosity [kg/m3].
+double density_from_phases(const Sample& sample, const SampleModulus& modulus) {
+    const bool stated = sample.porosity && !sample.porosity_from_density;
+    return modulus.density * (1 - (stated ? sample.porosity->value : 0));
+}
+
 Stated density_of(const Sample& sample, const SampleModulus& modulus, std::vector<std::string>& warnings) {
-    const double porosity = sample.porosity ? sample.porosity->value : 0;
-    const double from_phases = modulus.density * (1 - porosity);
-    if (!sample.density) return computed(from_phases, Dimension::density, "phases, less the pores");
+    if (!sample.density)
+        return computed(density_from_phases(sample, modulus), Dimension::density, "phases, less the pores");
     const double ratio = sample.density->value() / modulus.density;
+    if (ratio <= 1 && sample.porosity && !sample.porosity_from_density)
+        for (const std::string& note :
+             particle_density(modulus.density, sample.porosity->value, sample.density->value()).notes)
+            warnings.push_back(sample.name + ": " + note);
     if (ratio > 1)
         warnings.push_back(sample.name +
                            ": the stated density is above that of the dense phases, by a factor " +
@@ -78,6 +87,8 @@ Json contact_json(const Sample& sample, const std::optional<Wall>& wall, const S
               {"effective_radius", quantity_json(radius, Dimension::length)},
               {"mass", quantity_json(sphere_mass(radius, density.value()), Dimension::mass)},
               {"density", stated_json(density)},
+              {"density_from_phases",
+               quantity_json(density_from_phases(sample, modulus), Dimension::density)},
               {"work_of_adhesion", stated_json(adhesion_of(sample))}};
     if (poisson_ratio) json["poisson_ratio"] = stated_json(*poisson_ratio);
     if (sample.yield_pressure) json["yield_pressure"] = stated_json(*sample.yield_pressure);

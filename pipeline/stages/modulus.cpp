@@ -4,6 +4,7 @@
 
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
+#include "pipeline/text/readable.hpp"
 
 namespace ashimpact {
 
@@ -54,7 +55,24 @@ void add_citations(const Composition& composition, std::vector<std::string>& cit
     }
 }
 
+/// The porosity of a sample; where the case gives none, from its density and that of the phases.
+std::optional<Porosity> porosity_of(const Sample& sample, const Composition& composition,
+                                    std::vector<std::string>& warnings) {
+    if (!sample.porosity_from_density) return sample.porosity;
+    const PorosityFromDensity found =
+        porosity_from_density(*sample.porosity, sample.density->quantity, composition.density);
+    warnings.push_back(sample.name + ": " + found.note);
+    return found.porosity;
+}
+
 }  // namespace
+
+PorosityFromDensity porosity_from_density(Porosity porosity, const Quantity& apparent, double true_density) {
+    porosity.value = porosity_from_densities(apparent.value, true_density);
+    if (apparent.standard_uncertainty)
+        porosity.standard_uncertainty = *apparent.standard_uncertainty / true_density;
+    return {porosity, "a porosity of " + readable_number(porosity.value) + " follows from the density"};
+}
 
 Json modulus_json(const Composition& composition, const ModulusEstimate& estimate, MixtureRule rule) {
     Json rules = Json::object();
@@ -83,8 +101,9 @@ StageOutput modulus_stage(const Artifacts& before) {
     output.result["samples"] = Json::array();
     for (const Sample& sample : data.samples) {
         const Composition composition = compose(sample.analysis, catalogue);
+        const auto porosity = porosity_of(sample, composition, output.warnings);
         const ModulusEstimate estimate =
-            estimate_modulus(composition, {.rule = data.mixture_rule, .porosity = sample.porosity});
+            estimate_modulus(composition, {.rule = data.mixture_rule, .porosity = porosity});
         Json json{{"name", sample.name}, {"diameter", sample.diameter.quantity}};
         json.update(modulus_json(composition, estimate, data.mixture_rule));
         output.result["samples"].push_back(std::move(json));
