@@ -44,7 +44,8 @@ void check_fractions(const Analysis& analysis) {
     if (analysis.phases.empty()) throw InputError("no phases", "at least one phase with its fraction");
     if (analysis.phases.size() > most_phases)
         throw InputError("the sample has " + std::to_string(analysis.phases.size()) + " phases",
-                         std::to_string(most_phases) + " or fewer");
+                         std::to_string(most_phases) + " or fewer")
+            .at(analysis.phases[most_phases].place);
     for (const PhaseFraction& phase : analysis.phases) {
         if (!(phase.fraction >= 0) || !std::isfinite(phase.fraction))
             throw InputError("the fraction of " + in_quotes(phase.name) + " is " + shortest(phase.fraction),
@@ -218,6 +219,17 @@ void note_rescaling(const FractionModel& model, std::vector<std::string>& notes)
                     per_cent(expected));
 }
 
+/// A refinement that knows no amorphous phase adds up to one; what remains beside it is no measurement.
+void note_small_remainder(const Analysis& analysis, const FractionModel& model,
+                          std::vector<std::string>& notes) {
+    const auto* const stated = std::get_if<AmorphousRemainder>(&analysis.amorphous);
+    if (!stated) return;
+    const double rest = 1 - stated->scale * sum(model.amounts);
+    if (rest > analysis.closure_tolerance) return;
+    notes.push_back("the phases leave " + per_cent(rest) +
+                    " for the amorphous part: are the fractions of the whole sample?");
+}
+
 /// The modulus of the glass is the least certain input; its catalogue entry says why.
 void note_glass(Composition& composition) {
     for (const Component& c : composition.components)
@@ -270,6 +282,7 @@ Composition compose(const Analysis& analysis, const PhaseCatalogue& catalogue) {
     refuse_repeated(composition.components, analysis);
     note_glass(composition);
     note_rescaling(composition.model, composition.notes);
+    note_small_remainder(analysis, composition.model, composition.notes);
     fill_fractions(composition);
     return composition;
 }

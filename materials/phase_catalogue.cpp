@@ -216,14 +216,13 @@ std::optional<ResolvedPhase> PhaseCatalogue::named(std::string_view name, const 
 }
 
 std::vector<std::string> PhaseCatalogue::nearest_names(std::string_view name) const {
-    std::vector<std::string> names;
+    std::map<std::string, std::string> spellings;  // one for each key: the first
     for (const PhaseSet& set : sets_)
-        for (const Phase& phase : set.phases) {
-            const auto all = names_of(phase);
-            names.insert(names.end(), all.begin(), all.end());
-        }
-    std::sort(names.begin(), names.end());
-    names.erase(std::unique(names.begin(), names.end()), names.end());
+        for (const Phase& phase : set.phases)
+            for (const std::string& known : names_of(phase)) spellings.emplace(phase_key(known), known);
+    std::vector<std::string> names;
+    names.reserve(spellings.size());
+    for (auto& [_, spelling] : spellings) names.push_back(std::move(spelling));
     return nearest(name, names, 3);
 }
 

@@ -53,6 +53,7 @@ std::string phases_text(const Composition& composition) {
 }
 
 std::string with_uncertainty(double value, double uncertainty, Dimension dimension) {
+    if (uncertainty == 0) return readable(value, si_unit(dimension));
     return readable(make_quantity(value, dimension, uncertainty));
 }
 

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <cmath>
 #include <random>
 #include <vector>
 
@@ -132,6 +133,18 @@ TEST_CASE("Walpole's form is Hashin and Shtrikman's own (1963, Eqs. 4.1 to 4.4) 
         CHECK(relative_difference(hashin_shtrikman_upper(v, phases).bulk, upper.bulk) < 1e-14);
         CHECK(relative_difference(hashin_shtrikman_upper(v, phases).shear, upper.shear) < 1e-14);
     }
+}
+
+TEST_CASE("phases that are not well ordered, with a liquid: Mavko, Mukerji & Dvorkin, The Rock Physics Handbook, 4.1") {
+    // quartz, calcite, water at a porosity of 27 %; the book prints K 26.9 and 7.1, G 24.6 and 0 GPa
+    const std::array v{0.584, 0.146, 0.27};
+    const std::array phases{IsotropicModuli{.bulk = 36e9, .shear = 45e9},
+                            IsotropicModuli{.bulk = 75e9, .shear = 31e9},
+                            IsotropicModuli{.bulk = 2.2e9, .shear = 0}};
+    CHECK(std::abs(hashin_shtrikman_upper(v, phases).bulk - 26.9e9) < 0.05e9);
+    CHECK(std::abs(hashin_shtrikman_upper(v, phases).shear - 24.6e9) < 0.05e9);
+    CHECK(std::abs(hashin_shtrikman_lower(v, phases).bulk - 7.1e9) < 0.05e9);
+    CHECK(hashin_shtrikman_lower(v, phases).shear == 0);
 }
 
 TEST_CASE("10,000 random compositions: the order of the rules") {
