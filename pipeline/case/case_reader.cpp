@@ -146,16 +146,17 @@ void answer_to(Phase& phase, const std::string& name) {
 
 /// Every phase the samples need, once. @throws InputError where a composition is impossible
 std::vector<Phase> phases_of(const std::vector<Sample>& samples, const View& document,
-                             const PhaseCatalogue& catalogue) {
+                             const PhaseCatalogue& catalogue, std::vector<std::string>& warnings) {
     std::vector<Phase> phases;
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const View place = document.at("samples").elements()[i].at("composition");
         const Composition composition =
             place.located([&] { return compose(samples[i].analysis, catalogue); });
         for (const Component& component : composition.components) {
-            const Phase phase = catalogue.resolve(component.name).phase;
+            const auto [phase, note] = catalogue.resolve(component.name);
+            if (!note.empty()) warnings.push_back(samples[i].name + ": " + note);
             auto known = std::find_if(phases.begin(), phases.end(),
-                                      [&](const Phase& p) { return p.name == phase.name; });
+                                      [&name = phase.name](const Phase& p) { return p.name == name; });
             if (known == phases.end()) known = phases.insert(phases.end(), phase);
             answer_to(*known, component.name);
         }
@@ -222,7 +223,7 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
     if (const auto law = document.find("damping_law")) data.damping_law = damping_named(law->text());
     data.histories = read_histories(document);
     data.calibration = read_calibration(document);
-    data.phases = phases_of(data.samples, document, catalogue);
+    data.phases = phases_of(data.samples, document, catalogue, warnings);
     check_whole(data, document);
     return data;
 }

@@ -29,13 +29,19 @@ Json rule_json(const RuleResult& result) {
 
 /// Reuss and Voigt on (K, G), which hold for any arrangement of the phases; without every Poisson ratio the
 /// series and parallel models on E stand for them.
-Json bounds_json(const ModulusEstimate& estimate) {
+/// Pores soften them as they soften the chosen rule, by a factor of the porosity and Poisson's ratio alone.
+Json bounds_json(const ModulusEstimate& estimate, MixtureRule chosen) {
+    const double softening = estimate.young_modulus / estimate.by(chosen).value().young_modulus;
     const auto pick = [&](MixtureRule first, MixtureRule second) {
         const auto result = estimate.by(first);
         return result ? *result : estimate.by(second).value();
     };
-    const RuleResult lower = pick(MixtureRule::reuss, MixtureRule::series);
-    const RuleResult upper = pick(MixtureRule::voigt, MixtureRule::parallel);
+    RuleResult lower = pick(MixtureRule::reuss, MixtureRule::series);
+    RuleResult upper = pick(MixtureRule::voigt, MixtureRule::parallel);
+    for (RuleResult* bound : {&lower, &upper}) {
+        bound->young_modulus *= softening;
+        bound->standard_uncertainty *= softening;
+    }
     return {{"lower", rule_json(lower)},
             {"upper", rule_json(upper)},
             {"lower_rule", mixture_rule_name(lower.rule)},
@@ -59,8 +65,9 @@ void add_citations(const Composition& composition, std::vector<std::string>& cit
 std::optional<Porosity> porosity_of(const Sample& sample, const Composition& composition,
                                     std::vector<std::string>& warnings) {
     if (!sample.porosity_from_density) return sample.porosity;
-    const PorosityFromDensity found =
-        porosity_from_density(*sample.porosity, sample.density->quantity, composition.density);
+    const PorosityFromDensity found = at_place("the sample " + sample.name, [&] {
+        return porosity_from_density(*sample.porosity, sample.density->quantity, composition.density);
+    });
     warnings.push_back(sample.name + ": " + found.note);
     return found.porosity;
 }
@@ -85,7 +92,7 @@ Json modulus_json(const Composition& composition, const ModulusEstimate& estimat
             {"rule", mixture_rule_name(rule)},
             {"young_modulus",
              make_quantity(estimate.young_modulus, Dimension::pressure, estimate.standard_uncertainty)},
-            {"bounds", bounds_json(estimate)},
+            {"bounds", bounds_json(estimate, rule)},
             {"rules", rules},
             {"density", make_quantity(estimate.density, Dimension::density, estimate.density_uncertainty)},
             {"poisson_ratio", quantity_json(estimate.poisson_ratio, Dimension::fraction)},

@@ -175,6 +175,109 @@ TEST_CASE("modulus: an XRD table gives fractions both ways and a modulus with bo
     CHECK(value(json["bounds"]["lower"]) < value(json["young_modulus"]));
 }
 
+namespace {
+
+constexpr auto with_corundum = "phase,wt%\nquartz,30\nmullite,50\nCorundum,20\n";
+
+}  // namespace
+
+TEST_CASE("modulus: every way to state the amorphous part gives the same sample") {
+    const Sandbox sandbox;
+    sandbox.write("mixture.csv", with_corundum);
+    sandbox.write("ash.csv", "phase,wt%\nquartz,37.5\nmullite,62.5\n");
+    sandbox.write("whole.csv", "phase,wt%\nquartz,16.6666666667\nmullite,27.7777777778\n");
+    // c_s = 0.2, w_s = 0.1: p = 0.1/(0.2 0.9) = 5/9, of which quartz 0.3 and mullite 0.5: 4/9 are crystalline
+    for (const std::string options : {"mixture.csv --internal-standard corundum --added-fraction '10 %'",
+                                      "ash.csv --amorphous-fraction 0.55555555556",
+                                      "ash.csv --crystalline-total '44.444444444 %'",
+                                      "whole.csv --amorphous-fraction remainder"}) {
+        CAPTURE(options);
+        const Json phases = json_of(sandbox, "modulus " + options)["phases"];
+        REQUIRE(phases.size() == 3);
+        CHECK(phases[2]["name"] == "glass");
+        CHECK(relative_difference(phases[0]["weight_fraction"].get<double>(), 1.0 / 6) < 1e-9);
+        CHECK(relative_difference(phases[2]["weight_fraction"].get<double>(), 5.0 / 9) < 1e-9);
+    }
+    CHECK(json_of(sandbox, "modulus ash.csv --amorphous-fraction none")["phases"].size() == 2);
+    const auto refused = [&](const std::string& options) {
+        const auto finished = ashimpact_program(sandbox, "modulus mixture.csv " + options);
+        CHECK(finished.status == 2);
+        return finished.err;
+    };
+    CHECK(refused("").find("or --internal-standard PHASE with --added-fraction X") != std::string::npos);
+    CHECK(refused("--internal-standard corundum").find("one is given without the other") !=
+          std::string::npos);
+    CHECK(refused("--internal-standard zincite --added-fraction 0.1").find("is not among the phases") !=
+          std::string::npos);
+    CHECK(refused("--amorphous-fraction 42").find("--amorphous-fraction: the fraction is 42") !=
+          std::string::npos);
+    CHECK(refused("--amorphous-fraction much").find("cannot read \"much\"") != std::string::npos);
+    CHECK(refused("--amorphous-fraction 0.4 --crystalline-total 0.6").find("given in 2 ways") !=
+          std::string::npos);
+}
+
+TEST_CASE("modulus: uncertainty of the amorphous part, pores, a measured density, own phases") {
+    const Sandbox sandbox;
+    sandbox.write("ash.csv", "phase,wt%\nQuartz low,100\n");
+    sandbox.write("own.json", R"({"phases": [
+        {"name": "quartz", "density": "2.5 g/cm3", "young_modulus": "100 GPa", "poisson_ratio": 0.1},
+        {"name": "glass", "amorphous": true, "density": "2.5 g/cm3", "young_modulus": "50 GPa", "poisson_ratio": 0.2}]})");
+    // densities are equal, so volumes are weights: E = 100 - 50 x, u(E) = 50 u(x)
+    const std::string command = "modulus ash.csv --phases own.json --amorphous-fraction '40 +- 2 %'";
+    const Json dense = json_of(sandbox, command);
+    CHECK(relative_difference(value(dense["young_modulus"]), 80e9) < 1e-13);
+    CHECK(relative_difference(dense["young_modulus"]["standard_uncertainty"].get<double>(), 1e9) < 1e-8);
+    CHECK(dense["warnings"][0] == "\"Quartz low\" is quartz: quartz of the set user is taken");
+
+    const std::string porous = command + " --porosity-law coble-kingery";
+    // P = 1 - 2/2.5 = 0.2, f = 1 - 0.38 + 0.036
+    const Json measured = json_of(sandbox, porous + " --particle-density '2 g/cm3'");
+    CHECK(relative_difference(measured["porosity"].get<double>(), 0.2) < 1e-14);
+    CHECK(relative_difference(value(measured["young_modulus"]), 0.656 * 80e9) < 1e-13);
+    CHECK(relative_difference(value(measured["bounds"]["lower"]), 0.656 * value(dense["bounds"]["lower"])) <
+          1e-13);
+    const Json stated = json_of(sandbox, porous + " --porosity '20 %'");
+    CHECK(relative_difference(value(stated["particle_density"]), 2000) < 1e-13);
+    const auto text = ashimpact_program(sandbox, porous + " --porosity 0.1 --particle-density '2 g/cm3'");
+    CHECK(text.status == 0);
+    CHECK(text.err.find("the measured density gives a porosity of 0.2, stated is 0.1") != std::string::npos);
+    CHECK(text.out.find("density of the particle") != std::string::npos);
+    CHECK(text.out.find("Eq. 1, no bound") != std::string::npos);
+    CHECK(ashimpact_program(sandbox, porous).err.find("--porosity, --particle-density: neither is given") !=
+          std::string::npos);
+    CHECK(ashimpact_program(sandbox, command + " --porosity 0.1").err.find("--porosity-law: is missing") !=
+          std::string::npos);
+    CHECK(ashimpact_program(sandbox, porous + " --particle-density 3000")
+              .err.find("--particle-density: the apparent density 3000 kg/m3 is above") != std::string::npos);
+}
+
+TEST_CASE("run takes the same files, groups, synonyms of own phases, and the porosity from the density") {
+    const Sandbox sandbox;
+    sandbox.write("ash.csv", "phase,wt%\nPlagioclase,40\nQuartz low,60\n");
+    sandbox.write("case.json", R"({"name": "c", "laws": ["hertz"], "wall": {"rigid": true},
+        "phases": [{"name": "quartz", "density": "2.7 g/cm3", "young_modulus": "100 GPa", "poisson_ratio": 0.1}],
+        "samples": [{"name": "a", "diameter": "50 um", "density": "2.0 g/cm3", "porosity": {"law": "gibson-ashby"},
+                     "composition": {"xrd": "ash.csv", "amorphous": "none"}}]})");
+    const auto finished = ashimpact_program(sandbox, "run case.json -o r");
+    REQUIRE_MESSAGE(finished.status == 0, finished.err);
+    const Json first = sandbox.json("r/0-case.json");
+    CHECK(first["warnings"].dump().find("anorthite stands for it") != std::string::npos);
+    CHECK(first["warnings"].dump().find("quartz of the set user is taken") != std::string::npos);
+    const Json modulus = sandbox.json("r/1-modulus.json")["result"]["samples"][0];
+    const double dense = value(modulus["density"]);
+    CHECK(relative_difference(dense, 1 / (0.4 / 2730 + 0.6 / 2700)) < 1e-13);
+    const double parallel = value(modulus["rules"]["parallel"]);
+    CHECK(relative_difference(value(modulus["young_modulus"]), parallel * 4e6 / (dense * dense)) < 1e-13);
+    const Json contact = sandbox.json("r/2-contact.json")["result"]["samples"][0];
+    CHECK(value(contact["density"]) == 2000);
+    CHECK(relative_difference(value(contact["density_from_phases"]), dense) < 1e-13);
+    sandbox.write("ash.csv", "phase,wt%\nPlagioclase,40\nQarz,60\n");
+    const auto refused = ashimpact_program(sandbox, "run case.json -o r");
+    CHECK(refused.status == 2);
+    CHECK(refused.err.find("/samples/0/composition: ash.csv: line 3: no phase is called") !=
+          std::string::npos);
+}
+
 TEST_CASE("run with nothing given: the paper's samples, a table, the artifacts, deterministic bytes") {
     const Sandbox sandbox;
     const auto first = ashimpact_program(sandbox, "run");
