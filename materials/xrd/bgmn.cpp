@@ -133,6 +133,18 @@ void require_complete(const Contents& contents, const TextLines& file) {
         cut_off("the last block has no atomic positions", file);
 }
 
+/// A number that ends with the file may lack digits; only a goal that agrees shows that it does not.
+void require_whole_number(const XrdSample& sample, const Contents& contents, const TextLines& file) {
+    const Block& last = contents.blocks.back();
+    const char end = file.text().back();
+    if (end == '\n' || end == '\r' || last.weight->line != file.last_line() || !last.weight->number) return;
+    constexpr double rounding = 0.00051;
+    const auto goal = contents.goals.find(last.name);
+    const bool agrees = goal != contents.goals.end() && goal->second.number &&
+                        std::abs(goal->second.number->value - sample.analysis.phases.back().fraction) < rounding;
+    if (!agrees) cut_off("the last line is a GEWICHT without an end", file);
+}
+
 void compare_with_goal(const PhaseFraction& phase, const Contents& contents,
                        std::vector<std::string>& warnings) {
     const auto goal = contents.goals.find(phase.name);
@@ -186,6 +198,7 @@ XrdResult read_bgmn(const TextLines& file) {
         if (phase.standard_uncertainty) *phase.standard_uncertainty /= total;
         compare_with_goal(phase, contents, sample.warnings);
     }
+    require_whole_number(sample, contents, file);
     return {.format = XrdFormat::bgmn_lst, .samples = {std::move(sample)}};
 }
 

@@ -5,6 +5,7 @@
 #include "materials/json_input.hpp"
 #include "materials/quantity.hpp"
 #include "materials/text.hpp"
+#include "materials/xrd/json_lines.hpp"
 #include "materials/xrd/readers.hpp"
 
 namespace ashimpact::xrd {
@@ -142,15 +143,7 @@ XrdSample read_sample(const Json& node) {
     });
 }
 
-}  // namespace
-
-bool looks_like_json(const TextLines& file) {
-    const std::string_view text = trimmed(file.text());
-    return text.starts_with('{') || text.starts_with('[');
-}
-
-XrdResult read_json(const TextLines& file) {
-    const Json root = parse_json(file.text());
+XrdResult read_samples(const Json& root) {
     if (!root.is_object()) throw InputError("not an object", "an object with the key samples").at("/");
     require_keys(root, {"samples"});
     XrdResult result{.format = XrdFormat::json, .samples = {}};
@@ -171,6 +164,28 @@ XrdResult read_json(const TextLines& file) {
         }
     });
     return result;
+}
+
+}  // namespace
+
+bool looks_like_json(const TextLines& file) {
+    const std::string_view text = trimmed(file.text());
+    return text.starts_with('{') || text.starts_with('[');
+}
+
+XrdResult read_json(const TextLines& file) {
+    const Json root = parse_json(file.text());
+    const JsonLines lines(file.text());
+    const auto with_line = [&](const std::string& pointer) { return at_line(lines.line_of(pointer)); };
+    try {
+        XrdResult result = read_samples(root);
+        for (XrdSample& sample : result.samples)
+            for (PhaseFraction& phase : sample.analysis.phases)
+                phase.place = with_line(phase.place) + ": " + phase.place;
+        return result;
+    } catch (const InputError& error) {
+        throw error.at(with_line(error.place()));
+    }
 }
 
 }  // namespace ashimpact::xrd

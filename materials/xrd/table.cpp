@@ -52,13 +52,26 @@ std::vector<Group> groups_of(std::vector<Entry> entries) {
     return groups;
 }
 
+/// A file of one sample need not name it.
+std::string called(const std::string& sample) {
+    return "the sample" + (sample.empty() ? "" : " " + in_quotes(sample));
+}
+
+/// A table has no end mark; one that stops behind a separator, where an amount must stand, is cut off.
+void require_complete(const TextLines& file, const Table& table, const Entry& last) {
+    if (!last.amount && file.text().back() == table.separator)
+        throw InputError("the last line stops before its amount: the file seems to be cut off",
+                         "a complete table")
+            .at(at_line(last.line));
+}
+
 void refuse_repeated(const std::vector<Entry>& entries) {
     std::map<std::string, std::size_t> first;
     for (const Entry& entry : entries) {
         const auto [earlier, is_new] = first.emplace(phase_key(entry.phase), entry.line);
         if (!is_new)
-            throw InputError("the phase " + in_quotes(entry.phase) + " is there twice in sample " +
-                                 in_quotes(entry.sample) + ", first in line " +
+            throw InputError("the phase " + in_quotes(entry.phase) + " is there twice in " +
+                                 called(entry.sample) + ", first in line " +
                                  std::to_string(earlier->second),
                              "each phase once in a sample")
                 .at(at_line(entry.line));
@@ -105,7 +118,7 @@ XrdSample sample_of_fractions(const Group& group, double scale) {
         }
         sum += fraction;
         if (sum > 1 + default_closure_tolerance)
-            throw InputError("the fractions of sample " + in_quotes(group.sample) + " add up to " +
+            throw InputError("the fractions of " + called(group.sample) + " add up to " +
                                  per_cent(sum) + " or more",
                              "100 % or less")
                 .at(at_line(entry.line));
@@ -116,7 +129,7 @@ XrdSample sample_of_fractions(const Group& group, double scale) {
                                           .place = at_line(entry.line)});
     }
     if (sample.analysis.phases.empty())
-        throw InputError("the sample " + in_quotes(group.sample) + " has no phase with an amount",
+        throw InputError(called(group.sample) + " has no phase with an amount",
                          "at least one")
             .at(at_line(group.entries.front().line));
     return sample;
@@ -205,6 +218,7 @@ XrdResult read_table(const TextLines& file) {
     const Layout layout = layout_of(table);
     XrdResult result{.format = XrdFormat::table, .samples = {}, .warnings = table.warnings};
     std::vector<Entry> entries = entries_of(table, layout);
+    if (layout == Layout::fractions) require_complete(file, table, entries.back());
     const double scale = layout == Layout::peaks ? 1 : scale_of(table, entries, result.warnings);
     warn_of_ignored(table, layout, result.warnings);
     for (const Group& group : groups_of(std::move(entries))) {

@@ -35,7 +35,7 @@ struct XrdResult {
 /// Reads an XRD result, told apart by content: BGMN/Profex .lst, GSAS-II .lst, a CSV or TSV table of
 /// fractions or of peak intensities with RIR values, or the project's JSON. docs/materials.md describes them.
 /// A byte-order mark, CRLF and Latin-1 are accepted.
-/// Errors: InputError "NAME: line N: problem; allowed: ..." (JSON pointer for the contents of JSON) for
+/// Errors: InputError "NAME: line N: problem; allowed: ..." (for JSON with its pointer behind the line) for
 /// anything that is empty, binary, cut off, malformed, has a phase twice or more than 100 %.
 [[nodiscard]] XrdResult read_xrd(std::string_view text, std::string_view name);
 

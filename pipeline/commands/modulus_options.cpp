@@ -86,7 +86,7 @@ Composition composed(const XrdSample& sample, const PhaseCatalogue& catalogue) {
         return compose(sample.analysis, catalogue);
     } catch (const InputError& error) {
         const bool not_stated = std::holds_alternative<AmorphousNotStated>(sample.analysis.amorphous);
-        if (!not_stated || error.problem().find("amorphous") == std::string::npos) throw;
+        if (!not_stated || !error.problem().starts_with("nothing says how much")) throw;
         throw InputError(error.problem(),
                          "--amorphous-fraction X (of the whole; none; remainder: what is missing to 100 %), "
                          "--crystalline-total X, or --internal-standard PHASE with --added-fraction X");

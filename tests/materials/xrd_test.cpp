@@ -94,8 +94,10 @@ TEST_CASE("phases keep the place at which their file has them") {
     CHECK(read("fa07-gsas2.lst").samples[0].analysis.phases[1].place == "line 37");
     CHECK(read("long-percent.csv").samples[0].analysis.phases[1].place == "line 4");
     CHECK(read("peaks.csv").samples[0].analysis.phases[1].place == "line 4");
-    CHECK(read("samples.json").samples[0].analysis.phases[1].place == "/samples/0/phases/1");
-    CHECK(read("samples.json").samples[2].analysis.phases[1].place == "/samples/2/peaks/1");
+    CHECK(read("samples.json").samples[0].analysis.phases[1].place ==
+          "line 7: /samples/0/phases/1");
+    CHECK(read("samples.json").samples[2].analysis.phases[1].place ==
+          "line 23: /samples/2/peaks/1");
 }
 
 TEST_CASE("a BGMN list with CRLF, UNDEF, ERROR, mean values and missing uncertainties") {
