@@ -230,8 +230,8 @@ ParticleDensity particle_density(double true_density, std::optional<double> poro
     constexpr double disagreement = 0.005;
     if (porosity && std::abs(measured_porosity - *porosity) > disagreement)
         result.notes.push_back("the measured density gives a porosity of " +
-                               shortest(std::round(1e4 * measured_porosity) / 1e4) +
-                               ", stated is " + shortest(*porosity));
+                               shortest(std::round(1e4 * measured_porosity) / 1e4) + ", stated is " +
+                               shortest(*porosity));
     if (!porosity) result.porosity = measured_porosity;
     result.apparent_density = *measured_density;
     return result;

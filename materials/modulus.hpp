@@ -70,8 +70,9 @@ struct ParticleDensity {
 };
 
 /// Returns the density of a particle: the measured (apparent) one where there is one, else true (1 - P). With
-/// a measured one and no porosity, the porosity follows from the two; with both, a disagreement of more than 0.005 is noted.
-/// Errors: InputError for a measured density above the true one, or a porosity outside [0, 1).
+/// a measured one and no porosity, the porosity follows from the two; with both, a disagreement of more than
+/// 0.005 is noted. Errors: InputError for a measured density above the true one, or a porosity outside [0,
+/// 1).
 [[nodiscard]] ParticleDensity particle_density(double true_density, std::optional<double> porosity,
                                                std::optional<double> measured_density);
 

@@ -23,7 +23,7 @@ struct Value {
 
 struct Block {
     std::string name;
-    std::optional<Value> weight{};  ///< GEWICHT; nothing if the block has no such line
+    std::optional<Value> weight{};    ///< GEWICHT; nothing if the block has no such line
     std::optional<double> density{};  ///< [kg/m3]
     bool has_positions = false;
 };
@@ -140,8 +140,9 @@ void require_whole_number(const XrdSample& sample, const Contents& contents, con
     if (end == '\n' || end == '\r' || last.weight->line != file.last_line() || !last.weight->number) return;
     constexpr double rounding = 0.00051;
     const auto goal = contents.goals.find(last.name);
-    const bool agrees = goal != contents.goals.end() && goal->second.number &&
-                        std::abs(goal->second.number->value - sample.analysis.phases.back().fraction) < rounding;
+    const bool agrees =
+        goal != contents.goals.end() && goal->second.number &&
+        std::abs(goal->second.number->value - sample.analysis.phases.back().fraction) < rounding;
     if (!agrees) cut_off("the last line is a GEWICHT without an end", file);
 }
 

@@ -48,7 +48,7 @@ struct Scan {
     std::string described_phase{};              ///< under "Result for phase"
     std::map<std::string, double> densities{};  ///< [kg/m3]
     std::vector<XrdSample> samples{};
-    std::map<std::string, std::size_t> places{};                 ///< of the samples, by histogram
+    std::map<std::string, std::size_t> places{};                  ///< of the samples, by histogram
     std::set<std::pair<std::string, std::string>> known_pairs{};  ///< histogram and phase
 
     XrdSample& sample() {
@@ -78,8 +78,10 @@ void read_weight_line(Scan& scan, std::string_view text, std::size_t line) {
             "the phase " + in_quotes(scan.phase) + " is there twice in " + in_quotes(scan.histogram),
             "each phase once")
             .at(at_line(line));
-    scan.sample().analysis.phases.push_back(
-        {.name = scan.phase, .fraction = weight.value, .standard_uncertainty = weight.standard_uncertainty, .place = at_line(line)});
+    scan.sample().analysis.phases.push_back({.name = scan.phase,
+                                             .fraction = weight.value,
+                                             .standard_uncertainty = weight.standard_uncertainty,
+                                             .place = at_line(line)});
 }
 
 void read_density(Scan& scan, std::string_view text, std::size_t line) {

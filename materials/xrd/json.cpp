@@ -158,8 +158,7 @@ XrdResult read_samples(const Json& root) {
                 throw InputError("the sample " + in_quotes(sample.name) + " is there twice",
                                  "each sample once")
                     .at(place);
-            for (PhaseFraction& phase : sample.analysis.phases)
-                phase.place.insert(0, "/samples" + place);
+            for (PhaseFraction& phase : sample.analysis.phases) phase.place.insert(0, "/samples" + place);
             result.samples.push_back(std::move(sample));
         }
     });

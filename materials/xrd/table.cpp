@@ -71,8 +71,7 @@ void refuse_repeated(const std::vector<Entry>& entries) {
         const auto [earlier, is_new] = first.emplace(phase_key(entry.phase), entry.line);
         if (!is_new)
             throw InputError("the phase " + in_quotes(entry.phase) + " is there twice in " +
-                                 called(entry.sample) + ", first in line " +
-                                 std::to_string(earlier->second),
+                                 called(entry.sample) + ", first in line " + std::to_string(earlier->second),
                              "each phase once in a sample")
                 .at(at_line(entry.line));
     }
@@ -118,9 +117,9 @@ XrdSample sample_of_fractions(const Group& group, double scale) {
         }
         sum += fraction;
         if (sum > 1 + default_closure_tolerance)
-            throw InputError("the fractions of " + called(group.sample) + " add up to " +
-                                 per_cent(sum) + " or more",
-                             "100 % or less")
+            throw InputError(
+                "the fractions of " + called(group.sample) + " add up to " + per_cent(sum) + " or more",
+                "100 % or less")
                 .at(at_line(entry.line));
         sample.analysis.phases.push_back({.name = entry.phase,
                                           .fraction = fraction,
@@ -129,8 +128,7 @@ XrdSample sample_of_fractions(const Group& group, double scale) {
                                           .place = at_line(entry.line)});
     }
     if (sample.analysis.phases.empty())
-        throw InputError(called(group.sample) + " has no phase with an amount",
-                         "at least one")
+        throw InputError(called(group.sample) + " has no phase with an amount", "at least one")
             .at(at_line(group.entries.front().line));
     return sample;
 }

@@ -42,8 +42,9 @@ struct XrdResult {
 /// Rescales a sample to which a known weight of a standard was added before the measurement: w_i = w_s
 /// c_i/c_s in the mixture, divided by 1 - w_s in the sample; the rest is amorphous. The standard is taken out
 /// of the phases. Source: Chung 1974, J. Appl. Cryst. 7:519 (matrix flushing). `added_fraction` is the weight
-/// of the standard over that of the mixture [1], `added_uncertainty` that of the weighing [1]. Errors: InputError if the standard is not among the phases, has
-/// no fraction, or says that more than 100 % of the sample is crystalline.
+/// of the standard over that of the mixture [1], `added_uncertainty` that of the weighing [1]. Errors:
+/// InputError if the standard is not among the phases, has no fraction, or says that more than 100 % of the
+/// sample is crystalline.
 [[nodiscard]] XrdSample with_internal_standard(const XrdSample& sample, std::string_view standard,
                                                double added_fraction,
                                                std::optional<double> added_uncertainty = {});

@@ -80,9 +80,9 @@ std::string_view standing_of(MixtureRule rule) {
 
 void list_density(const SampleEstimate& sample, const ModulusCommandOptions& options, TextList& list) {
     const ParticleDensity& density = sample.density;
-    list.add("density of the phases", with_uncertainty(sample.estimate.density,
-                                                       sample.estimate.density_uncertainty,
-                                                       Dimension::density));
+    list.add(
+        "density of the phases",
+        with_uncertainty(sample.estimate.density, sample.estimate.density_uncertainty, Dimension::density));
     if (density.porosity == 0) return;
     list.add("density of the particle", readable(density.apparent_density, "kg/m3") +
                                             (options.particle_density.empty() ? "" : " (measured)"));

@@ -101,7 +101,8 @@ std::string read_file(const std::filesystem::path& path, std::size_t most) {
     std::string content;
     std::array<char, 1 << 16> block{};
     while (stream && content.size() < most) {
-        stream.read(block.data(), static_cast<std::streamsize>(std::min(block.size(), most - content.size())));
+        stream.read(block.data(),
+                    static_cast<std::streamsize>(std::min(block.size(), most - content.size())));
         content.append(block.data(), static_cast<std::size_t>(stream.gcount()));
     }
     return content;

@@ -82,14 +82,14 @@ Json contact_json(const Sample& sample, const std::optional<Wall>& wall, const S
     if (needs_poisson_ratio(sample, wall)) poisson_ratio = poisson_ratio_of(sample, modulus);
     const double radius = sample.diameter.value() / 2;
     const Stated density = density_of(sample, modulus, warnings);
-    Json json{{"name", sample.name},
-              {"contact_modulus", stated_json(contact_modulus_of(sample, wall, modulus, poisson_ratio))},
-              {"effective_radius", quantity_json(radius, Dimension::length)},
-              {"mass", quantity_json(sphere_mass(radius, density.value()), Dimension::mass)},
-              {"density", stated_json(density)},
-              {"density_from_phases",
-               quantity_json(density_from_phases(sample, modulus), Dimension::density)},
-              {"work_of_adhesion", stated_json(adhesion_of(sample))}};
+    Json json{
+        {"name", sample.name},
+        {"contact_modulus", stated_json(contact_modulus_of(sample, wall, modulus, poisson_ratio))},
+        {"effective_radius", quantity_json(radius, Dimension::length)},
+        {"mass", quantity_json(sphere_mass(radius, density.value()), Dimension::mass)},
+        {"density", stated_json(density)},
+        {"density_from_phases", quantity_json(density_from_phases(sample, modulus), Dimension::density)},
+        {"work_of_adhesion", stated_json(adhesion_of(sample))}};
     if (poisson_ratio) json["poisson_ratio"] = stated_json(*poisson_ratio);
     if (sample.yield_pressure) json["yield_pressure"] = stated_json(*sample.yield_pressure);
     return json;

@@ -94,7 +94,8 @@ TEST_CASE("a single phase keeps its moduli under every rule, and an absent one c
     CHECK(relative_difference(series_young_modulus(v, e), 224.9e9) < 1e-15);
 }
 
-TEST_CASE("pores are a phase without stiffness: nothing is left of the lower bound, the upper one is finite") {
+TEST_CASE(
+    "pores are a phase without stiffness: nothing is left of the lower bound, the upper one is finite") {
     const std::array v{0.8, 0.2};
     const std::array phases{isotropic_moduli(90e9, 0.2), IsotropicModuli{}};
     for (const auto& softest : {hashin_shtrikman_lower(v, phases), reuss_moduli(v, phases)}) {
@@ -102,7 +103,8 @@ TEST_CASE("pores are a phase without stiffness: nothing is left of the lower bou
         CHECK(softest.shear == 0);
         CHECK(young_modulus(softest) == 0);
     }
-    // K0 = 50 GPa, G0 = 37.5 GPa = 3K0/4: K = G0 4/3 0.8/(1 + 0.2) = 100/3, and G falls by the same factor 2/3
+    // K0 = 50 GPa, G0 = 37.5 GPa = 3K0/4: K = G0 4/3 0.8/(1 + 0.2) = 100/3, and G falls by the same factor
+    // 2/3
     CHECK(relative_difference(hashin_shtrikman_upper(v, phases).bulk, 100e9 / 3) < 1e-14);
     CHECK(relative_difference(hashin_shtrikman_upper(v, phases).shear, 25e9) < 1e-14);
     // a liquid has no shear modulus, but its bulk modulus counts
@@ -122,9 +124,9 @@ TEST_CASE("Walpole's form is Hashin and Shtrikman's own (1963, Eqs. 4.1 to 4.4) 
             const double va = 1 - vb;
             return IsotropicModuli{
                 .bulk = a.bulk + vb / (1 / (b.bulk - a.bulk) + 3 * va / (3 * a.bulk + 4 * a.shear)),
-                .shear = a.shear + vb / (1 / (b.shear - a.shear) +
-                                         6 * va * (a.bulk + 2 * a.shear) /
-                                             (5 * a.shear * (3 * a.bulk + 4 * a.shear)))};
+                .shear = a.shear +
+                         vb / (1 / (b.shear - a.shear) +
+                               6 * va * (a.bulk + 2 * a.shear) / (5 * a.shear * (3 * a.bulk + 4 * a.shear)))};
         };
         const IsotropicModuli lower = bound(soft, stiff, f);
         const IsotropicModuli upper = bound(stiff, soft, 1 - f);
@@ -135,7 +137,9 @@ TEST_CASE("Walpole's form is Hashin and Shtrikman's own (1963, Eqs. 4.1 to 4.4) 
     }
 }
 
-TEST_CASE("phases that are not well ordered, with a liquid: Mavko, Mukerji & Dvorkin, The Rock Physics Handbook, 4.1") {
+TEST_CASE(
+    "phases that are not well ordered, with a liquid: Mavko, Mukerji & Dvorkin, The Rock Physics Handbook, "
+    "4.1") {
     // quartz, calcite, water at a porosity of 27 %; the book prints K 26.9 and 7.1, G 24.6 and 0 GPa
     const std::array v{0.584, 0.146, 0.27};
     const std::array phases{IsotropicModuli{.bulk = 36e9, .shear = 45e9},

@@ -141,9 +141,8 @@ TEST_CASE("what is not found comes with the nearest names, all at once") {
     CHECK(both.find("\"kryptonite\"") != std::string::npos);
     CHECK(both.find('\n') == std::string::npos);
     CHECK(catalogue.resolve_all({"quartz", "mullite"}).size() == 2);
-    const std::string many = message([&] {
-        static_cast<void>(catalogue.resolve_all(std::vector<std::string>(100'000, "kryptonite")));
-    });
+    const std::string many = message(
+        [&] { static_cast<void>(catalogue.resolve_all(std::vector<std::string>(100'000, "kryptonite"))); });
     CHECK(many.find("and more") != std::string::npos);
     CHECK(many.size() < 2000);
 }

@@ -148,7 +148,8 @@ TEST_CASE("malformed tables") {
     CHECK(holds(refused("phase,wt%\nQuartz,-3\n"), "line 2: the amount of \"Quartz\" is -3 %"));
     CHECK(holds(refused("phase,wt%\nQuartz,much\n"), "line 2: cannot read \"much\""));
     CHECK(holds(refused("phase,wt%\nQuartz,60\nMullite,"), "line 3: the last line stops before its amount"));
-    CHECK(holds(refused("sample,phase,wt%\na,Quartz,60\na,Quartz,4\n"), "is there twice in the sample \"a\""));
+    CHECK(
+        holds(refused("sample,phase,wt%\na,Quartz,60\na,Quartz,4\n"), "is there twice in the sample \"a\""));
     CHECK(holds(refused("phase,wt%\nQuartz,inf\n"), "line 2: cannot read \"inf\""));
     CHECK(holds(refused("phase,wt%\nQuartz\n"), "line 2: the line has 1 cells, the heading has 2"));
     CHECK(holds(refused("phase,wt%\nQuartz,12,5\n"), "line 2: the line has 3 cells, the heading has 2"));

@@ -85,8 +85,8 @@ TEST_CASE("the uncertainty of the weighing goes into the scale of an internal st
     const std::string table = "phase,wt%,standard [%]\nQuartz,90,\nCorundum,10,5.0(1)\n";
     const XrdSample read_sample = read_xrd(table, "t.csv").samples[0];
     const auto& remainder = std::get<AmorphousRemainder>(read_sample.analysis.amorphous);
-    CHECK(relative_difference(*remainder.standard_uncertainty,
-                              0.05 / (0.1 * 0.95) * 0.001 / (0.05 * 0.95)) < 1e-12);
+    CHECK(relative_difference(*remainder.standard_uncertainty, 0.05 / (0.1 * 0.95) * 0.001 / (0.05 * 0.95)) <
+          1e-12);
 }
 
 TEST_CASE("phases keep the place at which their file has them") {
@@ -94,10 +94,8 @@ TEST_CASE("phases keep the place at which their file has them") {
     CHECK(read("fa07-gsas2.lst").samples[0].analysis.phases[1].place == "line 37");
     CHECK(read("long-percent.csv").samples[0].analysis.phases[1].place == "line 4");
     CHECK(read("peaks.csv").samples[0].analysis.phases[1].place == "line 4");
-    CHECK(read("samples.json").samples[0].analysis.phases[1].place ==
-          "line 7: /samples/0/phases/1");
-    CHECK(read("samples.json").samples[2].analysis.phases[1].place ==
-          "line 23: /samples/2/peaks/1");
+    CHECK(read("samples.json").samples[0].analysis.phases[1].place == "line 7: /samples/0/phases/1");
+    CHECK(read("samples.json").samples[2].analysis.phases[1].place == "line 23: /samples/2/peaks/1");
 }
 
 TEST_CASE("a BGMN list with CRLF, UNDEF, ERROR, mean values and missing uncertainties") {

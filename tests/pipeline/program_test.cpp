@@ -187,10 +187,10 @@ TEST_CASE("modulus: every way to state the amorphous part gives the same sample"
     sandbox.write("ash.csv", "phase,wt%\nquartz,37.5\nmullite,62.5\n");
     sandbox.write("whole.csv", "phase,wt%\nquartz,16.6666666667\nmullite,27.7777777778\n");
     // c_s = 0.2, w_s = 0.1: p = 0.1/(0.2 0.9) = 5/9, of which quartz 0.3 and mullite 0.5: 4/9 are crystalline
-    for (const std::string options : {"mixture.csv --internal-standard corundum --added-fraction '10 %'",
-                                      "ash.csv --amorphous-fraction 0.55555555556",
-                                      "ash.csv --crystalline-total '44.444444444 %'",
-                                      "whole.csv --amorphous-fraction remainder"}) {
+    for (const std::string options :
+         {"mixture.csv --internal-standard corundum --added-fraction '10 %'",
+          "ash.csv --amorphous-fraction 0.55555555556", "ash.csv --crystalline-total '44.444444444 %'",
+          "whole.csv --amorphous-fraction remainder"}) {
         CAPTURE(options);
         const Json phases = json_of(sandbox, "modulus " + options)["phases"];
         REQUIRE(phases.size() == 3);
