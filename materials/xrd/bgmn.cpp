@@ -137,12 +137,16 @@ void require_complete(const Contents& contents, const TextLines& file) {
 void require_whole_number(const XrdSample& sample, const Contents& contents, const TextLines& file) {
     const Block& last = contents.blocks.back();
     const char end = file.text().back();
-    if (end == '\n' || end == '\r' || last.weight->line != file.last_line() || !last.weight->number) return;
+    if (end == '\n' || end == '\r' || last.weight->line != file.last_line()) return;
     constexpr double rounding = 0.00051;
     const auto goal = contents.goals.find(last.name);
-    const bool agrees =
-        goal != contents.goals.end() && goal->second.number &&
-        std::abs(goal->second.number->value - sample.analysis.phases.back().fraction) < rounding;
+    bool agrees = last.weight->number && goal != contents.goals.end() && goal->second.number;
+    if (agrees) {
+        const PhaseFraction& read = sample.analysis.phases.back();
+        const PrintedNumber& expected = *goal->second.number;
+        agrees = std::abs(expected.value - read.fraction) < rounding &&
+                 (read.standard_uncertainty || !expected.standard_uncertainty);
+    }
     if (!agrees) cut_off("the last line is a GEWICHT without an end", file);
 }
 

@@ -112,6 +112,12 @@ TEST_CASE("malformed BGMN lists") {
     CHECK(holds(refused(with(list, "XrayDensity=2.648", "XrayDensity=0")), "line 24: XrayDensity is 0"));
     const std::string two = block("Quartz", "GEWICHT=0.6") + block("Mullite", "GEWICHT=0.4015");
     CHECK(refused(two).empty());
+    const std::string goals = "Global parameters and GOALs\nQQuartz=0.6+-0.01\nQMullite=0.4+-0.01\n\n" +
+                              block("Quartz", "GEWICHT=0.6") + block("Mullite", "GEWICHT=");
+    const std::string open_end = goals.substr(0, goals.size() - 2);
+    CHECK(holds(refused(open_end), "a GEWICHT without an end"));
+    CHECK(holds(refused(open_end + "0.4"), "a GEWICHT without an end"));
+    CHECK(refused(open_end + "0.4+-0.01").empty());
     CHECK(holds(refused(two.substr(0, two.size() - 4)),
                 "line 9: the last line is a GEWICHT without an end: the file seems to be cut off"));
     CHECK(holds(refused(block("", "GEWICHT=1")), "line 1: the heading has no phase name"));
