@@ -140,7 +140,7 @@ TEST_CASE("an undamped contact whose break costs energy captures below that ener
     CHECK(reached >= 3);
 }
 
-TEST_CASE("where the arrival takes a finite time, impacts just above the critical velocity end then") {
+TEST_CASE("where the arrival takes a finite time, impacts ever closer above the critical velocity end then") {
     int seen = 0;
     for (const ContactCase& c : elastic_cases()) {
         const Impact impact = impact_of(c, ash(0.3), 0.3, 2.0);
@@ -148,13 +148,16 @@ TEST_CASE("where the arrival takes a finite time, impacts just above the critica
         if (!critical.contact_time) continue;
         ++seen;
         CAPTURE(name_of(c));
-        // The particle is late by v_r/acceleration, and v_r is the root of the excess.
+        // What is missing goes with the speed at the end, the root of the excess; but with its sixth root
+        // where attraction vanishes with the root of the overlap.
+        const double power = c.law == Law::of<BrachDunn>() ? 1.0 / 6.0 : 0.5;
+        const double fall = 1.1 * std::pow(1e-4, power);
         const auto lateness = [&](double excess) {
             const ImpactResult above = at_velocity(impact, *critical.value * (1.0 + excess));
             return std::abs(above.contact_time.value() / *critical.contact_time - 1.0);
         };
-        CHECK(lateness(1e-8) < 0.011 * lateness(1e-4));
-        CHECK(lateness(1e-12) < 2e-5);
+        CHECK(lateness(1e-8) < fall * lateness(1e-4));
+        CHECK(lateness(1e-12) < fall * lateness(1e-8));
     }
-    CHECK(seen >= 3);
+    CHECK(seen >= 12);
 }
