@@ -65,6 +65,23 @@ TEST_CASE("every artifact of a run conforms to its schema and has the envelope")
     }
 }
 
+TEST_CASE("every artifact that follows from the case says where contacts end, and what was refused and why") {
+    std::vector<std::string_view> files{case_artifact};
+    for (const Stage& stage : stages())
+        if (stage.name != "analytic") files.push_back(stage.file);
+    for (const std::string_view file : files) {
+        CAPTURE(file);
+        const Json& ends = built_in().at(file).document["provenance"]["options"]["detachments"];
+        CHECK(ends["jkr"]["ends_at"] == "pull-off");
+        CHECK(ends["dmt"]["ends_at"] == "zero-overlap");
+        CHECK(ends["dmt"]["refused"]["zero-force"].get<std::string>().ends_with(
+            "its potential there is below that at first touch, an undamped impact would gain energy"));
+        CHECK(ends["jkr"]["refused"].size() == 1);
+    }
+    const Json& analytic = built_in().at("3-analytic.json").document["provenance"]["options"];
+    CHECK(analytic["separation"] == "pull-off");
+}
+
 TEST_CASE("1-modulus: Table 1 and the three moduli of the paper from weight fractions") {
     const std::map<std::string, std::array<double, 4>> printed{// quartz, mullite, crystalline [%], E [GPa]
                                                                {"88 um", {1.65, 47.63, 49.28, 148.13}},
