@@ -418,6 +418,32 @@ TEST_CASE("the contact time at v_c is the limit of those just above it") {
     }
 }
 
+TEST_CASE("where damping leaves hardly any speed, impacts still tell the upper crossing") {
+    // Contact-radius damping just below the one that captures all: rebounds of 1e-6 of the velocity.
+    const ContactPair pair{.mass = 1.2082796645224796e-08,
+                           .effective_radius = 1.3172696785230338e-4,
+                           .contact_modulus = 769.715658657e9,
+                           .work_of_adhesion = 0.72974023005461952,
+                           .yield_pressure = 20.027470838169163e9};
+    const Damping damping{DampingLaw::contact_radius, 109487.54399202552};
+    const CriticalVelocity critical =
+        critical_velocity({Law::of<ThorntonNing>(), Detachment::load_controlled, damping, pair});
+    REQUIRE(critical.crossings.size() == 2);
+    CHECK(*critical.value == critical.crossings[0]);
+    bool rebounds = true;  // above the lower one
+    for (const double crossing : critical.crossings) {
+        CAPTURE(crossing);
+        const auto outcome_at = [&](double velocity) {
+            return solve_impact(
+                       {Law::of<ThorntonNing>(), Detachment::load_controlled, damping, pair, velocity})
+                .outcome;
+        };
+        CHECK((outcome_at(crossing * (1.0 + 1e-9)) == Outcome::rebound) == rebounds);
+        CHECK((outcome_at(crossing * (1.0 - 1e-9)) == Outcome::rebound) != rebounds);
+        rebounds = !rebounds;
+    }
+}
+
 TEST_CASE("a yield pressure that is none is refused; the law admits pull-off and load-controlled ends") {
     CHECK(input_error_of([] { static_cast<void>(solve_impact(undamped(yielding_ash(0.3, 0.0), 2.0))); }) ==
           "yield_pressure is 0 Pa; allowed: a finite number > 0 Pa");
