@@ -107,12 +107,9 @@ std::optional<DampingSmoothing> DampingSmoothing::of(const std::vector<InvertedI
     std::optional<DampingSmoothing> best;
     const auto most =
         static_cast<int>(std::clamp<std::size_t>(averaged.position.size() / rows_per_interval, 1, 40));
-    int worse = 0;
-    for (int intervals = 1; intervals <= most && worse < 3; intervals += 1 + intervals / 3) {
+    for (int intervals = 1; intervals <= most; intervals += 1 + intervals / 3) {
         auto candidate = with_intervals(averaged, intervals);
-        const bool better = candidate && (!best || candidate->criterion_ < best->criterion_);
-        worse = better ? 0 : worse + 1;
-        if (better) best = std::move(candidate);
+        if (candidate && (!best || candidate->criterion_ < best->criterion_)) best = std::move(candidate);
     }
     if (!best) return std::nullopt;
     best->first_ = averaged.position.front();
