@@ -146,6 +146,19 @@ Eigen::VectorXd normalised(const CalibrationProblem& problem, const std::vector<
     return result;
 }
 
+/// Fit from @p start with the weights of that point.
+gsl::NonlinearFit fit_once(const CalibrationProblem& problem, const std::vector<Slot>& slots,
+                           const Eigen::VectorXd& start) {
+    const auto at = samples_with(problem, slots, start);
+    const Weights weights{residuals_of(at, problem.critical_velocities),
+                          residuals_of(at, problem.contact_times)};
+    return gsl::fit_nonlinear(
+        [&](const Eigen::VectorXd& x) {
+            return normalised(problem, samples_with(problem, slots, x), weights);
+        },
+        start, {.parameter_tolerance = 1e-9, .gradient_tolerance = 1e-10, .difference_step = 1e-5});
+}
+
 void require_solvable(const CalibrationProblem& problem, std::size_t constants) {
     const std::size_t observations = problem.critical_velocities.size() + problem.contact_times.size();
     const auto known = [&](const auto& observation) { return observation.sample < problem.samples.size(); };
@@ -198,16 +211,16 @@ CalibrationSummary calibrate(const CalibrationProblem& problem) {
         logarithms[static_cast<Eigen::Index>(i)] = std::log(constant_of(start, slots[i].quantity));
     }
 
+    // A contact time jumps where its impact is captured, so the critical velocities lead the fit near the
+    // answer.
+    CalibrationProblem velocities_only = problem;
+    velocities_only.contact_times.clear();
+    if (problem.critical_velocities.size() >= slots.size()) {
+        logarithms = fit_once(velocities_only, slots, logarithms).parameters;
+    }
     gsl::NonlinearFit fit;
     for (int pass = 0; pass < 3; ++pass) {  // the weights depend, weakly, on the constants
-        const auto at = samples_with(problem, slots, logarithms);
-        const Weights weights{residuals_of(at, problem.critical_velocities),
-                              residuals_of(at, problem.contact_times)};
-        fit = gsl::fit_nonlinear(
-            [&](const Eigen::VectorXd& x) {
-                return normalised(problem, samples_with(problem, slots, x), weights);
-            },
-            logarithms, {.parameter_tolerance = 1e-9, .gradient_tolerance = 1e-10, .difference_step = 1e-5});
+        fit = fit_once(problem, slots, logarithms);
         logarithms = fit.parameters;
     }
 

@@ -74,7 +74,7 @@ std::string_view name_of(Outcome outcome) {
 std::optional<std::string> refusal(Law law, Detachment detachment) {
     return law.visit<std::optional<std::string>>([&]<template <class> class L>()
                                                      -> std::optional<std::string> {
-        const L<Extended> numeric{L<Extended>::name == Hertz<Extended>::name ? 0.0L : 1.0L};
+        const L<Extended> numeric{1.0L};  // whether it is admissible depends on no number
         const auto point = numeric.detachment_point(detachment);
         const std::string subject =
             std::string(name_of(detachment)) + " does not end a contact of law " + std::string(law.name());
