@@ -67,8 +67,13 @@ double predicted_velocity(const CalibrationSample& sample, Law law, double dampi
     return *critical.value;
 }
 
-/// Contact time at @p velocity on the curve that the published fit implies; on the captured side of the curve
-/// the time to arrival has no end, and the nearest rebound stands for it so that a fit can find its way back.
+/// Power of v_c/v with which the stand-in for a contact time grows on the captured side: about the slope of
+/// the real one just above v_c, so that the weights do not jump there.
+constexpr double captured_growth = 3.0;
+
+/// Contact time at @p velocity on the curve that the published fit implies. On the captured side of the curve
+/// there is none; the nearest rebound's, growing with the distance to it, stands for it so that a fit can
+/// find its way back.
 double predicted_time(const CalibrationSample& sample, const ContactTimeObservation& at, double velocity) {
     const PublishedDamping published{
         at.law,           at.law.default_detachment(), sample.contact(), at.damping_fit[0], at.damping_fit[1],
@@ -79,10 +84,9 @@ double predicted_time(const CalibrationSample& sample, const ContactTimeObservat
                   {DampingLaw::constant, published.damping(e)},
                   published.contact,
                   velocity};
-    if (e == 0.0) {
-        impact.velocity = (1.0 + 1e-6) * predicted_velocity(sample, at.law, impact.damping.coefficient);
-    }
-    return solve_impact(impact).contact_time.value();
+    if (e > 0.0) return solve_impact(impact).contact_time.value();
+    impact.velocity = (1.0 + 1e-6) * predicted_velocity(sample, at.law, impact.damping.coefficient);
+    return solve_impact(impact).contact_time.value() * std::pow(impact.velocity / velocity, captured_growth);
 }
 
 double logarithmic_slope(const std::function<double(double)>& function, double at) {
@@ -175,6 +179,22 @@ void require_solvable(const CalibrationProblem& problem, std::size_t constants) 
     }
 }
 
+/// A contact time that the calibrated model has not is no minimum worth reporting.
+void require_rebounds(const CalibrationProblem& problem, const std::vector<CalibrationSample>& samples) {
+    for (const ContactTimeObservation& o : problem.contact_times) {
+        const PublishedDamping published{o.law,
+                                         o.law.default_detachment(),
+                                         samples[o.sample].contact(),
+                                         o.damping_fit[0],
+                                         o.damping_fit[1],
+                                         o.damping_fit[2]};
+        if (reconstructed_restitution(published, o.velocity) > 0.0) continue;
+        throw ConvergenceError("calibration: the constants found capture sample " +
+                               std::to_string(o.sample + 1) +
+                               " at the velocity of its contact time; start nearer to the answer");
+    }
+}
+
 std::vector<CalibratedConstant> constants_of(const std::vector<Slot>& slots, const gsl::NonlinearFit& fit) {
     const double factor = gsl::normal_quantile(0.975);
     std::vector<CalibratedConstant> constants;
@@ -223,6 +243,8 @@ CalibrationSummary calibrate(const CalibrationProblem& problem) {
         fit = fit_once(problem, slots, logarithms);
         logarithms = fit.parameters;
     }
+
+    require_rebounds(problem, samples_with(problem, slots, fit.parameters));
 
     const Eigen::VectorXd deviation = fit.covariance.diagonal().cwiseSqrt();
     CalibrationSummary summary;

@@ -78,7 +78,7 @@ std::optional<std::string> refusal(Law law, Detachment detachment) {
         const auto point = numeric.detachment_point(detachment);
         const std::string subject =
             std::string(name_of(detachment)) + " does not end a contact of law " + std::string(law.name());
-        if (!point) return subject + ": the law has no such point apart from zero overlap";
+        if (!point) return subject + ": the law has no such point";
         const Motion<Extended> motion =
             make_motion<L, Extended>(numeric.adhesion, DampingLaw::constant, 0.0L, detachment);
         if (motion.potential(*motion.end) < motion.potential(motion.touch)) {

@@ -100,7 +100,8 @@ ApproachEnd approach(const Motion<Real>& motion, MotionState<Real>& state,
             orbit.maximum_overlap = motion.overlap(state.position);
             return ApproachEnd::turned;
         }
-        if (capture.creeping_up(state)) {
+        const bool leaves_first = leave_at && *leave_at < motion.equilibrium;
+        if (!leaves_first && capture.creeping_up(state)) {
             orbit.turn = orbit.end = state;
             orbit.maximum_overlap = motion.overlap(motion.equilibrium);
             return ApproachEnd::creeping;

@@ -35,7 +35,7 @@ std::string critical_velocity_text(const CriticalVelocityProblem& problem, const
     if (result.verdict == CaptureVerdict::finite) {
         list.add("contact time", result.contact_time
                                      ? readable(*result.contact_time, "s")
-                                     : "infinite: the particle comes to rest only at the end");
+                                     : "not computed for this end of contact");
         if (result.maximum_overlap) list.add("maximum overlap", readable(*result.maximum_overlap, "m"));
         list.add("energy", fmt::format("{} dissipated, {} spent in yielding, {} to break the contact",
                                        readable(result.dissipated, "J"), readable(result.plastic, "J"),
