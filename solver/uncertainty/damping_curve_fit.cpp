@@ -169,18 +169,29 @@ DampingCurveFit fit_damping_curve(const ContactModel& model, const MeasurementSe
     return fit;
 }
 
-std::vector<DampingCurveFit> compare_orders(const ContactModel& model, const MeasurementSet& set,
-                                            const std::vector<int>& orders, DampingCurveOptions options) {
-    std::vector<DampingCurveFit> fits;
+OrderComparison compare_orders(const ContactModel& model, const MeasurementSet& set,
+                               const std::vector<int>& orders, DampingCurveOptions options) {
+    OrderComparison result;
+    const auto miss = [&](int order, const std::string& reason) {
+        result.notes.push_back("no fit of order " + std::to_string(order) + ": " + reason);
+    };
+    double least = std::numeric_limits<double>::infinity();
     for (const int order : orders) {
         options.order = order;
         try {
-            fits.push_back(fit_damping_curve(model, set, options));
-        } catch (const InputError&) {
-            if (fits.empty()) throw;  // not even the lowest order
+            result.fits.push_back(fit_damping_curve(model, set, options));
+        } catch (const InputError& error) {
+            miss(order, error.problem());
+            continue;
+        } catch (const ConvergenceError& error) {
+            miss(order, error.what());
+            continue;
         }
+        if (!(result.fits.back().akaike < least)) continue;
+        least = result.fits.back().akaike;
+        result.best = order;
     }
-    return fits;
+    return result;
 }
 
 FitComparison compare(const DampingCurveFit& extrapolated, const DampingCurveFit& direct) {

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -72,11 +73,15 @@ struct DampingCurveFit {
 [[nodiscard]] DampingCurveFit fit_damping_curve(const ContactModel& model, const MeasurementSet& set,
                                                 const DampingCurveOptions& options = extrapolated_fit);
 
-/// The same for each order of @p orders that the data allow, to choose from.
-[[nodiscard]] std::vector<DampingCurveFit> compare_orders(const ContactModel& model,
-                                                          const MeasurementSet& set,
-                                                          const std::vector<int>& orders,
-                                                          DampingCurveOptions options = extrapolated_fit);
+/// The same data fitted by polynomials of several orders, to choose from.
+struct OrderComparison {
+    std::vector<DampingCurveFit> fits;  ///< by order
+    std::optional<int> best;            ///< order of the least akaike
+    std::vector<std::string> notes;     ///< why an order is missing
+};
+[[nodiscard]] OrderComparison compare_orders(const ContactModel& model, const MeasurementSet& set,
+                                             const std::vector<int>& orders,
+                                             DampingCurveOptions options = extrapolated_fit);
 
 /// What an extrapolated fit and a direct one of the same impacts say of one another.
 struct FitComparison {
