@@ -65,6 +65,9 @@ class PlasticCapture {
         const Extended released =
             unloading.motion.potential(*unloading.motion.end) - motion_.touch_potential();
         CriticalVelocity result;
+        if (const auto after = unloading.arrival->time_after)
+            result.contact_time =
+                static_cast<double>(*after - unloading.turn->time - state.time) * scale_.time();
         result.value =
             static_cast<double>(std::sqrt(2 * (dissipated + plastic_work + released))) * scale_.velocity;
         result.maximum_overlap = static_cast<double>(loading.overlap(loading.coordinate(u))) * scale_.length;
