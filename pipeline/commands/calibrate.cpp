@@ -6,6 +6,7 @@
 
 #include "materials/text.hpp"
 #include "pipeline/json/quantity_json.hpp"
+#include "pipeline/json/statistics_json.hpp"
 #include "pipeline/json/writer.hpp"
 #include "pipeline/run.hpp"
 #include "pipeline/stages/contact.hpp"
@@ -42,7 +43,7 @@ FreeConstant read_free(const std::string& text) {
 CalibrationSample start_of(const Case& data, const Sample& sample, const SampleModulus& modulus,
                            const SampleContact& contact) {
     CalibrationSample start{.diameter = sample.diameter.value(),
-                            .density = contact.density,
+                            .density = contact.density.value,
                             .work_of_adhesion = contact.pair.work_of_adhesion,
                             .particle = {.young_modulus = modulus.young_modulus.value},
                             .wall = {},
@@ -128,16 +129,6 @@ Json constants_json(const Case& data, const CalibrationSummary& summary) {
               {quantity_json(constant.lower, entry.unit), quantity_json(constant.upper, entry.unit)}}});
     }
     return list;
-}
-
-Json matrix_json(const Eigen::MatrixXd& matrix) {
-    Json rows = Json::array();
-    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-        Json row = Json::array();
-        for (Eigen::Index j = 0; j < matrix.cols(); ++j) row.push_back(matrix(i, j));
-        rows.push_back(std::move(row));
-    }
-    return rows;
 }
 
 std::string calibration_text(const Case& data, const CalibrationSummary& summary,

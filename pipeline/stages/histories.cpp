@@ -90,7 +90,7 @@ Json law_json(const Case& data, const LawChoice& choice, const SampleInputs& in)
     const LawFit* fit = in.fits.find(choice.law);
     if (critical != nullptr && critical->value && fit != nullptr) {
         impact.damping.coefficient = fit->critical_damping;
-        impact.velocity = *critical->value * (1 + data.histories.critical_excess);
+        impact.velocity = critical->value->value * (1 + data.histories.critical_excess);
         histories.push_back(history_json("critical", impact, data.histories.points));
     }
     const DampingSeries* series = in.dampings.find(choice.law);

@@ -12,18 +12,6 @@ namespace ashimpact {
 
 namespace {
 
-/// Velocities that the fits may ask for: an extrapolated v_c and its interval lie below the data.
-VelocityRange range_for(Law law, Detachment detachment, const ContactPair& contact,
-                        const MeasurementSet& set) {
-    constexpr double below = 0.02;
-    constexpr double above = 2.0;
-    const auto slower = [](const Measurement& a, const Measurement& b) { return a.velocity < b.velocity; };
-    const auto [slowest, fastest] = std::minmax_element(set.points.begin(), set.points.end(), slower);
-    const CriticalVelocity undamped =
-        critical_velocity({law, detachment, {DampingLaw::constant, 0.0}, contact});
-    return {below * slowest->velocity, above * std::max(fastest->velocity, undamped.value.value_or(0.0))};
-}
-
 /// Calls @p step; input that does not allow it becomes a note.
 template <class Step>
 void attempt(std::vector<std::string>& notes, const std::string& what, Step&& step) {
@@ -99,6 +87,17 @@ class RisingBranchFits {
 
 }  // namespace
 
+VelocityRange velocities_for_fits(Law law, Detachment detachment, const ContactPair& contact,
+                                  const MeasurementSet& set) {
+    constexpr double below = 0.02;
+    constexpr double above = 2.0;
+    const auto slower = [](const Measurement& a, const Measurement& b) { return a.velocity < b.velocity; };
+    const auto [slowest, fastest] = std::minmax_element(set.points.begin(), set.points.end(), slower);
+    const CriticalVelocity undamped =
+        critical_velocity({law, detachment, {DampingLaw::constant, 0.0}, contact});
+    return {below * slowest->velocity, above * std::max(fastest->velocity, undamped.value.value_or(0.0))};
+}
+
 MeasuredDamping analyse_impacts(Law law, Detachment detachment, const RandomContact& contact,
                                 const MeasurementSet& set, const MeasuredDampingOptions& options) {
     validate(set);
@@ -126,7 +125,7 @@ MeasuredDamping analyse_impacts(Law law, Detachment detachment, const RandomCont
         return result;
     }
     const ContactModel model =
-        make_contact_model(law, detachment, pair, range_for(law, detachment, pair, set));
+        make_contact_model(law, detachment, pair, velocities_for_fits(law, detachment, pair, set));
     result.accuracy = model.map().accuracy();
     result.impacts = invert(model, set);
     result.smoothing = DampingSmoothing::of(result.impacts);

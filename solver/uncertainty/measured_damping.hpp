@@ -51,6 +51,11 @@ struct MeasuredDamping {
     std::vector<std::string> notes;
 };
 
+/// Velocities that fits of a set may ask for: an extrapolated v_c and its interval lie below the data.
+/// @param set not empty
+[[nodiscard]] VelocityRange velocities_for_fits(Law law, Detachment detachment, const ContactPair& contact,
+                                                const MeasurementSet& set);
+
 /// The whole analysis of a series of impacts with constant damping: inversion, parts of eta(v_in), rising
 /// branch, fits, v_c with its interval beside the measured one.
 ///

@@ -39,8 +39,8 @@ void add_mixture(std::vector<RandomInput>& inputs, const Composition& compositio
     }
 }
 
-double mixed_modulus(const PhaseMixture& mixture, Values& values) {
-    PhaseMixture at = mixture;
+/// @param at is left at the values: copying a mixture would cost more than its modulus
+double mixed_modulus(PhaseMixture& at, Values& values) {
     for (double& amount : at.composition.model.amounts) amount = std::max(0.0, values.next());
     at.composition.model.parameter = std::max(0.0, values.next());
     for (Component& component : at.composition.components)
@@ -74,7 +74,7 @@ RandomContact random_contact(const SphereOnWall& sphere) {
         if (sphere.young_modulus) result.inputs.push_back(*sphere.young_modulus);
         if (sphere.mixture) add_mixture(result.inputs, sphere.mixture->composition);
     }
-    result.contact = [sphere](std::span<const double> all) {
+    result.contact = [sphere](std::span<const double> all) mutable {
         Values values(all);
         const double radius = 0.5 * values.next();
         ContactPair pair{.mass = sphere_mass(radius, values.next()),
