@@ -17,8 +17,6 @@ namespace ashimpact::gsl {
 namespace {
 
 constexpr double nowhere = 1e12;  ///< stands for infinity, with which GSL's line search cannot reckon
-/// Rounding may stop a line search close to a minimum: this many tolerances still are one.
-constexpr double close = 100.0;
 
 /// Carries the function through GSL's C interface; an exception is kept and thrown again outside it.
 struct Target {
@@ -91,7 +89,7 @@ Minimum minimise(const SmoothFunction& function, const Eigen::VectorXd& start,
     if (value >= nowhere) throw ConvergenceError("minimisation: the function is not defined at the start");
     const gsl_vector* place = gsl_multimin_fdfminimizer_x(minimiser.get());
     return {Eigen::Map<const Eigen::VectorXd>(place->data, start.size()), value, iterations,
-            steepness() <= close * options.gradient_tolerance};
+            steepness() <= options.acceptable_gradient};
 }
 
 }  // namespace ashimpact::gsl

@@ -17,6 +17,9 @@ struct SmoothFunction {
 
 struct MinimumOptions {
     double gradient_tolerance = 1e-4;  ///< length of the gradient at which a minimum is found
+    /// Length at which it has been found, too, where the search cannot go on for want of digits: the function
+    /// is then within half its square of the minimum.
+    double acceptable_gradient = 0.03;
     double first_step = 0.1;
     int most_iterations = 100;
 };

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 namespace ashimpact {
@@ -84,34 +85,47 @@ FittedCurve closest_fit(const ContactModel& model, const RestitutionData& data, 
     return fit;
 }
 
-FittedCurve likeliest_fit(const ContactModel& model, const RestitutionData& data, Goodness goodness,
-                          const Eigen::VectorXd& near, bool noise_known) {
+/// The most likely curve near a close one, or from simpler ones: a higher order begun on its own may fold
+/// back near v_c, where a curve that the likelihood cannot start from may lie, too.
+LikelihoodMaximum likeliest_from(ImpactLikelihood& likelihood, const Eigen::VectorXd& near) {
     const int order = static_cast<int>(near.size()) - 1;
+    const auto least_squares = [&](int simpler) {
+        return starting_coefficients(likelihood.model(), likelihood.data(), simpler);
+    };
     std::vector<Eigen::VectorXd> starts{near};
-    FittedCurve fit{};
-    for (int pass = 0; pass < 4; ++pass) {  // noise that is estimated depends, weakly, on the curve
-        fit.data = data.with_noise_scaled(goodness.scatter * goodness.scatter);
-        fit.goodness = goodness;
-        if (pass == 0 && order > 2) {  // a higher order begun on its own may fold back near v_c
-            const Eigen::VectorXd simple = starting_coefficients(model, fit.data, 2);
-            ImpactLikelihood lower(model, fit.data, simple);
-            starts.push_back(raised(maximise(lower, simple).coefficients, order));
-        }
-        ImpactLikelihood likelihood(model, fit.data, starts.back());
-        fit.maximum = maximise_from(likelihood, starts);
-        starts = {fit.maximum.coefficients};
-        goodness = goodness_of(model, data, starts.front(), noise_known);
-        if (std::abs(goodness.scatter / fit.goodness.scatter - 1.0) > 0.01 && pass < 3) continue;
-        goodness.scatter = fit.goodness.scatter;
-        fit.goodness = goodness;
-        fit.profiled = data.rebounds.size() + data.captures.size() <= most_profiled;
-        const double quantile = quantile_for(goodness);
-        fit.critical_damping =
-            fit.profiled
-                ? profile_critical_damping(likelihood, fit.maximum, quantile)
-                : curvature_interval(starts.front()[0], std::sqrt(fit.maximum.covariance(0, 0)), quantile);
-        break;
+    if (order > 2) {
+        ImpactLikelihood quadratic(likelihood.model(), likelihood.data(), least_squares(2));
+        starts.push_back(raised(likeliest_from(quadratic, least_squares(2)).coefficients, order));
     }
+    try {
+        return maximise_from(likelihood, starts);
+    } catch (const ConvergenceError&) {
+        return maximise_from(
+            likelihood, {raised(least_squares(std::min(order, 1)), order), raised(least_squares(0), order)});
+    }
+}
+
+FittedCurve likeliest_fit(const ContactModel& model, const RestitutionData& data, Goodness goodness,
+                          Eigen::VectorXd near, bool noise_known) {
+    constexpr int most_passes = 4;  // noise that is estimated depends, weakly, on the curve
+    FittedCurve fit{};
+    std::optional<ImpactLikelihood> likelihood;
+    for (int pass = 1; pass <= most_passes; ++pass) {
+        fit.goodness = goodness;
+        fit.data = data.with_noise_scaled(goodness.scatter * goodness.scatter);
+        likelihood.emplace(model, fit.data, near);
+        fit.maximum = pass == 1 ? likeliest_from(*likelihood, near) : maximise(*likelihood, near);
+        near = fit.maximum.coefficients;
+        goodness = goodness_of(model, data, near, noise_known);
+        if (std::abs(goodness.scatter / fit.goodness.scatter - 1.0) < 0.01) break;
+    }
+    goodness.scatter = fit.goodness.scatter;
+    fit.goodness = goodness;
+    fit.profiled = data.rebounds.size() + data.captures.size() <= most_profiled;
+    const double quantile = quantile_for(goodness);
+    const double deviation = std::sqrt(fit.maximum.covariance(0, 0));
+    fit.critical_damping = fit.profiled ? profile_critical_damping(*likelihood, fit.maximum, quantile)
+                                        : curvature_interval(near[0], deviation, quantile);
     return fit;
 }
 

@@ -147,7 +147,7 @@ LikelihoodMaximum maximise_from(ImpactLikelihood& likelihood, const std::vector<
     return *best;
 }
 
-Interval profile_critical_damping(const ImpactLikelihood& likelihood, const LikelihoodMaximum& best,
+Interval profile_critical_damping(ImpactLikelihood& likelihood, const LikelihoodMaximum& best,
                                   double quantile) {
     const Eigen::MatrixXd& covariance = best.covariance;
     const Eigen::Index others = covariance.rows() - 1;
@@ -160,6 +160,11 @@ Interval profile_critical_damping(const ImpactLikelihood& likelihood, const Like
         eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
     const auto profile = [&](double value) {
         const Chart chart{best.coefficients + (value - best.coefficients[0]) * along, scales};
+        try {
+            likelihood.move_to(chart.center);
+        } catch (const ConvergenceError&) {
+            return std::numeric_limits<double>::max();  // no such curve
+        }
         const auto here = likelihood.at(chart.center);
         if (!here) return std::numeric_limits<double>::max();
         if (others == 0) return 2.0 * (here->value - best.value);

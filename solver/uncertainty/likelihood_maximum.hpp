@@ -32,7 +32,7 @@ struct LikelihoodMaximum {
 
 /// Interval of eta_c, the first coefficient, from the profile likelihood.
 /// @param quantile half width of the interval in standard uncertainties, were the likelihood normal
-[[nodiscard]] Interval profile_critical_damping(const ImpactLikelihood& likelihood,
-                                                const LikelihoodMaximum& best, double quantile);
+[[nodiscard]] Interval profile_critical_damping(ImpactLikelihood& likelihood, const LikelihoodMaximum& best,
+                                                double quantile);
 
 }  // namespace ashimpact
