@@ -8,6 +8,7 @@
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/contact.hpp"
 #include "pipeline/stages/fit.hpp"
+#include "pipeline/stages/in_parallel.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
 #include "pipeline/stages/regime_json.hpp"
 #include "pipeline/stages/restitution.hpp"
@@ -39,20 +40,31 @@ std::optional<MeasuredCriticalVelocity> measured_velocity(const Sample& sample,
     return measured_critical_velocity(series->impacts);
 }
 
-Json law_json(const VelocityTask& task, const std::string& where, std::vector<std::string>& warnings) {
+/// The entry of one law, null where there is none, and remarks on it.
+struct LawEntry {
+    Json json = nullptr;
+    std::vector<std::string> notes{};
+};
+
+LawEntry law_entry(const VelocityTask& task) {
+    LawEntry entry;
+    if (task.fit.critical_damping < 0) {
+        entry.notes.emplace_back(
+            "the fit gives a negative critical damping, so the data do not say where capture begins");
+        return entry;
+    }
     const CriticalVelocityProblem problem{.law = task.choice.law,
                                           .detachment = task.choice.detachment,
                                           .damping = {task.data.damping_law, task.fit.critical_damping},
                                           .contact = task.contact.pair};
     const CriticalVelocity result = critical_velocity(problem);
-    Json json = critical_velocity_json(problem, result);
-    json.erase("law");
-    std::vector<std::string> notes;
-    if (result.value) json.update(velocity_uncertainty_json(task, *result.value, notes));
-    if (json["regime"].is_object())
-        for (const Json& warning : json["regime"]["warnings"]) notes.push_back(warning.get<std::string>());
-    for (const std::string& note : notes) warnings.push_back(where + ": " + note);
-    return json;
+    entry.json = critical_velocity_json(problem, result);
+    entry.json.erase("law");
+    if (result.value) entry.json.update(velocity_uncertainty_json(task, *result.value, entry.notes));
+    if (entry.json["regime"].is_object())
+        for (const Json& warning : entry.json["regime"]["warnings"])
+            entry.notes.push_back(warning.get<std::string>());
+    return entry;
 }
 
 Json sample_json(const Case& data, const Sample& sample, const SampleContact& contact,
@@ -62,19 +74,17 @@ Json sample_json(const Case& data, const Sample& sample, const SampleContact& co
     const RestitutionSeries* first = restitution.series.empty() ? nullptr : &restitution.series.front();
     const auto measured = measured_velocity(sample, first);
     json["measured"] = measured ? measured_velocity_json(*measured) : Json(nullptr);
-    const RandomContact uncertain = uncertain_contact(data, sample, contact);
-    for (const LawChoice& choice : data.laws) {
+    const auto entries = in_parallel(data.laws, [&](const LawChoice& choice) -> LawEntry {
         const LawFit* fit = fits.laws.find(choice.law);
-        if (fit == nullptr) continue;
-        const std::string where = fmt::format("{}, {}", sample.name, choice.law.name());
-        if (fit->critical_damping < 0) {
-            warnings.push_back(where +
-                               ": the fit gives a negative critical damping, so the data do not say where "
-                               "capture begins");
-            continue;
-        }
-        const VelocityTask task{data, choice, contact, uncertain, restitution.of(choice.law), *fit, measured};
-        json[std::string(choice.law.name())] = law_json(task, where, warnings);
+        if (fit == nullptr) return {};
+        const RandomContact uncertain = uncertain_contact(data, sample, contact);
+        return law_entry({data, choice, contact, uncertain, restitution.of(choice.law), *fit, measured});
+    });
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const std::string law(data.laws[i].law.name());
+        for (const std::string& note : entries[i].notes)
+            warnings.push_back(fmt::format("{}, {}: {}", sample.name, law, note));
+        if (!entries[i].json.is_null()) json[law] = entries[i].json;
     }
     return json;
 }

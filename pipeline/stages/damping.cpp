@@ -9,6 +9,7 @@
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/contact.hpp"
 #include "pipeline/stages/contact_models.hpp"
+#include "pipeline/stages/in_parallel.hpp"
 #include "pipeline/stages/inversion_json.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
 #include "pipeline/stages/restitution.hpp"
@@ -151,14 +152,18 @@ StageOutput damping_stage(const Artifacts& before) {
     for (const SampleRestitution& sample : before.read("4-restitution.json", read_restitutions)) {
         const SampleContact& contact = entry_named(contacts, sample.name, before, "2-contact.json");
         Json json{{"name", sample.name}};
-        for (const LawChoice& choice : data.laws) {
+        const auto entries = in_parallel(data.laws, [&](const LawChoice& choice) -> Json {
             const RestitutionSeries* series = sample.of(choice.law);
-            if (series == nullptr) continue;
-            Json entry = reading_json(read_series(*series, choice, data, contact.pair), series->origin,
-                                      data.damping_law);
-            warn(fmt::format("{}, {}", sample.name, choice.law.name()), entry, series->impacts.points.size(),
-                 output.warnings);
-            json[std::string(choice.law.name())] = std::move(entry);
+            if (series == nullptr) return nullptr;
+            return reading_json(read_series(*series, choice, data, contact.pair), series->origin,
+                                data.damping_law);
+        });
+        for (std::size_t i = 0; i < entries.size(); ++i) {
+            if (entries[i].is_null()) continue;
+            const Law law = data.laws[i].law;
+            warn(fmt::format("{}, {}", sample.name, law.name()), entries[i],
+                 sample.of(law)->impacts.points.size(), output.warnings);
+            json[std::string(law.name())] = entries[i];
         }
         output.result["samples"].push_back(std::move(json));
     }

@@ -15,6 +15,7 @@
 #include "pipeline/stages/contact_models.hpp"
 #include "pipeline/stages/damping.hpp"
 #include "pipeline/stages/damping_fit_json.hpp"
+#include "pipeline/stages/in_parallel.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
 #include "pipeline/stages/restitution.hpp"
 #include "solver/damping_fit.hpp"
@@ -35,7 +36,7 @@ struct FitTask {
 
 /// What a fit leaves, or why there is none.
 struct Fitted {
-    Json json;
+    Json json = nullptr;
     std::vector<std::string> notes{};
 };
 
@@ -207,15 +208,17 @@ StageOutput fit_stage(const Artifacts& before) {
         const SampleContact& contact = entry_named(contacts, sample.name, before, "2-contact.json");
         const SampleRestitution& series = entry_named(restitutions, sample.name, before, "4-restitution.json");
         Json json{{"name", sample.name}};
-        for (const LawChoice& choice : data.laws) {
+        const auto fits = in_parallel(data.laws, [&](const LawChoice& choice) -> Fitted {
             const DampingSeries* inverted = sample.laws.find(choice.law);
             const RestitutionSeries* measured = series.of(choice.law);
-            if (inverted == nullptr || measured == nullptr || !inverted->rising_to) continue;
-            const Fitted fitted =
-                fit_law({data, choice, contact.pair, *measured, *inverted, *inverted->rising_to});
-            for (const std::string& note : fitted.notes)
-                output.warnings.push_back(fmt::format("{}, {}: {}", sample.name, choice.law.name(), note));
-            if (!fitted.json.is_null()) json[std::string(choice.law.name())] = fitted.json;
+            if (inverted == nullptr || measured == nullptr || !inverted->rising_to) return {};
+            return fit_law({data, choice, contact.pair, *measured, *inverted, *inverted->rising_to});
+        });
+        for (std::size_t i = 0; i < fits.size(); ++i) {
+            const std::string law(data.laws[i].law.name());
+            for (const std::string& note : fits[i].notes)
+                output.warnings.push_back(fmt::format("{}, {}: {}", sample.name, law, note));
+            if (!fits[i].json.is_null()) json[law] = fits[i].json;
         }
         output.result["samples"].push_back(std::move(json));
     }

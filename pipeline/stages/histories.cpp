@@ -8,6 +8,7 @@
 #include "pipeline/stages/critical_velocity.hpp"
 #include "pipeline/stages/damping.hpp"
 #include "pipeline/stages/fit.hpp"
+#include "pipeline/stages/in_parallel.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
 #include "solver/momentum_balance.hpp"
 #include "solver/reconstruction.hpp"
@@ -145,8 +146,10 @@ StageOutput histories_stage(const Artifacts& before) {
                               entry_named(fits, sample.name, before, "6-fit.json").laws,
                               entry_named(velocities, sample.name, before, "7-critical-velocity.json").laws};
         Json json{{"name", sample.name}, {"contact_times", contact_times_json(data, in)}};
-        for (const LawChoice& choice : data.laws)
-            json[std::string(choice.law.name())] = law_json(data, choice, in);
+        const auto histories =
+            in_parallel(data.laws, [&](const LawChoice& choice) { return law_json(data, choice, in); });
+        for (std::size_t i = 0; i < histories.size(); ++i)
+            json[std::string(data.laws[i].law.name())] = histories[i];
         output.result["samples"].push_back(std::move(json));
     }
     return output;

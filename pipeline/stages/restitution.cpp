@@ -7,6 +7,7 @@
 #include "pipeline/json/measurement_json.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/contact.hpp"
+#include "pipeline/stages/in_parallel.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
 #include "pipeline/text/readable.hpp"
 #include "solver/reconstruction.hpp"
@@ -97,17 +98,25 @@ StageOutput restitution_stage(const Artifacts& before) {
     const auto contacts = before.read("2-contact.json", read_contacts);
     StageOutput output{.citations = {"dong2013, Eqs. 2 and 31, Table 2"}};
     output.result["samples"] = Json::array();
-    for (const Sample& sample : data.samples) {
-        Json json{{"name", sample.name}, {"series", Json::array()}};
-        if (sample.restitution) {
-            const SampleContact& contact = entry_named(contacts, sample.name, before, "2-contact.json");
-            for (const auto& series : series_of(data, sample, contact, output.warnings))
-                json["series"].push_back(series_json(series));
-        } else {
-            output.warnings.push_back(sample.name +
-                                      ": no restitution data, so no damping and no dynamic velocity");
+    struct Entry {
+        Json json = nullptr;
+        std::vector<std::string> warnings{};
+    };
+    const auto entries = in_parallel(data.samples, [&](const Sample& sample) {
+        Entry entry{.json = {{"name", sample.name}, {"series", Json::array()}}};
+        if (!sample.restitution) {
+            entry.warnings.push_back(sample.name +
+                                     ": no restitution data, so no damping and no dynamic velocity");
+            return entry;
         }
-        output.result["samples"].push_back(std::move(json));
+        const SampleContact& contact = entry_named(contacts, sample.name, before, "2-contact.json");
+        for (const auto& series : series_of(data, sample, contact, entry.warnings))
+            entry.json["series"].push_back(series_json(series));
+        return entry;
+    });
+    for (const Entry& entry : entries) {
+        output.result["samples"].push_back(entry.json);
+        output.warnings.insert(output.warnings.end(), entry.warnings.begin(), entry.warnings.end());
     }
     return output;
 }

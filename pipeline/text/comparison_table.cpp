@@ -46,8 +46,8 @@ std::string check_cell(const View& sample, const std::string& law) {
     const auto check = all ? all->find(law) : std::nullopt;
     if (!check) return "-";
     const std::string verdict = check->at("verdict").text();
-    if (verdict == "model-too-low") return "below it";
-    if (verdict == "model-too-high") return "above it";
+    if (verdict == "model-too-low") return "too low";
+    if (verdict == "model-too-high") return "too high";
     return verdict == "agrees" ? "agrees" : "-";
 }
 
@@ -63,7 +63,7 @@ std::string modulus_cell(const View& sample) {
 
 std::string comparison_text(const View& result) {
     TextTable table({"sample", "E [GPa]", "E* [GPa]", "W_s [fJ]", "v_c Eq. 30", "law", "dynamic v_c",
-                     "95 % interval", "published", "measured", "so the law"});
+                     "95 % interval", "published", "measured", "verdict"});
     bool any_published = false;
     for (const View& sample : result.at("samples").elements()) {
         const auto measured = sample.find("measured_critical_velocity");

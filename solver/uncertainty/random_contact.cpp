@@ -74,7 +74,7 @@ RandomContact random_contact(const SphereOnWall& sphere) {
         if (sphere.young_modulus) result.inputs.push_back(*sphere.young_modulus);
         if (sphere.mixture) add_mixture(result.inputs, sphere.mixture->composition);
     }
-    result.contact = [sphere](std::span<const double> all) mutable {
+    result.contact = [sphere = SphereOnWall(sphere)](std::span<const double> all) mutable {
         Values values(all);
         const double radius = 0.5 * values.next();
         ContactPair pair{.mass = sphere_mass(radius, values.next()),
