@@ -93,6 +93,7 @@ CurveNodes::Values CurveNodes::on(const RestitutionCurve& curve) const {
                   Eigen::VectorXd(count),
                   Eigen::VectorXd(count),
                   Eigen::MatrixXd(count, order_ + 1),
+                  Eigen::MatrixXd(count, order_ + 1),
                   DampingPolynomial::powers(0.0, order_),
                   0.0};
     for (Eigen::Index k = 0; k < count; ++k) {
@@ -112,6 +113,7 @@ CurveNodes::Values CurveNodes::on(const RestitutionCurve& curve) const {
         double steeper = 0.0;  // j e^(j - 1)
         for (int j = 0; j <= order_; ++j) {
             const double moved = by_damping[k] * (power * (1.0 + bend) + past * steeper);
+            result.velocity_by_coefficient(k, j) = moved;
             result.by_coefficient(k, j) = -weight * v * e_slope * moved;
             steeper = (j + 1) * power;
             power *= tangent ? top : e;

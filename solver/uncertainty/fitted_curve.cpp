@@ -121,11 +121,15 @@ FittedCurve likeliest_fit(const ContactModel& model, const RestitutionData& data
     }
     goodness.scatter = fit.goodness.scatter;
     fit.goodness = goodness;
-    fit.profiled = data.rebounds.size() + data.captures.size() <= most_profiled;
     const double quantile = quantile_for(goodness);
-    const double deviation = std::sqrt(fit.maximum.covariance(0, 0));
-    fit.critical_damping = fit.profiled ? profile_critical_damping(*likelihood, fit.maximum, quantile)
-                                        : curvature_interval(near[0], deviation, quantile);
+    fit.critical_damping = curvature_interval(near[0], std::sqrt(fit.maximum.covariance(0, 0)), quantile);
+    if (data.rebounds.size() + data.captures.size() > most_profiled) return fit;
+    try {
+        fit.critical_damping = profile_critical_damping(*likelihood, fit.maximum, quantile);
+        fit.profiled = true;
+    } catch (const ConvergenceError&) {
+        fit.profiled = false;  // the curvature's interval stays, and says what it is
+    }
     return fit;
 }
 

@@ -69,6 +69,19 @@ Eigen::MatrixXd scales_of(const Eigen::MatrixXd& curvature) {
     return eigen.eigenvectors() * size.cwiseInverse().asDiagonal();
 }
 
+/// Scales of all coefficients but the first, given the first.
+Eigen::MatrixXd scales_without_first(const Eigen::MatrixXd& covariance) {
+    const Eigen::Index others = covariance.rows() - 1;
+    Eigen::MatrixXd scales = Eigen::MatrixXd::Zero(others + 1, others);
+    if (others == 0) return scales;
+    const Eigen::VectorXd along = covariance.col(0).tail(others) / covariance(0, 0);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(covariance.bottomRightCorner(others, others) -
+                                                               covariance(0, 0) * along * along.transpose());
+    scales.bottomRows(others) =
+        eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+    return scales;
+}
+
 /// A chart around a start, by the curvature there.
 Chart chart_around(const ImpactLikelihood& likelihood, const Eigen::VectorXd& start) {
     const double small = 2e-4 * std::abs(start[0]);
@@ -77,6 +90,23 @@ Chart chart_around(const ImpactLikelihood& likelihood, const Eigen::VectorXd& st
     const auto curvature = curvature_of(likelihood, values, 1.0);
     if (curvature) values.scales *= scales_of(*curvature);
     return values;
+}
+
+/// Least -ln L within a chart, which is centred there; none where the search ends elsewhere.
+/// @param next the chart to go on with from the centre reached
+template <class NextChart>
+std::optional<double> descend(ImpactLikelihood& likelihood, Chart& chart, NextChart&& next) {
+    constexpr int rounds = 4;
+    for (int i = 0; i < rounds; ++i) {
+        likelihood.move_to(chart.center);
+        chart = next();
+        const gsl::Minimum minimum =
+            gsl::minimise(in_chart(likelihood, chart), Eigen::VectorXd::Zero(chart.scales.cols()),
+                          {.first_step = 0.3, .most_iterations = 30});
+        chart.center = chart.coefficients(minimum.place);
+        if (minimum.converged) return minimum.value;
+    }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -113,23 +143,15 @@ Eigen::VectorXd closest_robustly(const ContactModel& model, RestitutionData& dat
 }
 
 LikelihoodMaximum maximise(ImpactLikelihood& likelihood, const Eigen::VectorXd& start) {
-    constexpr int rounds = 4;
     Chart chart{start, {}};
-    gsl::Minimum minimum{};
-    for (int i = 0; i < rounds && !minimum.converged; ++i) {
-        likelihood.move_to(chart.center);
-        chart = chart_around(likelihood, chart.center);
-        minimum = gsl::minimise(in_chart(likelihood, chart), Eigen::VectorXd::Zero(start.size()),
-                                {.first_step = 0.3, .most_iterations = 30});
-        chart.center = chart.coefficients(minimum.place);
-    }
-    if (!minimum.converged) throw ConvergenceError("the likelihood of the damping curve has no maximum");
+    const auto value = descend(likelihood, chart, [&] { return chart_around(likelihood, chart.center); });
+    if (!value) throw ConvergenceError("the likelihood of the damping curve has no maximum");
     likelihood.move_to(chart.center);
     const auto curvature = curvature_of(likelihood, chart, 0.02);
     if (!curvature)
         throw ConvergenceError("the most likely damping curve is at the edge of what is possible");
     const Eigen::MatrixXd deviations = chart.scales * scales_of(*curvature);
-    return {chart.center, minimum.value, deviations * deviations.transpose()};
+    return {chart.center, *value, deviations * deviations.transpose()};
 }
 
 LikelihoodMaximum maximise_from(ImpactLikelihood& likelihood, const std::vector<Eigen::VectorXd>& starts) {
@@ -149,33 +171,19 @@ LikelihoodMaximum maximise_from(ImpactLikelihood& likelihood, const std::vector<
 
 Interval profile_critical_damping(ImpactLikelihood& likelihood, const LikelihoodMaximum& best,
                                   double quantile) {
-    const Eigen::MatrixXd& covariance = best.covariance;
-    const Eigen::Index others = covariance.rows() - 1;
-    const Eigen::VectorXd along = covariance.col(0) / covariance(0, 0);
-    const Eigen::MatrixXd rest = covariance.bottomRightCorner(others, others) -
-                                 covariance(0, 0) * along.tail(others) * along.tail(others).transpose();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(rest);
-    Eigen::MatrixXd scales = Eigen::MatrixXd::Zero(others + 1, others);
-    scales.bottomRows(others) =
-        eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
-    const auto profile = [&](double value) {
-        const Chart chart{best.coefficients + (value - best.coefficients[0]) * along, scales};
-        try {
-            likelihood.move_to(chart.center);
-        } catch (const ConvergenceError&) {
-            return std::numeric_limits<double>::max();  // no such curve
-        }
-        const auto here = likelihood.at(chart.center);
-        if (!here) return std::numeric_limits<double>::max();
-        if (others == 0) return 2.0 * (here->value - best.value);
-        const gsl::Minimum least =
-            gsl::minimise(in_chart(likelihood, chart), Eigen::VectorXd::Zero(others), {.first_step = 0.3});
-        if (!least.converged)
-            throw ConvergenceError("the profile likelihood of the damping did not converge");
-        return 2.0 * (least.value - best.value);
+    const Eigen::VectorXd along = best.covariance.col(0) / best.covariance(0, 0);
+    const Eigen::MatrixXd scales = scales_without_first(best.covariance);
+    const auto profile = [&](double critical_damping) {
+        Chart chart{best.coefficients + (critical_damping - best.coefficients[0]) * along, scales};
+        if (!RestitutionCurve::of(likelihood.model(), {chart.center}, likelihood.data().greatest_restitution))
+            return std::numeric_limits<double>::max();
+        if (scales.cols() == 0) return 2.0 * (likelihood.at(chart.center)->value - best.value);
+        const auto value = descend(likelihood, chart, [&] { return chart; });
+        if (!value) throw ConvergenceError("the profile likelihood of the damping did not converge");
+        return 2.0 * (*value - best.value);
     };
     return profile_interval(profile, {.best = best.coefficients[0],
-                                      .deviation = std::sqrt(covariance(0, 0)),
+                                      .deviation = std::sqrt(best.covariance(0, 0)),
                                       .rise = quantile * quantile,
                                       .quantile = quantile,
                                       .least = 1e-3 * best.coefficients[0],
