@@ -74,6 +74,11 @@ void add_calibrate(CLI::App& program, Action& action) {
             "one value a sample; default: what the case says")
         ->type_name("NAME[:each]")
         ->allow_extra_args(false);
+    command
+        ->add_flag("--compare", options->compare,
+                   "hypotheses beside one another: one modulus or those from XRD, one density or one a size, "
+                   "wall known or free")
+        ->excludes("--free");
     command->add_flag("--json", options->json, "print one JSON object, numbers with 17 significant digits");
     command->callback([options, &action] {
         action = [options](std::ostream& out) { run_calibrate_command(*options, out); };

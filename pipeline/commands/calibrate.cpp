@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "materials/text.hpp"
+#include "pipeline/commands/calibration_hypotheses.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/json/statistics_json.hpp"
 #include "pipeline/json/writer.hpp"
@@ -187,6 +188,14 @@ void run_calibrate_command(const CalibrateOptions& options, std::ostream& out) {
     for (const std::string& text : options.free) data.calibration.push_back(read_free(text));
 
     in_file(options.case_file.empty() ? "built-in case" : options.case_file, [&] {
+        if (options.compare) {
+            const bool elastic = data.wall && std::holds_alternative<ElasticWall>(*data.wall);
+            data.calibration.clear();
+            const auto hypotheses = compare_hypotheses(calibration_problem(data, artifacts), elastic);
+            out << (options.json ? write_json(hypotheses_json(hypotheses), Digits::seventeen)
+                                 : hypotheses_text(hypotheses));
+            return;
+        }
         if (data.calibration.empty())
             throw InputError("nothing is free", "calibration.free in the case, or --free").at("/calibration");
         const auto problem = calibration_problem(data, artifacts);

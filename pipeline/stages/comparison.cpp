@@ -147,7 +147,9 @@ DynamicColumns dynamic_columns(const SampleResults& of, const std::vector<LawCho
         columns.velocity[name] = finite ? Json(*velocity->value) : Json(nullptr);
         columns.interval[name] = finite ? velocity->interval : Json(nullptr);
         columns.check[name] = finite ? velocity->check : Json(nullptr);
-        columns.verdict[name] = velocity == nullptr ? "no damping data" : velocity->verdict;
+        columns.verdict[name] = velocity != nullptr       ? velocity->verdict
+                                : of.sample.restitution ? "no fit"
+                                                        : "no damping data";
     }
     return columns;
 }

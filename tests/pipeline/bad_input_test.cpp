@@ -100,7 +100,7 @@ const Spoiled spoiled_cases[]{
     {"no samples", [](Json& c) { c["samples"] = Json::array(); }, "/samples",
      "allowed: a list of at least one sample"},
     {"columns of different length", [](Json& c) { c["samples"][1]["restitution"]["restitution"] = {0.1}; },
-     "/samples/1/restitution/restitution", "has 1 values, velocity has 10"},
+     "/samples/1/restitution/restitution", "has 1 values, velocity has 20"},
     {"restitution above one", [](Json& c) { c["samples"][1]["restitution"]["restitution"][3] = 1.2; },
      "/samples/1/restitution", "point 4: restitution is 1.2; allowed: 0 <= restitution < 1"},
     {"negative velocity", [](Json& c) { c["samples"][1]["restitution"]["velocity"]["values"][0] = -1; },
@@ -111,16 +111,16 @@ const Spoiled spoiled_cases[]{
      },
      "/samples/1/restitution", "point 2: restitution is 1.25"},
     {"uncertainty of one velocity only",
-     [](Json& c) { c["samples"][1]["restitution"]["velocity_uncertainty"] = std::vector<double>(10, 0.1); },
+     [](Json& c) { c["samples"][1]["restitution"]["velocity_uncertainty"] = std::vector<double>(20, 0.1); },
      "/samples/1/restitution", "velocity_uncertainty with rebound_uncertainty"},
     {"uncertainty of zero",
      [](Json& c) {
-         c["samples"][1]["restitution"]["velocity_uncertainty"] = std::vector<double>(10, 0.0);
-         c["samples"][1]["restitution"]["rebound_uncertainty"] = std::vector<double>(10, 0.1);
+         c["samples"][1]["restitution"]["velocity_uncertainty"] = std::vector<double>(20, 0.0);
+         c["samples"][1]["restitution"]["rebound_uncertainty"] = std::vector<double>(20, 0.1);
      },
      "/samples/1/restitution", "an uncertainty is not a finite number > 0"},
     {"restitution both ways",
-     [](Json& c) { c["samples"][1]["restitution"]["rebound_velocity"] = std::vector<double>(10, 0.1); },
+     [](Json& c) { c["samples"][1]["restitution"]["rebound_velocity"] = std::vector<double>(20, 0.1); },
      "/samples/1/restitution", "given in more than one way"},
     {"columns beside a file",
      [](Json& c) { c["samples"][0]["restitution"]["velocity_uncertainty"] = {0.1}; },

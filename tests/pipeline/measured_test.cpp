@@ -6,6 +6,7 @@
 #include "pipeline/run.hpp"
 #include "pipeline/stages/contact.hpp"
 #include "solver/critical_velocity.hpp"
+#include "solver/impact.hpp"
 #include "solver/reconstruction.hpp"
 #include "tests/pipeline/sandbox.hpp"
 #include "tests/relative_difference.hpp"
@@ -37,6 +38,7 @@ Json one_sample(const std::string& law) {
     Json document = test::example_case();
     document["laws"] = {law};
     document["samples"].erase(0);
+    document.erase("camera");
     document["samples"][0].erase("restitution");
     document["samples"][0]["density"] = {
         {"value", 2300}, {"unit", "kg/m3"}, {"standard_uncertainty", 20}};
@@ -44,11 +46,11 @@ Json one_sample(const std::string& law) {
     return document;
 }
 
-/// A laboratory whose damping is eta = 0.0085 e^2 - 0.018 e + 0.0142 by DMT: exact impacts, with the
-/// uncertainty of a camera stated.
+/// A laboratory whose damping is eta = 0.005 e^2 - 0.0125 e + 0.0142 by DMT. Its rebounds are off by a fixed
+/// pattern of half an uncertainty and less, so that nothing depends on chance.
 struct Laboratory {
-    static constexpr double a = 0.0085;
-    static constexpr double b = -0.018;
+    static constexpr double a = 0.005;
+    static constexpr double b = -0.0125;
     static constexpr double c = 0.0142;
     Json document = one_sample("dmt");
     double critical_velocity = 0;
@@ -65,7 +67,7 @@ struct Laboratory {
         for (int i = 0; i < 20; ++i) {
             const double e = 0.04 + 0.02 * i;
             velocity.push_back(reconstructed_velocity({dmt, dmt.default_detachment(), contact, a, b, c}, e));
-            rebound.push_back(e * velocity.back());
+            rebound.push_back(e * velocity.back() + 0.1 * uncertainty * (i * 7 % 11 - 5));
         }
         Json& data = document["samples"][0]["restitution"];
         data["velocity"] = velocity;
@@ -78,7 +80,7 @@ struct Laboratory {
 
 }  // namespace
 
-TEST_CASE("a laboratory without scatter gets its damping and critical velocity back, within the intervals") {
+TEST_CASE("a laboratory gets its damping and critical velocity back, within the intervals") {
     const Laboratory laboratory(0.005);
     const Artifacts artifacts = computed_from(laboratory.document);
 
@@ -90,8 +92,13 @@ TEST_CASE("a laboratory without scatter gets its damping and critical velocity b
         const double e = damping["restitution"]["values"][i];
         CHECK(reach[i].get<double>() > e);
         CHECK(damping["damping_uncertainty"]["values"][i].get<double>() > 0);
-        const double eta = (Laboratory::a * e + Laboratory::b) * e + Laboratory::c;
-        CHECK(relative_difference(damping["damping"]["values"][i].get<double>(), eta) < 1e-4);
+        const ImpactResult again =
+            solve_impact({Law::of<Dmt>(),
+                          Detachment::zero_overlap,
+                          {DampingLaw::constant, damping["damping"]["values"][i].get<double>()},
+                          artifacts.read("2-contact.json", read_contacts).front().pair,
+                          damping["velocity"]["values"][i].get<double>()});
+        CHECK(std::abs(again.restitution - e) < 1e-5);
     }
     CHECK(damping["capturing_damping"]["values"].size() == 2);
     CHECK(damping["outliers"].empty());
@@ -99,7 +106,7 @@ TEST_CASE("a laboratory without scatter gets its damping and critical velocity b
 
     const Json& fit = result(artifacts, "6-fit.json")["dmt"];
     CHECK(fit["method"] == "likelihood");
-    CHECK(relative_difference(fit["c"]["value"].get<double>(), Laboratory::c) < 2e-3);
+    CHECK(relative_difference(fit["c"]["value"].get<double>(), Laboratory::c) < 2e-2);
     const Json& interval = fit["extrapolated"]["critical_damping_interval"];
     CHECK(interval["lower"]["value"].get<double>() < Laboratory::c);
     CHECK(interval["upper"]["value"].get<double>() > Laboratory::c);

@@ -353,9 +353,34 @@ TEST_CASE("calibrate finds constants that reproduce the published velocities") {
         CHECK(std::abs(row["relative_difference"].get<double>()) < 0.03);
 }
 
+TEST_CASE("calibrate --compare sets hypotheses side by side; a density per size is what the tables ask for") {
+    const Sandbox sandbox;
+    const Json json = json_of(sandbox, "calibrate --compare");
+    REQUIRE(json["hypotheses"].size() == 6);
+    int preferred = 0;
+    double least = 1e300;
+    double chosen = 0;
+    for (const Json& hypothesis : json["hypotheses"]) {
+        if (!hypothesis.contains("akaike")) continue;
+        const double akaike = hypothesis["akaike"];
+        CHECK(relative_difference(akaike, hypothesis["chi_squared"].get<double>() +
+                                              2 * hypothesis["constants"].get<double>()) < 1e-12);
+        least = std::min(least, akaike);
+        if (hypothesis["preferred"] == true) {
+            ++preferred;
+            chosen = akaike;
+            CHECK(hypothesis["hypothesis"].get<std::string>().find("a density per size") != std::string::npos);
+        }
+    }
+    CHECK(preferred == 1);
+    CHECK(chosen == least);
+    CHECK(ashimpact_program(sandbox, "calibrate --compare").out.find("Least AIC: ") != std::string::npos);
+    CHECK(ashimpact_program(sandbox, "calibrate --compare --free density").status == 2);
+}
+
 TEST_CASE("output that cannot be written is an error, not a silent loss") {
     const Sandbox sandbox;
-    const std::string impact = "impact --law dmt --velocity 2 --json" + contact;
+    const std::string impact = "impact --law dmt --velocity 2 --json -q" + contact;
     const auto full =
         ashimpact_program(sandbox, impact + " >/dev/full 2>full.err; echo $? >full.status; true");
     CHECK(full.status == 0);  // of the last command of the line

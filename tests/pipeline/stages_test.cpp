@@ -267,10 +267,12 @@ TEST_CASE("measured data: captures are kept apart and the falling branch is left
     CHECK(fine["captured_at"]["values"] == Json{1.4, 1.55});
     CHECK(fine["velocity"]["values"].size() == 10);
     const Json& coarse = artifacts.at("6-fit.json").document["result"]["samples"][1]["dmt"];
-    CHECK(coarse["points"] == 8);
-    CHECK(coarse["points_beyond_rising_branch"] == 1);
+    const std::size_t points = coarse["points"];
+    CHECK(points >= 14);  // e rises up to about 2 m/s
+    CHECK(points <= 16);
+    CHECK(coarse["points_beyond_rising_branch"].get<std::size_t>() == 18 - points);
     CHECK(coarse["origin"] == "measured");
-    CHECK(coarse["degrees_of_freedom"] == 5);
+    CHECK(coarse["degrees_of_freedom"] == points - 3);
     CHECK(coarse["critical_damping"]["standard_uncertainty"].get<double>() > 0);
 }
 
