@@ -69,6 +69,13 @@ void read_noise(const View& node, MeasurementSet& set) {
     }
 }
 
+/// Whether a rebound as fast as the impact, or faster, is so within three standard uncertainties.
+bool explained(const Measurement& point) {
+    if (!point.noise) return false;
+    const double variance = point.noise->incident + point.noise->rebound - 2 * point.noise->covariance;
+    return point.rebound - point.velocity <= 3 * std::sqrt(variance);
+}
+
 std::string place_of(const Measurement& point, std::size_t index) {
     return point.line > 0 ? "line " + std::to_string(point.line) : "point " + std::to_string(index + 1);
 }
@@ -129,7 +136,7 @@ void check_impacts(const MeasurementSet& set) {
             require_positive("velocity", point.velocity, Dimension::velocity);
             const double e = point.restitution();
             if (!(e >= 0)) throw InputError("restitution is " + shortest(e), "0 <= restitution < 1");
-            if (e >= 1 && !point.noise)
+            if (e >= 1 && !explained(point))
                 throw InputError("restitution is " + shortest(e),
                                  "0 <= restitution < 1, or uncertainties that explain it");
         });

@@ -17,8 +17,8 @@ namespace ashimpact {
 /// @throws InputError with the JSON pointer for columns that do not go together or impacts that are none
 [[nodiscard]] MeasurementSet read_measurement_columns(const View& node);
 
-/// Checks impacts that are about to be used. A rebound as fast as the impact, or faster, needs the
-/// uncertainty that explains it. @throws InputError naming the point, or its line
+/// Checks impacts that are about to be used. A rebound as fast as the impact, or faster, must be so
+/// within three standard uncertainties. @throws InputError naming the point, or its line
 void check_impacts(const MeasurementSet& set);
 
 }  // namespace ashimpact

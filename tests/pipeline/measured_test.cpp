@@ -120,7 +120,10 @@ TEST_CASE("a laboratory gets its damping and critical velocity back, within the 
     CHECK(velocity["interval"]["upper"]["value"].get<double>() > laboratory.critical_velocity);
     CHECK(velocity["check"]["verdict"] == "agrees");
     const auto& influences = velocity["uncertainty"]["influences"];
-    REQUIRE(influences.size() == 3);  // the fit, density and work of adhesion
+    for (const char* factor : {"damping fit", "density", "work of adhesion"})
+        CHECK_MESSAGE(std::any_of(influences.begin(), influences.end(),
+                                  [&](const Json& one) { return one["factor"] == factor; }),
+                      factor);
     CHECK(std::is_sorted(influences.begin(), influences.end(), [](const Json& x, const Json& y) {
         return x["total"].get<double>() > y["total"].get<double>();
     }));
@@ -208,12 +211,12 @@ TEST_CASE("a restitution that falls from the first rebound on is no rising branc
 }
 
 TEST_CASE("a rebound faster than the impact is left out with a reason where uncertainties explain it") {
-    Laboratory laboratory(0.05);
+    Laboratory laboratory(0.005);
     Json& data = laboratory.document["samples"][0]["restitution"];
     data["velocity"].push_back(3.0);
-    data["rebound_velocity"].push_back(3.05);
-    data["velocity_uncertainty"].push_back(0.05);
-    data["rebound_uncertainty"].push_back(0.05);
+    data["rebound_velocity"].push_back(3.01);
+    data["velocity_uncertainty"].push_back(0.005);
+    data["rebound_uncertainty"].push_back(0.005);
     const Artifacts artifacts = computed_from(laboratory.document, "damping");
     const Json& unreachable = result(artifacts, "5-damping.json")["dmt"]["unreachable"];
     REQUIRE(unreachable.size() == 1);
