@@ -28,8 +28,8 @@ class CurveNodes {
         /// Change of the integral of f(v, e v) by each coefficient, per slope of f in its second place.
         Eigen::MatrixXd by_coefficient;
         Eigen::MatrixXd velocity_by_coefficient;  ///< [m/kg]
-        Eigen::VectorXd first_velocity;  ///< d v_c by each coefficient [m/kg]
-        double critical_velocity;        ///< [m/s]
+        Eigen::VectorXd first_velocity;           ///< d v_c by each coefficient [m/kg]
+        double critical_velocity;                 ///< [m/s]
     };
     /// @param curve of the same order and greatest restitution
     [[nodiscard]] Values on(const RestitutionCurve& curve) const;

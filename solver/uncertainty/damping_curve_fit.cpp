@@ -15,13 +15,15 @@ namespace ashimpact {
 
 namespace {
 
-double corrected_akaike(const Goodness& goodness, bool noise_known, std::size_t points, int parameters) {
-    const auto n = static_cast<double>(points);
-    const double p = parameters + (noise_known ? 0 : 1);
-    const double misfit = noise_known ? goodness.chi_squared : n * std::log(goodness.chi_squared / n);
+/// -2 ln L + 2 p, corrected for few points.
+double corrected_akaike(const FittedCurve& curve) {
+    const auto n = static_cast<double>(curve.data.rebounds.size());
+    const double p = static_cast<double>(curve.maximum.coefficients.size()) +
+                     (curve.goodness.scatter == 1.0 ? 0.0 : 1.0);  // the noise is a parameter, too
+    const double misfit = 2.0 * curve.maximum.value + 4.0 * n * std::log(curve.goodness.scatter);
     const double correction =
-        n > p + 1 ? 2 * p * (p + 1) / (n - p - 1) : std::numeric_limits<double>::infinity();
-    return misfit + 2 * p + correction;
+        n > p + 1.0 ? 2.0 * p * (p + 1.0) / (n - p - 1.0) : std::numeric_limits<double>::infinity();
+    return misfit + 2.0 * p + correction;
 }
 
 double critical_velocity_at(const ContactModel& model, double damping) {
@@ -49,12 +51,13 @@ void add_rebounds(DampingCurveFit& fit, const ContactModel& model, const Restitu
                   const ReboundSelection& selection) {
     const RestitutionDistances distances(model, data);
     const auto& rows = distances.rows(fit.damping.coefficients);
+    const Eigen::MatrixXd covariance = covariance_from(rows.jacobian);
     double sum = 0.0;
     double weights = 0.0;
     for (std::size_t i = 0; i < selection.indices.size(); ++i) {
         const auto row = static_cast<Eigen::Index>(i);
         const double weight = data.weights[i];
-        const Eigen::VectorXd by_point = fit.covariance * rows.jacobian.row(row).transpose();
+        const Eigen::VectorXd by_point = covariance * rows.jacobian.row(row).transpose();
         const double leverage = rows.jacobian.row(row).dot(by_point);
         const double deleted = rows.residuals[row] / std::max(1.0 - leverage, 1e-12);
         const double root = weight > 0.0 ? std::sqrt(weight) : 1.0;
@@ -105,8 +108,7 @@ DampingCurveFit fit_damping_curve(const ContactModel& model, const MeasurementSe
     fit.probability = goodness.probability;
     fit.scatter = goodness.scatter;
     fit.noise_known = selection.noise_known;
-    fit.akaike =
-        corrected_akaike(goodness, selection.noise_known, curve.data.rebounds.size(), options.order + 1);
+    fit.akaike = corrected_akaike(curve);
     add_rebounds(fit, model, curve.data, selection);
     add_range(fit, curve.data);
     return fit;

@@ -31,16 +31,35 @@ Goodness goodness_of(const ContactModel& model, const RestitutionData& data,
     return {chi_squared, freedom, probability, std::max(scatter, rounding)};
 }
 
+/// Some hundred impacts of many, evenly over the velocities: enough to come close to the curve.
+RestitutionData thinned(const RestitutionData& data) {
+    const std::size_t step = data.rebounds.size() / most_profiled + 1;
+    if (step == 1) return data;
+    std::vector<std::size_t> order(data.rebounds.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return data.rebounds[a].velocity < data.rebounds[b].velocity;
+    });
+    RestitutionData few{{}, {}, {}, data.greatest_restitution};
+    for (std::size_t i = 0; i < order.size(); i += step) {
+        few.rebounds.push_back(data.rebounds[order[i]]);
+        few.weights.push_back(data.weights[order[i]]);
+    }
+    for (std::size_t i = 0; i < data.captures.size(); i += step) few.captures.push_back(data.captures[i]);
+    return few;
+}
+
 /// A curve of that order close to the rebounds, robust if asked for; weights are left in @p data.
 Eigen::VectorXd curve_close_to(const ContactModel& model, RestitutionData& data,
                                const DampingCurveOptions& options) {
-    const Eigen::VectorXd start = starting_coefficients(model, data, options.order);
+    const RestitutionData few = thinned(data);
+    Eigen::VectorXd near = starting_coefficients(model, few, options.order);
     try {
-        const Eigen::VectorXd near = closest(model, data, start);
-        return options.robust ? closest_robustly(model, data, near) : near;
-    } catch (const ConvergenceError&) {
-        return start;  // the likelihood is smoother than distances are
+        near = closest(model, few, near);
+        if (options.robust) near = closest_robustly(model, data, near);
+    } catch (const ConvergenceError&) {  // the likelihood is smoother than distances are
     }
+    return near;
 }
 
 Eigen::VectorXd raised(const Eigen::VectorXd& coefficients, int order) {
@@ -53,13 +72,12 @@ Eigen::VectorXd raised(const Eigen::VectorXd& coefficients, int order) {
 LikelihoodMaximum closest_maximum(const ContactModel& model, const RestitutionData& data,
                                   const Eigen::VectorXd& coefficients) {
     const RestitutionDistances distances(model, data);
-    const Eigen::MatrixXd& jacobian = distances.rows(coefficients).jacobian;
-    // Scaled to unit diagonal first: the powers of e differ by orders of magnitude.
-    const Eigen::VectorXd scale = jacobian.colwise().norm().cwiseInverse();
-    const Eigen::MatrixXd scaled = jacobian * scale.asDiagonal();
-    const Eigen::MatrixXd inverse =
-        (scaled.transpose() * scaled).ldlt().solve(Eigen::MatrixXd::Identity(scale.size(), scale.size()));
-    return {coefficients, 0.0, scale.asDiagonal() * inverse * scale.asDiagonal()};
+    const auto& rows = distances.rows(coefficients);
+    const double length =
+        std::log(data.rebounds.front().noise->incident);  // as in the likelihood's integrals
+    const double value =
+        0.5 * (rows.residuals.squaredNorm() - length * static_cast<double>(data.rebounds.size()));
+    return {coefficients, value, covariance_from(rows.jacobian)};
 }
 
 Interval curvature_interval(double value, double deviation, double quantile) {
@@ -95,7 +113,9 @@ LikelihoodMaximum likeliest_from(ImpactLikelihood& likelihood, const Eigen::Vect
     std::vector<Eigen::VectorXd> starts{near};
     if (order > 2) {
         ImpactLikelihood quadratic(likelihood.model(), likelihood.data(), least_squares(2));
-        starts.push_back(raised(likeliest_from(quadratic, least_squares(2)).coefficients, order));
+        const Eigen::VectorXd simpler =
+            raised(likeliest_from(quadratic, least_squares(2)).coefficients, order);
+        starts.push_back(simpler);
     }
     try {
         return maximise_from(likelihood, starts);
@@ -113,8 +133,14 @@ FittedCurve likeliest_fit(const ContactModel& model, const RestitutionData& data
     for (int pass = 1; pass <= most_passes; ++pass) {
         fit.goodness = goodness;
         fit.data = data.with_noise_scaled(goodness.scatter * goodness.scatter);
+        if (pass == 1) {
+            ImpactLikelihood few(model, thinned(fit.data), near);
+            fit.maximum = likeliest_from(few, near);
+            near = fit.maximum.coefficients;
+        }
         likelihood.emplace(model, fit.data, near);
-        fit.maximum = pass == 1 ? likeliest_from(*likelihood, near) : maximise(*likelihood, near);
+        const bool thin = fit.data.rebounds.size() > most_profiled;
+        if (pass > 1 || thin) fit.maximum = maximise(*likelihood, near);
         near = fit.maximum.coefficients;
         goodness = goodness_of(model, data, near, noise_known);
         if (std::abs(goodness.scatter / fit.goodness.scatter - 1.0) < 0.01) break;
@@ -142,7 +168,7 @@ FittedCurve fit_curve(const ContactModel& model, RestitutionData data, const Dam
     const auto curve = RestitutionCurve::of(model, {near}, data.greatest_restitution);
     const RestitutionData scaled = data.with_noise_scaled(goodness.scatter * goodness.scatter);
     if (curve && ImpactLikelihood::noise_is_negligible(*curve, scaled))
-        return closest_fit(model, data, goodness, near);
+        return closest_fit(model, data, goodness, closest(model, data, near));
     return likeliest_fit(model, data, goodness, near, noise_known);
 }
 

@@ -11,8 +11,8 @@ namespace ashimpact {
 
 namespace {
 
-constexpr double far = 8.0;             ///< standard uncertainties beyond which noise does not reach
-constexpr double panel_of_noise = 2.0;  ///< length of a panel in the least noise
+constexpr double far = 6.5;             ///< standard uncertainties beyond which noise does not reach
+constexpr double panel_of_noise = 2.5;  ///< length of a panel in the least noise
 
 struct NoiseRange {
     double least = std::numeric_limits<double>::infinity();
@@ -70,14 +70,19 @@ struct Precision {
         yy = noise.incident / determinant;
     }
     [[nodiscard]] double square(double x, double y) const { return x * (xx * x + 2.0 * xy * y) + yy * y * y; }
-    [[nodiscard]] double slope(double x, double y) const { return xy * x + yy * y; }
 };
 
 /// ln of the integral along the curve for one rebound, less a constant, and its gradient.
 class ReboundDensity {
   public:
     ReboundDensity(const CurveNodes::Values& nodes, const Windows& windows)
-        : nodes_(nodes), windows_(windows), gradient_(nodes.by_coefficient.cols()) {}
+        : nodes_(nodes),
+          windows_(windows),
+          x_(nodes.velocity.size()),
+          y_(nodes.velocity.size()),
+          squares_(nodes.velocity.size()),
+          density_(nodes.velocity.size()),
+          gradient_(nodes.by_coefficient.cols()) {}
 
     /// Whether the density is a positive number.
     bool evaluate(const Measurement& point) {
@@ -88,17 +93,12 @@ class ReboundDensity {
             window = windows_.all();
             least = measure(point, precision, window);
         }
-        double sum = 0.0;
-        gradient_.setZero();
-        for (Eigen::Index k = window.first; k < window.last; ++k) {
-            const double square = squares_[static_cast<std::size_t>(k - window.first)] - least;
-            if (square > far * far) continue;
-            const double density = std::exp(-0.5 * square);
-            sum += nodes_.weight[k] * density;
-            const double x = point.velocity - nodes_.velocity[k];
-            const double y = point.rebound - nodes_.rebound[k];
-            gradient_ += density * precision.slope(x, y) * nodes_.by_coefficient.row(k).transpose();
-        }
+        const Eigen::Index size = window.last - window.first;
+        density_.head(size) = (-0.5 * (squares_.head(size) - least)).exp();
+        const double sum = (density_.head(size) * nodes_.weight.segment(window.first, size).array()).sum();
+        density_.head(size) *= precision.xy * x_.head(size) + precision.yy * y_.head(size);
+        gradient_.noalias() =
+            nodes_.by_coefficient.middleRows(window.first, size).transpose() * density_.head(size).matrix();
         add_start(point, precision, least);
         logarithm_ = std::log(sum) - 0.5 * least;
         gradient_ /= sum;
@@ -109,14 +109,14 @@ class ReboundDensity {
 
   private:
     double measure(const Measurement& point, const Precision& precision, Windows::Window window) {
-        squares_.clear();
-        double least = std::numeric_limits<double>::infinity();
-        for (Eigen::Index k = window.first; k < window.last; ++k) {
-            squares_.push_back(
-                precision.square(point.velocity - nodes_.velocity[k], point.rebound - nodes_.rebound[k]));
-            least = std::min(least, squares_.back());
-        }
-        return least;
+        const Eigen::Index size = window.last - window.first;
+        if (size <= 0) return std::numeric_limits<double>::infinity();
+        x_.head(size) = point.velocity - nodes_.velocity.segment(window.first, size).array();
+        y_.head(size) = point.rebound - nodes_.rebound.segment(window.first, size).array();
+        squares_.head(size) =
+            x_.head(size) * (precision.xx * x_.head(size) + 2.0 * precision.xy * y_.head(size)) +
+            precision.yy * y_.head(size).square();
+        return squares_.head(size).minCoeff();
     }
     /// The integral begins at (v_c, 0), which moves.
     void add_start(const Measurement& point, const Precision& precision, double least) {
@@ -127,7 +127,10 @@ class ReboundDensity {
 
     const CurveNodes::Values& nodes_;
     const Windows& windows_;
-    std::vector<double> squares_;
+    Eigen::ArrayXd x_;
+    Eigen::ArrayXd y_;
+    Eigen::ArrayXd squares_;
+    Eigen::ArrayXd density_;
     Eigen::VectorXd gradient_;
     double logarithm_ = 0.0;
 };

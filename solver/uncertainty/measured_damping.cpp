@@ -90,7 +90,7 @@ class RisingBranchFits {
 VelocityRange velocities_for_fits(Law law, Detachment detachment, const ContactPair& contact,
                                   const MeasurementSet& set) {
     constexpr double below = 0.02;
-    constexpr double above = 2.0;
+    constexpr double above = 10.0;
     const auto slower = [](const Measurement& a, const Measurement& b) { return a.velocity < b.velocity; };
     const auto [slowest, fastest] = std::minmax_element(set.points.begin(), set.points.end(), slower);
     const CriticalVelocity undamped =

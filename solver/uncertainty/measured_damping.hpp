@@ -17,8 +17,8 @@ struct MeasuredDampingOptions {
     PartOptions parts{};
     DampingCurveOptions extrapolated = extrapolated_fit;
     DampingCurveOptions direct = direct_fit;
-    std::vector<int> orders{1, 2, 3, 4};  ///< compared beside; empty: none
-    bool propagate = true;                ///< also the contact's uncertainty, not only that of the impacts
+    std::vector<int> orders{1, 2, 3};  ///< compared beside; empty: none
+    bool propagate = true;             ///< also the contact's uncertainty, not only that of the impacts
     DampingUnderChange change = DampingUnderChange::reread;
     PropagationOptions propagation{};
     /// A critical velocity reported beside the impacts; none: that of their outcomes [m/s].

@@ -48,4 +48,13 @@ double RestitutionDistances::start_of(std::size_t rebound) const {
     return std::clamp(data_->rebounds[rebound].restitution(), 0.0, data_->greatest_restitution);
 }
 
+Eigen::MatrixXd covariance_from(const Eigen::MatrixXd& jacobian) {
+    // Scaled to unit diagonal first: the powers of e differ by orders of magnitude.
+    const Eigen::VectorXd scale = jacobian.colwise().norm().cwiseInverse();
+    const Eigen::MatrixXd scaled = jacobian * scale.asDiagonal();
+    const Eigen::MatrixXd inverse =
+        (scaled.transpose() * scaled).ldlt().solve(Eigen::MatrixXd::Identity(scale.size(), scale.size()));
+    return scale.asDiagonal() * inverse * scale.asDiagonal();
+}
+
 }  // namespace ashimpact

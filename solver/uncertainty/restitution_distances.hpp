@@ -39,4 +39,7 @@ class RestitutionDistances {
     mutable std::optional<RestitutionCurve> curve_;
 };
 
+/// Covariance of coefficients from the slopes of normalised residuals.
+[[nodiscard]] Eigen::MatrixXd covariance_from(const Eigen::MatrixXd& jacobian);
+
 }  // namespace ashimpact
