@@ -13,7 +13,7 @@ namespace ashimpact {
 namespace {
 
 /// Enough for 1e-9 in v_c over a factor of two in damping.
-constexpr int degree = 8;
+constexpr int curve_degree = 8;
 
 double solved(Law law, Detachment detachment, const ContactPair& contact, double damping) {
     const CriticalVelocity critical =
@@ -33,7 +33,7 @@ CriticalVelocityCurve::CriticalVelocityCurve(Law law, Detachment detachment, con
                          "a law without one");
     const double middle = logarithmic_damping(contact, damping);
     const double half = adhesive_ ? std::log(factor) : 0.0;
-    axis_ = {middle - half, middle + half, adhesive_ ? degree : 0};
+    axis_ = {middle - half, middle + half, adhesive_ ? curve_degree : 0};
     Eigen::VectorXd values(axis_.degree + 1);
     for (int i = 0; i <= axis_.degree; ++i) {
         const double shift = adhesive_ ? axis_.node(i) - middle : 0.0;

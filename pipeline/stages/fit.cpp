@@ -7,10 +7,10 @@
 #include <cmath>
 #include <set>
 
-#include "materials/error.hpp"
 #include "pipeline/case/laws.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/json/statistics_json.hpp"
+#include "pipeline/stages/attempt.hpp"
 #include "pipeline/stages/contact.hpp"
 #include "pipeline/stages/contact_models.hpp"
 #include "pipeline/stages/damping.hpp"
@@ -116,19 +116,6 @@ RisingImpacts rising_impacts(const FitTask& task) {
         rising.numbers.push_back(i + 1);
     }
     return rising;
-}
-
-/// A fit, or a note why there is none.
-template <class Fit>
-std::optional<DampingCurveFit> attempt(const char* name, std::vector<std::string>& notes, Fit&& fit) {
-    try {
-        return fit();
-    } catch (const InputError& error) {
-        notes.push_back(fmt::format("no {}: {}", name, error.problem()));
-    } catch (const ConvergenceError& error) {
-        notes.push_back(fmt::format("no {}: {}", name, error.what()));
-    }
-    return std::nullopt;
 }
 
 /// a, b, c with their covariance: the coefficients of the second, first and zeroth power.

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "materials/error.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/json/statistics_json.hpp"
+#include "pipeline/stages/attempt.hpp"
 #include "pipeline/stages/contact_models.hpp"
 #include "pipeline/stages/uncertainty_json.hpp"
 #include "solver/critical_velocity_curve.hpp"
@@ -17,12 +17,10 @@ namespace ashimpact {
 
 namespace {
 
-constexpr auto velocity_unit = "m/s";
-
 Json propagated_json(const VelocityTask& task, const Propagation& propagation,
                      const std::vector<RandomInput>& inputs) {
-    Json json{{"critical_velocity", estimate_json(propagation.interval, velocity_unit)},
-              {"interval", interval_json(propagation.interval, velocity_unit)},
+    Json json{{"critical_velocity", estimate_json(propagation.interval, si_unit(Dimension::velocity))},
+              {"interval", interval_json(propagation.interval, si_unit(Dimension::velocity))},
               {"uncertainty", propagation_json(propagation, inputs)}};
     if (task.measured) json["check"] = check_json(propagation.interval, *task.measured);
     return json;
@@ -63,19 +61,6 @@ Json from_damping(const VelocityTask& task) {
     return json;
 }
 
-/// What @p compute gives, or a note why it gives nothing.
-template <class Compute>
-Json attempt(const char* what, std::vector<std::string>& notes, Compute&& compute) {
-    try {
-        return compute();
-    } catch (const InputError& error) {
-        notes.push_back(fmt::format("no {}: {}", what, error.problem()));
-    } catch (const ConvergenceError& error) {
-        notes.push_back(fmt::format("no {}: {}", what, error.what()));
-    }
-    return nullptr;
-}
-
 }  // namespace
 
 Json velocity_uncertainty_json(const VelocityTask& task, double velocity, std::vector<std::string>& notes) {
@@ -83,14 +68,14 @@ Json velocity_uncertainty_json(const VelocityTask& task, double velocity, std::v
     if (!has_contact_model(task.choice, task.data.damping_law, task.contact.pair)) {
         notes.emplace_back("no interval: that takes constant damping and a contact that does not yield");
     } else if (task.fit.extrapolated && task.series != nullptr) {
-        const Json own = attempt("interval", notes, [&] { return from_fit(task, *task.fit.extrapolated); });
-        if (!own.is_null()) json = own;
+        json = attempt("interval", notes, [&] { return from_fit(task, *task.fit.extrapolated); })
+                   .value_or(Json::object());
         if (task.fit.direct)
-            json["direct"] =
-                attempt("interval of the direct fit", notes, [&] { return from_fit(task, *task.fit.direct); });
+            json["direct"] = attempt("interval of the direct fit", notes, [&] {
+                                 return from_fit(task, *task.fit.direct);
+                             }).value_or(Json(nullptr));
     } else {
-        const Json own = attempt("interval", notes, [&] { return from_damping(task); });
-        if (!own.is_null()) json = own;
+        json = attempt("interval", notes, [&] { return from_damping(task); }).value_or(Json::object());
     }
     if (!json.contains("critical_velocity"))
         json["critical_velocity"] = quantity_json(velocity, Dimension::velocity);

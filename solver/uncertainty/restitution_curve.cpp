@@ -22,7 +22,7 @@ struct Weighted {
     }
 };
 
-constexpr int most_steps = 60;
+constexpr int most_walk_steps = 60;
 
 /// Walks along a curve to where the distance from a point is least. By the slope of the squared distance:
 /// the first step as if the curve were straight, then by secants, within what the signs leave. Near v_c the
@@ -113,7 +113,7 @@ RestitutionCurve::Projection RestitutionCurve::project(const Measurement& point,
     Place place = at(start);
     double across = 0.0;  // v_in of the measurement less that of the curve
     double along = 0.0;   // the same for v_r
-    for (int i = 0; i < most_steps; ++i) {
+    for (int i = 0; i < most_walk_steps; ++i) {
         const double e = search.place();
         across = point.velocity - place.velocity;
         along = point.rebound - e * place.velocity;
