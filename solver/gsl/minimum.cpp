@@ -19,7 +19,7 @@ namespace {
 constexpr double nowhere = 1e12;  ///< stands for infinity, with which GSL's line search cannot reckon
 
 /// Carries the function through GSL's C interface; an exception is kept and thrown again outside it.
-struct Target {
+struct MinimumTarget {
     const SmoothFunction& function;
     std::exception_ptr error;
 
@@ -42,7 +42,7 @@ struct Target {
 };
 
 void both(const gsl_vector* x, void* parameters, double* value, gsl_vector* gradient) {
-    const SmoothFunction::Value& at = static_cast<Target*>(parameters)->at(x);
+    const SmoothFunction::Value& at = static_cast<MinimumTarget*>(parameters)->at(x);
     if (value != nullptr) *value = at.value;
     for (std::size_t i = 0; gradient != nullptr && i < gradient->size; ++i)
         gsl_vector_set(gradient, i, at.gradient[static_cast<Eigen::Index>(i)]);
@@ -64,7 +64,7 @@ Minimum minimise(const SmoothFunction& function, const Eigen::VectorXd& start,
                  const MinimumOptions& options) {
     quiet();
     const auto size = static_cast<std::size_t>(start.size());
-    Target target{.function = function, .error = nullptr};
+    MinimumTarget target{.function = function, .error = nullptr};
     gsl_multimin_function_fdf problem{&value_of, &gradient_of, &both, size, &target};
     const std::unique_ptr<gsl_multimin_fdfminimizer, decltype(&gsl_multimin_fdfminimizer_free)> minimiser(
         gsl_multimin_fdfminimizer_alloc(gsl_multimin_fdfminimizer_vector_bfgs2, size),
