@@ -6,6 +6,7 @@
 #include "solver/gsl/quasi_random.hpp"
 #include "solver/gsl/random.hpp"
 #include "solver/gsl/statistics.hpp"
+#include "solver/statistics/sensitivity.hpp"
 
 #include <algorithm>
 #include <array>
@@ -102,49 +103,25 @@ class Sampler {
     int random_ = 0;
 };
 
-/// Indices of one replicate, by factor.
-struct Indices {
-    std::vector<double> first;
-    std::vector<double> total;
-};
-
-Indices indices_of(const std::vector<Row>& rows, std::size_t factors) {
-    std::vector<double> both;
-    for (const Row& row : rows) both.insert(both.end(), {row.results[0], row.results[1]});
-    const gsl::Moments moments = gsl::moments(both);
-    const double variance = moments.deviation * moments.deviation;
-    Indices indices{std::vector<double>(factors, 0.0), std::vector<double>(factors, 0.0)};
-    if (variance == 0.0) return indices;
-    const double scale = 1.0 / (variance * static_cast<double>(rows.size()));
-    for (const Row& row : rows) {
-        for (std::size_t i = 0; i < factors; ++i) {
-            const double change = row.results[i + 2] - row.results[0];
-            indices.first[i] += scale * (row.results[1] - moments.mean) * change;
-            indices.total[i] += 0.5 * scale * change * change;
-        }
-    }
-    return indices;
+SobolSums sums_of(const std::vector<Row>& rows, std::size_t factors) {
+    std::vector<std::vector<double>> columns(factors + 2);
+    for (const Row& row : rows)
+        for (std::size_t i = 0; i < columns.size(); ++i) columns[i].push_back(row.results[i]);
+    return SobolSums::of({columns[0], columns[1], {columns.begin() + 2, columns.end()}});
 }
 
-SensitivityIndex mean_index(const std::vector<double>& replicates) {
-    const gsl::Moments moments = gsl::moments(replicates);
-    return {moments.mean, moments.deviation / std::sqrt(static_cast<double>(replicates.size()))};
-}
-
+/// @param replicates at least two; where nothing varies no factor has an influence
 std::vector<Influence> influences_of(const std::vector<Factor>& factors,
-                                     const std::vector<Indices>& replicates) {
+                                     const std::vector<SobolSums>& replicates) {
+    const std::vector<SobolIndices> indices = sobol_indices(replicates);
     std::vector<Influence> influences;
-    for (std::size_t i = 0; i < factors.size(); ++i) {
-        std::vector<double> first;
-        std::vector<double> total;
-        for (const Indices& replicate : replicates) {
-            first.push_back(replicate.first[i]);
-            total.push_back(replicate.total[i]);
-        }
-        influences.push_back({factors[i].name, mean_index(first), mean_index(total)});
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        influences.push_back({factors[i].name,
+                              {indices[i].first, indices[i].first_error.value_or(0.0)},
+                              {indices[i].total, indices[i].total_error.value_or(0.0)}});
     }
     std::stable_sort(influences.begin(), influences.end(),
-                     [](const Influence& a, const Influence& b) { return a.total.value > b.total.value; });
+                     [](const Influence& x, const Influence& y) { return x.total.value > y.total.value; });
     return influences;
 }
 
@@ -195,7 +172,7 @@ Propagation propagate(const std::vector<RandomInput>& inputs, const UncertainMod
 
     Propagation result{};
     gsl::Random random(options.seed);
-    std::vector<Indices> replicates;
+    std::vector<SobolSums> replicates;
     std::vector<double> samples;
     for (int i = 0; i < options.replicates; ++i) {
         std::vector<Row> rows = replicate(sampler, options.samples, random);
@@ -204,7 +181,7 @@ Propagation propagate(const std::vector<RandomInput>& inputs, const UncertainMod
         result.undefined += all - rows.size();
         result.evaluations += all * (sampler.factors().size() + 2);
         if (rows.size() < 2) continue;
-        replicates.push_back(indices_of(rows, sampler.factors().size()));
+        replicates.push_back(sums_of(rows, sampler.factors().size()));
         for (const Row& row : rows) samples.insert(samples.end(), {row.results[0], row.results[1]});
     }
     if (replicates.size() < 2) throw ConvergenceError("propagation: nearly every sample is without a result");
