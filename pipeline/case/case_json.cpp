@@ -116,7 +116,8 @@ struct RestitutionWriter {
                   {"reference_law", plan.reference},
                   {"source", plan.source}};
         if (plan.coefficient_uncertainty)
-            json["coefficient_uncertainty"] = quantity_json(*plan.coefficient_uncertainty, Dimension::damping);
+            json["coefficient_uncertainty"] =
+                quantity_json(*plan.coefficient_uncertainty, Dimension::damping);
         return {{"reconstruct", json}};
     }
 };

@@ -248,7 +248,7 @@ ReadAnalysis read_analysis(const View& node, InputFiles& files) {
 }
 
 RestitutionSource read_restitution(const View& node, const std::optional<PublishedSample>& published,
-                                 InputFiles& files, const std::optional<Camera>& camera) {
+                                   InputFiles& files, const std::optional<Camera>& camera) {
     constexpr auto allowed = "velocity with restitution or rebound_velocity, or file, or reconstruct";
     const bool points = node.has("velocity") && count_of(node, {"restitution", "rebound_velocity"}) == 1;
     const int others = count_of(node, {"file", "reconstruct"});
@@ -258,7 +258,8 @@ RestitutionSource read_restitution(const View& node, const std::optional<Publish
     if (!columns)
         for (const auto* key : {"velocity_uncertainty", "rebound_uncertainty", "restitution_uncertainty",
                                 "velocity_correlation", "impacts"})
-            if (const auto stray = node.find(key)) stray->fail("belongs to velocities of the case", "velocity");
+            if (const auto stray = node.find(key))
+                stray->fail("belongs to velocities of the case", "velocity");
     const auto plan = node.find("reconstruct");
     if (!plan) return read_measured(node, files, camera);
     for (const auto* key : {"camera", "binning"})

@@ -29,8 +29,8 @@ struct ReadAnalysis {
 /// Restitution data; @p published serves a reconstruction that names no fits of its own, @p camera impacts
 /// whose uncertainty nothing says.
 [[nodiscard]] RestitutionSource read_restitution(const View& node,
-                                               const std::optional<PublishedSample>& published,
-                                               InputFiles& files, const std::optional<Camera>& camera);
+                                                 const std::optional<PublishedSample>& published,
+                                                 InputFiles& files, const std::optional<Camera>& camera);
 
 /// Published values; those without an uncertainty get that of the rounding of their last digit, u =
 /// d/sqrt(12).

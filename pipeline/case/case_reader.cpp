@@ -199,7 +199,8 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
     const PublishedSets published(document, files);
     if (const auto rule = document.find("mixture_rule")) data.mixture_rule = mixture_rule(rule->text());
     if (const auto wall = document.find("wall")) data.wall = read_wall(*wall);
-    Defaults defaults{.particle = document.find("particle"), .work_of_adhesion = {}, .published = {}, .camera = {}};
+    Defaults defaults{
+        .particle = document.find("particle"), .work_of_adhesion = {}, .published = {}, .camera = {}};
     if (const auto w = document.find("work_of_adhesion")) defaults.work_of_adhesion = read_adhesion(*w);
     if (const auto camera = document.find("camera")) defaults.camera = read_camera(*camera);
     for (const View& node : document.at("samples").elements()) {

@@ -29,7 +29,8 @@ std::vector<CalibrationHypothesis> hypotheses_of(bool elastic_wall, std::size_t 
             if (each && samples < 2) continue;
             CalibrationHypothesis hypothesis{
                 .name = fmt::format("{}, {}", modulus.name, each ? "a density per size" : "one density"),
-                .free = {{CalibrationQuantity::work_of_adhesion, false}, {CalibrationQuantity::density, each}}};
+                .free = {{CalibrationQuantity::work_of_adhesion, false},
+                         {CalibrationQuantity::density, each}}};
             if (modulus.free) hypothesis.free.push_back({*modulus.free, false});
             hypotheses.push_back(std::move(hypothesis));
         }

@@ -35,9 +35,9 @@ struct Prediction {
     Law law;
     Quadratic published;
     std::optional<DampingFit> predicted;
-    std::optional<double> velocity;   ///< v_c at the predicted eta_c [m/s]
-    std::optional<double> printed;    ///< published v_c [m/s]
-    double greatest_difference = 0;   ///< of e_n from the reference curve, at one velocity [1]
+    std::optional<double> velocity;  ///< v_c at the predicted eta_c [m/s]
+    std::optional<double> printed;   ///< published v_c [m/s]
+    double greatest_difference = 0;  ///< of e_n from the reference curve, at one velocity [1]
 };
 
 struct SampleCheck {
@@ -72,11 +72,8 @@ std::vector<CurvePoint> reference_points(const PublishedDamping& reference, cons
 
 /// The fit that a law would have published, had it been given the reference curve.
 Prediction prediction_of(const PublishedDamping& law, const std::vector<CurvePoint>& points) {
-    Prediction prediction{.law = law.law,
-                          .published = {law.a, law.b, law.c},
-                          .predicted = {},
-                          .velocity = {},
-                          .printed = {}};
+    Prediction prediction{
+        .law = law.law, .published = {law.a, law.b, law.c}, .predicted = {}, .velocity = {}, .printed = {}};
     std::vector<DampingPoint> inverted;
     for (const CurvePoint& point : points) {
         try {
@@ -104,15 +101,16 @@ SampleCheck check_sample(const Case& data, const Sample& sample, const Reconstru
                          const ContactPair& contact) {
     const Law reference = Law::named(plan.reference);
     SampleCheck check{.name = sample.name, .reference = reference};
-    check.points = reference_points(curve_of(data, contact, reference, *plan.damping_fits.find(reference)), plan);
+    check.points =
+        reference_points(curve_of(data, contact, reference, *plan.damping_fits.find(reference)), plan);
     for (const auto& [law, fit] : plan.damping_fits) {
         if (law == reference) continue;
         const PublishedDamping curve = curve_of(data, contact, law, fit);
         Prediction prediction = prediction_of(curve, check.points);
         for (CurvePoint& point : check.points) {
             point.others.push_back(reconstructed_restitution(curve, point.velocity));
-            prediction.greatest_difference = std::max(prediction.greatest_difference,
-                                                      std::abs(point.others.back() - point.restitution));
+            prediction.greatest_difference =
+                std::max(prediction.greatest_difference, std::abs(point.others.back() - point.restitution));
         }
         const Quantity* printed = sample.published ? sample.published->critical_velocity.find(law) : nullptr;
         if (printed != nullptr) prediction.printed = printed->value;
@@ -131,7 +129,8 @@ Json check_json(const SampleCheck& check) {
     Json json{{"name", check.name},
               {"reference_law", check.reference.name()},
               {"velocity", column_json(velocity, Dimension::velocity)},
-              {"restitution", {{std::string(check.reference.name()), column_json(restitution, Dimension::fraction)}}},
+              {"restitution",
+               {{std::string(check.reference.name()), column_json(restitution, Dimension::fraction)}}},
               {"predictions", Json::object()}};
     for (std::size_t i = 0; i < check.others.size(); ++i) {
         const Prediction& other = check.others[i];
@@ -160,7 +159,8 @@ std::string check_text(const SampleCheck& check) {
     for (const Prediction& other : check.others) heading.emplace_back(other.law.name());
     TextTable curves(std::move(heading));
     for (const CurvePoint& point : check.points) {
-        std::vector<std::string> row{fmt::format("{:.3f}", point.velocity), fmt::format("{:.3f}", point.restitution)};
+        std::vector<std::string> row{fmt::format("{:.3f}", point.velocity),
+                                     fmt::format("{:.3f}", point.restitution)};
         for (const double e : point.others) row.push_back(e > 0 ? fmt::format("{:.3f}", e) : "captured");
         curves.add(std::move(row));
     }

@@ -30,7 +30,8 @@ void run_damping_command(const DampingOptions& options, std::ostream& out) {
         return;
     }
     if (!options.frame_rate.empty() || !options.pixel_size.empty() || options.bin > 0)
-        throw InputError("belong to a table of impacts", "--impacts FILE").at("--frame-rate, --pixel-size, --bin");
+        throw InputError("belong to a table of impacts", "--impacts FILE")
+            .at("--frame-rate, --pixel-size, --bin");
     const ContactChoice choice = read_contact(options.contact);
     const DampingProblem problem{
         .law = choice.law,

@@ -86,10 +86,10 @@ std::string regime_text(const Regime& regime) {
     };
     TextList list;
     list.add("damping number", fmt::format("beta = {}", readable_number(regime.damping_number)));
-    list.add("Tabor parameter",
-             regime.tabor_parameter > 0 ? fmt::format("{} ({})", readable_number(regime.tabor_parameter),
-                                                      adhesion_words(regime.adhesion))
-                                        : "none: no adhesion");
+    list.add("Tabor parameter", regime.tabor_parameter > 0
+                                    ? fmt::format("{} ({})", readable_number(regime.tabor_parameter),
+                                                  adhesion_words(regime.adhesion))
+                                    : "none: no adhesion");
     list.add("yield velocity", velocity(regime.yield_velocity));
     list.add("contact radius", fmt::format("at most {}, {} of R*", readable(regime.contact_radius, "m"),
                                            readable_number(regime.relative_contact_radius)));

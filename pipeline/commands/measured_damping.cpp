@@ -25,6 +25,14 @@ namespace ashimpact {
 
 namespace {
 
+double read_frame_rate(const std::string& text) {
+    try {
+        return read_option("--frame-rate", text, Dimension::fraction);
+    } catch (const InputError& error) {
+        throw InputError(error.problem(), "frames per second, e.g. 80000").at("--frame-rate");
+    }
+}
+
 /// The impacts of the file, with camera and bins where they are asked for.
 MeasurementSet read_impacts(const DampingOptions& options) {
     MeasurementSet set = read_measurements(read_file(options.impacts), options.impacts);
@@ -32,9 +40,8 @@ MeasurementSet read_impacts(const DampingOptions& options) {
     if (options.frame_rate.empty() != options.pixel_size.empty())
         throw InputError("one of the two is missing", "both or neither").at("--frame-rate, --pixel-size");
     if (!options.frame_rate.empty()) {
-        const Camera camera{
-            .frame_rate = read_option("--frame-rate", options.frame_rate, Dimension::fraction),
-            .pixel_size = read_option("--pixel-size", options.pixel_size, Dimension::length)};
+        const Camera camera{.frame_rate = read_frame_rate(options.frame_rate),
+                            .pixel_size = read_option("--pixel-size", options.pixel_size, Dimension::length)};
         set = at_place("--frame-rate, --pixel-size", [&] { return with_camera(std::move(set), camera); });
     }
     in_file(options.impacts, [&] { check_impacts(set); });
@@ -115,11 +122,11 @@ std::string parts_text(const DampingParts& parts) {
 
 std::string measured_text(const MeasuredCriticalVelocity& measured) {
     if (!measured.value) return measured.note;
-    return fmt::format(
-        "{}: {}",
-        range_text({*measured.value, measured.standard_uncertainty.value_or(0), measured.lower, measured.upper},
-                   "m/s"),
-        measured.note);
+    return fmt::format("{}: {}",
+                       range_text({*measured.value, measured.standard_uncertainty.value_or(0), measured.lower,
+                                   measured.upper},
+                                  "m/s"),
+                       measured.note);
 }
 
 std::string result_text(const MeasuredDamping& result, const MeasurementSet& set) {
@@ -143,8 +150,8 @@ std::string result_text(const MeasuredDamping& result, const MeasurementSet& set
     if (result.direct) list.add("direct fit", fit_text(*result.direct));
     if (result.comparison) list.add("of one another", result.comparison->statement);
     list.add("measured v_c", measured_text(result.measured));
-    const std::string rows = stride > 1 ? fmt::format("every {} of {} rows\n", stride, result.impacts.size())
-                                        : std::string{};
+    const std::string rows =
+        stride > 1 ? fmt::format("every {} of {} rows\n", stride, result.impacts.size()) : std::string{};
     return impacts.text() + rows + "\n" + list.text(0) +
            "Intervals are of 95 % and hold for the contact as given; a case propagates its uncertainty.\n";
 }
@@ -154,15 +161,15 @@ std::string result_text(const MeasuredDamping& result, const MeasurementSet& set
 void run_measured_damping_command(const DampingOptions& options, std::ostream& out) {
     const ContactChoice choice = read_contact(options.contact);
     if (read_damping(options.contact).law != DampingLaw::constant)
-        throw InputError("a series of impacts is read with constant damping", "constant")
-            .at("--damping-law");
+        throw InputError("a series of impacts is read with constant damping", "constant").at("--damping-law");
     const MeasurementSet set = read_impacts(options);
     MeasuredDampingOptions how;
     how.propagate = false;
     const MeasuredDamping result =
         analyse_impacts(choice.law, choice.detachment, exact(choice.contact), set, how);
     for (const std::string& note : result.notes) spdlog::warn("warning: {}: {}", options.impacts, note);
-    out << (options.json ? write_json(result_json(result, set), Digits::seventeen) : result_text(result, set));
+    out << (options.json ? write_json(result_json(result, set), Digits::seventeen)
+                         : result_text(result, set));
 }
 
 }  // namespace ashimpact

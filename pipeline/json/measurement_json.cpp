@@ -36,9 +36,8 @@ void read_rebounds(const View& node, MeasurementSet& set) {
     if (!has_either(node, by_ratio, by_velocity))
         node.fail("neither restitution nor rebound_velocity is given", "one of the two");
     const bool ratio = node.has(by_ratio);
-    const Values values =
-        read_column(node, ratio ? by_ratio : by_velocity,
-                    ratio ? Dimension::fraction : Dimension::velocity, set.points.size());
+    const Values values = read_column(node, ratio ? by_ratio : by_velocity,
+                                      ratio ? Dimension::fraction : Dimension::velocity, set.points.size());
     for (std::size_t i = 0; i < values.size(); ++i)
         set.points[i].rebound = ratio ? values[i] * set.points[i].velocity : values[i];
 }
@@ -64,8 +63,8 @@ void read_noise(const View& node, MeasurementSet& set) {
         point.noise = VelocityNoise::of_velocities(incident[i], second[i]);
         point.noise->covariance = correlation[i] * incident[i] * second[i];
         if (ratio)
-            point.noise = VelocityNoise::of_restitution(point.velocity, point.restitution(), incident[i],
-                                                        second[i]);
+            point.noise =
+                VelocityNoise::of_restitution(point.velocity, point.restitution(), incident[i], second[i]);
     }
 }
 

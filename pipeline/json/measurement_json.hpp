@@ -8,8 +8,9 @@
 namespace ashimpact {
 
 /// The impacts of a series as columns: velocity, restitution (or rebound_velocity, which reads back exactly)
-/// and, where there is something to say, velocity_uncertainty, rebound_uncertainty (standard, of v_in and v_r), velocity_correlation (of these two
-/// errors) and impacts (of which a point is the mean). Restitution 0 is a capture.
+/// and, where there is something to say, velocity_uncertainty, rebound_uncertainty (standard, of v_in and
+/// v_r), velocity_correlation (of these two errors) and impacts (of which a point is the mean). Restitution 0
+/// is a capture.
 [[nodiscard]] Json measurement_columns(const MeasurementSet& set, bool as_rebound_velocity = false);
 
 /// Reads the same columns; rebound_velocity may stand for restitution, and restitution_uncertainty for

@@ -102,10 +102,9 @@ Json published_beside_json(const PublishedSample& published, const SampleResults
             return std::optional(fit.critical_damping);
         }));
     add("critical_velocity",
-        beside_by_law(published.critical_velocity, of.velocities,
-                      [](const LawCriticalVelocity& velocity) {
-                          return velocity.value ? std::optional(velocity.value->value) : std::nullopt;
-                      }));
+        beside_by_law(published.critical_velocity, of.velocities, [](const LawCriticalVelocity& velocity) {
+            return velocity.value ? std::optional(velocity.value->value) : std::nullopt;
+        }));
     add("critical_contact_times", beside_by_law(published.critical_contact_times, of.velocities,
                                                 [](const LawCriticalVelocity& v) { return v.contact_time; }));
     for (const auto& printed : published.contact_times)
@@ -147,7 +146,7 @@ DynamicColumns dynamic_columns(const SampleResults& of, const std::vector<LawCho
         columns.velocity[name] = finite ? Json(*velocity->value) : Json(nullptr);
         columns.interval[name] = finite ? velocity->interval : Json(nullptr);
         columns.check[name] = finite ? velocity->check : Json(nullptr);
-        columns.verdict[name] = velocity != nullptr       ? velocity->verdict
+        columns.verdict[name] = velocity != nullptr     ? velocity->verdict
                                 : of.sample.restitution ? "no fit"
                                                         : "no damping data";
     }

@@ -118,7 +118,8 @@ std::vector<SampleContact> read_contacts(const View& result) {
                         .effective_radius = contact.effective_radius.value,
                         .contact_modulus = contact.contact_modulus.value,
                         .work_of_adhesion = contact.work_of_adhesion.value};
-        if (sample.has("poisson_ratio")) contact.poisson_ratio = quantity("poisson_ratio", Dimension::fraction);
+        if (sample.has("poisson_ratio"))
+            contact.poisson_ratio = quantity("poisson_ratio", Dimension::fraction);
         if (const auto pressure = sample.find("yield_pressure"))
             contact.pair.yield_pressure = pressure->number(Dimension::pressure);
         sample.located([&] { validate(contact.pair); });

@@ -23,9 +23,9 @@ namespace {
 struct Reading {
     std::vector<InvertedImpact> impacts;
     DampingParts parts;
-    Json rising;           ///< null where there is no rising branch
-    std::string note{};    ///< why
-    double accuracy = 0;   ///< of restitutions read from a map; 0: solved [1]
+    Json rising;          ///< null where there is no rising branch
+    std::string note{};   ///< why
+    double accuracy = 0;  ///< of restitutions read from a map; 0: solved [1]
 };
 
 /// One impact by solving, for damping laws and contacts that have no map.
@@ -123,7 +123,8 @@ Json reading_json(const Reading& reading, const std::string& origin, DampingLaw 
     return json;
 }
 
-void warn(const std::string& where, const Json& json, std::size_t points, std::vector<std::string>& warnings) {
+void warn(const std::string& where, const Json& json, std::size_t points,
+          std::vector<std::string>& warnings) {
     if (!json["unreachable"].empty())
         warnings.push_back(fmt::format("{}: {} of {} restitutions cannot be reached by any damping", where,
                                        json["unreachable"].size(), points));

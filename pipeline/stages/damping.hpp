@@ -16,7 +16,8 @@ struct DampingSeries {
     std::vector<double> restitution{};   ///< above 0 [1]
     std::vector<double> damping{};       ///< [unit of the damping law]
     std::vector<double> contact_time{};  ///< [s]
-    std::optional<double> rising_to{};   ///< velocity at the end of the rising branch; none: there is none [m/s]
+    std::optional<double>
+        rising_to{};  ///< velocity at the end of the rising branch; none: there is none [m/s]
 };
 
 /// What later stages need of 5-damping.json.

@@ -13,7 +13,8 @@ constexpr auto damping_unit = "kg/s";
 constexpr auto velocity_unit = "m/s";
 
 std::string_view name_of(IntervalMethod method) {
-    return method == IntervalMethod::profile_likelihood ? "profile likelihood" : "curvature of the likelihood";
+    return method == IntervalMethod::profile_likelihood ? "profile likelihood"
+                                                        : "curvature of the likelihood";
 }
 
 /// The rebounds of a fit as columns.
@@ -31,8 +32,10 @@ Json residuals_json(const DampingCurveFit& fit, const std::vector<std::size_t>& 
     const auto plain = [](const std::vector<double>& values) {
         return column_json(values, Dimension::fraction);
     };
-    Json json{{"number", plain(number)},     {"restitution", plain(restitution)},
-              {"distance", plain(distance)}, {"leverage", plain(leverage)}};
+    Json json{{"number", plain(number)},
+              {"restitution", plain(restitution)},
+              {"distance", plain(distance)},
+              {"leverage", plain(leverage)}};
     const auto add = [&](const char* key, const std::vector<double>& values, Dimension dimension) {
         for (const double value : values)
             if (!std::isfinite(value)) return;

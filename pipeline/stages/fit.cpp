@@ -147,8 +147,8 @@ Fitted fit_through_model(const FitTask& task) {
             if (fit.options.order == choices.order) return fit;
         return fit_damping_curve(model, rising.set, extrapolated);
     });
-    const auto directly = attempt("direct fit", fitted.notes,
-                                  [&] { return fit_damping_curve(model, rising.set, direct); });
+    const auto directly =
+        attempt("direct fit", fitted.notes, [&] { return fit_damping_curve(model, rising.set, direct); });
     if (!by_extrapolation) return fitted;
     fitted.json = quadratic_part(*by_extrapolation);
     fitted.json["method"] = "likelihood";
@@ -193,7 +193,8 @@ StageOutput fit_stage(const Artifacts& before) {
     const auto restitutions = before.read("4-restitution.json", read_restitutions);
     for (const SampleDamping& sample : before.read("5-damping.json", read)) {
         const SampleContact& contact = entry_named(contacts, sample.name, before, "2-contact.json");
-        const SampleRestitution& series = entry_named(restitutions, sample.name, before, "4-restitution.json");
+        const SampleRestitution& series =
+            entry_named(restitutions, sample.name, before, "4-restitution.json");
         Json json{{"name", sample.name}};
         const auto fits = in_parallel(data.laws, [&](const LawChoice& choice) -> Fitted {
             const DampingSeries* inverted = sample.laws.find(choice.law);

@@ -16,11 +16,10 @@ namespace {
 using Values = std::vector<double>;
 
 Json unreachable_json(const InvertedImpact& impact) {
-    const std::string reason =
-        impact.restitution >= impact.greatest_restitution
-            ? fmt::format("without any damping the restitution is {} at this velocity",
-                          readable_number(impact.greatest_restitution))
-            : "no damping gives this restitution at this velocity";
+    const std::string reason = impact.restitution >= impact.greatest_restitution
+                                   ? fmt::format("without any damping the restitution is {} at this velocity",
+                                                 readable_number(impact.greatest_restitution))
+                                   : "no damping gives this restitution at this velocity";
     return {{"number", impact.index + 1},
             {"velocity", quantity_json(impact.velocity, Dimension::velocity)},
             {"restitution", quantity_json(impact.restitution, Dimension::fraction)},

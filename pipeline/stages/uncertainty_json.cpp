@@ -42,13 +42,14 @@ Json measured_velocity_json(const MeasuredCriticalVelocity& measured) {
     Json value = velocity(measured.value);
     if (measured.value && measured.standard_uncertainty.value_or(0) > 0)
         value["standard_uncertainty"] = *measured.standard_uncertainty;
-    return {{"critical_velocity", value},
-            {"interval",
-             {{"level", confidence}, {"lower", velocity(measured.lower)}, {"upper", velocity(measured.upper)}}},
-            {"fastest_capture", velocity(measured.fastest_capture)},
-            {"slowest_rebound", velocity(measured.slowest_rebound)},
-            {"transition_width", velocity(measured.width)},
-            {"note", measured.note}};
+    return {
+        {"critical_velocity", value},
+        {"interval",
+         {{"level", confidence}, {"lower", velocity(measured.lower)}, {"upper", velocity(measured.upper)}}},
+        {"fastest_capture", velocity(measured.fastest_capture)},
+        {"slowest_rebound", velocity(measured.slowest_rebound)},
+        {"transition_width", velocity(measured.width)},
+        {"note", measured.note}};
 }
 
 Json check_json(const Interval& model, const MeasuredCriticalVelocity& measured) {

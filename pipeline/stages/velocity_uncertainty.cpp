@@ -30,10 +30,10 @@ Json propagated_json(const VelocityTask& task, const Propagation& propagation,
 Json from_fit(const VelocityTask& task, const DampingCurveFit& fit) {
     const ContactModel model = contact_model_for(task.choice, task.contact.pair, task.series->impacts);
     const auto change = task.data.uncertainty.reread ? DampingUnderChange::reread : DampingUnderChange::held;
-    Json json = propagated_json(task,
-                                propagate_critical_velocity(fit, model, task.uncertain, change,
-                                                            task.data.uncertainty.propagation),
-                                task.uncertain.inputs);
+    Json json = propagated_json(
+        task,
+        propagate_critical_velocity(fit, model, task.uncertain, change, task.data.uncertainty.propagation),
+        task.uncertain.inputs);
     json["uncertainty"]["damping"] = task.data.uncertainty.reread ? "reread" : "held";
     return json;
 }
@@ -68,8 +68,9 @@ Json velocity_uncertainty_json(const VelocityTask& task, double velocity, std::v
     if (!has_contact_model(task.choice, task.data.damping_law, task.contact.pair)) {
         notes.emplace_back("no interval: that takes constant damping and a contact that does not yield");
     } else if (task.fit.extrapolated && task.series != nullptr) {
-        json = attempt("interval", notes, [&] { return from_fit(task, *task.fit.extrapolated); })
-                   .value_or(Json::object());
+        json = attempt("interval", notes, [&] {
+                   return from_fit(task, *task.fit.extrapolated);
+               }).value_or(Json::object());
         if (task.fit.direct)
             json["direct"] = attempt("interval of the direct fit", notes, [&] {
                                  return from_fit(task, *task.fit.direct);

@@ -23,8 +23,8 @@ struct VelocityTask {
     const std::optional<MeasuredCriticalVelocity>& measured;
 };
 
-/// The interval of v_c by propagation of everything that is uncertain, with the ranking of what dominates, the
-/// check against the measured one, and the same of the direct fit; keys that are added to those of the
+/// The interval of v_c by propagation of everything that is uncertain, with the ranking of what dominates,
+/// the check against the measured one, and the same of the direct fit; keys that are added to those of the
 /// critical velocity. What cannot be had becomes a note.
 /// @param velocity v_c at the critical damping [m/s]
 [[nodiscard]] Json velocity_uncertainty_json(const VelocityTask& task, double velocity,

@@ -73,18 +73,18 @@ std::string comparison_text(const View& result) {
             readable_number(sample.at("separation_energy").number(Dimension::energy) / 1e-15),
             fmt::format("{:#.3g}", sample.at("analytic_critical_velocity").number(Dimension::velocity))};
         for (const auto& law : sample.at("dynamic_critical_velocity").members()) {
-            row.insert(row.end(),
-                       {law.key, velocity_cell(sample, law), interval_cell(sample, law.key),
-                        published(sample, "critical_velocity", law.key).value_or("-"),
-                        measured ? velocity_text(measured->number(Dimension::velocity)) : "-",
-                        check_cell(sample, law.key)});
+            row.insert(row.end(), {law.key, velocity_cell(sample, law), interval_cell(sample, law.key),
+                                   published(sample, "critical_velocity", law.key).value_or("-"),
+                                   measured ? velocity_text(measured->number(Dimension::velocity)) : "-",
+                                   check_cell(sample, law.key)});
             table.add(std::move(row));
             row.assign(5, "");  // the sample's own values stand in its first row
         }
         any_published = any_published || sample.has("published");
     }
     const std::string title = result.has("case") ? result.at("case").text() + "\n\n" : "";
-    std::string text = title + table.text() + "Critical velocities in m/s: analytic (Eq. 30), dynamic by each law";
+    std::string text =
+        title + table.text() + "Critical velocities in m/s: analytic (Eq. 30), dynamic by each law";
     text += any_published ? "; E in brackets: as published.\n" : ".\n";
     return text + "\n" + result.at("conclusion").text() + "\n";
 }

@@ -122,8 +122,7 @@ const Spoiled spoiled_cases[]{
     {"restitution both ways",
      [](Json& c) { c["samples"][1]["restitution"]["rebound_velocity"] = std::vector<double>(20, 0.1); },
      "/samples/1/restitution", "given in more than one way"},
-    {"columns beside a file",
-     [](Json& c) { c["samples"][0]["restitution"]["velocity_uncertainty"] = {0.1}; },
+    {"columns beside a file", [](Json& c) { c["samples"][0]["restitution"]["velocity_uncertainty"] = {0.1}; },
      "/samples/0/restitution/velocity_uncertainty", "belongs to velocities of the case"},
     {"camera of a reconstruction",
      [](Json& c) {
@@ -132,8 +131,11 @@ const Spoiled spoiled_cases[]{
              {"reconstruct", {{"from", 0.1}, {"to", 0.5}, {"points", 5}, {"reference_law", "dmt"}}}};
      },
      "/samples/0/restitution/camera", "belongs to measured impacts"},
-    {"camera without pixels", [](Json& c) { c["camera"] = {{"frame_rate", 80000}}; }, "/camera",
-     "\"pixel_size\" is missing"},
+    {"camera without pixels",
+     [](Json& c) {
+         c["camera"] = {{"frame_rate", 80000}};
+     },
+     "/camera", "\"pixel_size\" is missing"},
     {"camera with a pixel of no size",
      [](Json& c) {
          c["camera"] = {{"frame_rate", 80000}, {"pixel_size", 0}};
@@ -144,7 +146,11 @@ const Spoiled spoiled_cases[]{
          c["samples"][0]["restitution"]["binning"] = {{"impacts_per_bin", 3}, {"width", "0.1 m/s"}};
      },
      "/samples/0/restitution/binning", "binning by both or neither"},
-    {"order of a fit too high", [](Json& c) { c["fit"] = {{"order", 9}}; }, "/fit/order", "allowed: 1 to 6"},
+    {"order of a fit too high",
+     [](Json& c) {
+         c["fit"] = {{"order", 9}};
+     },
+     "/fit/order", "allowed: 1 to 6"},
     {"file that is not there", [](Json& c) { c["samples"][0]["restitution"]["file"] = "none.csv"; },
      "/samples/0/restitution/file", "none.csv: cannot be read: No such file"},
     {"XRD sample that is not there", [](Json& c) { c["samples"][0]["composition"]["xrd_sample"] = "x"; },

@@ -40,8 +40,7 @@ Json one_sample(const std::string& law) {
     document["samples"].erase(0);
     document.erase("camera");
     document["samples"][0].erase("restitution");
-    document["samples"][0]["density"] = {
-        {"value", 2300}, {"unit", "kg/m3"}, {"standard_uncertainty", 20}};
+    document["samples"][0]["density"] = {{"value", 2300}, {"unit", "kg/m3"}, {"standard_uncertainty", 20}};
     document["work_of_adhesion"] = {{"value", 0.3}, {"unit", "J/m2"}, {"standard_uncertainty", 0.01}};
     return document;
 }
@@ -59,9 +58,9 @@ struct Laboratory {
         const Law dmt = Law::of<Dmt>();
         const ContactPair contact =
             computed_from(document, "contact").read("2-contact.json", read_contacts).front().pair;
-        critical_velocity = *ashimpact::critical_velocity(
-                                 {dmt, dmt.default_detachment(), {DampingLaw::constant, c}, contact})
-                                 .value;
+        critical_velocity =
+            *ashimpact::critical_velocity({dmt, dmt.default_detachment(), {DampingLaw::constant, c}, contact})
+                 .value;
         std::vector<double> velocity{0.85 * critical_velocity, 0.95 * critical_velocity};
         std::vector<double> rebound{0, 0};
         for (int i = 0; i < 20; ++i) {
@@ -150,7 +149,8 @@ TEST_CASE("order and repetition of impacts change nothing but their places") {
     }
     const Artifacts reversed = computed_from(laboratory.document, "critical-velocity");
     const auto critical = [](const Artifacts& artifacts) {
-        return result(artifacts, "7-critical-velocity.json")["dmt"]["critical_velocity"]["value"].get<double>();
+        return result(artifacts, "7-critical-velocity.json")["dmt"]["critical_velocity"]["value"]
+            .get<double>();
     };
     CHECK(relative_difference(critical(ordered), critical(reversed)) < 1e-4);
 
@@ -160,7 +160,8 @@ TEST_CASE("order and repetition of impacts change nothing but their places") {
     const Artifacts doubled = computed_from(laboratory.document, "critical-velocity");
     CHECK(relative_difference(critical(ordered), critical(doubled)) < 1e-3);
     const auto deviation = [](const Artifacts& artifacts) {
-        return result(artifacts, "6-fit.json")["dmt"]["critical_damping"]["standard_uncertainty"].get<double>();
+        return result(artifacts, "6-fit.json")["dmt"]["critical_damping"]["standard_uncertainty"]
+            .get<double>();
     };
     CHECK(relative_difference(deviation(ordered) / deviation(doubled), std::sqrt(2.0)) < 0.1);
 }
@@ -233,8 +234,7 @@ TEST_CASE("7-critical-velocity judges the regime, and a law out of its range is 
           {"to", 0.4},
           {"points", 5},
           {"reference_law", "dmt"},
-          {"damping_fits",
-           {{"dmt", {{"a", Laboratory::a}, {"b", Laboratory::b}, {"c", Laboratory::c}}}}}}}};
+          {"damping_fits", {{"dmt", {{"a", Laboratory::a}, {"b", Laboratory::b}, {"c", Laboratory::c}}}}}}}};
     const Artifacts hard = computed_from(document);
     const Json& regime = result(hard, "7-critical-velocity.json")["dmt"]["regime"];
     CHECK(regime["tabor_parameter"].get<double>() > 0.1);

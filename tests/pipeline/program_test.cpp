@@ -182,8 +182,8 @@ TEST_CASE("run with nothing given: the paper's samples, a table, the artifacts, 
     REQUIRE_MESSAGE(first.status == 0, first.err);
     CHECK(first.out.find("dynamic by each law") != std::string::npos);
     CHECK(first.out.find("148.13 (148.13)") != std::string::npos);
-    for (const char* heading : {"E [GPa]", "E* [GPa]", "W_s [fJ]", "v_c Eq. 30", "dynamic v_c", "95 % interval",
-                                "published", "measured"})
+    for (const char* heading : {"E [GPa]", "E* [GPa]", "W_s [fJ]", "v_c Eq. 30", "dynamic v_c",
+                                "95 % interval", "published", "measured"})
         CHECK_MESSAGE(lines_of(first.out)[2].find(heading) != std::string::npos, heading);
     for (const std::string& line : lines_of(first.out)) {
         const auto law = line.find("brach-dunn");
@@ -303,15 +303,23 @@ TEST_CASE("impact and critical-velocity tell the regime, and warn of a law out o
 TEST_CASE("damping --impacts reads a table: damping of each, fits, measured critical velocity") {
     const Sandbox sandbox;
     REQUIRE(ashimpact_program(sandbox, "init .").status == 0);
-    const std::string arguments = "damping --law brach-dunn --impacts impacts.csv --frame-rate 80000 "
-                                  "--pixel-size '2 um'" +
-                                  contact;
+    const std::string arguments =
+        "damping --law brach-dunn --impacts impacts.csv --frame-rate 80000 "
+        "--pixel-size '2 um'" +
+        contact;
     const Json json = json_of(sandbox, arguments);
     CHECK(json["captures"] == 2);
     CHECK(json["inversion"]["damping"]["values"].size() == 10);
     CHECK(json["inversion"]["damping_uncertainty"]["values"].size() == 10);
     CHECK(value(json["measured"]["critical_velocity"]) > 1.55);
     CHECK(value(json["measured"]["critical_velocity"]) < 1.72);
+    const auto words = ashimpact_program(sandbox,
+                                         "damping --law dmt --impacts impacts.csv --frame-rate fast "
+                                         "--pixel-size '2 um'" +
+                                             contact);
+    CHECK(words.status == 2);
+    CHECK(words.err.find("--frame-rate: ") != std::string::npos);
+    CHECK(words.err.find("frames per second") != std::string::npos);
     const auto text = ashimpact_program(sandbox, arguments);
     CHECK(text.out.find("measured v_c") != std::string::npos);
     CHECK(text.out.find("at least ") != std::string::npos);  // the damping that captures
@@ -347,6 +355,11 @@ TEST_CASE("calibrate finds constants that reproduce the published velocities") {
     }
     REQUIRE(json["critical_velocities"].size() == 9);
     REQUIRE(json["contact_times"].size() == 3);
+    for (const auto& constant : json["constants"]) {
+        CHECK(constant["profile"]["identifiable"] == true);
+        CHECK(value(constant["profile"]["interval"]["lower"]) < value(constant["value"]));
+        CHECK(value(constant["profile"]["interval"]["upper"]) > value(constant["value"]));
+    }
     for (const auto& row : json["critical_velocities"])
         CHECK(std::abs(row["relative_difference"].get<double>()) < 0.03);
     for (const auto& row : json["contact_times"])
@@ -369,13 +382,16 @@ TEST_CASE("calibrate --compare sets hypotheses side by side; a density per size 
         if (hypothesis["preferred"] == true) {
             ++preferred;
             chosen = akaike;
-            CHECK(hypothesis["hypothesis"].get<std::string>().find("a density per size") != std::string::npos);
+            CHECK(hypothesis["hypothesis"].get<std::string>().find("a density per size") !=
+                  std::string::npos);
         }
     }
     CHECK(preferred == 1);
     CHECK(chosen == least);
     CHECK(ashimpact_program(sandbox, "calibrate --compare").out.find("Least AIC: ") != std::string::npos);
     CHECK(ashimpact_program(sandbox, "calibrate --compare --free density").status == 2);
+    REQUIRE(ashimpact_program(sandbox, "init .").status == 0);
+    CHECK(ashimpact_program(sandbox, "calibrate --compare case.json").status == 2);  // nothing published
 }
 
 TEST_CASE("output that cannot be written is an error, not a silent loss") {

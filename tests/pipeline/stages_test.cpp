@@ -88,7 +88,8 @@ TEST_CASE("1-modulus: Table 1 and the three moduli of the paper from weight frac
 TEST_CASE("2-contact: mass from density and diameter, origins kept") {
     for (const SampleContact& sample : built_in().read("2-contact.json", read_contacts)) {
         const double r = sample.pair.effective_radius;
-        CHECK(relative_difference(sample.pair.mass, 4.0 / 3.0 * M_PI * r * r * r * sample.density.value) < 1e-14);
+        CHECK(relative_difference(sample.pair.mass, 4.0 / 3.0 * M_PI * r * r * r * sample.density.value) <
+              1e-14);
     }
     CHECK(result("2-contact.json")["samples"][0]["work_of_adhesion"]["origin"] == "inferred");
 }
