@@ -82,6 +82,17 @@ Mixture mixture_of(const Composition& composition, const ModulusOptions& options
     return mixture;
 }
 
+/// @throws InputError if the rule or the porosity law needs what no source gives
+Mixture checked_mixture(const Composition& composition, const ModulusOptions& options) {
+    if (options.porosity) require_valid(*options.porosity);
+    Mixture mixture = mixture_of(composition, options);
+    if (options.rule > MixtureRule::hill && !mixture.has_poisson_ratios())
+        throw InputError("the rule " + std::string(mixture_rule_name(options.rule)) +
+                             " needs a Poisson ratio for every phase",
+                         "parallel, series, hill, or Poisson's ratios in the case file");
+    return mixture;
+}
+
 /// The inputs in one list, and a mixture rebuilt from their values.
 class Parameters {
   public:
@@ -188,13 +199,12 @@ std::optional<RuleResult> ModulusEstimate::by(MixtureRule rule) const {
     return std::nullopt;
 }
 
+double young_modulus_of(const Composition& composition, const ModulusOptions& options) {
+    return evaluate(checked_mixture(composition, options)).chosen.young_modulus;
+}
+
 ModulusEstimate estimate_modulus(const Composition& composition, const ModulusOptions& options) {
-    if (options.porosity) require_valid(*options.porosity);
-    const Mixture mixture = mixture_of(composition, options);
-    if (options.rule > MixtureRule::hill && !mixture.has_poisson_ratios())
-        throw InputError("the rule " + std::string(mixture_rule_name(options.rule)) +
-                             " needs a Poisson ratio for every phase",
-                         "parallel, series, hill, or Poisson's ratios in the case file");
+    const Mixture mixture = checked_mixture(composition, options);
     const Parameters parameters(composition, mixture);
     const auto function = [&](const std::vector<double>& x) { return flat(evaluate(parameters.mixture(x))); };
     const auto uncertainties = propagate_linearly(function, parameters.inputs());

@@ -61,6 +61,9 @@ struct ModulusEstimate {
 [[nodiscard]] ModulusEstimate estimate_modulus(const Composition& composition,
                                                const ModulusOptions& options = {});
 
+/// Returns the Young's modulus of estimate_modulus alone [Pa], without its uncertainty: for Monte Carlo.
+[[nodiscard]] double young_modulus_of(const Composition& composition, const ModulusOptions& options = {});
+
 /// Density of a particle from its phases beside the measured one.
 struct ParticleDensity {
     double true_density = 0;      ///< of the dense mixture [kg/m3]

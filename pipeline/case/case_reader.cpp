@@ -7,6 +7,7 @@
 #include "materials/checks.hpp"
 #include "pipeline/case/case_parts.hpp"
 #include "pipeline/case/laws.hpp"
+#include "pipeline/case/measurement_parts.hpp"
 #include "pipeline/json/schema.hpp"
 #include "solver/impact.hpp"
 
@@ -19,6 +20,7 @@ struct Defaults {
     std::optional<View> particle;
     std::optional<Adhesion> work_of_adhesion;
     std::optional<PublishedSample> published;
+    std::optional<Camera> camera;
 };
 
 std::optional<View> own_or_default(const View& sample, const Defaults& defaults, const char* key) {
@@ -60,10 +62,10 @@ Sample read_sample(const View& node, const Defaults& defaults, InputFiles& files
     if (const auto published = node.find("published"))
         sample.published = read_published(*published, "the case file", std::nullopt);
     if (const auto data = node.find("restitution"))
-        sample.restitution = read_restitution(*data, sample.published, files);
+        sample.restitution = read_restitution(*data, sample.published, files, defaults.camera);
     if (const auto* measured =
             sample.restitution ? std::get_if<MeasuredRestitution>(&*sample.restitution) : nullptr)
-        for (const std::string& warning : measured->warnings)
+        for (const std::string& warning : measured->impacts.warnings)
             warnings.push_back(sample.name + ": " + warning);
     return sample;
 }
@@ -213,8 +215,10 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
     const PublishedSets published(document, files);
     if (const auto rule = document.find("mixture_rule")) data.mixture_rule = mixture_rule(rule->text());
     if (const auto wall = document.find("wall")) data.wall = read_wall(*wall);
-    Defaults defaults{.particle = document.find("particle"), .work_of_adhesion = {}, .published = {}};
+    Defaults defaults{
+        .particle = document.find("particle"), .work_of_adhesion = {}, .published = {}, .camera = {}};
     if (const auto w = document.find("work_of_adhesion")) defaults.work_of_adhesion = read_adhesion(*w);
+    if (const auto camera = document.find("camera")) defaults.camera = read_camera(*camera);
     for (const View& node : document.at("samples").elements()) {
         defaults.published = published.of(node.at("name").text());
         data.samples.push_back(read_sample(node, defaults, files, warnings));
@@ -222,6 +226,8 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
     data.laws = read_laws(document);
     if (const auto law = document.find("damping_law")) data.damping_law = damping_named(law->text());
     data.histories = read_histories(document);
+    data.fit = read_fit_choices(document.find("fit"));
+    data.uncertainty = read_uncertainty_choices(document.find("uncertainty"));
     data.calibration = read_calibration(document);
     data.phases = phases_of(data.samples, document, catalogue, warnings);
     check_whole(data, document);

@@ -3,6 +3,7 @@
 
 #include "pipeline/cli/commands.hpp"
 #include "pipeline/commands/calibrate.hpp"
+#include "pipeline/commands/cross_check.hpp"
 #include "pipeline/commands/documents.hpp"
 #include "pipeline/commands/modulus.hpp"
 #include "pipeline/commands/run.hpp"
@@ -81,9 +82,27 @@ void add_calibrate(CLI::App& program, Action& action) {
             "one value a sample; default: what the case says")
         ->type_name("NAME[:each]")
         ->allow_extra_args(false);
+    command
+        ->add_flag("--compare", options->compare,
+                   "hypotheses beside one another: one modulus or those from XRD, one density or one a size, "
+                   "wall known or free")
+        ->excludes("--free");
     command->add_flag("--json", options->json, "print one JSON object, numbers with 17 significant digits");
     command->callback([options, &action] {
         action = [options](std::ostream& out) { run_calibrate_command(*options, out); };
+    });
+}
+
+void add_cross_check(CLI::App& program, Action& action) {
+    auto* command = add_command(program, "cross-check",
+                                "Whether published damping fits of several laws describe the same impacts",
+                                "ashimpact cross-check");
+    const auto options = std::make_shared<CrossCheckOptions>();
+    command->add_option("case", options->case_file, "case file; default: the built-in case, Dong et al. 2013")
+        ->type_name("CASE.json");
+    command->add_flag("--json", options->json, "print one JSON object, numbers with 17 significant digits");
+    command->callback([options, &action] {
+        action = [options](std::ostream& out) { run_cross_check_command(*options, out); };
     });
 }
 
@@ -106,6 +125,7 @@ void add_case_commands(CLI::App& program, Action& action) {
 
 void add_document_commands(CLI::App& program, Action& action) {
     add_calibrate(program, action);
+    add_cross_check(program, action);
     add_document_command(add_command(program, "inspect", "An artifact as tables, with its provenance",
                                      "ashimpact inspect results/comparison.json"),
                          action, "artifact", "ARTIFACT.json", "file of a run's folder", true,

@@ -4,6 +4,7 @@
 
 #include <ostream>
 
+#include "pipeline/commands/impact.hpp"
 #include "pipeline/json/writer.hpp"
 #include "pipeline/stages/critical_velocity.hpp"
 #include "pipeline/text/readable.hpp"
@@ -47,6 +48,16 @@ std::string critical_velocity_text(const CriticalVelocityProblem& problem, const
     return list.text(0);
 }
 
+/// The regime of the impact at v_c.
+Regime regime_at(const CriticalVelocityProblem& problem, const CriticalVelocity& result) {
+    return regime_of({.law = problem.law,
+                      .detachment = problem.detachment,
+                      .damping = problem.damping,
+                      .contact = problem.contact,
+                      .velocity = *result.value},
+                     result.maximum_overlap.value_or(0));
+}
+
 }  // namespace
 
 void run_critical_velocity_command(const CriticalVelocityOptions& options, std::ostream& out) {
@@ -56,8 +67,13 @@ void run_critical_velocity_command(const CriticalVelocityOptions& options, std::
                                           .damping = read_damping(options.contact),
                                           .contact = choice.contact};
     const CriticalVelocity result = critical_velocity(problem);
+    std::string regime;
+    if (result.value) {
+        warn_of_regime(regime_at(problem, result));
+        regime = regime_text(regime_at(problem, result));
+    }
     out << (options.json ? write_json(critical_velocity_json(problem, result), Digits::seventeen)
-                         : critical_velocity_text(problem, result));
+                         : critical_velocity_text(problem, result) + regime);
 }
 
 }  // namespace ashimpact

@@ -62,9 +62,8 @@ std::string_view name_of(DampingPart part) {
     return {};
 }
 
-DampingParts find_parts(const std::vector<InvertedImpact>& inverted, const PartOptions& options) {
+DampingParts find_parts(const std::optional<DampingSmoothing>& smooth, const PartOptions& options) {
     DampingParts result;
-    const auto smooth = DampingSmoothing::of(inverted);
     if (!smooth) {
         result.note = "fewer than " + std::to_string(least_smoothed) +
                       " rebounds within reach, or too few velocities, for parts to be told apart";
@@ -87,11 +86,12 @@ DampingParts find_parts(const std::vector<InvertedImpact>& inverted, const PartO
     return result;
 }
 
-RisingBranch rising_branch(const ContactModel& model, const MeasurementSet& set) {
+RisingBranch rising_branch(const ContactModel& model, const MeasurementSet& set,
+                           const std::optional<DampingSmoothing>& smooth) {
     RisingBranch branch{
         .set = {set.source, {}, set.warnings}, .indices = {}, .upper = 0.0, .falls_beyond = false};
     for (const Measurement& point : set.points) branch.upper = std::max(branch.upper, point.velocity);
-    if (const auto smooth = DampingSmoothing::of(invert(model, set))) {
+    if (smooth) {
         const std::vector<double> grid = grid_of(*smooth);
         std::vector<double> restitution;
         for (const double v : grid) restitution.push_back(model.restitution(v, smooth->at(v).damping));

@@ -147,8 +147,11 @@ TEST_CASE("measured impacts come from a table, with its warnings and its mistake
     sandbox.write("impacts.csv", "nr;v_in [cm/s];v_r [mm/s]\n1;200;500\n2;400;0\n");
     const LoadedCase read = load_case(sandbox.path("case.json"));
     const auto& data = std::get<MeasuredRestitution>(read.data.samples[0].restitution.value());
-    CHECK(data.velocity == std::vector<double>{2.0, 4.0});
-    CHECK(data.restitution == std::vector<double>{0.25, 0.0});
+    CHECK(data.source.find("80000 frames/s") != std::string::npos);
+    REQUIRE(data.impacts.points.size() == 2);
+    CHECK(data.impacts.points[0].velocity == 2.0);
+    CHECK(data.impacts.points[0].restitution() == 0.25);
+    CHECK(data.impacts.points[1].captured());
     CHECK(read.warnings.size() == 1);  // the column nr is left out
 
     sandbox.write("impacts.csv", "v_in [m/s],v_r [m/s]\n2,0.5\n4,x\n");
@@ -160,6 +163,52 @@ TEST_CASE("measured impacts come from a table, with its warnings and its mistake
                                      ": /samples/0/restitution/file: " + sandbox.path("impacts.csv") +
                                      ": line 3: ";
         CHECK_MESSAGE(std::string(error.what()).starts_with(expected), error.what());
+    }
+}
+
+TEST_CASE("the camera of the case gives an uncertainty to impacts that have none; bins make it smaller") {
+    const Sandbox sandbox;
+    Json document = test::example_case();
+    document["camera"] = {{"frame_rate", 80000}, {"pixel_size", "2 um"}, {"frames", 3}};
+    document["samples"][1]["restitution"]["binning"] = {{"impacts_per_bin", 6}};
+    test::write_example(sandbox, document);
+    const LoadedCase read = load_case(sandbox.path("case.json"));
+    const auto& fine = std::get<MeasuredRestitution>(read.data.samples[0].restitution.value());
+    // slope of a line through three positions, 1/sqrt(12) pixel each: 2e-6/sqrt(12) 8e4 sqrt(12/24)
+    const double u = 2e-6 * 8e4 / std::sqrt(24.0);
+    REQUIRE(fine.impacts.has_noise());
+    CHECK(relative_difference(std::sqrt(fine.impacts.points[0].noise->incident), u) < 1e-5);
+    const auto& coarse = std::get<MeasuredRestitution>(read.data.samples[1].restitution.value());
+    REQUIRE(coarse.impacts.points.size() == 5);  // two captures and 18 rebounds in sixes
+    CHECK(coarse.impacts.captures() == 2);
+    CHECK(coarse.impacts.points[2].count == 6);
+    CHECK(relative_difference(std::sqrt(coarse.impacts.points[2].noise->rebound), u / std::sqrt(6.0)) < 1e-5);
+}
+
+TEST_CASE("the complete case reads back as the same impacts, with their uncertainties") {
+    const Sandbox sandbox;
+    Json document = test::example_case();
+    document.erase("camera");
+    Json& data = document["samples"][1]["restitution"];
+    data["velocity_uncertainty"] = std::vector<double>(20, 0.02);
+    data["restitution_uncertainty"] = std::vector<double>(20, 0.01);
+    test::write_example(sandbox, document);
+    const Case first = load_case(sandbox.path("case.json")).data;
+    sandbox.write("again.json", case_json(first).dump());
+    const Case second = load_case(sandbox.path("again.json")).data;
+    for (std::size_t s = 0; s < 2; ++s) {
+        const auto& a = std::get<MeasuredRestitution>(first.samples[s].restitution.value()).impacts;
+        const auto& b = std::get<MeasuredRestitution>(second.samples[s].restitution.value()).impacts;
+        REQUIRE(a.points.size() == b.points.size());
+        CHECK(a.has_noise() == b.has_noise());
+        CHECK(a.has_noise() == (s == 1));
+        for (std::size_t i = 0; i < a.points.size(); ++i) {
+            CHECK(a.points[i].velocity == b.points[i].velocity);
+            CHECK(a.points[i].rebound == b.points[i].rebound);
+            if (!a.has_noise()) continue;
+            CHECK(relative_difference(a.points[i].noise->rebound, b.points[i].noise->rebound) < 1e-13);
+            CHECK(std::abs(a.points[i].noise->covariance - b.points[i].noise->covariance) < 1e-17);
+        }
     }
 }
 

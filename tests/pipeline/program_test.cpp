@@ -10,6 +10,7 @@
 
 using namespace ashimpact;
 using test::ashimpact_program;
+using test::lines_of;
 using test::relative_difference;
 using test::Sandbox;
 
@@ -35,7 +36,7 @@ TEST_CASE("help of the program and of every command has an example and the commo
     const auto program = ashimpact_program(sandbox, "--help");
     CHECK(program.status == 0);
     for (const char* command : {"run", "modulus", "impact", "critical-velocity", "damping", "calibrate",
-                                "inspect", "init", "schema"}) {
+                                "cross-check", "inspect", "init", "schema"}) {
         CHECK_MESSAGE(program.out.find(command) != std::string::npos, command);
         const auto help = ashimpact_program(sandbox, std::string(command) + " --help");
         CHECK(help.status == 0);
@@ -284,6 +285,13 @@ TEST_CASE("run with nothing given: the paper's samples, a table, the artifacts, 
     REQUIRE_MESSAGE(first.status == 0, first.err);
     CHECK(first.out.find("dynamic by each law") != std::string::npos);
     CHECK(first.out.find("148.13 (148.13)") != std::string::npos);
+    for (const char* heading : {"E [GPa]", "E* [GPa]", "W_s [fJ]", "v_c Eq. 30", "dynamic v_c",
+                                "95 % interval", "published", "measured"})
+        CHECK_MESSAGE(lines_of(first.out)[2].find(heading) != std::string::npos, heading);
+    for (const std::string& line : lines_of(first.out)) {
+        const auto law = line.find("brach-dunn");
+        if (law != std::string::npos) CHECK(line.find(" to ", law) != std::string::npos);  // an interval
+    }
     CHECK(first.out.find("viscous dissipation does") != std::string::npos);
     CHECK(first.out.find("results") != std::string::npos);
     const auto written = sandbox.everything();
@@ -372,6 +380,74 @@ TEST_CASE("schema prints what a case is checked against, comments included") {
     CHECK(ashimpact_program(sandbox, "schema case").out.find("\"^//\"") != std::string::npos);
 }
 
+TEST_CASE("impact and critical-velocity tell the regime, and warn of a law out of its range") {
+    const Sandbox sandbox;
+    const std::string soft =
+        " --radius '44 um' --density 2600 --contact-modulus '1 GPa' --work-of-adhesion '0.3 J/m2'";
+    const auto impact = ashimpact_program(sandbox, "impact --law dmt --velocity 2" + soft);
+    CHECK(impact.status == 0);
+    CHECK(impact.out.find("Tabor parameter") != std::string::npos);
+    CHECK(impact.out.find("beta = ") != std::string::npos);
+    CHECK(impact.err.find("warning: Tabor parameter") != std::string::npos);
+    CHECK(ashimpact_program(sandbox, "impact --law dmt --velocity 2 -q" + soft).err.empty());
+    for (const std::string command : {"impact --velocity 2", "critical-velocity --damping 0.002"}) {
+        const Json regime = json_of(sandbox, command + " --law jkr" + soft)["regime"];
+        CHECK(regime["adhesion"] == "jkr");
+        CHECK(regime["warnings"].empty());
+        CHECK(regime["tabor_parameter"].get<double>() > 5);
+        CHECK(regime["yield_velocity"].is_null());
+    }
+    const Json yielding = json_of(
+        sandbox, "impact --law thornton-ning --velocity 2 --yield-pressure '10 MPa'" + soft)["regime"];
+    CHECK(value(yielding["yield_velocity"]) > 0);
+    CHECK(yielding["yields"] == true);
+}
+
+TEST_CASE("damping --impacts reads a table: damping of each, fits, measured critical velocity") {
+    const Sandbox sandbox;
+    REQUIRE(ashimpact_program(sandbox, "init .").status == 0);
+    const std::string arguments =
+        "damping --law brach-dunn --impacts impacts.csv --frame-rate 80000 "
+        "--pixel-size '2 um'" +
+        contact;
+    const Json json = json_of(sandbox, arguments);
+    CHECK(json["captures"] == 2);
+    CHECK(json["inversion"]["damping"]["values"].size() == 10);
+    CHECK(json["inversion"]["damping_uncertainty"]["values"].size() == 10);
+    CHECK(value(json["measured"]["critical_velocity"]) > 1.55);
+    CHECK(value(json["measured"]["critical_velocity"]) < 1.72);
+    const auto words = ashimpact_program(sandbox,
+                                         "damping --law dmt --impacts impacts.csv --frame-rate fast "
+                                         "--pixel-size '2 um'" +
+                                             contact);
+    CHECK(words.status == 2);
+    CHECK(words.err.find("--frame-rate: ") != std::string::npos);
+    CHECK(words.err.find("frames per second") != std::string::npos);
+    const auto text = ashimpact_program(sandbox, arguments);
+    CHECK(text.out.find("measured v_c") != std::string::npos);
+    CHECK(text.out.find("at least ") != std::string::npos);  // the damping that captures
+}
+
+TEST_CASE("cross-check: the published fits of one sample imply nearly the same impacts") {
+    const Sandbox sandbox;
+    const Json json = json_of(sandbox, "cross-check");
+    REQUIRE(json["samples"].size() == 3);
+    for (const Json& sample : json["samples"]) {
+        CHECK(sample["reference_law"] == "brach-dunn");
+        for (const char* law : {"hertz", "dmt"}) {
+            const Json& other = sample["predictions"][law];
+            CHECK(other["greatest_difference_in_restitution"].get<double>() < 0.5);
+            CHECK(other["greatest_difference_in_restitution"].get<double>() > 0);
+            CHECK(value(other["predicted"]["c"]) > 0);
+            CHECK(value(other["predicted_critical_velocity"]) > 0);
+        }
+    }
+    const auto text = ashimpact_program(sandbox, "cross-check");
+    CHECK(text.out.find("predicted") != std::string::npos);
+    REQUIRE(ashimpact_program(sandbox, "init .").status == 0);
+    CHECK(ashimpact_program(sandbox, "cross-check case.json").status == 2);
+}
+
 TEST_CASE("calibrate finds constants that reproduce the published velocities") {
     const Sandbox sandbox;
     const Json json = json_of(sandbox, "calibrate");
@@ -382,15 +458,48 @@ TEST_CASE("calibrate finds constants that reproduce the published velocities") {
     }
     REQUIRE(json["critical_velocities"].size() == 9);
     REQUIRE(json["contact_times"].size() == 3);
+    for (const auto& constant : json["constants"]) {
+        CHECK(constant["profile"]["identifiable"] == true);
+        CHECK(value(constant["profile"]["interval"]["lower"]) < value(constant["value"]));
+        CHECK(value(constant["profile"]["interval"]["upper"]) > value(constant["value"]));
+    }
     for (const auto& row : json["critical_velocities"])
         CHECK(std::abs(row["relative_difference"].get<double>()) < 0.03);
     for (const auto& row : json["contact_times"])
         CHECK(std::abs(row["relative_difference"].get<double>()) < 0.03);
 }
 
+TEST_CASE("calibrate --compare sets hypotheses side by side; a density per size is what the tables ask for") {
+    const Sandbox sandbox;
+    const Json json = json_of(sandbox, "calibrate --compare");
+    REQUIRE(json["hypotheses"].size() == 6);
+    int preferred = 0;
+    double least = 1e300;
+    double chosen = 0;
+    for (const Json& hypothesis : json["hypotheses"]) {
+        if (!hypothesis.contains("akaike")) continue;
+        const double akaike = hypothesis["akaike"];
+        CHECK(relative_difference(akaike, hypothesis["chi_squared"].get<double>() +
+                                              2 * hypothesis["constants"].get<double>()) < 1e-12);
+        least = std::min(least, akaike);
+        if (hypothesis["preferred"] == true) {
+            ++preferred;
+            chosen = akaike;
+            CHECK(hypothesis["hypothesis"].get<std::string>().find("a density per size") !=
+                  std::string::npos);
+        }
+    }
+    CHECK(preferred == 1);
+    CHECK(chosen == least);
+    CHECK(ashimpact_program(sandbox, "calibrate --compare").out.find("Least AIC: ") != std::string::npos);
+    CHECK(ashimpact_program(sandbox, "calibrate --compare --free density").status == 2);
+    REQUIRE(ashimpact_program(sandbox, "init .").status == 0);
+    CHECK(ashimpact_program(sandbox, "calibrate --compare case.json").status == 2);  // nothing published
+}
+
 TEST_CASE("output that cannot be written is an error, not a silent loss") {
     const Sandbox sandbox;
-    const std::string impact = "impact --law dmt --velocity 2 --json" + contact;
+    const std::string impact = "impact --law dmt --velocity 2 --json -q" + contact;
     const auto full =
         ashimpact_program(sandbox, impact + " >/dev/full 2>full.err; echo $? >full.status; true");
     CHECK(full.status == 0);  // of the last command of the line

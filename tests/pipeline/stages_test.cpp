@@ -105,7 +105,8 @@ TEST_CASE("1-modulus: Table 1 and the three moduli of the paper from weight frac
 TEST_CASE("2-contact: mass from density and diameter, origins kept") {
     for (const SampleContact& sample : built_in().read("2-contact.json", read_contacts)) {
         const double r = sample.pair.effective_radius;
-        CHECK(relative_difference(sample.pair.mass, 4.0 / 3.0 * M_PI * r * r * r * sample.density) < 1e-14);
+        CHECK(relative_difference(sample.pair.mass, 4.0 / 3.0 * M_PI * r * r * r * sample.density.value) <
+              1e-14);
     }
     CHECK(result("2-contact.json")["samples"][0]["work_of_adhesion"]["origin"] == "inferred");
 }
@@ -149,17 +150,20 @@ TEST_CASE("4-restitution: an impact with the published damping gives the reconst
         REQUIRE(jkr != nullptr);
         CHECK(jkr == brach_dunn);  // the reference law's points
         CHECK(jkr->origin == "reconstructed");
-        CHECK(std::is_sorted(jkr->velocity.begin(), jkr->velocity.end()));
-        CHECK(jkr->velocity.size() == 10);
+        const auto& points = jkr->impacts.points;
+        CHECK(std::is_sorted(points.begin(), points.end(),
+                             [](const auto& a, const auto& b) { return a.velocity < b.velocity; }));
+        CHECK(points.size() == 10);
+        CHECK(jkr->coefficient_uncertainty.value() == doctest::Approx(1e-4 / std::sqrt(12.0)));
     }
     const RestitutionSeries* series = named(restitutions, "88 um").of(Law::of<Dmt>());
-    const double e = series->restitution[3];
+    const double e = series->impacts.points[3].restitution();
     const double eta = 0.0223 * e * e - 0.0279 * e + 0.0151;
     const ImpactResult impact = solve_impact({Law::of<Dmt>(),
                                               Detachment::zero_overlap,
                                               {DampingLaw::constant, eta},
                                               named(contacts, "88 um").pair,
-                                              series->velocity[3]});
+                                              series->impacts.points[3].velocity});
     CHECK(relative_difference(impact.restitution, e) < 1e-10);
 }
 
@@ -199,9 +203,9 @@ TEST_CASE("7-critical-velocity: captured just below, rebounding just above, for 
         for (const auto& [law, velocity] : sample.laws) {
             const double eta = named(fits, sample.name).laws.find(law)->critical_damping;
             Impact impact{law, law.default_detachment(), {DampingLaw::constant, eta}, contact, 0};
-            impact.velocity = velocity.value.value() * (1 - 1e-6);
+            impact.velocity = velocity.value.value().value * (1 - 1e-6);
             CHECK(solve_impact(impact).outcome == Outcome::capture);
-            impact.velocity = velocity.value.value() * (1 + 1e-6);
+            impact.velocity = velocity.value.value().value * (1 + 1e-6);
             CHECK(solve_impact(impact).outcome == Outcome::rebound);
             ++laws;
         }
@@ -282,10 +286,12 @@ TEST_CASE("measured data: captures are kept apart and the falling branch is left
     CHECK(fine["captured_at"]["values"] == Json{1.4, 1.55});
     CHECK(fine["velocity"]["values"].size() == 10);
     const Json& coarse = artifacts.at("6-fit.json").document["result"]["samples"][1]["dmt"];
-    CHECK(coarse["points"] == 8);
-    CHECK(coarse["points_beyond_rising_branch"] == 1);
+    const std::size_t points = coarse["points"];
+    CHECK(points >= 14);  // e rises up to about 2 m/s
+    CHECK(points <= 16);
+    CHECK(coarse["points_beyond_rising_branch"].get<std::size_t>() == 18 - points);
     CHECK(coarse["origin"] == "measured");
-    CHECK(coarse["degrees_of_freedom"] == 5);
+    CHECK(coarse["degrees_of_freedom"] == points - 3);
     CHECK(coarse["critical_damping"]["standard_uncertainty"].get<double>() > 0);
 }
 
