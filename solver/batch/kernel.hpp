@@ -1,0 +1,74 @@
+#pragma once
+
+#include "solver/contact/registry.hpp"
+#include "solver/damping/damping.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace ashimpact::batch {
+
+/// One column as the kernels read it.
+struct Input {
+    const double* values = nullptr;
+    bool single = false;  ///< one value for all
+
+    [[nodiscard]] double at(std::size_t i) const { return values[single ? 0 : i]; }
+    [[nodiscard]] Input from(std::size_t i) const { return {single ? values : values + i, single}; }
+};
+
+/// What the problems of a task are given; what its kind does not use stays empty.
+struct Inputs {
+    Input mass;
+    Input effective_radius;
+    Input contact_modulus;
+    Input work_of_adhesion;
+    Input damping;
+    Input velocity;
+    Input restitution;
+
+    [[nodiscard]] Inputs from(std::size_t i) const {
+        return {mass.from(i),    effective_radius.from(i), contact_modulus.from(i), work_of_adhesion.from(i),
+                damping.from(i), velocity.from(i),         restitution.from(i)};
+    }
+};
+
+/// What became of one lane.
+enum class LaneEnd : std::uint8_t {
+    rebound,
+    capture,
+    undecided,  ///< for the scalar solver
+};
+
+/// Impacts that one thread solves in one go.
+struct ImpactTask {
+    DampingLaw damping_law;
+    Detachment detachment;
+    bool turning_point;
+    std::size_t count;
+    Inputs inputs;
+    LaneEnd* end;
+    double* restitution;
+    double* contact_time;
+    double* approach_time;
+    double* maximum_overlap;
+};
+
+/// Most impacts of a task.
+inline constexpr std::size_t most_impacts = 2048;
+
+using ImpactKernel = void (*)(const ImpactTask&);
+
+/// The kernels of one contact law for the present instruction set.
+struct Kernels {
+    ImpactKernel impacts;
+};
+
+/// The kernels of a law. @throws InputError for a law with plastic history
+[[nodiscard]] Kernels kernels_of(Law law);
+[[nodiscard]] Kernels hertz_kernels();
+[[nodiscard]] Kernels dmt_kernels();
+[[nodiscard]] Kernels brach_dunn_kernels();
+[[nodiscard]] Kernels jkr_kernels();
+
+}  // namespace ashimpact::batch
