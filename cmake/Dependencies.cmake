@@ -8,6 +8,14 @@ find_package(UDUNITS2 REQUIRED)  # ashimpact::udunits2
 find_package(valijson REQUIRED)  # ashimpact::valijson
 find_package(fmt REQUIRED)
 find_package(Nettle REQUIRED)    # nettle::nettle, for SHA-256
+find_package(Boost 1.68 REQUIRED)  # headers only: the tables of Boost.Random
+find_package(TBB REQUIRED)
+find_package(hwy REQUIRED)
+find_package(ZLIB REQUIRED)
+set(MPI_CXX_SKIP_MPICXX ON)  # the C interface: that of C++ is no longer part of MPI
+find_package(MPI REQUIRED COMPONENTS CXX)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5)  # CMake's own module asks for a C compiler in the project
 if(BUILD_TESTING)
   find_package(doctest REQUIRED)
 endif()

@@ -1,3 +1,25 @@
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+
 #include "pipeline/cli/program.hpp"
 
-int main(int argc, char** argv) { return ashimpact::run_program(argc, argv); }
+namespace {
+
+/// Becomes the program beside this one that computes sweeps: loading the libraries of MPI and HDF5 takes
+/// longer than the other commands take to run. Process, arguments and environment stay, so that mpirun finds
+/// what it started.
+void hand_over(char** argv) {
+    const auto program = std::filesystem::read_symlink("/proc/self/exe").replace_filename("ashimpact-sweep");
+    execv(program.c_str(), argv);
+    throw std::system_error(errno, std::generic_category(), program.string());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return ashimpact::run_program(argc, argv,
+                                  [argv](const ashimpact::SweepOptions&, std::ostream&) { hand_over(argv); });
+}

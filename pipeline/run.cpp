@@ -19,7 +19,9 @@ namespace {
 
 constexpr std::string_view manifest_file = "manifest.json";
 
-std::string schema_of(std::string_view file) { return std::string(file.substr(0, file.rfind('.'))); }
+std::string schema_of(std::string_view file) {
+    return std::string(file.substr(0, file.rfind('.')));
+}
 
 /// An artifact in its envelope.
 Artifact sealed(std::string_view file, std::string_view stage, const std::vector<InputFile>& inputs,
@@ -49,7 +51,8 @@ Artifact case_artifact_of(const LoadedCase& loaded) {
 
 Artifact computed(const Stage& stage, const Artifacts& before) {
     std::vector<InputFile> inputs;
-    for (const std::string_view file : stage.reads) inputs.push_back({std::string(file), sha256(before.at(file).bytes)});
+    for (const std::string_view file : stage.reads)
+        inputs.push_back({std::string(file), sha256(before.at(file).bytes)});
     return sealed(stage.file, stage.name, inputs, stage.run(before));
 }
 
@@ -60,12 +63,13 @@ Artifact loaded_artifact(const std::filesystem::path& folder, std::string_view f
     return in_file(path.string(), [&] {
         Json document = without_comments(parse_json(bytes));
         validate_document(document, schema_of(file));
-        return Artifact{std::string(file), std::move(document), std::move(bytes)};
+        return Artifact{std::string(file), std::move(document), std::move(bytes), path.string()};
     });
 }
 
 /// The manifest: every artifact of the folder with its hash, those of this run and those from before it.
-Artifact manifest_of(const RunPlan& plan, const std::vector<Artifact>& all, const std::vector<Artifact>& written) {
+Artifact manifest_of(const RunPlan& plan, const std::vector<Artifact>& all,
+                     const std::vector<Artifact>& written) {
     StageOutput output;
     output.options = {{"from", plan.from.empty() ? Json(nullptr) : Json(plan.from)},
                       {"only", plan.only.empty() ? Json(nullptr) : Json(plan.only)}};
@@ -84,6 +88,7 @@ Artifact manifest_of(const RunPlan& plan, const std::vector<Artifact>& all, cons
 
 void write_artifacts(const std::filesystem::path& folder, const std::vector<Artifact>& artifacts) {
     std::vector<FileContent> files;
+    files.reserve(artifacts.size());
     for (const Artifact& artifact : artifacts) files.push_back({folder / artifact.file, artifact.bytes});
     write_files(files);
 }
@@ -110,14 +115,16 @@ Range range_of(const RunPlan& plan) {
             .at(plan.only.empty() ? "--from" : "--only");
     }
     if (plan.case_file)
-        throw InputError("a case file and a stage to start from are both given", "one of the two").in_file(*plan.case_file);
+        throw InputError("a case file and a stage to start from are both given", "one of the two")
+            .in_file(*plan.case_file);
     const auto first = static_cast<std::size_t>(found - names.begin());
     return {first, plan.only.empty() ? stages().size() : first + 1, false};
 }
 
 bool is_read(const Range& range, std::string_view file) {
     for (std::size_t i = range.first; i < range.end; ++i)
-        if (std::find(stages()[i].reads.begin(), stages()[i].reads.end(), file) != stages()[i].reads.end()) return true;
+        if (std::find(stages()[i].reads.begin(), stages()[i].reads.end(), file) != stages()[i].reads.end())
+            return true;
     return false;
 }
 
@@ -157,16 +164,23 @@ RunSummary run_stages(const RunPlan& plan) {
         all.push_back(artifact);
         artifacts.add(std::move(artifact));
     };
-    if (range.with_case) keep(case_artifact_of(load_case(plan.case_file)), true);
-    else if (is_read(range, case_artifact)) keep(loaded_artifact(plan.folder, case_artifact), false);
-    else add_left(plan.folder, case_artifact, "case", all);
+    if (range.with_case)
+        keep(case_artifact_of(load_case(plan.case_file)), true);
+    else if (is_read(range, case_artifact))
+        keep(loaded_artifact(plan.folder, case_artifact), false);
+    else
+        add_left(plan.folder, case_artifact, "case", all);
 
     for (std::size_t i = 0; i < stages().size(); ++i) {
         const Stage& stage = stages()[i];
-        if (range.holds(i)) keep(computed(stage, artifacts), true);
-        else if (i < range.first && is_read(range, stage.file)) keep(loaded_artifact(plan.folder, stage.file), false);
-        else add_left(plan.folder, stage.file, stage.name, all);
-        spdlog::debug("{}: done", stage.name);
+        if (range.holds(i)) {
+            keep(computed(stage, artifacts), true);
+            spdlog::debug("{}: done", stage.name);
+        } else if (i < range.first && is_read(range, stage.file)) {
+            keep(loaded_artifact(plan.folder, stage.file), false);
+        } else {
+            add_left(plan.folder, stage.file, stage.name, all);
+        }
     }
     summary.written.push_back(manifest_of(plan, all, summary.written));
     for (const Artifact& artifact : summary.written)

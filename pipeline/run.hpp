@@ -23,13 +23,14 @@ struct RunSummary {
     std::vector<std::string> warnings;
 };
 
-/// Runs the stages and writes their artifacts. Everything is read, checked and computed before the first file is
-/// touched; then all are replaced at once.
+/// Runs the stages and writes their artifacts. Everything is read, checked and computed before the first file
+/// is touched; then all are replaced at once.
 /// @throws InputError, ConvergenceError; nothing is written then
 [[nodiscard]] RunSummary run_stages(const RunPlan& plan);
 
 /// The artifacts of a case up to and with a stage, nothing written.
-[[nodiscard]] Artifacts compute_artifacts(const std::optional<std::string>& case_file, std::string_view last_stage);
+[[nodiscard]] Artifacts compute_artifacts(const std::optional<std::string>& case_file,
+                                          std::string_view last_stage);
 
 /// Names of the stages a run can start from.
 [[nodiscard]] std::vector<std::string> stage_names();

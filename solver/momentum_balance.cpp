@@ -28,8 +28,8 @@ struct Stages {
 
 Stages stages_of(const std::vector<TrajectoryPoint>& points, double turn) {
     Stages stages;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const Instant now = instant_of(points[i]);
+    for (const TrajectoryPoint& point : points) {
+        const Instant now = instant_of(point);
         if (now.time < turn) {
             stages.approach.push_back(now);
             continue;
@@ -52,7 +52,8 @@ StageMomentum momentum_of(const std::vector<Instant>& instants, double sign, dou
     for (std::size_t i = 1; i < instants.size(); ++i) {
         const double step = instants[i].time - instants[i - 1].time;
         stage.static_impulse += step * (instants[i].static_force + instants[i - 1].static_force) / 2.0;
-        stage.damping_impulse += step * std::abs(instants[i].damping_force + instants[i - 1].damping_force) / 2.0;
+        stage.damping_impulse +=
+            step * std::abs(instants[i].damping_force + instants[i - 1].damping_force) / 2.0;
     }
     stage.duration = instants.back().time - instants.front().time;
     stage.mean_force = stage.static_impulse / stage.duration;
@@ -65,7 +66,8 @@ StageMomentum momentum_of(const std::vector<Instant>& instants, double sign, dou
 MomentumBalance momentum_balance(const Impact& impact, int points) {
     const ImpactResult result = solve_impact(impact);
     if (result.outcome == Outcome::capture) {
-        throw InputError("a captured particle has no momentum balance of a rebound", "a velocity above the critical one");
+        throw InputError("a captured particle has no momentum balance of a rebound",
+                         "a velocity above the critical one");
     }
     const Stages stages = stages_of(trajectory(impact, points), *result.approach_time);
     const double mass = impact.contact.mass;

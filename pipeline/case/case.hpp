@@ -55,10 +55,10 @@ struct MeasuredRestitution {
 struct Reconstruction {
     std::string source{};
     LawMap<Quadratic> damping_fits{};
-    double from = 0;         ///< smallest restitution [1]
-    double to = 0;           ///< largest restitution [1]
-    int points = 0;          ///< evenly spaced between them
-    std::string reference{}; ///< law whose points stand for laws without a fit of their own
+    double from = 0;          ///< smallest restitution [1]
+    double to = 0;            ///< largest restitution [1]
+    int points = 0;           ///< evenly spaced between them
+    std::string reference{};  ///< law whose points stand for laws without a fit of their own
 };
 using RestitutionData = std::variant<MeasuredRestitution, Reconstruction>;
 

@@ -13,7 +13,9 @@ Json by_law(const LawMap<Value>& values, Write&& write) {
     return json;
 }
 
-Json quantity(const Quantity& value) { return value; }
+Json quantity(const Quantity& value) {
+    return value;
+}
 
 Json fraction_json(double value, const std::optional<double>& uncertainty) {
     return Quantity{.value = value, .unit = "1", .standard_uncertainty = uncertainty};
@@ -186,7 +188,8 @@ Json case_json(const Case& data) {
         json["detachments"][std::string(choice.law.name())] = name_of(choice.detachment);
     }
     json["damping_law"] = name_of(data.damping_law);
-    json["histories"] = {{"points", data.histories.points}, {"critical_excess", data.histories.critical_excess}};
+    json["histories"] = {{"points", data.histories.points},
+                         {"critical_excess", data.histories.critical_excess}};
     if (!data.calibration.empty()) json["calibration"] = calibration_json(data.calibration);
     for (const Phase& phase : data.phases) json["phases"].push_back(phase_json(phase));
     for (const Sample& sample : data.samples) json["samples"].push_back(sample_json(sample));

@@ -47,7 +47,7 @@ Amorphous read_amorphous(const View& node, FractionBasis basis) {
         if (node.text() == "remainder") return AmorphousRemainder{};
     }
     const auto fraction = [](const View& at) {
-        const Quantity quantity = at.quantity(Dimension::fraction);
+        Quantity quantity = at.quantity(Dimension::fraction);
         at.located([&] { require_fraction("fraction", quantity.value); });
         return quantity;
     };
@@ -89,7 +89,8 @@ XrdSample chosen_sample(const View& node, const XrdResult& result) {
     }
     if (name) name->fail("the XRD file has no such sample", joined(names));
     if (result.samples.size() != 1)
-        node.at("xrd").fail("the file holds " + std::to_string(names.size()) + " samples", "xrd_sample, one of " + joined(names));
+        node.at("xrd").fail("the file holds " + std::to_string(names.size()) + " samples",
+                            "xrd_sample, one of " + joined(names));
     return result.samples.front();
 }
 
@@ -110,7 +111,8 @@ ReadAnalysis read_xrd_analysis(const View& node, InputFiles& files) {
 }
 
 MeasuredRestitution read_inline_restitution(const View& node) {
-    MeasuredRestitution data{.source = "the case file", .velocity = node.at("velocity").column(Dimension::velocity)};
+    MeasuredRestitution data{.source = "the case file",
+                             .velocity = node.at("velocity").column(Dimension::velocity)};
     const View second = node.at(node.has("restitution") ? "restitution" : "rebound_velocity");
     const bool ratio = node.has("restitution");
     data.restitution = second.column(ratio ? Dimension::fraction : Dimension::velocity);
@@ -129,7 +131,8 @@ void check_restitution(const View& node, const MeasuredRestitution& data) {
             at_place(place, [&] {
                 require_positive("velocity", data.velocity[i], Dimension::velocity);
                 if (!(data.restitution[i] >= 0 && data.restitution[i] < 1))
-                    throw InputError("restitution is " + shortest(data.restitution[i]), "0 <= restitution < 1");
+                    throw InputError("restitution is " + shortest(data.restitution[i]),
+                                     "0 <= restitution < 1");
             });
         }
     });
@@ -159,13 +162,15 @@ Reconstruction read_reconstruction(const View& node, const std::optional<Publish
 /// Published quantities of one kind.
 class Printed {
   public:
-    Printed(Dimension dimension, const std::optional<View>& rounding, const char* kind) : dimension_(dimension) {
+    Printed(Dimension dimension, const std::optional<View>& rounding, const char* kind)
+        : dimension_(dimension) {
         if (!rounding) return;
         if (const auto digit = rounding->find(kind)) digit_ = digit->number(dimension);
     }
     [[nodiscard]] Quantity read(const View& node) const {
         Quantity quantity = node.quantity(dimension_);
-        if (!quantity.standard_uncertainty && digit_) quantity.standard_uncertainty = *digit_ / std::sqrt(12.0);
+        if (!quantity.standard_uncertainty && digit_)
+            quantity.standard_uncertainty = *digit_ / std::sqrt(12.0);
         return quantity;
     }
     [[nodiscard]] LawMap<Quantity> read_by_law(const View& parent, const char* key) const {
@@ -201,13 +206,16 @@ Wall read_wall(const View& node) {
         node.fail("the wall is described in more than one way, or in none", allowed);
     if (elastic) {
         if (count_of(node, {"young_modulus", "poisson_ratio"}) != 2)
-            node.fail(node.has("young_modulus") ? "\"poisson_ratio\" is missing" : "\"young_modulus\" is missing", allowed);
+            node.fail(
+                node.has("young_modulus") ? "\"poisson_ratio\" is missing" : "\"young_modulus\" is missing",
+                allowed);
         return ElasticWall{read_positive(node.at("young_modulus"), "Young's modulus", Dimension::pressure),
                            read_poisson_ratio(node.at("poisson_ratio"))};
     }
     if (node.has("contact_modulus"))
         return read_positive(node.at("contact_modulus"), "contact modulus", Dimension::pressure);
-    if (!node.at("rigid").truth()) node.at("rigid").fail("a wall that is not rigid needs its moduli", allowed);
+    if (!node.at("rigid").truth())
+        node.at("rigid").fail("a wall that is not rigid needs its moduli", allowed);
     return RigidWall{};
 }
 
@@ -216,7 +224,8 @@ Adhesion read_adhesion(const View& node) {
         if (node.is_object() && count_of(node, {"surface_energies", "rule"}) > 0)
             node.fail("a value and surface energies are both given", "one of the two");
         Stated stated = read_stated(node, Dimension::energy_per_area);
-        node.located([&] { require_not_negative("work of adhesion", stated.value(), Dimension::energy_per_area); });
+        node.located(
+            [&] { require_not_negative("work of adhesion", stated.value(), Dimension::energy_per_area); });
         return stated;
     }
     const View energies = node.at("surface_energies");
@@ -233,7 +242,8 @@ Porosity read_porosity(const View& node) {
     Porosity porosity{.law = porosity_law(node.at("law").text()),
                       .value = value.value,
                       .standard_uncertainty = value.standard_uncertainty};
-    if (const auto coefficient = node.find("coefficient")) porosity.coefficient = coefficient->number(Dimension::fraction);
+    if (const auto coefficient = node.find("coefficient"))
+        porosity.coefficient = coefficient->number(Dimension::fraction);
     return porosity;
 }
 
@@ -247,8 +257,8 @@ ReadAnalysis read_analysis(const View& node, InputFiles& files) {
     } else {
         const bool by_weight = node.has("weight_fractions");
         read.analysis.basis = by_weight ? FractionBasis::weight : FractionBasis::volume;
-        read.analysis.phases =
-            read_fractions(node.at(by_weight ? "weight_fractions" : "volume_fractions"), node.find("densities"));
+        read.analysis.phases = read_fractions(node.at(by_weight ? "weight_fractions" : "volume_fractions"),
+                                              node.find("densities"));
         for (const auto* key : {"xrd_sample", "internal_standard"})
             if (const auto stray = node.find(key)) stray->fail("belongs to an XRD file", "xrd beside it");
     }
@@ -272,9 +282,8 @@ RestitutionData read_restitution(const View& node, const std::optional<Published
     MeasuredRestitution data;
     if (const auto file = node.find("file")) {
         const std::string name = file->text();
-        data = file->located([&] {
-            return in_file(files.shown(name), [&] { return read_impact_table(files.read(name)); });
-        });
+        data = file->located(
+            [&] { return in_file(files.shown(name), [&] { return read_impact_table(files.read(name)); }); });
         data.source = name;
     } else {
         data = read_inline_restitution(node);
@@ -284,7 +293,8 @@ RestitutionData read_restitution(const View& node, const std::optional<Published
     return data;
 }
 
-PublishedSample read_published(const View& node, const std::string& source, const std::optional<View>& rounding) {
+PublishedSample read_published(const View& node, const std::string& source,
+                               const std::optional<View>& rounding) {
     const Printed modulus(Dimension::pressure, rounding, "young_modulus");
     const Printed fraction(Dimension::fraction, rounding, "volume_fraction");
     const Printed damping(Dimension::damping, rounding, "critical_damping");

@@ -6,8 +6,8 @@
 #include "pipeline/case/input_files.hpp"
 #include "pipeline/json/view.hpp"
 
-/// Readers of the parts of a case. The document conforms to the schema; what a schema cannot say is checked here.
-/// Errors: InputError with the JSON pointer.
+/// Readers of the parts of a case. The document conforms to the schema; what a schema cannot say is checked
+/// here. Errors: InputError with the JSON pointer.
 namespace ashimpact {
 
 /// A quantity with its origin, which must be positive.
@@ -27,10 +27,12 @@ struct ReadAnalysis {
 [[nodiscard]] ReadAnalysis read_analysis(const View& node, InputFiles& files);
 
 /// Restitution data; @p published serves a reconstruction that names no fits of its own.
-[[nodiscard]] RestitutionData read_restitution(const View& node, const std::optional<PublishedSample>& published,
+[[nodiscard]] RestitutionData read_restitution(const View& node,
+                                               const std::optional<PublishedSample>& published,
                                                InputFiles& files);
 
-/// Published values; those without an uncertainty get that of the rounding of their last digit, u = d/sqrt(12).
+/// Published values; those without an uncertainty get that of the rounding of their last digit, u =
+/// d/sqrt(12).
 [[nodiscard]] PublishedSample read_published(const View& node, const std::string& source,
                                              const std::optional<View>& rounding);
 

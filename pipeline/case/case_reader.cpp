@@ -26,12 +26,14 @@ std::optional<View> own_or_default(const View& sample, const Defaults& defaults,
     return defaults.particle ? defaults.particle->find(key) : std::nullopt;
 }
 
-std::optional<Stated> read_optional(const std::optional<View>& node, std::string_view name, Dimension dimension) {
+std::optional<Stated> read_optional(const std::optional<View>& node, std::string_view name,
+                                    Dimension dimension) {
     if (!node) return std::nullopt;
     return read_positive(*node, name, dimension);
 }
 
-Sample read_sample(const View& node, const Defaults& defaults, InputFiles& files, std::vector<std::string>& warnings) {
+Sample read_sample(const View& node, const Defaults& defaults, InputFiles& files,
+                   std::vector<std::string>& warnings) {
     Sample sample{.name = node.at("name").text(),
                   .diameter = read_positive(node.at("diameter"), "diameter", Dimension::length)};
     auto analysis = read_analysis(node.at("composition"), files);
@@ -39,12 +41,13 @@ Sample read_sample(const View& node, const Defaults& defaults, InputFiles& files
     sample.analysis = std::move(analysis.analysis);
     sample.analysis_source = std::move(analysis.source);
     if (const auto porosity = node.find("porosity")) sample.porosity = read_porosity(*porosity);
-    if (const auto nu = own_or_default(node, defaults, "poisson_ratio")) sample.poisson_ratio = read_poisson_ratio(*nu);
+    if (const auto nu = own_or_default(node, defaults, "poisson_ratio"))
+        sample.poisson_ratio = read_poisson_ratio(*nu);
     sample.density = read_optional(own_or_default(node, defaults, "density"), "density", Dimension::density);
-    sample.contact_modulus =
-        read_optional(own_or_default(node, defaults, "contact_modulus"), "contact modulus", Dimension::pressure);
-    sample.yield_pressure =
-        read_optional(own_or_default(node, defaults, "yield_pressure"), "yield pressure", Dimension::pressure);
+    sample.contact_modulus = read_optional(own_or_default(node, defaults, "contact_modulus"),
+                                           "contact modulus", Dimension::pressure);
+    sample.yield_pressure = read_optional(own_or_default(node, defaults, "yield_pressure"), "yield pressure",
+                                          Dimension::pressure);
     sample.work_of_adhesion = defaults.work_of_adhesion;
     if (const auto w = node.find("work_of_adhesion")) sample.work_of_adhesion = read_adhesion(*w);
     sample.measured_critical_velocity =
@@ -68,7 +71,8 @@ class PublishedSets {
             const bool carried = embedded_file(built_in).has_value();
             const std::string shown = carried ? built_in : files.shown(name->text());
             in_file(shown, [&] {
-                json_ = without_comments(parse_json(carried ? files.read_built_in(built_in) : files.read(name->text())));
+                json_ = without_comments(
+                    parse_json(carried ? files.read_built_in(built_in) : files.read(name->text())));
                 validate_document(json_, "published");
                 read(View(json_));
             });
@@ -92,17 +96,19 @@ class PublishedSets {
 };
 
 std::vector<LawChoice> read_laws(const View& document) {
-    std::vector<Law> laws{Law::named("hertz"), Law::named("dmt"), Law::named("brach-dunn"), Law::named("jkr")};
+    std::vector<Law> laws{Law::named("hertz"), Law::named("dmt"), Law::named("brach-dunn"),
+                          Law::named("jkr")};
     if (const auto names = document.find("laws")) {
         laws.clear();
         for (const View& name : names->elements()) laws.push_back(Law::named(name.text()));
     }
     std::vector<LawChoice> choices;
+    choices.reserve(laws.size());
     for (const Law law : laws) choices.push_back({law, law.default_detachment()});
     const auto detachments = document.find("detachments");
     if (!detachments) return choices;
     for (const auto& [name, value] : detachments->members()) {
-        const Law law = value.located([&] { return Law::named(name); });
+        const Law law = value.located([&key = name] { return Law::named(key); });
         const Detachment detachment = detachment_named(value.text());
         if (const auto reason = refusal(law, detachment)) value.fail(*reason, admissible_detachments(law));
         for (LawChoice& choice : choices)
@@ -121,15 +127,17 @@ PhaseCatalogue catalogue_of(const View& document, const PhaseCatalogue& built_in
 }
 
 /// Every phase the samples need, once. @throws InputError where a composition is impossible
-std::vector<Phase> phases_of(const std::vector<Sample>& samples, const View& document, const PhaseCatalogue& catalogue) {
+std::vector<Phase> phases_of(const std::vector<Sample>& samples, const View& document,
+                             const PhaseCatalogue& catalogue) {
     std::vector<Phase> phases;
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const View place = document.at("samples").elements()[i].at("composition");
-        const Composition composition = place.located([&] { return compose(samples[i].analysis, catalogue); });
+        const Composition composition =
+            place.located([&] { return compose(samples[i].analysis, catalogue); });
         for (const Component& component : composition.components) {
             const Phase phase = catalogue.resolve(component.name).phase;
-            const bool known =
-                std::any_of(phases.begin(), phases.end(), [&](const Phase& p) { return p.name == phase.name; });
+            const bool known = std::any_of(phases.begin(), phases.end(),
+                                           [&](const Phase& p) { return p.name == phase.name; });
             if (!known) phases.push_back(phase);
         }
     }
@@ -154,7 +162,8 @@ HistoryOptions read_histories(const View& document) {
     const auto node = document.find("histories");
     if (!node) return options;
     if (const auto points = node->find("points")) options.points = points->integer();
-    if (const auto excess = node->find("critical_excess")) options.critical_excess = excess->number(Dimension::fraction);
+    if (const auto excess = node->find("critical_excess"))
+        options.critical_excess = excess->number(Dimension::fraction);
     return options;
 }
 
@@ -164,13 +173,16 @@ void check_whole(const Case& data, const View& document) {
     const auto nodes = document.at("samples").elements();
     for (std::size_t i = 0; i < data.samples.size(); ++i) {
         const Sample& sample = data.samples[i];
-        if (!names.insert(sample.name).second) nodes[i].at("name").fail("two samples have this name", "another name");
+        if (!names.insert(sample.name).second)
+            nodes[i].at("name").fail("two samples have this name", "another name");
         if (!data.wall && !sample.contact_modulus)
-            nodes[i].fail("neither a wall nor a contact modulus is given", "\"wall\" of the case, or contact_modulus here");
+            nodes[i].fail("neither a wall nor a contact modulus is given",
+                          "\"wall\" of the case, or contact_modulus here");
         const bool adhesive = std::any_of(data.laws.begin(), data.laws.end(),
                                           [](const LawChoice& choice) { return is_adhesive(choice.law); });
         if (adhesive && !sample.work_of_adhesion)
-            nodes[i].fail("\"work_of_adhesion\" is missing, here and in the case", "an energy per area, such as \"0.3 J/m2\"");
+            nodes[i].fail("\"work_of_adhesion\" is missing, here and in the case",
+                          "an energy per area, such as \"0.3 J/m2\"");
     }
 }
 

@@ -21,7 +21,8 @@ struct LoadedCase {
 /// @throws InputError: file, JSON pointer or line, what is wrong, what is allowed
 [[nodiscard]] LoadedCase load_case(const std::optional<std::string>& file);
 
-/// Reads a case that conforms to the schema and checks what a schema cannot say. @p files serves the files it names.
+/// Reads a case that conforms to the schema and checks what a schema cannot say. @p files serves the files it
+/// names.
 [[nodiscard]] Case read_case(const View& document, const PhaseCatalogue& catalogue, InputFiles& files);
 
 /// The phase sets the program carries, literature values first.

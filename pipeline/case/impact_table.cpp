@@ -49,7 +49,8 @@ std::pair<std::string, std::string> name_and_unit(std::string_view heading) {
     if (open == std::string_view::npos) return {lower_case(heading), {}};
     const auto close = heading.find_first_of("])", open);
     return {lower_case(trimmed(heading.substr(0, open))),
-            std::string(trimmed(heading.substr(open + 1, close == std::string_view::npos ? close : close - open - 1)))};
+            std::string(trimmed(
+                heading.substr(open + 1, close == std::string_view::npos ? close : close - open - 1)))};
 }
 
 template <class Names>
@@ -61,11 +62,41 @@ Column column_named(const std::vector<std::string_view>& heading, const Names& n
     return {0, {}, false};
 }
 
-double value_in(const std::vector<std::string_view>& row, const Column& column, Dimension dimension, bool comma) {
+double value_in(const std::vector<std::string_view>& row, const Column& column, Dimension dimension,
+                bool comma) {
     if (column.index >= row.size()) throw InputError("the line has too few columns", headings);
     const auto number = xrd::read_number(row[column.index], comma);
     if (!number) throw InputError(in_quotes(row[column.index]) + " is not a number", "a finite number");
     return to_si(number->value, column.unit.empty() ? si_unit(dimension) : column.unit, dimension);
+}
+
+/// Where a table has what.
+struct Layout {
+    char separator;
+    Column velocity;
+    Column restitution;
+    Column rebound;
+};
+
+Layout layout_of(std::string_view line) {
+    const char separator = separator_of(line);
+    const auto heading = cells(line, separator);
+    Layout layout{separator, column_named(heading, velocity_names), column_named(heading, restitution_names),
+                  column_named(heading, rebound_names)};
+    if (!layout.velocity.found || (!layout.restitution.found && !layout.rebound.found))
+        throw InputError("the heading lacks a column", headings);
+    return layout;
+}
+
+void add_impact(const Layout& layout, std::string_view line, MeasuredRestitution& data) {
+    const auto row = cells(line, layout.separator);
+    const bool comma = layout.separator != ',';
+    const double velocity = value_in(row, layout.velocity, Dimension::velocity, comma);
+    const double restitution = layout.restitution.found
+                                   ? value_in(row, layout.restitution, Dimension::fraction, comma)
+                                   : value_in(row, layout.rebound, Dimension::velocity, comma) / velocity;
+    data.velocity.push_back(velocity);
+    data.restitution.push_back(restitution);
 }
 
 }  // namespace
@@ -77,28 +108,13 @@ MeasuredRestitution read_impact_table(std::string_view text) {
         if (!trimmed(line.text).empty() && !line.text.starts_with('#')) lines.push_back(line);
     if (lines.empty()) throw InputError("the file has no lines", headings);
 
-    return at_place(xrd::at_line(lines.front().number), [&] {
-        const char separator = separator_of(lines.front().text);
-        const auto heading = cells(lines.front().text, separator);
-        const Column velocity = column_named(heading, velocity_names);
-        const Column restitution = column_named(heading, restitution_names);
-        const Column rebound = column_named(heading, rebound_names);
-        if (!velocity.found || (!restitution.found && !rebound.found))
-            throw InputError("the heading lacks a column", headings);
-        MeasuredRestitution data;
-        for (std::size_t i = 1; i < lines.size(); ++i) {
-            const auto row = cells(lines[i].text, separator);
-            const bool comma = separator != ',';
-            at_place(xrd::at_line(lines[i].number), [&] {
-                data.velocity.push_back(value_in(row, velocity, Dimension::velocity, comma));
-                data.restitution.push_back(
-                    restitution.found ? value_in(row, restitution, Dimension::fraction, comma)
-                                      : value_in(row, rebound, Dimension::velocity, comma) / data.velocity.back());
-            });
-        }
-        if (data.velocity.empty()) throw InputError("the file has a heading and nothing under it", headings);
-        return data;
-    });
+    const Layout layout =
+        at_place(xrd::at_line(lines.front().number), [&] { return layout_of(lines.front().text); });
+    if (lines.size() == 1) throw InputError("the file has a heading and nothing under it", headings);
+    MeasuredRestitution data;
+    for (std::size_t i = 1; i < lines.size(); ++i)
+        at_place(xrd::at_line(lines[i].number), [&] { add_impact(layout, lines[i].text, data); });
+    return data;
 }
 
 }  // namespace ashimpact

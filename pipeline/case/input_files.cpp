@@ -41,10 +41,13 @@ std::string InputFiles::read_built_in(const std::string& path) {
     return record(built_in_mark + path, std::string(*bytes));
 }
 
-std::string InputFiles::shown(const std::string& name) const { return (folder_ / name).string(); }
+std::string InputFiles::shown(const std::string& name) const {
+    return (folder_ / name).string();
+}
 
 std::string InputFiles::record(const std::string& name, std::string bytes) {
-    const bool known = std::any_of(used_.begin(), used_.end(), [&](const auto& entry) { return entry.file == name; });
+    const bool known =
+        std::any_of(used_.begin(), used_.end(), [&](const auto& entry) { return entry.file == name; });
     if (!known) used_.push_back({name, sha256(bytes)});
     return bytes;
 }

@@ -12,28 +12,31 @@ namespace ashimpact {
 namespace {
 
 void add_run(CLI::App& program, Action& action) {
-    auto* command = add_command(program, "run", "Every stage of a case, from XRD to the critical velocity",
-                                "ashimpact run my-case/case.json -o my-case/results\n"
-                                "  ashimpact run -o my-case/results --from fit    (after editing an artifact there)");
+    auto* command =
+        add_command(program, "run", "Every stage of a case, from XRD to the critical velocity",
+                    "ashimpact run my-case/case.json -o my-case/results\n"
+                    "  ashimpact run -o my-case/results --from fit    (after editing an artifact there)");
     const auto options = std::make_shared<RunOptions>();
     command->add_option("case", options->case_file, "case file; default: the built-in case, Dong et al. 2013")
         ->type_name("CASE.json");
     command->add_option("-o,--output", options->folder, "folder of the artifacts")
         ->capture_default_str()
         ->type_name("DIR");
-    auto* from = command
-                     ->add_option("--from", options->from,
-                                  "start at this stage, from the artifacts in the folder: modulus, contact, analytic, "
-                                  "restitution, damping, fit, critical-velocity, histories, comparison")
-                     ->type_name("STAGE");
+    auto* from =
+        command
+            ->add_option("--from", options->from,
+                         "start at this stage, from the artifacts in the folder: modulus, contact, analytic, "
+                         "restitution, damping, fit, critical-velocity, histories, comparison")
+            ->type_name("STAGE");
     command->add_option("--only", options->only, "run this stage alone")->type_name("STAGE")->excludes(from);
     command->callback(
         [options, &action] { action = [options](std::ostream& out) { run_run_command(*options, out); }; });
 }
 
 void add_modulus(CLI::App& program, Action& action) {
-    auto* command = add_command(program, "modulus", "XRD result -> phase volumes -> Young's modulus with bounds",
-                                "ashimpact modulus ash.lst --amorphous-fraction 0.42");
+    auto* command =
+        add_command(program, "modulus", "XRD result -> phase volumes -> Young's modulus with bounds",
+                    "ashimpact modulus ash.lst --amorphous-fraction 0.42");
     const auto options = std::make_shared<ModulusCommandOptions>();
     command->add_option("file", options->file, "XRD result: BGMN/Profex or GSAS-II .lst, CSV, TSV or JSON")
         ->required()
@@ -42,36 +45,44 @@ void add_modulus(CLI::App& program, Action& action) {
         ->add_option("--amorphous-fraction", options->amorphous_fraction,
                      "weight fraction of the whole that is amorphous; 0: none")
         ->type_name("X");
-    command->add_option("--sample", options->sample, "of a file with several; default: all")->type_name("NAME");
+    command->add_option("--sample", options->sample, "of a file with several; default: all")
+        ->type_name("NAME");
     command->add_option("--phase-set", options->phase_set, "phase set to look in first: literature, dong2013")
         ->type_name("NAME");
-    command->add_option("--rule", options->rule, "mixture rule of the modulus")->capture_default_str()->type_name("NAME");
+    command->add_option("--rule", options->rule, "mixture rule of the modulus")
+        ->capture_default_str()
+        ->type_name("NAME");
     command->add_flag("--json", options->json, "print one JSON object, numbers with 17 significant digits");
-    command->callback(
-        [options, &action] { action = [options](std::ostream& out) { run_modulus_command(*options, out); }; });
+    command->callback([options, &action] {
+        action = [options](std::ostream& out) { run_modulus_command(*options, out); };
+    });
 }
 
 void add_calibrate(CLI::App& program, Action& action) {
-    auto* command = add_command(program, "calibrate",
-                                "Unknown constants of a case, from published critical velocities and contact times",
-                                "ashimpact calibrate my-case/case.json --free density:each --free work_of_adhesion");
+    auto* command =
+        add_command(program, "calibrate",
+                    "Unknown constants of a case, from published critical velocities and contact times",
+                    "ashimpact calibrate my-case/case.json --free density:each --free work_of_adhesion");
     const auto options = std::make_shared<CalibrateOptions>();
     command->add_option("case", options->case_file, "case file; default: the built-in case, Dong et al. 2013")
         ->type_name("CASE.json");
     command
-        ->add_option("--free", options->free,
-                     "a constant to find: density, work_of_adhesion, contact_modulus, wall_young_modulus; with :each "
-                     "one value a sample; default: what the case says")
+        ->add_option(
+            "--free", options->free,
+            "a constant to find: density, work_of_adhesion, contact_modulus, wall_young_modulus; with :each "
+            "one value a sample; default: what the case says")
         ->type_name("NAME[:each]")
         ->allow_extra_args(false);
     command->add_flag("--json", options->json, "print one JSON object, numbers with 17 significant digits");
-    command->callback(
-        [options, &action] { action = [options](std::ostream& out) { run_calibrate_command(*options, out); }; });
+    command->callback([options, &action] {
+        action = [options](std::ostream& out) { run_calibrate_command(*options, out); };
+    });
 }
 
 /// A command with one argument.
-void add_document_command(CLI::App* command, Action& action, const char* name, const char* type, const char* purpose,
-                          bool required, void (*run)(const std::string&, std::ostream&)) {
+void add_document_command(CLI::App* command, Action& action, const char* name, const char* type,
+                          const char* purpose, bool required,
+                          void (*run)(const std::string&, std::ostream&)) {
     const auto argument = std::make_shared<std::string>();
     command->add_option(name, *argument, purpose)->type_name(type)->required(required);
     command->callback(
@@ -89,12 +100,14 @@ void add_document_commands(CLI::App& program, Action& action) {
     add_calibrate(program, action);
     add_document_command(add_command(program, "inspect", "An artifact as tables, with its provenance",
                                      "ashimpact inspect results/comparison.json"),
-                         action, "artifact", "ARTIFACT.json", "file of a run's folder", true, run_inspect_command);
-    add_document_command(add_command(program, "init", "Write a commented case to start from", "ashimpact init my-case"),
-                         action, "folder", "DIR", "where to write it", true, run_init_command);
+                         action, "artifact", "ARTIFACT.json", "file of a run's folder", true,
+                         run_inspect_command);
     add_document_command(
-        add_command(program, "schema", "The JSON Schema of a case or an artifact", "ashimpact schema case"), action,
-        "name", "NAME", "of the schema; without it, the names", false, run_schema_command);
+        add_command(program, "init", "Write a commented case to start from", "ashimpact init my-case"),
+        action, "folder", "DIR", "where to write it", true, run_init_command);
+    add_document_command(
+        add_command(program, "schema", "The JSON Schema of a case or an artifact", "ashimpact schema case"),
+        action, "name", "NAME", "of the schema; without it, the names", false, run_schema_command);
 }
 
 }  // namespace ashimpact

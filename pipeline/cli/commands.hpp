@@ -4,6 +4,8 @@
 #include <iosfwd>
 #include <string>
 
+#include "pipeline/commands/sweep.hpp"
+
 namespace CLI {
 class App;
 }
@@ -25,5 +27,8 @@ void add_contact_commands(CLI::App& program, Action& action);
 
 /// calibrate, inspect, init, schema
 void add_document_commands(CLI::App& program, Action& action);
+
+/// sweep, which @p runner runs
+void add_sweep_command(CLI::App& program, Action& action, const SweepRunner& runner);
 
 }  // namespace ashimpact

@@ -17,7 +17,8 @@ void add_contact_options(CLI::App& command, ContactOptions& options) {
     command.add_option("--radius", options.radius, "of the sphere, \"44 um\"")->required()->type_name("Q");
     command.add_option("--density", options.density, "of the sphere, \"2160 kg/m3\"")->type_name("Q");
     command.add_option("--mass", options.mass, "of the sphere, instead of its density")->type_name("Q");
-    command.add_option("--contact-modulus", options.contact_modulus, "E*, \"90 GPa\" (not a Young's modulus)")
+    command
+        .add_option("--contact-modulus", options.contact_modulus, "E*, \"90 GPa\" (not a Young's modulus)")
         ->required()
         ->type_name("Q");
     command
@@ -27,9 +28,10 @@ void add_contact_options(CLI::App& command, ContactOptions& options) {
     command.add_option("--yield-pressure", options.yield_pressure, "p_y, \"35.3 MPa\", for thornton-ning")
         ->type_name("Q");
     command
-        .add_option("--detachment", options.detachment,
-                    "where the contact ends: zero-overlap, zero-force, pull-off, load-controlled; default: that "
-                    "of the law")
+        .add_option(
+            "--detachment", options.detachment,
+            "where the contact ends: zero-overlap, zero-force, pull-off, load-controlled; default: that "
+            "of the law")
         ->type_name("NAME");
     command
         .add_option("--damping-law", options.damping_law,
@@ -50,23 +52,27 @@ void add_impact(CLI::App& program, Action& action) {
     const auto options = std::make_shared<ImpactOptions>();
     add_contact_options(*command, options->contact);
     add_damping_option(*command, options->contact);
-    command->add_option("--velocity", options->velocity, "at first touch, \"2 m/s\"")->required()->type_name("Q");
+    command->add_option("--velocity", options->velocity, "at first touch, \"2 m/s\"")
+        ->required()
+        ->type_name("Q");
     command
         ->add_option("--method", options->method,
                      "taylor (exact) or paper-explicit (the paper's scheme, first order in the time step)")
         ->capture_default_str()
         ->type_name("NAME");
-    command->add_option("--time-step", options->time_step, "of paper-explicit; default: 10000 steps a contact")
+    command
+        ->add_option("--time-step", options->time_step, "of paper-explicit; default: 10000 steps a contact")
         ->type_name("Q");
-    command->add_option("--trajectory", options->trajectory, "write overlap, velocity and forces against time (CSV)")
+    command
+        ->add_option("--trajectory", options->trajectory,
+                     "write overlap, velocity and forces against time (CSV)")
         ->type_name("FILE");
     command->add_option("--points", options->points, "number of points of the trajectory")
         ->capture_default_str()
         ->check(CLI::Range(2, 10'000'000));
     command->add_flag("--json", options->json, json_help);
-    command->callback([options, &action] {
-        action = [options](std::ostream& out) { run_impact_command(*options, out); };
-    });
+    command->callback(
+        [options, &action] { action = [options](std::ostream& out) { run_impact_command(*options, out); }; });
 }
 
 void add_critical_velocity(CLI::App& program, Action& action) {
@@ -90,7 +96,9 @@ void add_damping(CLI::App& program, Action& action) {
                                 "--velocity \"2 m/s\" --restitution 0.2");
     const auto options = std::make_shared<DampingOptions>();
     add_contact_options(*command, options->contact);
-    command->add_option("--velocity", options->velocity, "at first touch, \"2 m/s\"")->required()->type_name("Q");
+    command->add_option("--velocity", options->velocity, "at first touch, \"2 m/s\"")
+        ->required()
+        ->type_name("Q");
     command->add_option("--restitution", options->restitution, "e_n; 0: the smallest damping that captures")
         ->required()
         ->type_name("X");

@@ -22,22 +22,26 @@ enum ExitStatus : int { done = 0, defect = 1, wrong_input = 2, not_converged = 3
 constexpr auto purpose =
     "From a fly ash's XRD result to the dynamic critical velocity.\n"
     "Quantities carry their unit in quotes (\"44 um\"); a bare number is SI. Results go to standard output, "
-    "messages to\nstandard error. Exit status: 0 done, 2 input is wrong, 3 not converged, 1 a defect of the program.";
+    "messages to\nstandard error. Exit status: 0 done, 2 input is wrong, 3 not converged, 1 a defect of the "
+    "program.";
 
 std::string version_text() {
     return fmt::format("ashimpact {} ({})", program_version(), program_revision());
 }
 
 void set_up_messages() {
-    auto logger = std::make_shared<spdlog::logger>("ashimpact", std::make_shared<spdlog::sinks::stderr_sink_st>());
+    auto logger =
+        std::make_shared<spdlog::logger>("ashimpact", std::make_shared<spdlog::sinks::stderr_sink_st>());
     logger->set_pattern("%v");
     spdlog::set_default_logger(std::move(logger));
 }
 
 void add_common_options(CLI::App& app) {
     app.set_version_flag("--version", version_text, "print version and revision");
-    app.add_flag_callback("-q,--quiet", [] { spdlog::set_level(spdlog::level::err); }, "errors only");
-    app.add_flag_callback("-v,--verbose", [] { spdlog::set_level(spdlog::level::debug); }, "more messages");
+    app.add_flag_callback(
+        "-q,--quiet", [] { spdlog::set_level(spdlog::level::err); }, "errors only");
+    app.add_flag_callback(
+        "-v,--verbose", [] { spdlog::set_level(spdlog::level::debug); }, "more messages");
 }
 
 /// Runs a command and checks that what it printed arrived.
@@ -64,7 +68,8 @@ int usage_error(const CLI::App& program, const CLI::ParseError& error) {
     for (const CLI::App* each : program.get_subcommands([](const CLI::App*) { return true; }))
         commands += (commands.empty() ? "" : ", ") + each->get_name();
     spdlog::error("ashimpact: {}; allowed: {}; see `ashimpact --help`",
-                  unknown.empty() ? "a command is missing" : "unknown command " + in_quotes(unknown.front()), commands);
+                  unknown.empty() ? "a command is missing" : "unknown command " + in_quotes(unknown.front()),
+                  commands);
     return wrong_input;
 }
 
@@ -78,7 +83,7 @@ CLI::App* add_command(CLI::App& program, const std::string& name, const std::str
     return command;
 }
 
-int run_program(int argc, const char* const* argv) {
+int run_program(int argc, const char* const* argv, const SweepRunner& sweep) {
     set_up_messages();
     CLI::App program(purpose, "ashimpact");
     add_common_options(program);
@@ -87,6 +92,7 @@ int run_program(int argc, const char* const* argv) {
     Action action;
     add_case_commands(program, action);
     add_contact_commands(program, action);
+    add_sweep_command(program, action, sweep);
     add_document_commands(program, action);
     try {
         program.parse(argc, argv);

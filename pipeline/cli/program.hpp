@@ -1,9 +1,12 @@
 #pragma once
 
+#include "pipeline/commands/sweep.hpp"
+
 namespace ashimpact {
 
 /// The program: parses the command line, runs one command, turns errors into one line and an exit status.
-/// 0 done; 2 the user's input is wrong; 3 a computation did not converge; 1 a defect of ours.
-[[nodiscard]] int run_program(int argc, const char* const* argv);
+/// @param sweep what `ashimpact sweep` does
+/// @returns 0 done; 2 the user's input is wrong; 3 a computation did not converge; 1 a defect of ours.
+[[nodiscard]] int run_program(int argc, const char* const* argv, const SweepRunner& sweep);
 
 }  // namespace ashimpact

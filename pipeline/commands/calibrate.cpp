@@ -8,6 +8,8 @@
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/json/writer.hpp"
 #include "pipeline/run.hpp"
+#include "pipeline/stages/contact.hpp"
+#include "pipeline/stages/modulus.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
 #include "pipeline/text/readable.hpp"
 #include "pipeline/text/table.hpp"
@@ -32,7 +34,8 @@ FreeConstant read_free(const std::string& text) {
         names.emplace_back(entry.name);
         if (entry.name == name && (!each || text.substr(colon) == ":each")) return {entry.quantity, each};
     }
-    throw InputError("unknown constant " + in_quotes(text), joined(names) + "; with :each for one value a sample")
+    throw InputError("unknown constant " + in_quotes(text),
+                     joined(names) + "; with :each for one value a sample")
         .at("--free");
 }
 
@@ -44,8 +47,10 @@ CalibrationSample start_of(const Case& data, const Sample& sample, const SampleM
                             .particle = {.young_modulus = modulus.young_modulus.value},
                             .wall = {},
                             .contact_modulus = {}};
-    if (sample.poisson_ratio) start.particle.poisson_ratio = sample.poisson_ratio->value();
-    else start.particle.poisson_ratio = modulus.poisson_ratio.value_or(0);
+    if (sample.poisson_ratio)
+        start.particle.poisson_ratio = sample.poisson_ratio->value();
+    else
+        start.particle.poisson_ratio = modulus.poisson_ratio.value_or(0);
     const auto* elastic = data.wall ? std::get_if<ElasticWall>(&*data.wall) : nullptr;
     if (elastic != nullptr) start.wall = {elastic->young_modulus.value(), elastic->poisson_ratio.value()};
     if (elastic == nullptr || sample.contact_modulus) start.contact_modulus = contact.pair.contact_modulus;
@@ -74,7 +79,8 @@ void add_observations(const PublishedSample& published, std::size_t index, Calib
              .velocity = time.velocity.value,
              .velocity_uncertainty = time.velocity.standard_uncertainty.value_or(0),
              .value = time.contact_time.value,
-             .standard_uncertainty = time.contact_time.standard_uncertainty.value_or(1e-3 * time.contact_time.value)});
+             .standard_uncertainty =
+                 time.contact_time.standard_uncertainty.value_or(1e-3 * time.contact_time.value)});
     }
 }
 
@@ -114,10 +120,12 @@ Json constants_json(const Case& data, const CalibrationSummary& summary) {
         const CalibrationQuantityName& entry = entry_of(constant.quantity);
         Json value = quantity_json(constant.value, entry.unit);
         value["standard_uncertainty"] = constant.standard_uncertainty;
-        list.push_back({{"quantity", entry.name},
-                        {"sample", constant.sample ? Json(data.samples[*constant.sample].name) : Json(nullptr)},
-                        {"value", value},
-                        {"interval_95", {quantity_json(constant.lower, entry.unit), quantity_json(constant.upper, entry.unit)}}});
+        list.push_back(
+            {{"quantity", entry.name},
+             {"sample", constant.sample ? Json(data.samples[*constant.sample].name) : Json(nullptr)},
+             {"value", value},
+             {"interval_95",
+              {quantity_json(constant.lower, entry.unit), quantity_json(constant.upper, entry.unit)}}});
     }
     return list;
 }
@@ -132,8 +140,8 @@ Json matrix_json(const Eigen::MatrixXd& matrix) {
     return rows;
 }
 
-std::string calibration_text(const Case& data, const CalibrationSummary& summary, const std::vector<Row>& velocities,
-                             const std::vector<Row>& times) {
+std::string calibration_text(const Case& data, const CalibrationSummary& summary,
+                             const std::vector<Row>& velocities, const std::vector<Row>& times) {
     TextTable constants({"constant", "sample", "value", "95 % interval"});
     for (const CalibratedConstant& constant : summary.constants) {
         const CalibrationQuantityName& entry = entry_of(constant.quantity);
@@ -148,7 +156,8 @@ std::string calibration_text(const Case& data, const CalibrationSummary& summary
             residuals.add({row.sample, row.law, readable(row.residual.observed, row.unit),
                            readable(row.residual.predicted, row.unit),
                            fmt::format("{:+.2f} %", 100 * row.residual.relative_difference()),
-                           fmt::format("{:+.1f}", row.residual.relative_difference() / row.residual.relative_uncertainty)});
+                           fmt::format("{:+.1f}", row.residual.relative_difference() /
+                                                      row.residual.relative_uncertainty)});
     return constants.text() + "\n" + residuals.text() +
            fmt::format("\nchi^2 {} with {} degrees of freedom, probability {}; AIC {}\n",
                        readable_number(summary.chi_squared), summary.degrees_of_freedom,
@@ -157,19 +166,23 @@ std::string calibration_text(const Case& data, const CalibrationSummary& summary
 
 }  // namespace
 
-CalibrationProblem calibration_problem(const Case& data, const std::vector<SampleModulus>& moduli,
-                                       const std::vector<SampleContact>& contacts) {
-    CalibrationProblem problem{.samples = {}, .free = data.calibration, .critical_velocities = {}, .contact_times = {}};
+CalibrationProblem calibration_problem(const Case& data, const Artifacts& before) {
+    const auto moduli = before.read("1-modulus.json", read_moduli);
+    const auto contacts = before.read("2-contact.json", read_contacts);
+    CalibrationProblem problem{
+        .samples = {}, .free = data.calibration, .critical_velocities = {}, .contact_times = {}};
     const bool elastic = data.wall && std::holds_alternative<ElasticWall>(*data.wall);
     for (const FreeConstant& free : problem.free)
         if (free.quantity == CalibrationQuantity::wall_young_modulus && !elastic)
-            throw InputError("wall_young_modulus is free, but the wall has none", "a wall with young_modulus and "
+            throw InputError("wall_young_modulus is free, but the wall has none",
+                             "a wall with young_modulus and "
                              "poisson_ratio, to start from")
                 .at("/wall");
     for (std::size_t i = 0; i < data.samples.size(); ++i) {
         const Sample& sample = data.samples[i];
-        problem.samples.push_back(start_of(data, sample, entry_named(moduli, sample.name, "1-modulus.json"),
-                                           entry_named(contacts, sample.name, "2-contact.json")));
+        problem.samples.push_back(start_of(data, sample,
+                                           entry_named(moduli, sample.name, before, "1-modulus.json"),
+                                           entry_named(contacts, sample.name, before, "2-contact.json")));
         if (sample.published) add_observations(*sample.published, i, problem);
     }
     return problem;
@@ -185,8 +198,7 @@ void run_calibrate_command(const CalibrateOptions& options, std::ostream& out) {
     in_file(options.case_file.empty() ? "built-in case" : options.case_file, [&] {
         if (data.calibration.empty())
             throw InputError("nothing is free", "calibration.free in the case, or --free").at("/calibration");
-        const auto problem = calibration_problem(data, artifacts.read("1-modulus.json", read_moduli),
-                                                 artifacts.read("2-contact.json", read_contacts));
+        const auto problem = calibration_problem(data, artifacts);
         const CalibrationSummary summary = calibrate(problem);
         const auto velocities =
             rows_of(data, problem.critical_velocities, summary.critical_velocities, Dimension::velocity);

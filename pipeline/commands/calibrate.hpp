@@ -6,8 +6,7 @@
 
 #include "pipeline/case/case.hpp"
 #include "pipeline/json/document.hpp"
-#include "pipeline/stages/contact.hpp"
-#include "pipeline/stages/modulus.hpp"
+#include "pipeline/stages/stage.hpp"
 #include "solver/calibration.hpp"
 
 namespace ashimpact {
@@ -18,11 +17,11 @@ struct CalibrateOptions {
     bool json = false;
 };
 
-/// `ashimpact calibrate`: the unknown constants of a case, from its published critical velocities and contact times.
+/// `ashimpact calibrate`: the unknown constants of a case, from its published critical velocities and contact
+/// times.
 void run_calibrate_command(const CalibrateOptions& options, std::ostream& out);
 
-/// The calibration a case asks for.
-[[nodiscard]] CalibrationProblem calibration_problem(const Case& data, const std::vector<SampleModulus>& moduli,
-                                                     const std::vector<SampleContact>& contacts);
+/// The calibration a case asks for; starts from its modulus and contact artifacts.
+[[nodiscard]] CalibrationProblem calibration_problem(const Case& data, const Artifacts& before);
 
 }  // namespace ashimpact

@@ -63,7 +63,8 @@ Detachment read_detachment(const std::string& name, Law law) {
     if (name.empty()) return law.default_detachment();
     return at_option("--detachment", [&] {
         const Detachment detachment = detachment_named(name);
-        if (const auto reason = refusal(law, detachment)) throw InputError(*reason, admissible_detachments(law));
+        if (const auto reason = refusal(law, detachment))
+            throw InputError(*reason, admissible_detachments(law));
         return detachment;
     });
 }

@@ -21,7 +21,8 @@ std::string schema_of_artifact(const Json& document) {
     if (document.is_object() && document.contains("schema") && document["schema"].is_string())
         for (const std::string& name : names)
             if (document["schema"] == name && name != "case" && name != "published") return name;
-    throw InputError("this is not an artifact of ashimpact", "a file of a run's folder, such as comparison.json")
+    throw InputError("this is not an artifact of ashimpact",
+                     "a file of a run's folder, such as comparison.json")
         .at("/schema");
 }
 
@@ -47,8 +48,8 @@ void run_init_command(const std::string& folder, std::ostream& out) {
     write_files(files);
     for (const FileContent& file : files) out << file.path.string() << '\n';
     const std::string place = (std::filesystem::path(folder) / "case.json").string();
-    out << "Edit it, then: ashimpact run " << place << " -o " << (std::filesystem::path(folder) / "results").string()
-        << '\n';
+    out << "Edit it, then: ashimpact run " << place << " -o "
+        << (std::filesystem::path(folder) / "results").string() << '\n';
 }
 
 void run_schema_command(const std::string& name, std::ostream& out) {

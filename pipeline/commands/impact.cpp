@@ -24,8 +24,7 @@ Json energy_json(const EnergyLedger& energy) {
     return {{"incident", joule(energy.incident)},     {"at_touch", joule(energy.at_touch)},
             {"remaining", joule(energy.remaining)},   {"potential", joule(energy.potential)},
             {"dissipated", joule(energy.dissipated)}, {"plastic", joule(energy.plastic)},
-            {"residual", joule(energy.residual)},
-            {"minimum", joule(energy.minimum)}};
+            {"residual", joule(energy.residual)},     {"minimum", joule(energy.minimum)}};
 }
 
 std::string trajectory_csv(const std::vector<TrajectoryPoint>& points) {
@@ -71,8 +70,9 @@ std::string impact_text(const Impact& impact, const ImpactResult& result) {
     };
     TextList list;
     list.add("law", fmt::format("{}, contact ends at {}", impact.law.name(), name_of(impact.detachment)));
-    list.add("damping", fmt::format("{} ({})", readable(impact.damping.coefficient, unit_of(impact.damping.law)),
-                                    name_of(impact.damping.law)));
+    list.add("damping",
+             fmt::format("{} ({})", readable(impact.damping.coefficient, unit_of(impact.damping.law)),
+                         name_of(impact.damping.law)));
     list.add("velocity", readable(impact.velocity, "m/s"));
     list.add("outcome", std::string(name_of(result.outcome)));
     list.add("restitution", readable_number(result.restitution));
@@ -95,16 +95,19 @@ struct Solution {
 Solution solve(const ImpactOptions& options, const Impact& impact) {
     constexpr double steps = 1e4;
     if (options.method == "taylor") {
-        if (!options.time_step.empty()) throw InputError("belongs to the explicit method", "--method paper-explicit").at("--time-step");
+        if (!options.time_step.empty())
+            throw InputError("belongs to the explicit method", "--method paper-explicit").at("--time-step");
         return {solve_impact(impact), 0};
     }
     if (options.method != "paper-explicit")
-        throw InputError("unknown method " + in_quotes(options.method), "taylor, paper-explicit").at("--method");
+        throw InputError("unknown method " + in_quotes(options.method), "taylor, paper-explicit")
+            .at("--method");
     if (!options.trajectory.empty())
         throw InputError("is written by the exact method alone", "--method taylor").at("--trajectory");
     validate(impact);
-    const double time_step = options.time_step.empty() ? explicit_time_step(impact, steps)
-                                                       : read_option("--time-step", options.time_step, Dimension::time);
+    const double time_step = options.time_step.empty()
+                                 ? explicit_time_step(impact, steps)
+                                 : read_option("--time-step", options.time_step, Dimension::time);
     return {solve_impact_explicit(impact, {.time_step = time_step}), time_step};
 }
 

@@ -13,8 +13,8 @@ struct ImpactOptions {
     std::string velocity;
     std::string method = "taylor";  ///< or "paper-explicit", Eqs. 31-34 of Dong et al. 2013
     std::string time_step;          ///< of the explicit method; empty: 10000 steps a Hertz contact
-    std::string trajectory;  ///< CSV file to write; empty: none
-    int points = 201;        ///< of the trajectory
+    std::string trajectory;         ///< CSV file to write; empty: none
+    int points = 201;               ///< of the trajectory
     bool json = false;
 };
 

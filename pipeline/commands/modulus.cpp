@@ -28,8 +28,11 @@ struct SampleEstimate {
 void state_amorphous_part(Analysis& analysis, const std::string& text) {
     if (text.empty()) return;
     const double fraction = read_option("--amorphous-fraction", text, Dimension::fraction);
-    if (fraction == 0) analysis.amorphous = AmorphousNone{};
-    else analysis.amorphous = AmorphousFraction{.value = fraction, .standard_uncertainty = {}, .basis = analysis.basis};
+    if (fraction == 0)
+        analysis.amorphous = AmorphousNone{};
+    else
+        analysis.amorphous =
+            AmorphousFraction{.value = fraction, .standard_uncertainty = {}, .basis = analysis.basis};
 }
 
 std::vector<XrdSample> chosen(const XrdResult& result, const std::string& name) {
@@ -39,11 +42,14 @@ std::vector<XrdSample> chosen(const XrdResult& result, const std::string& name) 
         names.push_back(sample.name);
         if (name.empty() || sample.name == name) samples.push_back(sample);
     }
-    if (samples.empty()) throw InputError("the file has no sample " + in_quotes(name), joined(names)).at("--sample");
+    if (samples.empty())
+        throw InputError("the file has no sample " + in_quotes(name), joined(names)).at("--sample");
     return samples;
 }
 
-std::string percent(double fraction) { return fmt::format("{:.2f}", 100 * fraction); }
+std::string percent(double fraction) {
+    return fmt::format("{:.2f}", 100 * fraction);
+}
 
 std::string estimate_text(const SampleEstimate& sample, const ModulusCommandOptions& options) {
     TextTable phases({"phase", "weight %", "volume %", "density", "E"});
@@ -52,8 +58,9 @@ std::string estimate_text(const SampleEstimate& sample, const ModulusCommandOpti
                     readable(c.phase.density.value, "kg/m3"), readable(c.phase.young_modulus.value, "Pa")});
     const ModulusEstimate& estimate = sample.estimate;
     TextList list;
-    list.add(fmt::format("Young's modulus ({})", options.rule),
-             readable(make_quantity(estimate.young_modulus, Dimension::pressure, estimate.standard_uncertainty)));
+    list.add(
+        fmt::format("Young's modulus ({})", options.rule),
+        readable(make_quantity(estimate.young_modulus, Dimension::pressure, estimate.standard_uncertainty)));
     for (const RuleResult& rule : estimate.rules)
         list.add("  " + std::string(mixture_rule_name(rule.rule)), readable(rule.young_modulus, "Pa"));
     if (estimate.poisson_ratio)
@@ -92,7 +99,8 @@ void run_modulus_command(const ModulusCommandOptions& options, std::ostream& out
             ModulusEstimate estimate = estimate_modulus(composition, {.rule = rule, .porosity = {}});
             return SampleEstimate{sample.name, std::move(composition), std::move(estimate)};
         }));
-        for (const auto& notes : {sample.warnings, estimates.back().composition.notes, estimates.back().estimate.notes})
+        for (const auto& notes :
+             {sample.warnings, estimates.back().composition.notes, estimates.back().estimate.notes})
             for (const std::string& note : notes) spdlog::warn("warning: {}: {}", options.file, note);
     }
 

@@ -11,13 +11,15 @@
 namespace ashimpact {
 
 void run_run_command(const RunOptions& options, std::ostream& out) {
-    RunPlan plan{.case_file = std::nullopt, .folder = options.folder, .from = options.from, .only = options.only};
+    RunPlan plan{
+        .case_file = std::nullopt, .folder = options.folder, .from = options.from, .only = options.only};
     if (!options.case_file.empty()) plan.case_file = options.case_file;
     const RunSummary summary = run_stages(plan);
     for (const std::string& warning : summary.warnings) spdlog::debug("warning: {}", warning);
     if (!summary.warnings.empty() && !spdlog::should_log(spdlog::level::debug))
-        spdlog::warn("warning: {} remarks on these results are in the artifacts under \"warnings\"; -v shows them",
-                     summary.warnings.size());
+        spdlog::warn(
+            "warning: {} remarks on these results are in the artifacts under \"warnings\"; -v shows them",
+            summary.warnings.size());
     for (const Artifact& artifact : summary.written)
         if (artifact.file == "comparison.json")
             out << comparison_text(View(artifact.document).at("result")) << '\n';

@@ -6,7 +6,7 @@
 namespace ashimpact {
 
 struct RunOptions {
-    std::string case_file;            ///< empty: the built-in case
+    std::string case_file;  ///< empty: the built-in case
     std::string folder = "results";
     std::string from;
     std::string only;

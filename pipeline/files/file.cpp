@@ -35,7 +35,9 @@ class SignalsHeld {
     sigset_t before_{};
 };
 
-std::string reason(int error) { return std::generic_category().message(error); }
+std::string reason(int error) {
+    return std::generic_category().message(error);
+}
 
 [[noreturn]] void refuse_write(const std::filesystem::path& path, const std::string& why) {
     throw InputError("cannot be written: " + why, "a place you may write to").in_file(path.string());

@@ -14,9 +14,9 @@ struct FileContent {
     std::string content;
 };
 
-/// Writes files so that no reader ever sees half of one: each under another name beside its place, then all renamed
-/// in order. If anything fails before the first rename, what was there stays as it was. Signals that end the
-/// program wait until it is done. Folders are made as needed.
+/// Writes files so that no reader ever sees half of one: each under another name beside its place, then all
+/// renamed in order. If anything fails before the first rename, what was there stays as it was. Signals that
+/// end the program wait until it is done. Folders are made as needed.
 /// @throws InputError if a file cannot be written
 void write_files(std::span<const FileContent> files);
 

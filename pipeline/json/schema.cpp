@@ -52,7 +52,8 @@ Names adhesion_rules() {
 /// What stands for "@..." in the schema files: lists that live in the code.
 Names listed(const std::string& placeholder) {
     const auto by_name = [](const auto& entry) { return entry.name; };
-    if (placeholder == "@laws") return names_in(RegisteredLaws::names, [](std::string_view name) { return name; });
+    if (placeholder == "@laws")
+        return names_in(RegisteredLaws::names, [](std::string_view name) { return name; });
     if (placeholder == "@detachments") return names_in(detachment_names, by_name);
     if (placeholder == "@damping_laws") return names_in(damping_names, by_name);
     if (placeholder == "@calibration_quantities") return names_in(calibration_quantity_names, by_name);

@@ -25,7 +25,7 @@ Path path_of(const Error& error) {
 
 /// The first error, or the choice ("anyOf") that encloses it.
 Error decisive(const valijson::ValidationResults& results) {
-    const Error first = *results.begin();
+    Error first = *results.begin();
     for (const Error& error : results) {
         const bool choice = error.description.find("Of constraint") != std::string::npos &&
                             error.description.find("allOf") == std::string::npos;
@@ -36,7 +36,8 @@ Error decisive(const valijson::ValidationResults& results) {
 
 const Json& value_at(const Json& document, const Path& path) {
     const Json* value = &document;
-    for (const std::string& key : path) value = value->is_array() ? &value->at(std::stoul(key)) : &value->at(key);
+    for (const std::string& key : path)
+        value = value->is_array() ? &value->at(std::stoul(key)) : &value->at(key);
     return *value;
 }
 
@@ -109,8 +110,9 @@ std::vector<std::string> keys_allowed(const Json& schema, const Path& path) {
     std::string problem = "is " + shown(value);
     if (says("enum") && value.is_string()) {
         const Json* part = schema_part(schema, path);
-        const auto names = part != nullptr && part->contains("enum") ? (*part)["enum"].get<std::vector<std::string>>()
-                                                                     : std::vector<std::string>{};
+        const auto names = part != nullptr && part->contains("enum")
+                               ? (*part)["enum"].get<std::vector<std::string>>()
+                               : std::vector<std::string>{};
         problem = "unknown name " + shown(value) + did_you_mean(value.get<std::string>(), names);
     }
     if (says("uniqueness")) problem = "holds the same value twice";

@@ -16,7 +16,9 @@ void View::fail(const std::string& problem, const std::string& allowed) const {
     throw pointer_.empty() ? error : error.at(pointer_);
 }
 
-bool View::has(std::string_view key) const { return find(key).has_value(); }
+bool View::has(std::string_view key) const {
+    return find(key).has_value();
+}
 
 std::optional<View> View::find(std::string_view key) const {
     if (!value_->is_object()) fail("is not an object", "an object");
@@ -34,7 +36,8 @@ std::vector<View> View::elements() const {
     if (!value_->is_array()) fail("is not an array", "an array");
     std::vector<View> elements;
     elements.reserve(value_->size());
-    for (std::size_t i = 0; i < value_->size(); ++i) elements.push_back(View((*value_)[i], child_pointer(pointer_, i)));
+    for (std::size_t i = 0; i < value_->size(); ++i)
+        elements.push_back(View((*value_)[i], child_pointer(pointer_, i)));
     return elements;
 }
 
@@ -70,7 +73,9 @@ Quantity View::quantity(Dimension dimension) const {
     });
 }
 
-double View::number(Dimension dimension) const { return quantity(dimension).value; }
+double View::number(Dimension dimension) const {
+    return quantity(dimension).value;
+}
 
 std::vector<double> View::column(Dimension dimension) const {
     const bool with_unit = value_->is_object();
@@ -79,7 +84,8 @@ std::vector<double> View::column(Dimension dimension) const {
     std::vector<double> column;
     for (const View& element : values.elements()) {
         if (!element.json().is_number()) element.fail("is not a number", "a number");
-        column.push_back(element.located([&] { return to_si(element.json().get<double>(), unit, dimension); }));
+        column.push_back(
+            element.located([&] { return to_si(element.json().get<double>(), unit, dimension); }));
     }
     return column;
 }

@@ -34,10 +34,14 @@ class Writer {
     /// Writes a value whose first line already holds @p used bytes.
     void write(const Json& value, std::size_t indent, std::size_t used) {
         const std::string line = one_line(value, line_width);
-        if (!line.empty() && used + line.size() <= line_width) out_ += line;
-        else if (value.is_object()) write_object(value, indent);
-        else if (value.is_array()) write_array(value, indent);
-        else out_ += one_line(value, std::string::npos);
+        if (!line.empty() && used + line.size() <= line_width)
+            out_ += line;
+        else if (value.is_object())
+            write_object(value, indent);
+        else if (value.is_array())
+            write_array(value, indent);
+        else
+            out_ += one_line(value, std::string::npos);
     }
 
     [[nodiscard]] std::string&& take() && { return std::move(out_); }
@@ -87,8 +91,10 @@ class Writer {
                 out_ += ' ';
                 ++used;
             }
-            if (line.empty()) write(*element, indent + indent_width, used);
-            else out_ += line;
+            if (line.empty())
+                write(*element, indent + indent_width, used);
+            else
+                out_ += line;
             used = line.empty() ? line_width : used + line.size() + 1;
         }
         new_line(indent);

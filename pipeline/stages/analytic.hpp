@@ -14,8 +14,8 @@ struct SampleAnalytic {
     double critical_velocity;  ///< v_s of Eq. 30 [m/s]
 };
 
-/// Energy to separate a JKR contact and the velocity that just supplies it; Dong et al. 2013, Eqs. 28-30, read with
-/// the contact modulus and the work of adhesion.
+/// Energy to separate a JKR contact and the velocity that just supplies it; Dong et al. 2013, Eqs. 28-30,
+/// read with the contact modulus and the work of adhesion.
 [[nodiscard]] StageOutput analytic_stage(const Artifacts& before);
 
 [[nodiscard]] std::vector<SampleAnalytic> read_analytic(const View& result);

@@ -42,8 +42,8 @@ struct Gap {
         if (!dynamic.value || !(analytic > 0)) return;
         least_ratio = std::min(least_ratio, *dynamic.value / analytic);
         greatest_ratio = std::max(greatest_ratio, *dynamic.value / analytic);
-        const double share =
-            dynamic.dissipated / (dynamic.dissipated + dynamic.plastic + std::max(0.0, dynamic.detachment_energy));
+        const double share = dynamic.dissipated / (dynamic.dissipated + dynamic.plastic +
+                                                   std::max(0.0, dynamic.detachment_energy));
         least_share = std::min(least_share, share);
         greatest_share = std::max(greatest_share, share);
     }
@@ -58,11 +58,13 @@ struct Gap {
         const std::string share = fmt::format("{} to {} %", readable_number(100 * least_share, 4),
                                               readable_number(100 * greatest_share, 4));
         if (least_ratio > 2)
-            return fmt::format("{}: the first-contact adhesive loss W_s does not explain capture here, viscous "
-                               "dissipation does, which takes {} of the energy lost at v_c.",
-                               ratios, share);
-        return fmt::format("{}; viscous dissipation takes {} of the energy lost at v_c, breaking the contact the rest.",
-                           ratios, share);
+            return fmt::format(
+                "{}: the first-contact adhesive loss W_s does not explain capture here, viscous "
+                "dissipation does, which takes {} of the energy lost at v_c.",
+                ratios, share);
+        return fmt::format(
+            "{}; viscous dissipation takes {} of the energy lost at v_c, breaking the contact the rest.",
+            ratios, share);
     }
 };
 
@@ -98,8 +100,9 @@ Json published_beside_json(const PublishedSample& published, const SampleResults
     add("critical_damping", beside_by_law(published.critical_damping, of.fits, [](const LawFit& fit) {
             return std::optional(fit.critical_damping);
         }));
-    add("critical_velocity", beside_by_law(published.critical_velocity, of.velocities,
-                                           [](const LawCriticalVelocity& velocity) { return velocity.value; }));
+    add("critical_velocity",
+        beside_by_law(published.critical_velocity, of.velocities,
+                      [](const LawCriticalVelocity& velocity) { return velocity.value; }));
     add("critical_contact_times", beside_by_law(published.critical_contact_times, of.velocities,
                                                 [](const LawCriticalVelocity& v) { return v.contact_time; }));
     for (const auto& printed : published.contact_times)
@@ -112,12 +115,14 @@ Json published_beside_json(const PublishedSample& published, const SampleResults
     return json;
 }
 
-std::vector<std::pair<std::string, double>> read_volume_fractions(const View& result, const std::string& name) {
+std::vector<std::pair<std::string, double>> read_volume_fractions(const View& result,
+                                                                  const std::string& name) {
     std::vector<std::pair<std::string, double>> fractions;
     for (const View& sample : result.at("samples").elements()) {
         if (sample.at("name").text() != name) continue;
         for (const View& phase : sample.at("phases").elements())
-            fractions.emplace_back(phase.at("name").text(), phase.at("volume_fraction").number(Dimension::fraction));
+            fractions.emplace_back(phase.at("name").text(),
+                                   phase.at("volume_fraction").number(Dimension::fraction));
     }
     return fractions;
 }
@@ -127,7 +132,8 @@ Json dynamic_json(const SampleResults& of, const std::vector<LawChoice>& laws, J
     for (const LawChoice& choice : laws) {
         const LawCriticalVelocity* velocity = of.velocities.find(choice.law);
         const std::string name(choice.law.name());
-        velocities[name] = velocity == nullptr ? Json(nullptr) : quantity_json(velocity->value, Dimension::velocity);
+        velocities[name] =
+            velocity == nullptr ? Json(nullptr) : quantity_json(velocity->value, Dimension::velocity);
         verdicts[name] = velocity == nullptr ? "no damping data" : velocity->verdict;
     }
     return velocities;
@@ -152,30 +158,32 @@ StageOutput comparison_stage(const Artifacts& before) {
         const auto fractions = before.read(
             "1-modulus.json", [&](const View& view) { return read_volume_fractions(view, sample.name); });
         const SampleResults of{sample,
-                               entry_named(moduli, sample.name, "1-modulus.json"),
-                               entry_named(fits, sample.name, "6-fit.json").laws,
-                               entry_named(velocities, sample.name, "7-critical-velocity.json").laws,
-                               entry_named(histories, sample.name, "8-histories.json").contact_times,
+                               entry_named(moduli, sample.name, before, "1-modulus.json"),
+                               entry_named(fits, sample.name, before, "6-fit.json").laws,
+                               entry_named(velocities, sample.name, before, "7-critical-velocity.json").laws,
+                               entry_named(histories, sample.name, before, "8-histories.json").contact_times,
                                fractions};
-        const SampleAnalytic& simple = entry_named(analytic, sample.name, "3-analytic.json");
-        const SampleContact& contact = entry_named(contacts, sample.name, "2-contact.json");
+        const SampleAnalytic& simple = entry_named(analytic, sample.name, before, "3-analytic.json");
+        const SampleContact& contact = entry_named(contacts, sample.name, before, "2-contact.json");
         for (const auto& [law, velocity] : of.velocities) gap.take(velocity, simple.critical_velocity);
         Json verdicts = Json::object();
-        Json json{{"name", sample.name},
-                  {"young_modulus", of.modulus.young_modulus},
-                  {"contact_modulus", quantity_json(contact.pair.contact_modulus, Dimension::pressure)},
-                  {"separation_energy", quantity_json(simple.separation_energy, Dimension::energy)},
-                  {"analytic_critical_velocity", quantity_json(simple.critical_velocity, Dimension::velocity)},
-                  {"dynamic_critical_velocity", dynamic_json(of, data.laws, verdicts)},
-                  {"verdict", verdicts},
-                  {"measured_critical_velocity", sample.measured_critical_velocity
-                                                     ? stated_json(*sample.measured_critical_velocity)
-                                                     : Json(nullptr)}};
+        Json json{
+            {"name", sample.name},
+            {"young_modulus", of.modulus.young_modulus},
+            {"contact_modulus", quantity_json(contact.pair.contact_modulus, Dimension::pressure)},
+            {"separation_energy", quantity_json(simple.separation_energy, Dimension::energy)},
+            {"analytic_critical_velocity", quantity_json(simple.critical_velocity, Dimension::velocity)},
+            {"dynamic_critical_velocity", dynamic_json(of, data.laws, verdicts)},
+            {"verdict", verdicts},
+            {"measured_critical_velocity", sample.measured_critical_velocity
+                                               ? stated_json(*sample.measured_critical_velocity)
+                                               : Json(nullptr)}};
         if (sample.published) json["published"] = published_beside_json(*sample.published, of);
         output.result["samples"].push_back(std::move(json));
     }
     if (gap.known())
-        output.result["dynamic_over_analytic"] = {{"least", gap.least_ratio}, {"greatest", gap.greatest_ratio}};
+        output.result["dynamic_over_analytic"] = {{"least", gap.least_ratio},
+                                                  {"greatest", gap.greatest_ratio}};
     output.result["conclusion"] = gap.sentence();
     return output;
 }

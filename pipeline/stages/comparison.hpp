@@ -4,7 +4,8 @@
 
 namespace ashimpact {
 
-/// The critical velocities of every kind side by side, published values beside ours, and what their ratio says.
+/// The critical velocities of every kind side by side, published values beside ours, and what their ratio
+/// says.
 [[nodiscard]] StageOutput comparison_stage(const Artifacts& before);
 
 }  // namespace ashimpact

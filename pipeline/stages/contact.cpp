@@ -19,7 +19,8 @@ Stated computed(double value, Dimension dimension, std::string source) {
 
 Stated poisson_ratio_of(const Sample& sample, const SampleModulus& modulus) {
     if (sample.poisson_ratio) return *sample.poisson_ratio;
-    if (modulus.poisson_ratio) return computed(*modulus.poisson_ratio, Dimension::fraction, "mixed from the phases");
+    if (modulus.poisson_ratio)
+        return computed(*modulus.poisson_ratio, Dimension::fraction, "mixed from the phases");
     throw InputError("Poisson's ratio of the sample " + sample.name + " is not known",
                      "poisson_ratio of the sample, or of each of its phases");
 }
@@ -30,10 +31,10 @@ Stated contact_modulus_of(const Sample& sample, const std::optional<Wall>& wall,
     if (const auto* given = std::get_if<Stated>(&*wall)) return *given;
     const ElasticBody particle{modulus.young_modulus.value, poisson_ratio->value()};
     const auto* elastic = std::get_if<ElasticWall>(&*wall);
-    const double value =
-        elastic == nullptr
-            ? contact_modulus(particle, RigidWall{})
-            : contact_modulus(particle, ElasticBody{elastic->young_modulus.value(), elastic->poisson_ratio.value()});
+    const double value = elastic == nullptr
+                             ? contact_modulus(particle, RigidWall{})
+                             : contact_modulus(particle, ElasticBody{elastic->young_modulus.value(),
+                                                                     elastic->poisson_ratio.value()});
     Stated stated = computed(value, Dimension::pressure, "Eq. 7");
     if (const auto u = modulus.young_modulus.standard_uncertainty)
         stated.quantity.standard_uncertainty =
@@ -51,13 +52,15 @@ Stated density_of(const Sample& sample, const SampleModulus& modulus, std::vecto
     if (!sample.density) return computed(from_phases, Dimension::density, "phases, less the pores");
     const double ratio = sample.density->value() / modulus.density;
     if (ratio > 1)
-        warnings.push_back(sample.name + ": the stated density is above that of the dense phases, by a factor " +
+        warnings.push_back(sample.name +
+                           ": the stated density is above that of the dense phases, by a factor " +
                            shortest(std::round(1e4 * ratio) / 1e4));
     return *sample.density;
 }
 
 Stated adhesion_of(const Sample& sample) {
-    if (!sample.work_of_adhesion) return computed(0, Dimension::energy_per_area, "no law of the case has attraction");
+    if (!sample.work_of_adhesion)
+        return computed(0, Dimension::energy_per_area, "no law of the case has attraction");
     if (const auto* stated = std::get_if<Stated>(&*sample.work_of_adhesion)) return *stated;
     const auto& from = std::get<AdhesionFromSurfaces>(*sample.work_of_adhesion);
     return computed(work_of_adhesion(from.rule, from.energies), Dimension::energy_per_area,
@@ -90,7 +93,7 @@ StageOutput contact_stage(const Artifacts& before) {
     output.options = {{"geometry", "sphere on a flat wall: R* = r, m* = m"}};
     output.result["samples"] = Json::array();
     for (const Sample& sample : data.samples) {
-        const SampleModulus& modulus = entry_named(moduli, sample.name, "1-modulus.json");
+        const SampleModulus& modulus = entry_named(moduli, sample.name, before, "1-modulus.json");
         output.result["samples"].push_back(contact_json(sample, data.wall, modulus, output.warnings));
     }
     return output;

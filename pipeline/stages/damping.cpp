@@ -30,21 +30,21 @@ Inverted invert(const RestitutionSeries& data, const LawChoice& choice, DampingL
             continue;
         }
         try {
-            const DampingInversion inversion =
-                damping_from_restitution({.law = choice.law,
-                                          .detachment = choice.detachment,
-                                          .damping_law = damping_law,
-                                          .contact = contact,
-                                          .velocity = data.velocity[i],
-                                          .restitution = data.restitution[i]});
+            const DampingInversion inversion = damping_from_restitution({.law = choice.law,
+                                                                         .detachment = choice.detachment,
+                                                                         .damping_law = damping_law,
+                                                                         .contact = contact,
+                                                                         .velocity = data.velocity[i],
+                                                                         .restitution = data.restitution[i]});
             inverted.series.velocity.push_back(data.velocity[i]);
             inverted.series.restitution.push_back(data.restitution[i]);
             inverted.series.damping.push_back(inversion.damping.coefficient);
             inverted.series.contact_time.push_back(inversion.impact.contact_time.value());
         } catch (const InputError& error) {
-            inverted.unreachable.push_back({{"velocity", quantity_json(data.velocity[i], Dimension::velocity)},
-                                            {"restitution", quantity_json(data.restitution[i], Dimension::fraction)},
-                                            {"reason", error.what()}});
+            inverted.unreachable.push_back(
+                {{"velocity", quantity_json(data.velocity[i], Dimension::velocity)},
+                 {"restitution", quantity_json(data.restitution[i], Dimension::fraction)},
+                 {"reason", error.what()}});
         }
     }
     return inverted;
@@ -72,16 +72,16 @@ StageOutput damping_stage(const Artifacts& before) {
         output.options["detachments"][std::string(choice.law.name())] = name_of(choice.detachment);
     output.result["samples"] = Json::array();
     for (const SampleRestitution& sample : before.read("4-restitution.json", read_restitutions)) {
-        const SampleContact& contact = entry_named(contacts, sample.name, "2-contact.json");
+        const SampleContact& contact = entry_named(contacts, sample.name, before, "2-contact.json");
         Json json{{"name", sample.name}};
         for (const LawChoice& choice : data.laws) {
             const RestitutionSeries* series = sample.of(choice.law);
             if (series == nullptr) continue;
             const Inverted inverted = invert(*series, choice, data.damping_law, contact.pair);
             if (!inverted.unreachable.empty())
-                output.warnings.push_back(fmt::format("{}, {}: {} of {} restitutions cannot be reached by any damping",
-                                                      sample.name, choice.law.name(), inverted.unreachable.size(),
-                                                      series->velocity.size()));
+                output.warnings.push_back(
+                    fmt::format("{}, {}: {} of {} restitutions cannot be reached by any damping", sample.name,
+                                choice.law.name(), inverted.unreachable.size(), series->velocity.size()));
             json[std::string(choice.law.name())] = inverted_json(inverted, data.damping_law);
         }
         output.result["samples"].push_back(std::move(json));
@@ -101,7 +101,8 @@ std::vector<SampleDamping> read_dampings(const View& result, Dimension dimension
                                  .restitution = node.at("restitution").column(Dimension::fraction),
                                  .damping = node.at("damping").column(dimension),
                                  .contact_time = node.at("contact_time").column(Dimension::time)};
-            if (series.velocity.size() != series.restitution.size() || series.velocity.size() != series.damping.size())
+            if (series.velocity.size() != series.restitution.size() ||
+                series.velocity.size() != series.damping.size())
                 node.fail("the columns differ in length", "columns of one length");
             entry.laws.set(law, std::move(series));
         }

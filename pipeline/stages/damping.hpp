@@ -23,8 +23,8 @@ struct SampleDamping {
     LawMap<DampingSeries> laws;
 };
 
-/// The damping that gives back each restitution; Dong et al. 2013, section 4.2. Captures (restitution 0) bound the
-/// damping but do not fix it: they are listed apart.
+/// The damping that gives back each restitution; Dong et al. 2013, section 4.2. Captures (restitution 0)
+/// bound the damping but do not fix it: they are listed apart.
 [[nodiscard]] StageOutput damping_stage(const Artifacts& before);
 
 /// @param dimension of the coefficient of the damping law

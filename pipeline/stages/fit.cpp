@@ -19,12 +19,14 @@ namespace {
 std::vector<DampingPoint> rising_branch(const DampingSeries& series) {
     std::vector<DampingPoint> points;
     if (series.restitution.empty()) return points;
-    const auto top = std::max_element(series.restitution.begin(), series.restitution.end()) - series.restitution.begin();
+    const auto top =
+        std::max_element(series.restitution.begin(), series.restitution.end()) - series.restitution.begin();
     const double last = series.velocity[static_cast<std::size_t>(top)];
     for (std::size_t i = 0; i < series.velocity.size(); ++i)
         if (series.velocity[i] <= last)
-            points.push_back(
-                {.restitution = series.restitution[i], .damping = series.damping[i], .standard_uncertainty = 0});
+            points.push_back({.restitution = series.restitution[i],
+                              .damping = series.damping[i],
+                              .standard_uncertainty = 0});
     return points;
 }
 
@@ -35,7 +37,8 @@ bool can_be_fitted(const std::vector<DampingPoint>& points) {
 }
 
 Json covariance_json(const DampingFit& fit, const std::string& unit) {
-    return {{"parameters", {"a", "b", "c"}}, {"values", fit.covariance}, {"unit", fmt::format("({})2", unit)}};
+    return {
+        {"parameters", {"a", "b", "c"}}, {"values", fit.covariance}, {"unit", fmt::format("({})2", unit)}};
 }
 
 Json fit_json(const DampingFit& fit, const std::vector<DampingPoint>& points, const DampingSeries& series,
@@ -69,15 +72,17 @@ StageOutput fit_stage(const Artifacts& before) {
     StageOutput output{.citations = {"dong2013, section 4.3, Tables 2 and 3"}};
     output.options = {{"order", 2}, {"weights", "equal"}, {"branch", "up to the greatest restitution"}};
     output.result["samples"] = Json::array();
-    const auto read = [&](const View& result) { return read_dampings(result, dimension_of(data.damping_law)); };
+    const auto read = [&](const View& result) {
+        return read_dampings(result, dimension_of(data.damping_law));
+    };
     for (const SampleDamping& sample : before.read("5-damping.json", read)) {
         Json json{{"name", sample.name}};
         for (const auto& [law, series] : sample.laws) {
             const auto points = rising_branch(series);
             if (!can_be_fitted(points)) {
-                output.warnings.push_back(fmt::format(
-                    "{}, {}: a quadratic needs three different restitutions on the rising branch", sample.name,
-                    law.name()));
+                output.warnings.push_back(
+                    fmt::format("{}, {}: a quadratic needs three different restitutions on the rising branch",
+                                sample.name, law.name()));
                 continue;
             }
             json[std::string(law.name())] = fit_json(fit_damping(points), points, series, data.damping_law);

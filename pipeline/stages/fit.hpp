@@ -23,8 +23,8 @@ struct SampleFit {
     LawMap<LawFit> laws;
 };
 
-/// The quadratic eta(e) over the rising branch of e(v) and the critical damping eta(0); Dong et al. 2013, section
-/// 4.3, Tables 2 and 3.
+/// The quadratic eta(e) over the rising branch of e(v) and the critical damping eta(0); Dong et al. 2013,
+/// section 4.3, Tables 2 and 3.
 [[nodiscard]] StageOutput fit_stage(const Artifacts& before);
 
 /// @param dimension of the coefficient of the damping law

@@ -51,6 +51,7 @@ Json momentum_json(const MomentumBalance& balance) {
 Json trajectory_json(const std::vector<TrajectoryPoint>& points) {
     const auto column = [&](double TrajectoryPoint::*member, Dimension dimension) {
         std::vector<double> values;
+        values.reserve(points.size());
         for (const TrajectoryPoint& point : points) values.push_back(point.*member);
         return column_json(values, dimension);
     };
@@ -131,17 +132,18 @@ StageOutput histories_stage(const Artifacts& before) {
     const Case data = read_case_artifact(before);
     const auto contacts = before.read("2-contact.json", read_contacts);
     const Dimension dimension = dimension_of(data.damping_law);
-    const auto dampings = before.read("5-damping.json", [&](const View& v) { return read_dampings(v, dimension); });
+    const auto dampings =
+        before.read("5-damping.json", [&](const View& v) { return read_dampings(v, dimension); });
     const auto fits = before.read("6-fit.json", [&](const View& v) { return read_fits(v, dimension); });
     const auto velocities = before.read("7-critical-velocity.json", read_critical_velocities);
     StageOutput output{.citations = {"dong2013, section 4.4, Eqs. 35-45, Figures 7 and 9"}};
     output.options = {{"points", data.histories.points}, {"critical_excess", data.histories.critical_excess}};
     output.result["samples"] = Json::array();
     for (const Sample& sample : data.samples) {
-        const SampleInputs in{sample, entry_named(contacts, sample.name, "2-contact.json").pair,
-                              entry_named(dampings, sample.name, "5-damping.json").laws,
-                              entry_named(fits, sample.name, "6-fit.json").laws,
-                              entry_named(velocities, sample.name, "7-critical-velocity.json").laws};
+        const SampleInputs in{sample, entry_named(contacts, sample.name, before, "2-contact.json").pair,
+                              entry_named(dampings, sample.name, before, "5-damping.json").laws,
+                              entry_named(fits, sample.name, before, "6-fit.json").laws,
+                              entry_named(velocities, sample.name, before, "7-critical-velocity.json").laws};
         Json json{{"name", sample.name}, {"contact_times", contact_times_json(data, in)}};
         for (const LawChoice& choice : data.laws)
             json[std::string(choice.law.name())] = law_json(data, choice, in);

@@ -21,8 +21,8 @@ struct SampleHistories {
     std::vector<ContactTimeAt> contact_times;
 };
 
-/// Overlap against time just above the critical velocity and in the middle of the rising branch, with the momentum
-/// balance of each; Dong et al. 2013, section 4.4, Eqs. 35-45, Figure 9.
+/// Overlap against time just above the critical velocity and in the middle of the rising branch, with the
+/// momentum balance of each; Dong et al. 2013, section 4.4, Eqs. 35-45, Figure 9.
 [[nodiscard]] StageOutput histories_stage(const Artifacts& before);
 
 [[nodiscard]] std::vector<SampleHistories> read_histories(const View& result);

@@ -12,12 +12,13 @@ namespace {
 Json phases_json(const Composition& composition) {
     Json phases = Json::array();
     for (const Component& component : composition.components)
-        phases.push_back({{"name", component.name},
-                          {"phase", component.phase.name},
-                          {"weight_fraction", component.weight_fraction},
-                          {"volume_fraction", component.volume_fraction},
-                          {"density", quantity_json(component.phase.density.value, Dimension::density)},
-                          {"young_modulus", quantity_json(component.phase.young_modulus.value, Dimension::pressure)}});
+        phases.push_back(
+            {{"name", component.name},
+             {"phase", component.phase.name},
+             {"weight_fraction", component.weight_fraction},
+             {"volume_fraction", component.volume_fraction},
+             {"density", quantity_json(component.phase.density.value, Dimension::density)},
+             {"young_modulus", quantity_json(component.phase.young_modulus.value, Dimension::pressure)}});
     return phases;
 }
 
@@ -25,8 +26,8 @@ Json rule_json(const RuleResult& result) {
     return make_quantity(result.young_modulus, Dimension::pressure, result.standard_uncertainty);
 }
 
-/// Reuss and Voigt on (K, G), which hold for any arrangement of the phases; without every Poisson ratio the series and
-/// parallel models on E stand for them.
+/// Reuss and Voigt on (K, G), which hold for any arrangement of the phases; without every Poisson ratio the
+/// series and parallel models on E stand for them.
 Json bounds_json(const ModulusEstimate& estimate) {
     const auto pick = [&](MixtureRule first, MixtureRule second) {
         const auto result = estimate.by(first);
@@ -64,7 +65,8 @@ Json modulus_json(const Composition& composition, const ModulusEstimate& estimat
         contributions.push_back({{"input", part.what}, {"share_of_variance", part.share}});
     return {{"phases", phases_json(composition)},
             {"rule", mixture_rule_name(rule)},
-            {"young_modulus", make_quantity(estimate.young_modulus, Dimension::pressure, estimate.standard_uncertainty)},
+            {"young_modulus",
+             make_quantity(estimate.young_modulus, Dimension::pressure, estimate.standard_uncertainty)},
             {"bounds", bounds_json(estimate)},
             {"rules", rules},
             {"density", make_quantity(estimate.density, Dimension::density, estimate.density_uncertainty)},
@@ -100,7 +102,8 @@ std::vector<SampleModulus> read_moduli(const View& result) {
                               .young_modulus = sample.at("young_modulus").quantity(Dimension::pressure),
                               .poisson_ratio = {},
                               .density = sample.at("density").number(Dimension::density)};
-        if (const auto nu = sample.find("poisson_ratio")) modulus.poisson_ratio = nu->number(Dimension::fraction);
+        if (const auto nu = sample.find("poisson_ratio"))
+            modulus.poisson_ratio = nu->number(Dimension::fraction);
         samples.push_back(std::move(modulus));
     }
     return samples;

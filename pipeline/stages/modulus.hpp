@@ -23,6 +23,7 @@ struct SampleModulus {
 [[nodiscard]] std::vector<SampleModulus> read_moduli(const View& result);
 
 /// Composition and modulus of one sample, with the keys of `ashimpact modulus --json`.
-[[nodiscard]] Json modulus_json(const Composition& composition, const ModulusEstimate& estimate, MixtureRule rule);
+[[nodiscard]] Json modulus_json(const Composition& composition, const ModulusEstimate& estimate,
+                                MixtureRule rule);
 
 }  // namespace ashimpact

@@ -11,10 +11,12 @@ namespace ashimpact {
 /// The entry of that name. @throws InputError naming the sample
 template <class Entry>
 [[nodiscard]] const Entry& entry_named(const std::vector<Entry>& entries, const std::string& name,
-                                       std::string_view file) {
+                                       const Artifacts& artifacts, std::string_view file) {
     for (const Entry& entry : entries)
         if (entry.name == name) return entry;
-    throw InputError("the sample " + name + " is missing").at("/result/samples").in_file(std::string(file));
+    throw InputError("the sample " + name + " is missing")
+        .at("/result/samples")
+        .in_file(artifacts.place_of(file));
 }
 
 }  // namespace ashimpact

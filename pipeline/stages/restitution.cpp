@@ -35,14 +35,15 @@ RestitutionSeries reconstruct(const PublishedDamping& published, const Reconstru
             series.velocity.push_back(velocity);
             series.restitution.push_back(e);
         } catch (const InputError& error) {
-            warnings.push_back(fmt::format("{}, {}: no point at restitution {}: {}", sample, published.law.name(),
-                                           readable_number(e), error.problem()));
+            warnings.push_back(fmt::format("{}, {}: no point at restitution {}: {}", sample,
+                                           published.law.name(), readable_number(e), error.problem()));
         }
     }
     if (!std::is_sorted(series.velocity.begin(), series.velocity.end()))
-        warnings.push_back(fmt::format("{}, {}: the velocity does not rise with restitution over the whole range, so "
-                                       "this fit is not one of a rising branch there",
-                                       sample, published.law.name()));
+        warnings.push_back(
+            fmt::format("{}, {}: the velocity does not rise with restitution over the whole range, so "
+                        "this fit is not one of a rising branch there",
+                        sample, published.law.name()));
     return series;
 }
 
@@ -97,11 +98,12 @@ StageOutput restitution_stage(const Artifacts& before) {
     for (const Sample& sample : data.samples) {
         Json json{{"name", sample.name}, {"series", Json::array()}};
         if (sample.restitution) {
-            const SampleContact& contact = entry_named(contacts, sample.name, "2-contact.json");
+            const SampleContact& contact = entry_named(contacts, sample.name, before, "2-contact.json");
             for (const auto& series : series_of(data, sample, contact, output.warnings))
                 json["series"].push_back(series_json(series));
         } else {
-            output.warnings.push_back(sample.name + ": no restitution data, so no damping and no dynamic velocity");
+            output.warnings.push_back(sample.name +
+                                      ": no restitution data, so no damping and no dynamic velocity");
         }
         output.result["samples"].push_back(std::move(json));
     }

@@ -12,10 +12,10 @@ namespace ashimpact {
 /// Restitution against incident velocity that stands for some laws.
 struct RestitutionSeries {
     std::vector<Law> laws{};
-    std::string origin{};              ///< "measured" or "reconstructed"
+    std::string origin{};  ///< "measured" or "reconstructed"
     std::string source{};
-    std::vector<double> velocity{};    ///< [m/s]
-    std::vector<double> restitution{}; ///< [1], 0 for a capture
+    std::vector<double> velocity{};     ///< [m/s]
+    std::vector<double> restitution{};  ///< [1], 0 for a capture
 };
 
 /// What later stages need of 4-restitution.json.
@@ -27,8 +27,8 @@ struct SampleRestitution {
     [[nodiscard]] const RestitutionSeries* of(Law law) const;
 };
 
-/// The restitution data of each sample: as measured, or reconstructed from published fits eta(e) by asking at which
-/// velocity an impact with eta(e) gives e back.
+/// The restitution data of each sample: as measured, or reconstructed from published fits eta(e) by asking at
+/// which velocity an impact with eta(e) gives e back.
 [[nodiscard]] StageOutput restitution_stage(const Artifacts& before);
 
 [[nodiscard]] std::vector<SampleRestitution> read_restitutions(const View& result);

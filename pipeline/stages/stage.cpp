@@ -22,6 +22,11 @@ const Artifact& Artifacts::at(std::string_view file) const {
     throw std::logic_error("a stage reads " + std::string(file) + ", which it does not list");
 }
 
+const std::string& Artifacts::place_of(std::string_view file) const {
+    const Artifact& artifact = at(file);
+    return artifact.place.empty() ? artifact.file : artifact.place;
+}
+
 const std::vector<Stage>& stages() {
     static const std::vector<Stage> list{
         {"modulus", "1-modulus.json", {case_artifact}, modulus_stage},

@@ -21,6 +21,7 @@ struct Artifact {
     std::string file;
     Json document;
     std::string bytes;
+    std::string place{};  ///< where it was read from, for messages; empty: it was computed
 };
 
 /// The artifacts of earlier stages.
@@ -30,11 +31,14 @@ class Artifacts {
     /// The artifact of that file name. @throws std::logic_error if it was not added
     [[nodiscard]] const Artifact& at(std::string_view file) const;
 
+    /// What messages call an artifact.
+    [[nodiscard]] const std::string& place_of(std::string_view file) const;
+
     /// What @p read makes of the result of an artifact; errors name its file.
     template <class Read>
     auto read(std::string_view file, Read&& read) const {
         const Artifact& artifact = at(file);
-        return in_file(artifact.file, [&] { return read(View(artifact.document).at("result")); });
+        return in_file(place_of(file), [&] { return read(View(artifact.document).at("result")); });
     }
 
   private:

@@ -16,12 +16,15 @@ constexpr std::size_t indent_width = 2;
 constexpr std::size_t most_rows = 12;
 
 bool is_quantity(const Json& value) {
-    return value.is_object() && value.contains("value") && value.contains("unit") && value["value"].is_number();
+    return value.is_object() && value.contains("value") && value.contains("unit") &&
+           value["value"].is_number();
 }
 
 bool is_column(const Json& value) {
-    return value.is_object() && value.contains("values") && value.contains("unit") && value["values"].is_array() &&
-           std::all_of(value["values"].begin(), value["values"].end(), [](const Json& v) { return v.is_number(); });
+    return value.is_object() && value.contains("values") && value.contains("unit") &&
+           value["values"].is_array() &&
+           std::all_of(value["values"].begin(), value["values"].end(),
+                       [](const Json& v) { return v.is_number(); });
 }
 
 std::string quantity_text(const Json& value) {
@@ -72,7 +75,8 @@ std::string columns_text(const Json& object, std::size_t indent) {
         table.add(std::move(row));
     }
     return table.text(indent) +
-           (stride > 1 ? fmt::format("{}every {} of {} rows\n", std::string(indent, ' '), stride, length) : "");
+           (stride > 1 ? fmt::format("{}every {} of {} rows\n", std::string(indent, ' '), stride, length)
+                       : "");
 }
 
 /// Whether a list holds objects that make the rows of a table: same keys, short values.
@@ -92,6 +96,7 @@ std::string rows_text(const Json& list, std::size_t indent) {
     TextTable table(heading);
     for (const Json& row : list) {
         std::vector<std::string> cells;
+        cells.reserve(heading.size());
         for (const std::string& key : heading) cells.push_back(short_text(row.at(key)));
         table.add(std::move(cells));
     }
@@ -127,10 +132,12 @@ std::string block_text(const Json& value, std::size_t indent) {
             continue;
         }
         for (std::size_t i = 0; i < member.size(); ++i) {
-            const std::string title = member[i].is_structured() && member[i].is_object() ? title_of(member[i], i) : "";
+            const std::string title =
+                member[i].is_structured() && member[i].is_object() ? title_of(member[i], i) : "";
             nested += fmt::format("{}{} {}\n", std::string(indent, ' '), key, title);
-            nested += member[i].is_object() ? block_text(member[i], indent + indent_width)
-                                            : std::string(indent + indent_width, ' ') + short_text(member[i]) + "\n";
+            nested += member[i].is_object()
+                          ? block_text(member[i], indent + indent_width)
+                          : std::string(indent + indent_width, ' ') + short_text(member[i]) + "\n";
         }
     }
     return (any ? scalars.text(indent) : std::string{}) + columns_text(value, indent) + nested;
@@ -138,20 +145,25 @@ std::string block_text(const Json& value, std::size_t indent) {
 
 }  // namespace
 
-std::string result_text(const Json& result) { return block_text(result, 0); }
+std::string result_text(const Json& result) {
+    return block_text(result, 0);
+}
 
 std::string artifact_text(const Json& artifact) {
     const Json& provenance = artifact.at("provenance");
-    std::string text = fmt::format("{} by {} {} ({})\n", artifact.at("schema").get<std::string>(),
-                                   provenance.at("program").get<std::string>(),
-                                   provenance.at("version").get<std::string>(),
-                                   provenance.at("revision").get<std::string>());
+    std::string text =
+        fmt::format("{} by {} {} ({})\n", artifact.at("schema").get<std::string>(),
+                    provenance.at("program").get<std::string>(), provenance.at("version").get<std::string>(),
+                    provenance.at("revision").get<std::string>());
     for (const Json& input : provenance.at("inputs"))
         text += fmt::format("  from {}  sha256 {}\n", input.at("file").get<std::string>(),
                             input.at("sha256").get<std::string>());
-    if (!provenance.at("options").empty()) text += "options\n" + block_text(provenance.at("options"), indent_width);
-    for (const Json& citation : artifact.at("citations")) text += "cites " + citation.get<std::string>() + "\n";
-    for (const Json& warning : artifact.at("warnings")) text += "warning: " + warning.get<std::string>() + "\n";
+    if (!provenance.at("options").empty())
+        text += "options\n" + block_text(provenance.at("options"), indent_width);
+    for (const Json& citation : artifact.at("citations"))
+        text += "cites " + citation.get<std::string>() + "\n";
+    for (const Json& warning : artifact.at("warnings"))
+        text += "warning: " + warning.get<std::string>() + "\n";
     text += "\n";
     if (artifact.at("stage") == "comparison") text += comparison_text(View(artifact).at("result")) + "\n";
     return text + result_text(artifact.at("result"));

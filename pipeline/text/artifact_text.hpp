@@ -6,7 +6,8 @@
 
 namespace ashimpact {
 
-/// Any JSON result for a reader: quantities in convenient units, columns as tables, the rest as an indented list.
+/// Any JSON result for a reader: quantities in convenient units, columns as tables, the rest as an indented
+/// list.
 [[nodiscard]] std::string result_text(const Json& result);
 
 /// An artifact for a reader: where it comes from, what it warns about, then its result.

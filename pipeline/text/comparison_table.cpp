@@ -25,17 +25,22 @@ std::optional<std::string> published(const View& sample, const char* kind, const
 /// "1.93 (1.93)": ours, then the published value.
 std::string velocity_cell(const View& sample, const View::Member& law) {
     std::string cell = "-";
-    if (!law.value.json().is_null()) cell = fmt::format("{:#.3g}", law.value.at("value").json().get<double>());
-    else if (sample.at("verdict").at(law.key).text() != "finite") cell = sample.at("verdict").at(law.key).text();
-    if (const auto printed = published(sample, "critical_velocity", law.key)) cell += fmt::format(" ({})", *printed);
+    if (!law.value.json().is_null())
+        cell = fmt::format("{:#.3g}", law.value.at("value").json().get<double>());
+    else if (sample.at("verdict").at(law.key).text() != "finite")
+        cell = sample.at("verdict").at(law.key).text();
+    if (const auto printed = published(sample, "critical_velocity", law.key))
+        cell += fmt::format(" ({})", *printed);
     return cell;
 }
 
 std::string modulus_cell(const View& sample) {
-    std::string cell = fmt::format("{:.2f}", sample.at("young_modulus").at("value").json().get<double>() / 1e9);
+    std::string cell =
+        fmt::format("{:.2f}", sample.at("young_modulus").at("value").json().get<double>() / 1e9);
     const auto all = sample.find("published");
     const auto entry = all ? all->find("young_modulus") : std::nullopt;
-    if (entry) cell += fmt::format(" ({:.2f})", entry->at("published").at("value").json().get<double>() / 1e9);
+    if (entry)
+        cell += fmt::format(" ({:.2f})", entry->at("published").at("value").json().get<double>() / 1e9);
     return cell;
 }
 
@@ -50,9 +55,9 @@ std::string comparison_text(const View& result) {
     TextTable table(std::move(heading));
     bool any_published = false;
     for (const View& sample : samples) {
-        std::vector<std::string> row{sample.at("name").text(), modulus_cell(sample), shown(sample.at("contact_modulus")),
-                                     shown(sample.at("separation_energy")),
-                                     shown(sample.at("analytic_critical_velocity"))};
+        std::vector<std::string> row{
+            sample.at("name").text(), modulus_cell(sample), shown(sample.at("contact_modulus")),
+            shown(sample.at("separation_energy")), shown(sample.at("analytic_critical_velocity"))};
         for (const auto& law : sample.at("dynamic_critical_velocity").members())
             row.push_back(velocity_cell(sample, law));
         const auto measured = sample.find("measured_critical_velocity");

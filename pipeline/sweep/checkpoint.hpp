@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "pipeline/sweep/plan.hpp"
+#include "pipeline/sweep/tally.hpp"
+
+namespace ashimpact {
+
+/// What is finished of a sweep.
+struct Checkpoint {
+    Tally tally;
+    std::uint64_t row_bytes = 0;  ///< of the packed rows
+
+    template <class Archive>
+    void transfer(Archive& archive) {
+        archive(tally, row_bytes);
+    }
+};
+
+/// Replaces the checkpoint file at once. @throws InputError if it cannot be written
+void save_checkpoint(const std::filesystem::path& file, const SweepPlan& plan, Checkpoint checkpoint);
+
+/// The checkpoint of a sweep; nothing if there is no file.
+/// @throws InputError if it is one of another spec or program, or damaged
+[[nodiscard]] std::optional<Checkpoint> load_checkpoint(const std::filesystem::path& file,
+                                                        const SweepPlan& plan);
+
+}  // namespace ashimpact

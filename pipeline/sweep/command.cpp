@@ -1,0 +1,128 @@
+#include "pipeline/sweep/command.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <csignal>
+#include <ostream>
+
+#include "materials/error.hpp"
+#include "pipeline/files/file.hpp"
+#include "pipeline/files/sha256.hpp"
+#include "pipeline/json/writer.hpp"
+#include "pipeline/sweep/crew.hpp"
+#include "pipeline/sweep/mpi/mpi_team.hpp"
+#include "pipeline/sweep/progress.hpp"
+#include "pipeline/sweep/result_json.hpp"
+#include "pipeline/sweep/sweep.hpp"
+#include "pipeline/sweep/table_file.hpp"
+#include "pipeline/text/artifact_text.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+volatile std::sig_atomic_t interrupting_signal = 0;
+
+/// Turns an interruption into a wish to stop, so that what is finished is saved; a second one ends the
+/// program.
+void heed_interruptions() {
+    struct sigaction action {};
+    action.sa_handler = [](int signal) { interrupting_signal = signal; };
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+}
+
+/// Ends the program by the signal that interrupted it, as if it had not been caught.
+[[noreturn]] void end_by_signal() {
+    std::signal(interrupting_signal, SIG_DFL);
+    std::raise(interrupting_signal);
+    std::abort();
+}
+
+void check_output(const std::filesystem::path& output) {
+    const auto refuse = [&](const char* problem, const char* allowed) {
+        throw InputError(problem, allowed).in_file(output.string());
+    };
+    if (output.extension() == ".h5") refuse("would be the full table", "a JSON file, such as sweep.json; -o");
+    if (std::filesystem::is_directory(output)) refuse("is a folder", "a file; -o");
+    const auto folder = output.parent_path();
+    if (!folder.empty() && !std::filesystem::is_directory(folder))
+        refuse("its folder does not exist", "a file in a folder that does; -o");
+}
+
+void remove(const SweepFiles& files) {
+    std::error_code ignored;
+    for (const auto& file : {files.checkpoint, files.rows}) std::filesystem::remove(file, ignored);
+}
+
+Checkpoint begin(const SweepOptions& options, const SweepPlan& plan, const SweepFiles& files) {
+    if (options.restart) remove(files);
+    auto checkpoint = load_checkpoint(files.checkpoint, plan);
+    if (!checkpoint) return {};
+    spdlog::info("{}: going on from chunk {} of {}", files.checkpoint.string(), checkpoint->tally.chunks(),
+                 plan.chunks());
+    return *std::move(checkpoint);
+}
+
+/// One line a law: what was found.
+std::string summary(const Json& artifact, const SweepFiles& files, const SweepPlan& plan) {
+    std::string text;
+    for (const Json& law : artifact.at("result").at("laws"))
+        text += fmt::format("{}: {} impacts, {} captured ({:.4g} %)\n", law.at("law").get<std::string>(),
+                            law.at("impacts").get<std::uint64_t>(), law.at("captured").get<std::uint64_t>(),
+                            100 * law.at("capture_fraction").at("value").get<double>());
+    text += files.result.string();
+    if (!plan.spec().table.empty()) text += fmt::format(", {}: {} rows", files.table.string(), plan.rows());
+    return text + fmt::format("; `ashimpact inspect {}` shows it.\n", files.result.string());
+}
+
+/// Rank 0: everything but the blocks other ranks compute. @returns whether all is done
+bool lead(const SweepOptions& options, const SweepPlan& plan, const SpecFile& spec, Team& team,
+          std::ostream& out) {
+    const SweepFiles files = SweepFiles::beside(options.output);
+    Checkpoint state = begin(options, plan, files);
+    const SweepCare care{.checkpoint_interval = options.checkpoint_interval,
+                         .show_progress = options.progress || on_terminal(),
+                         .interrupted = [] { return interrupting_signal != 0; }};
+    if (!complete(state, plan, files, team, care)) return false;
+    if (!plan.spec().table.empty()) write_table(files.table, plan, files.rows);
+    const Json artifact = sweep_artifact(plan, state.tally, spec);
+    write_file(files.result, write_json(artifact));
+    remove(files);
+    out << summary(artifact, files, plan);
+    return true;
+}
+
+}  // namespace
+
+void run_sweep_command(const SweepOptions& options, MpiSession& session, const ImpactSolver& solver,
+                       std::ostream& out) {
+    session.join();
+    std::string text;
+    if (session.rank() == 0) {
+        check_output(options.output);
+        text = read_file(options.spec);
+        const SweepPlan checked = in_file(options.spec, [&] { return SweepPlan(text); });
+        for (const std::string& warning : checked.spec().warnings) spdlog::warn("warning: {}", warning);
+    }
+    text = session.broadcast(text);
+    const SweepPlan plan(text);
+    const int threads = options.threads > 0 ? options.threads : default_threads(session.size_here());
+    Crew crew(threads, work_of(plan, solver));
+    if (session.rank() != 0) {
+        serve(crew, session);
+        return;
+    }
+    heed_interruptions();
+    const SpecFile spec{options.spec, sha256(text)};
+    MpiTeam team(crew, session);
+    const bool done = lead(options, plan, spec, team, out);
+    team.dismiss();
+    if (done) return;
+    spdlog::info("interrupted; the same command goes on from here");
+    session.leave(128 + interrupting_signal);
+    end_by_signal();
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "solver/impact.hpp"
+
+namespace ashimpact {
+
+/// Many impacts, one entry each [SI].
+struct ImpactColumns {
+    std::vector<double> mass;
+    std::vector<double> effective_radius;
+    std::vector<double> contact_modulus;
+    std::vector<double> work_of_adhesion;
+    std::vector<double> yield_pressure;
+    std::vector<double> damping;
+    std::vector<double> velocity;
+};
+
+/// What is the same for all of them.
+struct ContactModel {
+    Law law;
+    Detachment detachment;
+    DampingLaw damping_law;
+};
+
+/// Which results are wanted beside the restitution; others are left empty.
+struct WantedResults {
+    bool contact_time = false;
+    bool maximum_overlap = false;
+};
+
+/// What the impacts did, one entry each.
+struct ResultColumns {
+    std::vector<double> restitution;      ///< 0 for a capture
+    std::vector<double> contact_time;     ///< not a number for a capture [s]
+    std::vector<double> maximum_overlap;  ///< [m]
+};
+
+/// Solves many impacts. The result of an impact may not depend on the others beside it.
+using ImpactSolver =
+    std::function<ResultColumns(const ContactModel&, const ImpactColumns&, const WantedResults&)>;
+
+/// The scalar solver, one impact after the other. @throws ConvergenceError naming the impact
+[[nodiscard]] ResultColumns solve_one_by_one(const ContactModel& model, const ImpactColumns& impacts,
+                                             const WantedResults& wanted);
+
+}  // namespace ashimpact

@@ -1,0 +1,53 @@
+#include "pipeline/sweep/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace ashimpact {
+
+namespace {
+
+constexpr std::chrono::milliseconds period{250};
+
+std::string rate_text(double rate) {
+    if (rate >= 1e6) return fmt::format("{:.3g} million", rate / 1e6);
+    if (rate >= 1e3) return fmt::format("{:.3g} thousand", rate / 1e3);
+    return fmt::format("{:.3g}", rate);
+}
+
+std::string time_text(double seconds) {
+    if (seconds >= 100 * 3600) return fmt::format("{:.0f} days", seconds / 86400);
+    const auto whole = static_cast<long>(seconds + 0.5);
+    return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+}  // namespace
+
+Progress::Progress(std::uint64_t total, std::uint64_t done, bool shown)
+    : total_(total), before_(done), shown_(shown) {}
+
+Progress::~Progress() {
+    if (dirty_) std::fputs("\r\x1b[K", stderr);
+}
+
+void Progress::update(std::uint64_t done) {
+    const auto now = Clock::now();
+    if (!shown_ || done == before_ || now - last_ < period) return;
+    last_ = now;
+    const double rate =
+        static_cast<double>(done - before_) / std::chrono::duration<double>(now - start_).count();
+    const double part = static_cast<double>(done) / static_cast<double>(total_);
+    const std::string line =
+        fmt::format("\r\x1b[K{:5.1f} %, {} impacts/s, {} left", 100 * part, rate_text(rate),
+                    time_text(static_cast<double>(total_ - done) / rate));
+    std::fputs(line.c_str(), stderr);
+    dirty_ = true;
+}
+
+bool on_terminal() {
+    return isatty(STDERR_FILENO) == 1;
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "pipeline/json/document.hpp"
+#include "pipeline/sweep/plan.hpp"
+#include "pipeline/sweep/tally.hpp"
+
+namespace ashimpact {
+
+/// The spec as it was read, and the file it was read from.
+struct SpecFile {
+    std::string name;
+    std::string sha256;
+};
+
+/// The artifact of a finished sweep. Nothing in it depends on who did the work, when, or how often it was
+/// stopped.
+[[nodiscard]] Json sweep_artifact(const SweepPlan& plan, const Tally& tally, const SpecFile& spec);
+
+}  // namespace ashimpact

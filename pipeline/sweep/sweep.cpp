@@ -1,0 +1,165 @@
+#include "pipeline/sweep/sweep.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <map>
+
+#include "materials/error.hpp"
+#include "pipeline/sweep/bytes.hpp"
+#include "pipeline/sweep/progress.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Long enough that handing out blocks costs nothing, short enough that no one waits long for the last one.
+constexpr double block_seconds = 0.1;
+constexpr unsigned highest_level = 12;
+/// A block's rows of the full table are held in memory, and sent, as one.
+constexpr unsigned highest_level_with_table = 2;
+constexpr std::chrono::milliseconds patience{50};
+
+/// The way of a sweep from its first chunk to its last.
+class Course {
+  public:
+    Course(Checkpoint& state, const SweepPlan& plan, const SweepFiles& files, Team& team,
+           const SweepCare& care)
+        : state_(state),
+          plan_(plan),
+          files_(files),
+          team_(team),
+          care_(care),
+          progress_(plan.impacts(), impacts_done(), care.show_progress),
+          next_(state.tally.chunks()) {
+        if (!plan.spec().table.empty()) rows_.emplace(files.rows, state.row_bytes);
+    }
+
+    [[nodiscard]] bool run() {
+        while (state_.tally.chunks() < plan_.chunks()) {
+            hand_out();
+            collect();
+            merge();
+            progress_.update(impacts_done());
+            if (care_.interrupted()) {
+                save();
+                return false;
+            }
+            if (std::chrono::duration<double>(Clock::now() - saved_).count() >= care_.checkpoint_interval)
+                save();
+        }
+        save();
+        return true;
+    }
+
+    void save() {
+        if (rows_) rows_->sync();
+        save_checkpoint(files_.checkpoint, plan_, state_);
+        saved_ = Clock::now();
+    }
+
+  private:
+    [[nodiscard]] std::uint64_t impacts_done() const {
+        const std::uint64_t chunks = state_.tally.chunks();
+        const std::uint64_t points =
+            chunks == plan_.chunks() ? plan_.design().points() : plan_.first_point(chunks);
+        return points * plan_.impacts_a_point() * plan_.spec().laws.size();
+    }
+
+    /// Assigns blocks while someone has nothing to do, but never far ahead of what is merged: results that
+    /// wait for one before them take memory.
+    void hand_out() {
+        const std::size_t most_waiting = 4 * team_.capacity();
+        while (next_ < plan_.chunks() && team_.vacancies() > 0 &&
+               in_flight_ + waiting_.size() < most_waiting) {
+            const Block block{next_, level()};
+            team_.assign(block);
+            next_ += block.chunks();
+            ++in_flight_;
+        }
+    }
+
+    /// The next block's level: as slow as wanted, a node of the tree, and small enough that all get some in
+    /// the end.
+    [[nodiscard]] unsigned level() const {
+        const std::uint64_t left = plan_.chunks() - next_;
+        const auto log2 = [](std::uint64_t number) {
+            return static_cast<unsigned>(std::bit_width(number)) - 1;
+        };
+        const std::uint64_t share = std::max<std::uint64_t>(1, left / (2 * team_.capacity()));
+        const std::uint64_t wanted =
+            seconds_a_chunk_ > 0 ? static_cast<std::uint64_t>(block_seconds / seconds_a_chunk_) : 1;
+        const unsigned aligned = next_ == 0 ? highest_level : static_cast<unsigned>(std::countr_zero(next_));
+        return std::min({log2(share),
+                         log2(std::clamp<std::uint64_t>(wanted, 1, std::uint64_t{1} << highest_level)),
+                         aligned, rows_ ? highest_level_with_table : highest_level});
+    }
+
+    void collect() {
+        auto done = team_.finished(patience);
+        if (!done) return;
+        --in_flight_;
+        const std::uint64_t first = done->block.first;
+        waiting_.emplace(first, std::move(*done));
+    }
+
+    void merge() {
+        for (auto first = waiting_.begin(); first != waiting_.end() && first->first == state_.tally.chunks();
+             first = waiting_.erase(first)) {
+            const FinishedBlock& done = first->second;
+            BlockResult result;
+            ByteReader reader(done.bytes);
+            reader(result);
+            reader.finish();
+            if (rows_) rows_->append(result.rows);
+            if (rows_) state_.row_bytes = rows_->size();
+            state_.tally.add(done.block, std::move(result));
+            seconds_a_chunk_ = done.seconds / static_cast<double>(done.block.chunks());
+        }
+    }
+
+    Checkpoint& state_;
+    const SweepPlan& plan_;
+    const SweepFiles& files_;
+    Team& team_;
+    const SweepCare& care_;
+    Progress progress_;
+    std::optional<RowLog> rows_;
+    std::uint64_t next_;  ///< chunk to hand out
+    std::size_t in_flight_ = 0;
+    std::map<std::uint64_t, FinishedBlock> waiting_;  ///< for blocks before them, by first chunk
+    double seconds_a_chunk_ = 0;
+    Clock::time_point saved_ = Clock::now();
+};
+
+}  // namespace
+
+SweepFiles SweepFiles::beside(const std::filesystem::path& result) {
+    const auto with = [&](const char* suffix) { return std::filesystem::path(result.string() + suffix); };
+    std::filesystem::path table = result;
+    table.replace_extension(".h5");
+    return {result, table, with(".checkpoint"), with(".rows")};
+}
+
+Work work_of(const SweepPlan& plan, ImpactSolver solver) {
+    return [&plan, solver = std::move(solver)](const Block& block) {
+        BlockResult result = compute_block(plan, solver, block);
+        ByteWriter writer;
+        writer(result);
+        return std::move(writer).take();
+    };
+}
+
+bool complete(Checkpoint& state, const SweepPlan& plan, const SweepFiles& files, Team& team,
+              const SweepCare& care) {
+    Course course(state, plan, files, team, care);
+    try {
+        return course.run();
+    } catch (const ConvergenceError&) {
+        course.save();
+        throw;
+    }
+}
+
+}  // namespace ashimpact

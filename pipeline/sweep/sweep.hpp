@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "pipeline/sweep/checkpoint.hpp"
+#include "pipeline/sweep/plan.hpp"
+#include "pipeline/sweep/row_log.hpp"
+#include "pipeline/sweep/team.hpp"
+
+namespace ashimpact {
+
+/// The files of a sweep, all beside each other.
+struct SweepFiles {
+    std::filesystem::path result;
+    std::filesystem::path table;       ///< the full table
+    std::filesystem::path checkpoint;  ///< gone when the sweep is done
+    std::filesystem::path rows;        ///< of the table, packed; gone when the sweep is done
+
+    [[nodiscard]] static SweepFiles beside(const std::filesystem::path& result);
+};
+
+/// How a sweep is watched over.
+struct SweepCare {
+    double checkpoint_interval = 10;  ///< [s]
+    bool show_progress = false;
+    std::function<bool()> interrupted = [] { return false; };
+};
+
+/// The work of one block, as a team does it.
+[[nodiscard]] Work work_of(const SweepPlan& plan, ImpactSolver solver);
+
+/// Has the team compute every chunk that the checkpoint lacks, and merges what it returns in the order of the
+/// chunks. The finished part is saved as it grows, and also if an error ends the work or it is interrupted.
+/// @returns whether all is done; false if it was interrupted
+/// @throws InputError if a file cannot be written, and whatever the work throws
+[[nodiscard]] bool complete(Checkpoint& state, const SweepPlan& plan, const SweepFiles& files, Team& team,
+                            const SweepCare& care);
+
+}  // namespace ashimpact

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+
+#include "pipeline/sweep/plan.hpp"
+
+namespace ashimpact {
+
+/// Writes the full table as an HDF5 file from the packed rows: a dataset of doubles a column, shuffled and
+/// deflated, unit and description as its attributes. No time stamps: the same rows give the same bytes. No
+/// reader ever sees half a file.
+/// @throws InputError if the file cannot be written
+void write_table(const std::filesystem::path& file, const SweepPlan& plan, const std::filesystem::path& rows);
+
+}  // namespace ashimpact

@@ -1,0 +1,109 @@
+#include "solver/statistics/design.hpp"
+
+#include <limits>
+#include <stdexcept>
+
+#include "materials/error.hpp"
+#include "solver/statistics/philox.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+/// Groups of random points; more would tell their errors no better than the few points in each.
+constexpr std::uint32_t random_groups = 16;
+
+const std::vector<double>& values_of(const Distribution& variable) {
+    const auto* choice = std::get_if<Choice>(&variable);
+    if (choice == nullptr)
+        throw InputError("a variable of a grid is a distribution",
+                         "values or a grid, or another sampling method");
+    return choice->values;
+}
+
+std::uint64_t grid_points(const std::vector<Distribution>& variables) {
+    std::uint64_t points = 1;
+    for (const Distribution& variable : variables) {
+        const std::uint64_t count = values_of(variable).size();
+        if (points > std::numeric_limits<std::uint64_t>::max() / count)
+            throw InputError("the grid has more points than can be counted", "fewer points");
+        points *= count;
+    }
+    return points;
+}
+
+}  // namespace
+
+Design::Design(std::vector<Distribution> variables, const Sampling& sampling, std::size_t samples)
+    : variables_(std::move(variables)), sampling_(sampling), samples_(samples) {
+    const std::size_t axes = samples_ * variables_.size();
+    switch (sampling_.method) {
+        case SamplingMethod::grid:
+            sampling_.points = grid_points(variables_);
+            return;
+        case SamplingMethod::random:
+            groups_ = random_groups;
+            return;
+        case SamplingMethod::quasi_random:
+            break;
+    }
+    groups_ = sampling_.shifts;
+    sequence_.emplace(sampling_.sequence, axes);
+    shifts_.assign(axes, std::vector<std::uint64_t>(groups_));
+    for (std::size_t axis = 0; axis < axes; ++axis)
+        for (std::uint32_t copy = 0; copy < groups_; ++copy)
+            shifts_[axis][copy] =
+                random_bits(sampling_.seed, copy, static_cast<std::uint32_t>(axis), RandomStream::shifts)[0];
+}
+
+void Design::fill(std::size_t sample, std::size_t variable, std::uint64_t first,
+                  std::span<double> values) const {
+    const std::size_t axis = sample * variables_.size() + variable;
+    switch (sampling_.method) {
+        case SamplingMethod::grid:
+            fill_grid(variable, first, values);
+            return;
+        case SamplingMethod::random:
+            fill_random(axis, first, values);
+            break;
+        case SamplingMethod::quasi_random:
+            fill_quasi_random(axis, first, values);
+            break;
+    }
+    to_quantiles(variables_[variable], values);
+}
+
+void Design::fill_grid(std::size_t variable, std::uint64_t first, std::span<double> values) const {
+    std::uint64_t stride = 1;  // points between two values of this variable
+    for (std::size_t later = variable + 1; later < variables_.size(); ++later)
+        stride *= values_of(variables_[later]).size();
+    const auto& grid = values_of(variables_[variable]);
+    for (double& value : values) value = grid[first++ / stride % grid.size()];
+}
+
+void Design::fill_random(std::size_t axis, std::uint64_t first, std::span<double> values) const {
+    const auto bits_of = [&](std::uint64_t point) {
+        return random_bits(sampling_.seed, point / 2, static_cast<std::uint32_t>(axis), RandomStream::points);
+    };
+    std::size_t i = 0;
+    if (first % 2 == 1 && !values.empty()) values[i++] = unit_interval(bits_of(first)[1]);
+    for (; i < values.size(); i += 2) {
+        const auto bits = bits_of(first + i);
+        values[i] = unit_interval(bits[0]);
+        if (i + 1 < values.size()) values[i + 1] = unit_interval(bits[1]);
+    }
+}
+
+void Design::fill_quasi_random(std::size_t axis, std::uint64_t first, std::span<double> values) const {
+    std::vector<std::uint64_t> points((values.size() + groups_ - 1) / groups_);
+    for (std::size_t start = 0; start < groups_ && start < values.size(); ++start) {
+        const std::uint64_t number = first + start;
+        const std::span<std::uint64_t> taken(points.data(), (values.size() - start + groups_ - 1) / groups_);
+        sequence_->fill(axis, number / groups_, taken);
+        const std::uint64_t shift = shifts_[axis][number % groups_];
+        for (std::size_t i = 0; i < taken.size(); ++i)
+            values[start + i * groups_] = unit_interval(taken[i] ^ shift);
+    }
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "solver/statistics/distribution.hpp"
+#include "solver/statistics/quasi_random.hpp"
+
+namespace ashimpact {
+
+enum class SamplingMethod { grid, random, quasi_random };
+
+/// How the points of a design are chosen.
+struct Sampling {
+    SamplingMethod method;
+    std::uint64_t points = 0;  ///< of a grid: its own number
+    std::uint64_t seed = 0;
+    QuasiRandomSequence sequence = QuasiRandomSequence::sobol;
+    std::uint32_t shifts = 16;  ///< independently shifted copies of a quasi-random sequence
+};
+
+/// Where the variables are evaluated: every point can be had by its number, whoever asks.
+///
+/// A grid is the full product of the variables' values, the last variable running fastest. Random points come
+/// from a counter-based generator, the point's number being the counter. Quasi-random points are those of a
+/// digital sequence, taken in turn by copies of it whose digits are shifted at random (exclusive or), so that
+/// the spread of the copies tells the error of the whole.
+class Design {
+  public:
+    /// @param samples independent values of each variable in one point: 1, or 2 for sensitivity indices
+    /// @throws InputError for a grid of a distribution, or more dimensions than the sequence has
+    Design(std::vector<Distribution> variables, const Sampling& sampling, std::size_t samples = 1);
+
+    [[nodiscard]] std::uint64_t points() const { return sampling_.points; }
+    [[nodiscard]] std::size_t variables() const { return variables_.size(); }
+    [[nodiscard]] std::size_t samples() const { return samples_; }
+
+    /// Points n with equal n % groups() make one of the groups by whose spread errors are told.
+    [[nodiscard]] std::uint32_t groups() const { return groups_; }
+
+    /// Values of a variable in the points first, first + 1, ... [SI].
+    void fill(std::size_t sample, std::size_t variable, std::uint64_t first, std::span<double> values) const;
+
+  private:
+    void fill_grid(std::size_t variable, std::uint64_t first, std::span<double> values) const;
+    void fill_random(std::size_t axis, std::uint64_t first, std::span<double> values) const;
+    void fill_quasi_random(std::size_t axis, std::uint64_t first, std::span<double> values) const;
+
+    std::vector<Distribution> variables_;
+    Sampling sampling_;
+    std::size_t samples_;
+    std::uint32_t groups_ = 1;
+    std::optional<DigitalSequence> sequence_;
+    std::vector<std::vector<std::uint64_t>> shifts_;  ///< of each axis, one a copy
+};
+
+}  // namespace ashimpact

@@ -1,0 +1,120 @@
+#include "solver/statistics/distribution.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/gsl/distribution.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+/// The standard normal distribution cut off at both ends.
+class CutNormal {
+  public:
+    CutNormal(double lower, double upper) : lower_(gsl::normal_probability(lower)) {
+        // In the far upper tail probabilities round to 1: there the mirror image keeps its digits.
+        mirrored_ = lower > 0;
+        if (mirrored_) lower_ = gsl::normal_probability(-upper);
+        width_ = gsl::normal_probability(mirrored_ ? -lower : upper) - lower_;
+    }
+    [[nodiscard]] double quantile(double p) const {
+        return mirrored_ ? -gsl::normal_quantile(lower_ + (1 - p) * width_)
+                         : gsl::normal_quantile(lower_ + p * width_);
+    }
+
+  private:
+    double lower_;
+    double width_ = 0;
+    bool mirrored_ = false;
+};
+
+void convert(const Choice& choice, std::span<double> values) {
+    const auto count = static_cast<double>(choice.values.size());
+    for (double& value : values) value = choice.values[static_cast<std::size_t>(value * count)];
+}
+
+void convert(const Uniform& uniform, std::span<double> values) {
+    const double width = uniform.to - uniform.from;
+    for (double& value : values) value = uniform.from + value * width;
+}
+
+void convert(const LogUniform& uniform, std::span<double> values) {
+    const double from = std::log(uniform.from);
+    const double width = std::log(uniform.to) - from;
+    for (double& value : values) value = std::clamp(std::exp(from + value * width), uniform.from, uniform.to);
+}
+
+void convert(const Normal& normal, std::span<double> values) {
+    const auto standard = [&](double x) { return (x - normal.mean) / normal.standard_deviation; };
+    const CutNormal cut(standard(normal.minimum), standard(normal.maximum));
+    for (double& value : values)
+        value = std::clamp(normal.mean + normal.standard_deviation * cut.quantile(value), normal.minimum,
+                           normal.maximum);
+}
+
+void convert(const LogNormal& normal, std::span<double> values) {
+    const double spread = std::log(normal.geometric_standard_deviation);
+    const auto standard = [&](double x) { return std::log(x / normal.median) / spread; };
+    const CutNormal cut(standard(normal.minimum), standard(normal.maximum));
+    for (double& value : values)
+        value = std::clamp(normal.median * std::exp(spread * cut.quantile(value)), normal.minimum,
+                           normal.maximum);
+}
+
+void convert(const Triangular& triangular, std::span<double> values) {
+    const double width = triangular.to - triangular.from;
+    const double rising = triangular.mode - triangular.from;
+    const double falling = triangular.to - triangular.mode;
+    for (double& value : values)
+        value = value * width < rising ? triangular.from + std::sqrt(value * width * rising)
+                                       : triangular.to - std::sqrt((1 - value) * width * falling);
+}
+
+Support support(const Choice& choice) {
+    const auto [lowest, highest] = std::minmax_element(choice.values.begin(), choice.values.end());
+    return {*lowest, *highest};
+}
+Support support(const Uniform& uniform) {
+    return {uniform.from, uniform.to};
+}
+Support support(const LogUniform& uniform) {
+    return {uniform.from, uniform.to};
+}
+Support support(const Normal& normal) {
+    return {normal.minimum, normal.maximum};
+}
+Support support(const LogNormal& normal) {
+    return {normal.minimum, normal.maximum};
+}
+Support support(const Triangular& triangular) {
+    return {triangular.from, triangular.to};
+}
+
+}  // namespace
+
+void to_quantiles(const Distribution& distribution, std::span<double> probabilities) {
+    std::visit([&](const auto& kind) { convert(kind, probabilities); }, distribution);
+}
+
+Support support_of(const Distribution& distribution) {
+    return std::visit([](const auto& kind) { return support(kind); }, distribution);
+}
+
+std::vector<double> linear_grid(double from, double to, int points) {
+    std::vector<double> grid(static_cast<std::size_t>(points), from);
+    for (int i = 1; i < points; ++i)
+        grid[static_cast<std::size_t>(i)] = from + (to - from) * i / (points - 1);
+    if (points > 1) grid.back() = to;
+    return grid;
+}
+
+std::vector<double> logarithmic_grid(double from, double to, int points) {
+    std::vector<double> grid(static_cast<std::size_t>(points), from);
+    for (int i = 1; i < points; ++i)
+        grid[static_cast<std::size_t>(i)] = from * std::pow(to / from, static_cast<double>(i) / (points - 1));
+    if (points > 1) grid.back() = to;
+    return grid;
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,82 @@
+#include "solver/statistics/histogram.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace ashimpact {
+
+namespace {
+
+constexpr unsigned stored_digits = std::numeric_limits<double>::digits - 1;
+
+}  // namespace
+
+double Bins::resolution() const {
+    return is_relative() ? std::ldexp(1.0, -static_cast<int>(digits_)) : 1.0 / count_;
+}
+
+std::uint32_t Bins::bin_of(double value) const {
+    if (is_relative())
+        return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(value) >> (stored_digits - digits_));
+    return static_cast<std::uint32_t>(std::min(value * count_, static_cast<double>(count_ - 1)));
+}
+
+double Bins::edge(std::uint32_t bin) const {
+    if (is_relative()) return std::bit_cast<double>(std::uint64_t{bin} << (stored_digits - digits_));
+    return static_cast<double>(bin) / count_;
+}
+
+void Histogram::count(const Bins& bins, std::span<const double> values) {
+    std::vector<std::uint32_t> numbers;
+    numbers.reserve(values.size());
+    for (const double value : values) {
+        if (value > 0)
+            numbers.push_back(bins.bin_of(value));
+        else if (value == 0)
+            ++zeros_;
+    }
+    if (numbers.empty()) return;
+    const auto [lowest, highest] = std::minmax_element(numbers.begin(), numbers.end());
+    cover(*lowest, *highest);
+    for (const std::uint32_t bin : numbers) ++counts_[bin - first_];
+}
+
+void Histogram::merge(const Histogram& other) {
+    zeros_ += other.zeros_;
+    if (other.counts_.empty()) return;
+    cover(other.first_, other.first_ + static_cast<std::uint32_t>(other.counts_.size()) - 1);
+    const std::size_t offset = other.first_ - first_;
+    for (std::size_t i = 0; i < other.counts_.size(); ++i) counts_[offset + i] += other.counts_[i];
+}
+
+void Histogram::cover(std::uint32_t lowest, std::uint32_t highest) {
+    if (counts_.empty()) first_ = lowest;
+    if (lowest < first_) {
+        counts_.insert(counts_.begin(), first_ - lowest, 0);
+        first_ = lowest;
+    }
+    if (highest - first_ >= counts_.size()) counts_.resize(highest - first_ + 1, 0);
+}
+
+std::uint64_t Histogram::total() const {
+    return std::accumulate(counts_.begin(), counts_.end(), zeros_);
+}
+
+QuantileBounds Histogram::quantile(const Bins& bins, double probability) const {
+    const double rank = std::ceil(probability * static_cast<double>(total()));
+    auto left = static_cast<std::uint64_t>(std::max(rank, 1.0));
+    if (left <= zeros_) return {0, 0};
+    left -= zeros_;
+    std::uint32_t bin = first_;
+    for (const std::uint64_t in_bin : counts_) {
+        if (left <= in_bin) break;
+        left -= in_bin;
+        ++bin;
+    }
+    return {bins.edge(bin), bins.edge(bin + 1)};
+}
+
+}  // namespace ashimpact

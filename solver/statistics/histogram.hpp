@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace ashimpact {
+
+/// How values that are not negative fall into bins: of one width (absolute), or of one width relative to the
+/// value (relative), 2^-k so that a bin is a sign, an exponent and k binary digits of the number. Relative
+/// bins cover every positive number. Zero never falls into a bin: it is counted beside them.
+class Bins {
+  public:
+    /// [0, 1] in @p count equal bins.
+    [[nodiscard]] static Bins absolute(std::uint32_t count) { return {count, 0}; }
+    /// Bins of relative width 2^-@p digits, at most 20 digits.
+    [[nodiscard]] static Bins relative(unsigned digits) { return {0, digits}; }
+
+    [[nodiscard]] bool is_relative() const { return count_ == 0; }
+    /// Width of a bin, absolute or relative to its lower edge [1].
+    [[nodiscard]] double resolution() const;
+    /// The bin of a positive value.
+    [[nodiscard]] std::uint32_t bin_of(double value) const;
+    /// Lower edge of a bin, the upper one of the bin before.
+    [[nodiscard]] double edge(std::uint32_t bin) const;
+
+  private:
+    Bins(std::uint32_t count, unsigned digits) : count_(count), digits_(digits) {}
+
+    std::uint32_t count_;
+    unsigned digits_;
+};
+
+/// An interval that holds a quantile of the values counted.
+struct QuantileBounds {
+    double lower;
+    double upper;
+};
+
+/// How many values fell into each bin. Integers: the same in whatever order values are counted and parts are
+/// added.
+class Histogram {
+  public:
+    /// Counts values; those that are not a number are left out.
+    void count(const Bins& bins, std::span<const double> values);
+    void merge(const Histogram& other);
+
+    [[nodiscard]] std::uint64_t zeros() const { return zeros_; }
+    /// The bins from the first to the last that holds a value; the first one's number is first().
+    [[nodiscard]] const std::vector<std::uint64_t>& counts() const { return counts_; }
+    [[nodiscard]] std::uint32_t first() const { return first_; }
+    [[nodiscard]] std::uint64_t total() const;
+
+    /// Bounds of the quantile at @p probability: the least value such that at least this part of all values
+    /// is not above it. Needs a value.
+    [[nodiscard]] QuantileBounds quantile(const Bins& bins, double probability) const;
+
+    template <class Archive>
+    void transfer(Archive& archive) {
+        archive(zeros_, first_, counts_);
+    }
+
+  private:
+    void cover(std::uint32_t lowest, std::uint32_t highest);
+
+    std::uint64_t zeros_ = 0;
+    std::uint32_t first_ = 0;
+    std::vector<std::uint64_t> counts_;
+};
+
+}  // namespace ashimpact

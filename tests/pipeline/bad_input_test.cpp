@@ -1,0 +1,289 @@
+#include <doctest/doctest.h>
+
+#include <functional>
+
+#include "tests/pipeline/sandbox.hpp"
+
+using namespace ashimpact;
+using test::ashimpact_program;
+using test::example_case;
+using test::Sandbox;
+
+namespace {
+
+/// A way to spoil the example case, and what the program has to say of it.
+struct Spoiled {
+    const char* what;
+    std::function<void(Json&)> spoil;
+    const char* pointer;
+    const char* says;
+};
+
+const Spoiled spoiled_cases[]{
+    {"missing field", [](Json& c) { c.erase("name"); }, "/", "\"name\" is missing"},
+    {"missing nested field", [](Json& c) { c["samples"][0].erase("diameter"); }, "/samples/0",
+     "\"diameter\" is missing; allowed: a length"},
+    {"missing work of adhesion", [](Json& c) { c.erase("work_of_adhesion"); }, "/samples/0",
+     "\"work_of_adhesion\" is missing"},
+    {"missing wall", [](Json& c) { c.erase("wall"); }, "/samples/0", "neither a wall nor a contact modulus"},
+    {"missing Poisson ratio of the wall", [](Json& c) { c["wall"].erase("poisson_ratio"); }, "/wall",
+     "\"poisson_ratio\" is missing"},
+    {"unknown key", [](Json& c) { c["wal"] = 1; }, "/wal", "unknown key, did you mean \"wall\"?"},
+    {"unknown nested key", [](Json& c) { c["samples"][1]["densitty"] = 1; }, "/samples/1/densitty",
+     "did you mean \"density\"?"},
+    {"unknown law", [](Json& c) { c["laws"][0] = "herz"; }, "/laws/0",
+     "did you mean \"hertz\"?; allowed: hertz, dmt, brach-dunn, jkr"},
+    {"law twice",
+     [](Json& c) {
+         c["laws"] = {"dmt", "dmt"};
+     },
+     "/laws", "the same value twice"},
+    {"no law", [](Json& c) { c["laws"] = Json::array(); }, "/laws", "allowed: a list of contact laws"},
+    {"unknown phase", [](Json& c) { c["samples"][1]["composition"]["weight_fractions"]["quarz0"] = 0.01; },
+     "/samples/1/composition", "quarz0"},
+    {"fractions above one",
+     [](Json& c) { c["samples"][1]["composition"]["weight_fractions"]["quartz"] = 0.7; },
+     "/samples/1/composition", "add up to"},
+    {"fractions that do not close", [](Json& c) { c["samples"][1]["composition"]["amorphous"] = "none"; },
+     "/samples/1/composition", "add up to 70.5 %"},
+    {"amorphous part not stated", [](Json& c) { c["samples"][1]["composition"].erase("amorphous"); },
+     "/samples/1/composition", "amorphous"},
+    {"negative fraction",
+     [](Json& c) { c["samples"][1]["composition"]["weight_fractions"]["quartz"] = -0.1; },
+     "/samples/1/composition/weight_fractions/quartz", "fraction is -0.1"},
+    {"two compositions",
+     [](Json& c) {
+         c["samples"][0]["composition"]["weight_fractions"] = {{"quartz", 1}};
+     },
+     "/samples/0/composition", "more than one way"},
+    {"wrong dimension", [](Json& c) { c["samples"][0]["density"] = "2300 GPa"; }, "/samples/0/density",
+     "the unit \"GPa\" is not one of density; allowed: a density [kg/m3]"},
+    {"wrong dimension in an object",
+     [](Json& c) {
+         c["samples"][0]["diameter"] = {{"value", 88}, {"unit", "kg"}};
+     },
+     "/samples/0/diameter", "not one of length"},
+    {"unknown unit", [](Json& c) { c["samples"][0]["diameter"] = "88 furlnogs"; }, "/samples/0/diameter",
+     "is not known"},
+    {"no number", [](Json& c) { c["samples"][0]["diameter"] = "large"; }, "/samples/0/diameter",
+     "does not start with a number"},
+    {"NaN", [](Json& c) { c["samples"][0]["diameter"] = "nan um"; }, "/samples/0/diameter", "is not finite"},
+    {"infinity", [](Json& c) { c["samples"][0]["density"] = "inf kg/m3"; }, "/samples/0/density",
+     "is not finite"},
+    {"negative density", [](Json& c) { c["samples"][1]["density"] = "-2300 kg/m3"; }, "/samples/1/density",
+     "density is -2300 kg/m3; allowed: a positive density"},
+    {"zero diameter", [](Json& c) { c["samples"][1]["diameter"] = 0; }, "/samples/1/diameter",
+     "diameter is 0 m"},
+    {"negative work of adhesion", [](Json& c) { c["work_of_adhesion"] = -0.1; }, "/work_of_adhesion",
+     "work of adhesion is -0.1 J/m2"},
+    {"Poisson ratio", [](Json& c) { c["wall"]["poisson_ratio"] = 0.7; }, "/wall/poisson_ratio", "is 0.7"},
+    {"wall twice", [](Json& c) { c["wall"]["rigid"] = true; }, "/wall", "more than one way"},
+    {"wall not rigid",
+     [](Json& c) {
+         c["wall"] = {{"rigid", false}};
+     },
+     "/wall/rigid", "needs its moduli"},
+    {"a list for a quantity",
+     [](Json& c) {
+         c["samples"][0]["diameter"] = {1, 2};
+     },
+     "/samples/0/diameter", "is a list of 2; allowed: a length"},
+    {"a number for a name", [](Json& c) { c["name"] = 3; }, "/name", "is 3; allowed: a name"},
+    {"inadmissible detachment", [](Json& c) { c["detachments"]["dmt"] = "pull-off"; }, "/detachments/dmt",
+     "pull-off does not end a contact of law dmt"},
+    {"detachment of no law", [](Json& c) { c["detachments"]["dtm"] = "pull-off"; }, "/detachments/dtm",
+     "unknown contact law 'dtm'"},
+    {"unknown damping law", [](Json& c) { c["damping_law"] = "viscous"; }, "/damping_law",
+     "allowed: constant, contact-radius, tsuji"},
+    {"same name twice", [](Json& c) { c["samples"][1]["name"] = "fine"; }, "/samples/1/name",
+     "two samples have this name"},
+    {"no samples", [](Json& c) { c["samples"] = Json::array(); }, "/samples",
+     "allowed: a list of at least one sample"},
+    {"columns of different length", [](Json& c) { c["samples"][1]["restitution"]["restitution"] = {0.1}; },
+     "/samples/1/restitution/restitution", "has 1 values, velocity has 10"},
+    {"restitution above one", [](Json& c) { c["samples"][1]["restitution"]["restitution"][3] = 1.2; },
+     "/samples/1/restitution", "point 4: restitution is 1.2; allowed: 0 <= restitution < 1"},
+    {"negative velocity", [](Json& c) { c["samples"][1]["restitution"]["velocity"]["values"][0] = -1; },
+     "/samples/1/restitution", "point 1: velocity is -1 m/s"},
+    {"file that is not there", [](Json& c) { c["samples"][0]["restitution"]["file"] = "none.csv"; },
+     "/samples/0/restitution/file", "none.csv: cannot be read: No such file"},
+    {"XRD sample that is not there", [](Json& c) { c["samples"][0]["composition"]["xrd_sample"] = "x"; },
+     "/samples/0/composition/xrd_sample", "no such sample; allowed: fine"},
+    {"reconstruction without a fit",
+     [](Json& c) {
+         c["samples"][0]["restitution"] = {
+             {"reconstruct", {{"from", 0.1}, {"to", 0.5}, {"points", 5}, {"reference_law", "dmt"}}}};
+     },
+     "/samples/0/restitution/reconstruct", "\"damping_fits\" is missing"},
+    {"unknown phase set", [](Json& c) { c["phase_set"] = "paper"; }, "/phase_set",
+     "allowed: literature, dong2013"},
+    {"phase of one's own without modulus",
+     [](Json& c) {
+         c["phases"] = {{{"name", "x"}, {"density", 3000}}};
+     },
+     "/phases/0", "\"young_modulus\" is missing"},
+    {"published values that are not there", [](Json& c) { c["published"] = "dong2014"; }, "/published",
+     "cannot be read"},
+};
+
+/// Exit status 2, one line with file and pointer on standard error, nothing else, nothing written.
+void check_refused(const Sandbox& sandbox, const std::string& pointer, const std::string& says) {
+    const auto before = sandbox.everything();
+    const auto finished = ashimpact_program(sandbox, "run case.json -o out");
+    CHECK(finished.status == 2);
+    CHECK(finished.out.empty());
+    REQUIRE(test::lines_of(finished.err).size() == 1);
+    CHECK_MESSAGE(finished.err.starts_with("case.json: " + pointer + ": "), finished.err);
+    CHECK_MESSAGE(finished.err.find(says) != std::string::npos, finished.err);
+    CHECK(sandbox.everything() == before);
+}
+
+}  // namespace
+
+TEST_CASE("every kind of wrong case: exit 2, one line with file and pointer, nothing written") {
+    for (const Spoiled& spoiled : spoiled_cases) {
+        CAPTURE(spoiled.what);
+        const Sandbox sandbox;
+        Json document = example_case();
+        spoiled.spoil(document);
+        test::write_example(sandbox, document);
+        check_refused(sandbox, spoiled.pointer, spoiled.says);
+    }
+}
+
+TEST_CASE("what JSON itself forbids is found by line and column, a duplicate key by its pointer") {
+    struct Text {
+        const char* text;
+        const char* place;
+        const char* says;
+    };
+    for (const Text& text :
+         {Text{"{\"name\": \"x\",\n \"samples\": [}", "line 2, column 14", "not valid JSON"},
+          Text{"", "line 1, column 1", "not valid JSON"},
+          Text{"{\"name\": NaN}", "line 1, column 10", "not valid JSON"},
+          Text{"{\"name\": \"a\", \"name\": \"b\"}", "/name", "this key is there twice"},
+          Text{"{\"samples\": [{\"density\": 1e999}]}", "/samples/0/density", "out of the range"},
+          Text{"[1, 2]", "/", "allowed: a case"}, Text{"null", "/", "allowed: a case"}}) {
+        CAPTURE(text.text);
+        const Sandbox sandbox;
+        sandbox.write("case.json", text.text);
+        check_refused(sandbox, text.place, text.says);
+    }
+}
+
+TEST_CASE("a bad case leaves the results of the run before it whole") {
+    const Sandbox sandbox;
+    test::write_example(sandbox, example_case());
+    REQUIRE(ashimpact_program(sandbox, "run case.json -o out").status == 0);
+    Json document = example_case();
+    document["samples"][1]["density"] = -1;
+    sandbox.write("case.json", document.dump());
+    check_refused(sandbox, "/samples/1/density", "density is -1 kg/m3");
+}
+
+TEST_CASE("a file given by an absolute path keeps path and pointer apart") {
+    const Sandbox sandbox;
+    Json document = example_case();
+    document["samples"][0]["density"] = -1;
+    test::write_example(sandbox, document);
+    const std::string path = sandbox.path("case.json");
+    const auto finished = ashimpact_program(sandbox, "run " + path);
+    CHECK(finished.status == 2);
+    CHECK_MESSAGE(finished.err.starts_with(path + ": /samples/0/density: density is"), finished.err);
+}
+
+TEST_CASE("wrong options: exit 2, one line that names the option") {
+    const std::string contact =
+        " --radius '44 um' --density '2600 kg/m3' --contact-modulus '90 GPa' --work-of-adhesion '0.3 J/m2'";
+    struct Wrong {
+        std::string arguments;
+        const char* says;
+    };
+    const Sandbox sandbox;
+    for (const Wrong& wrong : {
+             Wrong{"", "a command is missing; allowed: run, modulus, impact"},
+             Wrong{"runn", "unknown command \"runn\""},
+             Wrong{"impact", "--law is required"},
+             Wrong{"impact --law dmt --velocity 2 --radius '44 um' --contact-modulus '90 GPa'",
+                   "--density, --mass: neither is given"},
+             Wrong{"impact --law dmt --velocity 2 --mass 1e-9" + contact,
+                   "--density, --mass: both are given"},
+             Wrong{"impact --law dmt --velocity 2 --radius '44 um' --density 2600 --contact-modulus '90 GPa'",
+                   "--work-of-adhesion: is missing"},
+             Wrong{"impact --law dtm --velocity 2" + contact,
+                   "--law: unknown contact law 'dtm'; allowed: hertz"},
+             Wrong{"impact --law dmt --velocity '2 m'" + contact,
+                   "--velocity: the unit \"m\" is not one of velocity"},
+             Wrong{"impact --law dmt --velocity -2" + contact, "velocity is -2 m/s"},
+             Wrong{"impact --law dmt --velocity 2 --damping '1 kg'" + contact,
+                   "--damping: the unit \"kg\" is not one of damping"},
+             Wrong{"impact --law dmt --velocity 2 --damping -1" + contact, "--damping: damping is -1 kg/s"},
+             Wrong{"impact --law dmt --velocity 2 --detachment pull-off" + contact,
+                   "--detachment: pull-off does not end"},
+             Wrong{"impact --law dmt --velocity 2 --damping-law x" + contact, "--damping-law: "},
+             Wrong{"impact --law dmt --velocity 2 --method euler" + contact,
+                   "--method: unknown method \"euler\"; allowed: taylor, paper-explicit"},
+             Wrong{"impact --law dmt --velocity 2 --frobnicate" + contact, "--frobnicate"},
+             Wrong{"impact --law dmt --velocity 2 --trajectory no/such\\0x" + contact + " --points 1",
+                   "--points"},
+             Wrong{"impact --law jkr --velocity 2 --method paper-explicit" + contact,
+                   "cannot treat law 'jkr'"},
+             Wrong{
+                 "impact --law thornton-ning --yield-pressure '1 GPa' --velocity 2 --method paper-explicit" +
+                     contact,
+                 "cannot treat law 'thornton-ning'"},
+             Wrong{"damping --law dmt --velocity 2 --restitution 1.5" + contact, "1.5"},
+             Wrong{"thornton-ning", "unknown command"},
+             Wrong{"impact --law thornton-ning --velocity 2" + contact, "--yield-pressure: is missing"},
+             Wrong{"run --from fitt",
+                   "--from: no stage is called \"fitt\", did you mean \"fit\"?; allowed: modulus"},
+             Wrong{"run --from fit --only fit", "--only"},
+             Wrong{"run --from fit -o nowhere", "nowhere/0-case.json: cannot be read"},
+             Wrong{"modulus none.csv", "none.csv: cannot be read"},
+             Wrong{"inspect none.json", "none.json: cannot be read"},
+             Wrong{"schema cases", "no schema is called \"cases\""},
+             Wrong{"calibrate --free speed", "--free: unknown constant \"speed\"; allowed: density"},
+         }) {
+        CAPTURE(wrong.arguments);
+        const auto finished = ashimpact_program(sandbox, wrong.arguments);
+        CHECK(finished.status == 2);
+        CHECK(finished.out.empty());
+        CHECK_MESSAGE(test::lines_of(finished.err).size() == 1, finished.err);
+        CHECK_MESSAGE(finished.err.find(wrong.says) != std::string::npos, finished.err);
+    }
+    CHECK(sandbox.everything().empty());
+}
+
+TEST_CASE("an artifact edited wrongly is refused with its file and pointer, and nothing changes") {
+    const Sandbox sandbox;
+    test::write_example(sandbox, example_case());
+    REQUIRE(ashimpact_program(sandbox, "run case.json -o out").status == 0);
+    struct Edit {
+        const char* file;
+        std::function<void(Json&)> spoil;
+        const char* says;
+    };
+    const Json good = sandbox.json("out/2-contact.json");
+    for (const Edit& edit : {
+             Edit{"2-contact.json", [](Json& a) { a["result"]["samples"][0]["mass"]["unit"] = "Pa"; },
+                  "out/2-contact.json: /result/samples/0/mass"},
+             Edit{"2-contact.json",
+                  [](Json& a) { a["result"]["samples"][0]["contact_modulus"]["value"] = -1.0; },
+                  "/result/samples/0"},
+             Edit{"2-contact.json", [](Json& a) { a["result"]["samples"].erase(1); },
+                  "the sample coarse is missing"},
+             Edit{"2-contact.json", [](Json& a) { a["result"].erase("samples"); },
+                  "/result: \"samples\" is missing"},
+             Edit{"2-contact.json", [](Json& a) { a["schema"] = "3-analytic"; }, "/schema: "},
+         }) {
+        Json document = good;
+        edit.spoil(document);
+        sandbox.write("out/2-contact.json", document.dump());
+        const auto before = sandbox.everything();
+        const auto finished = ashimpact_program(sandbox, "run -o out --from restitution");
+        CHECK(finished.status == 2);
+        CHECK(test::lines_of(finished.err).size() == 1);
+        CHECK_MESSAGE(finished.err.find(edit.says) != std::string::npos, finished.err);
+        CHECK(sandbox.everything() == before);
+    }
+}

@@ -1,0 +1,181 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "pipeline/case/case_json.hpp"
+#include "pipeline/case/case_reader.hpp"
+#include "pipeline/case/impact_table.hpp"
+#include "pipeline/case/laws.hpp"
+#include "pipeline/json/schema.hpp"
+#include "tests/pipeline/sandbox.hpp"
+#include "tests/relative_difference.hpp"
+
+using namespace ashimpact;
+using test::relative_difference;
+using test::Sandbox;
+
+namespace {
+
+/// The case that a document makes, its files taken from the example.
+LoadedCase loaded(const Json& document) {
+    const Sandbox sandbox;
+    test::write_example(sandbox, document);
+    return load_case(sandbox.path("case.json"));
+}
+
+/// Reading the normalised case again, without any file or catalogue.
+Json normalised_again(const Json& normalised) {
+    validate_document(normalised, "case");
+    InputFiles none = InputFiles::beside({});
+    return case_json(read_case(View(normalised), PhaseCatalogue({}), none));
+}
+
+std::string table_message(const char* text) {
+    try {
+        static_cast<void>(read_impact_table(text));
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+}  // namespace
+
+TEST_CASE("the built-in case: the paper's samples, its published values, and what is inferred marked so") {
+    const LoadedCase built_in = load_case(std::nullopt);
+    const Case& data = built_in.data;
+    REQUIRE(data.samples.size() == 3);
+    CHECK(data.samples[0].name == "88 um");
+    CHECK(relative_difference(data.samples[2].diameter.value(), 104e-6) < 1e-15);
+    REQUIRE(data.wall);
+    for (const Sample& sample : data.samples) {
+        REQUIRE(sample.density);
+        CHECK(sample.density->origin == "inferred");
+        CHECK_FALSE(sample.density->source.empty());
+        CHECK(std::get<Stated>(sample.work_of_adhesion.value()).origin == "inferred");
+        REQUIRE(sample.published);
+        CHECK(sample.measured_critical_velocity->origin == "measured");
+        CHECK(std::holds_alternative<Reconstruction>(sample.restitution.value()));
+    }
+    const PublishedSample& published = *data.samples[1].published;
+    const Quadratic* fit = published.damping_fits.find(Law::of<Dmt>());
+    REQUIRE(fit != nullptr);
+    CHECK(*fit == Quadratic{0.0115, -0.0235, 0.0156});
+    const Quantity* velocity = published.critical_velocity.find(Law::of<BrachDunn>());
+    REQUIRE(velocity != nullptr);
+    CHECK(velocity->value == 1.27);
+    CHECK(relative_difference(velocity->standard_uncertainty.value(), 0.01 / std::sqrt(12.0)) < 1e-14);
+    CHECK(built_in.inputs.size() == 2);
+    CHECK(built_in.inputs[0].file == "builtin:cases/dong2013/case.json");
+}
+
+TEST_CASE("a normalised case stands for itself: read again it is the same, byte for byte") {
+    for (const Case& data : {load_case(std::nullopt).data, loaded(test::example_case()).data}) {
+        const Json once = case_json(data);
+        CHECK(normalised_again(once) == once);
+    }
+}
+
+TEST_CASE("a normalised case keeps every way of saying things") {
+    Json document = test::example_case();
+    document["mixture_rule"] = "hill";
+    document["damping_law"] = "tsuji";
+    document["detachments"] = {{"jkr", "load-controlled"}, {"hertz", "zero-force"}};
+    document["work_of_adhesion"] = {
+        {"surface_energies", {{"particle", "40 mJ/m2"}, {"wall", 0.5}, {"interfacial", 0.1}}},
+        {"rule", "dupre"}};
+    document["wall"] = {{"rigid", true}};
+    document["calibration"] = {{"free", {{{"quantity", "density"}, {"per_sample", true}}}}};
+    document["histories"] = {{"points", 11}, {"critical_excess", 0.01}};
+    document["samples"][0]["composition"]["amorphous"] = {
+        {"crystalline_total", {{"value", 53}, {"unit", "%"}, {"standard_uncertainty", 1}}}};
+    document["samples"][0]["porosity"] = {{"law", "spriggs"}, {"value", "5 %"}, {"coefficient", 3}};
+    document["samples"][1]["poisson_ratio"] = {{"value", 0.2}, {"unit", "1"}, {"origin", "assumed"}};
+    document["samples"][1]["contact_modulus"] = "88 GPa";
+    document["samples"][1]["composition"]["densities"] = {{"hematite", "5.1 g/cm3"}};
+    const Json once = case_json(loaded(document).data);
+    CHECK(once["mixture_rule"] == "hill");
+    CHECK(once["damping_law"] == "tsuji");
+    CHECK(once["detachments"]["jkr"] == "load-controlled");
+    CHECK(once["wall"] == Json{{"rigid", true}});
+    CHECK(once["samples"][0]["work_of_adhesion"]["rule"] == "dupre");
+    CHECK(once["samples"][0]["composition"]["amorphous"]["crystalline_total"]["standard_uncertainty"] ==
+          0.01);
+    CHECK(once["samples"][0]["porosity"]["coefficient"] == 3.0);
+    CHECK(once["samples"][1]["composition"]["densities"]["hematite"]["value"] == 5100.0);
+    CHECK(normalised_again(once) == once);
+}
+
+TEST_CASE("units: a string, an object and a bare SI number say the same") {
+    Json document = test::example_case();
+    for (const Json& diameter : {Json("88 um"), Json{{"value", 0.088}, {"unit", "mm"}}, Json(88e-6)}) {
+        document["samples"][0]["diameter"] = diameter;
+        CHECK(relative_difference(loaded(document).data.samples[0].diameter.value(), 88e-6) < 1e-15);
+    }
+}
+
+TEST_CASE("what a sample does not state it takes from the case") {
+    Json document = test::example_case();
+    document["particle"] = {{"density", "2000 kg/m3"}, {"poisson_ratio", 0.21}};
+    document["samples"][1].erase("density");
+    document["samples"][1]["work_of_adhesion"] = 0.1;
+    const Case data = loaded(document).data;
+    CHECK(data.samples[0].density->value() == 2300);
+    CHECK(data.samples[1].density->value() == 2000);
+    CHECK(data.samples[0].poisson_ratio->value() == 0.21);
+    CHECK(std::get<Stated>(*data.samples[0].work_of_adhesion).value() == 0.3);
+    CHECK(std::get<Stated>(*data.samples[1].work_of_adhesion).value() == 0.1);
+}
+
+TEST_CASE("a phase of the user's own hides the catalogue's") {
+    Json document = test::example_case();
+    document["phases"] = {{{"name", "mullite"}, {"density", "2.8 g/cm3"}, {"young_modulus", "200 GPa"}}};
+    const Case data = loaded(document).data;
+    for (const Phase& phase : data.phases)
+        if (phase.name == "mullite") CHECK(phase.young_modulus.value == 200e9);
+    CHECK(loaded(test::example_case()).data.phases.size() == data.phases.size());
+}
+
+TEST_CASE("published values come from a file of the user as well") {
+    const Sandbox sandbox;
+    Json document = test::example_case();
+    document["published"] = "paper.json";
+    test::write_example(sandbox, document);
+    sandbox.write("paper.json", R"({"source": "A paper", "rounding": {"critical_velocity": "0.1 m/s"},
+        "samples": {"coarse": {"critical_velocity": {"hertz": "0.5 m/s"}}}})");
+    const LoadedCase read = load_case(sandbox.path("case.json"));
+    CHECK_FALSE(read.data.samples[0].published);
+    REQUIRE(read.data.samples[1].published);
+    CHECK(read.data.samples[1].published->source == "A paper");
+    CHECK(read.data.samples[1].published->critical_velocity.find(Law::of<Hertz>())->value == 0.5);
+    CHECK(read.inputs.size() == 4);  // case, paper.json, ash.csv, impacts.csv
+}
+
+TEST_CASE("tables of impacts: units in the heading, any separator, ratio or rebound velocity") {
+    const auto data = read_impact_table("v_in (cm/s); e_n\n200; 0,25\n# a remark\n\n400;0.5\n");
+    CHECK(data.velocity == std::vector<double>{2.0, 4.0});
+    CHECK(data.restitution == std::vector<double>{0.25, 0.5});
+    const auto rebound =
+        read_impact_table("nr,velocity [m/s],rebound_velocity [mm/s]\r\n1,2,500\r\n2,4,0\r\n");
+    CHECK(rebound.restitution == std::vector<double>{0.25, 0.0});
+    CHECK(read_impact_table("velocity\trestitution\n1\t0.1\n").velocity == std::vector<double>{1.0});
+}
+
+TEST_CASE("a table that is no table of impacts says the line") {
+    CHECK(table_message("velocity [m/s],restitution\n1,0.1\n2,x\n")
+              .starts_with("line 3: \"x\" is not a number"));
+    CHECK(table_message("velocity [m/s],restitution\n1,0.1\n2\n")
+              .starts_with("line 3: the line has too few columns"));
+    CHECK(table_message("speed,e\n1,2\n").starts_with("line 1: the heading lacks a column"));
+    CHECK(table_message("velocity [kg],restitution\n1,0.1\n").starts_with("line 2: the unit \"kg\""));
+    CHECK(table_message("velocity [m/s],restitution\n").find("nothing under it") != std::string::npos);
+    CHECK(table_message("velocity\n1\n").starts_with("line 1: the heading has one column"));
+}
+
+TEST_CASE("laws know whether they attract and whether they yield") {
+    CHECK_FALSE(is_adhesive(Law::of<Hertz>()));
+    for (const Law law : {Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>(), Law::of<ThorntonNing>()})
+        CHECK(is_adhesive(law));
+    CHECK(yields(Law::of<ThorntonNing>()));
+    CHECK_FALSE(yields(Law::of<Jkr>()));
+}

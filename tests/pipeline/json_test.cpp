@@ -1,0 +1,140 @@
+#include <doctest/doctest.h>
+
+#include <limits>
+#include <string>
+
+#include "pipeline/json/document.hpp"
+#include "pipeline/json/schema.hpp"
+#include "pipeline/json/view.hpp"
+#include "pipeline/json/writer.hpp"
+
+using namespace ashimpact;
+
+namespace {
+
+/// The message of the error that @p action throws; empty if it throws none.
+template <class Action>
+std::string message_of(Action&& action) {
+    try {
+        action();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+std::string parse_message(const std::string& text) {
+    return message_of([&] { static_cast<void>(parse_json(text)); });
+}
+
+}  // namespace
+
+TEST_CASE("broken JSON is placed by line and column, with the reason") {
+    CHECK(parse_message("{\n  \"a\": 1,\n  \"b\" 2\n}")
+              .starts_with("line 3, column 7: this is not valid JSON: "));
+    CHECK(parse_message("{\"a\": 1").starts_with("line 1, column 8: "));
+    CHECK(parse_message("").starts_with("line 1, column 1: "));
+    CHECK(parse_message("{\"a\": NaN}").starts_with("line 1, column 7: "));
+    CHECK(parse_message("{} x").starts_with("line 1, column 4: "));
+    for (const char* text : {"{\n\n", "[1,\n2", "{\"a\"\n:\n}", "\"\n\""})
+        CHECK_MESSAGE(parse_message(text).find('\n') == std::string::npos, text);
+}
+
+TEST_CASE("a key that is there twice is found at any depth, a comment may repeat") {
+    CHECK(parse_message(R"({"a": {"b": 1, "c": 2, "b": 3}})").starts_with("/a/b: this key is there twice"));
+    CHECK(parse_message(R"([{"x": 1}, {"x": 1, "x": 2}])").starts_with("/1/x: "));
+    CHECK(parse_message(R"({"//": "one", "//": "two"})").empty());
+}
+
+TEST_CASE("a number beyond double precision is refused where it stands") {
+    CHECK(parse_message(R"({"a": [1, 1e999]})").starts_with("/a/1: "));
+}
+
+TEST_CASE("comments go, at any depth, and nothing else does") {
+    const Json plain =
+        without_comments(parse_json(R"({"//": 1, "a": [{"// note": 2, "b": null}], "c/d": "//"})"));
+    CHECK(plain == parse_json(R"({"a": [{"b": null}], "c/d": "//"})"));
+}
+
+TEST_CASE("what is written reads back as the same document, short things on one line") {
+    const Json document = parse_json(
+        R"({"name": "é\n\"x\"", "q": {"value": 4.4e-05, "unit": "m"}, "none": null, "yes": true, "n": 9,
+            "list": [], "object": {}, "mixed": [1, [2, 3], {"a": "b"}]})");
+    CHECK(parse_json(write_json(document)) == document);
+    CHECK(write_json(document).find("\"q\": {\"value\": 4.4e-05, \"unit\": \"m\"}") != std::string::npos);
+
+    Json column;
+    for (int i = 0; i < 300; ++i) column["values"].push_back(i / 7.0);
+    const std::string text = write_json(column);
+    CHECK(parse_json(text) == column);
+    for (std::size_t start = 0, end = 0; (end = text.find('\n', start)) != std::string::npos; start = end + 1)
+        CHECK(end - start <= 112);
+}
+
+TEST_CASE("numbers: shortest in files, 17 digits on request, never one that is not finite") {
+    CHECK(write_json(Json(0.1)) == "0.1\n");
+    CHECK(write_json(Json(0.1), Digits::seventeen) == "0.10000000000000001\n");
+    CHECK(write_json(Json(-0.0)) == "0\n");
+    CHECK(parse_json(write_json(Json(1.0 / 3.0), Digits::seventeen)).get<double>() == 1.0 / 3.0);
+    CHECK_THROWS_AS(write_json(Json(std::numeric_limits<double>::infinity())), std::logic_error);
+    CHECK_THROWS_AS(write_json(Json(std::numeric_limits<double>::quiet_NaN())), std::logic_error);
+}
+
+TEST_CASE("a view says where it is when it is wrong") {
+    const Json document =
+        parse_json(R"({"a/b": [{"m": "3 kg"}, {"m": "3 GPa"}, {"m": {"value": 1, "unit": "g",
+        "origin": "measured", "source": "a balance"}}], "v": {"values": [1, 2], "unit": "mm/s"}})");
+    const View view(document);
+    const auto elements = view.at("a/b").elements();
+    CHECK(elements[0].at("m").number(Dimension::mass) == 3.0);
+    CHECK(elements[2].at("m").number(Dimension::mass) == doctest::Approx(1e-3));
+    CHECK(view.at("v").column(Dimension::velocity) == std::vector<double>{1e-3, 2e-3});
+    CHECK(message_of([&] {
+              static_cast<void>(elements[1].at("m").number(Dimension::mass));
+          }).starts_with("/a~1b/1/m: the unit \"GPa\""));
+    CHECK(message_of([&] { static_cast<void>(view.at("w")); }).starts_with("\"w\" is missing"));
+    CHECK(
+        message_of([&] { static_cast<void>(elements[0].at("n")); }).starts_with("/a~1b/0: \"n\" is missing"));
+    CHECK(
+        message_of([&] { static_cast<void>(view.at("v").at("values").text()); }).starts_with("/v/values: "));
+}
+
+TEST_CASE("every schema is complete in itself and lists what the program knows") {
+    for (const std::string& name : schema_names()) {
+        const std::string text = schema_named(name).dump();
+        CHECK_MESSAGE(text.find(".json#") == std::string::npos, name);
+        CHECK_MESSAGE(text.find("\"@") == std::string::npos, name);
+        CHECK_MESSAGE(schema_named(name).contains("$schema"), name);
+    }
+}
+
+TEST_CASE("a violation is told by pointer, what is wrong and what is allowed") {
+    const auto message = [](const char* text) {
+        return message_of([&] { validate_document(parse_json(text), "case"); });
+    };
+    CHECK(message(R"({"name": "x"})")
+              .starts_with("/: \"samples\" is missing; allowed: a list of at least one sample"));
+    CHECK(message(R"({"name": "x", "samples": []})")
+              .starts_with("/samples: is a list of 0; allowed: a list of at"));
+    CHECK(message(
+              R"({"name": "x", "sample": [], "samples": [{"name": "a", "diameter": 1, "composition": {}}]})")
+              .starts_with("/sample: unknown key, did you mean \"samples\"?; allowed: $schema, name, "));
+    CHECK(message(R"({"name": "x", "samples": [{"name": "a", "diameter": "1 um"}]})")
+              .starts_with("/samples/0: \"composition\" is missing; allowed: weight_fractions, "));
+    CHECK(
+        message(
+            R"({"name": "x", "laws": ["herz"], "samples": [{"name": "a", "diameter": 1, "composition": {}}]})")
+            .starts_with("/laws/0: unknown name \"herz\", did you mean \"hertz\"?; allowed: hertz, dmt, "));
+    CHECK(message(R"({"name": "x", "samples": [{"name": "a", "diameter": [1], "composition": {}}]})")
+              .starts_with("/samples/0/diameter: is a list of 1; allowed: a length: "));
+    CHECK(
+        message(
+            R"({"name": "x", "samples": [{"name": "a", "diameter": {"value": 1, "units": "m"}, "composition": {}}]})")
+            .starts_with("/samples/0/diameter/units: unknown key, did you mean \"unit\"?"));
+    CHECK(message(R"({"name": "x", "samples": [{"name": "a", "diameter": 1, "composition": {}}]})").empty());
+}
+
+TEST_CASE("an unknown schema is refused with the names there are") {
+    CHECK(message_of([] { static_cast<void>(schema_named("cases")); }).find("allowed: 0-case, ") !=
+          std::string::npos);
+}

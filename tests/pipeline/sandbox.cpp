@@ -1,0 +1,81 @@
+#include "tests/pipeline/sandbox.hpp"
+
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+
+#include "data/embedded.hpp"
+
+namespace ashimpact::test {
+
+Sandbox::Sandbox() {
+    std::string name = (std::filesystem::temp_directory_path() / "ashimpact-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    folder_ = name;
+}
+
+Sandbox::~Sandbox() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+}
+
+void Sandbox::write(const std::string& name, const std::string& content) const {
+    std::filesystem::create_directories((folder_ / name).parent_path());
+    std::ofstream(folder_ / name, std::ios::binary) << content;
+}
+
+std::string Sandbox::read(const std::string& name) const {
+    std::ifstream stream(folder_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+Json Sandbox::json(const std::string& name) const {
+    return Json::parse(read(name));
+}
+
+bool Sandbox::has(const std::string& name) const {
+    return std::filesystem::exists(folder_ / name);
+}
+
+std::vector<std::pair<std::string, std::string>> Sandbox::everything() const {
+    std::vector<std::pair<std::string, std::string>> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_)) {
+        const std::string name = std::filesystem::relative(entry.path(), folder_).string();
+        files.emplace_back(name, entry.is_regular_file() ? read(name) : "");
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+Finished ashimpact_program(const Sandbox& sandbox, const std::string& arguments) {
+    const Sandbox outputs;
+    const std::string command = "cd '" + sandbox.folder().string() + "' && '" ASHIMPACT_PROGRAM "' " +
+                                arguments + " >'" + outputs.path("out") + "' 2>'" + outputs.path("err") +
+                                "' </dev/null";
+    const int result = std::system(command.c_str());
+    return {WIFEXITED(result) ? WEXITSTATUS(result) : -1, outputs.read("out"), outputs.read("err")};
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+Json example_case() {
+    return without_comments(parse_json(embedded_file("cases/example/case.json").value()));
+}
+
+void write_example(const Sandbox& sandbox, const Json& document) {
+    sandbox.write("case.json", document.dump(1));
+    for (const auto* name : {"ash.csv", "impacts.csv"})
+        sandbox.write(name, std::string(embedded_file(std::string("cases/example/") + name).value()));
+}
+
+}  // namespace ashimpact::test

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "pipeline/json/document.hpp"
+
+namespace ashimpact::test {
+
+/// A folder of its own that is gone with it.
+class Sandbox {
+  public:
+    Sandbox();
+    ~Sandbox();
+    Sandbox(const Sandbox&) = delete;
+    Sandbox& operator=(const Sandbox&) = delete;
+    Sandbox(Sandbox&&) = delete;
+    Sandbox& operator=(Sandbox&&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+    [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+    void write(const std::string& name, const std::string& content) const;
+    [[nodiscard]] std::string read(const std::string& name) const;
+    [[nodiscard]] Json json(const std::string& name) const;
+    [[nodiscard]] bool has(const std::string& name) const;
+    /// Every file below the folder with its content, sorted by path.
+    [[nodiscard]] std::vector<std::pair<std::string, std::string>> everything() const;
+
+  private:
+    std::filesystem::path folder_;
+};
+
+/// What a run of the program left.
+struct Finished {
+    int status;
+    std::string out;
+    std::string err;
+};
+
+/// Runs the built program in the sandbox, as a newcomer would type it.
+[[nodiscard]] Finished ashimpact_program(const Sandbox& sandbox, const std::string& arguments);
+
+/// Lines of a text, without their ends.
+[[nodiscard]] std::vector<std::string> lines_of(const std::string& text);
+
+/// The example case of `init`, which runs as it is.
+[[nodiscard]] Json example_case();
+
+/// Puts the example's case and the files it names into the sandbox.
+void write_example(const Sandbox& sandbox, const Json& document);
+
+}  // namespace ashimpact::test

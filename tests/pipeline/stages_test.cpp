@@ -1,0 +1,308 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <map>
+
+#include "materials/separation_energy.hpp"
+#include "pipeline/case/case.hpp"
+#include "pipeline/json/schema.hpp"
+#include "pipeline/run.hpp"
+#include "pipeline/stages/analytic.hpp"
+#include "pipeline/stages/contact.hpp"
+#include "pipeline/stages/critical_velocity.hpp"
+#include "pipeline/stages/damping.hpp"
+#include "pipeline/stages/fit.hpp"
+#include "pipeline/stages/modulus.hpp"
+#include "pipeline/stages/restitution.hpp"
+#include "solver/critical_velocity.hpp"
+#include "solver/momentum_balance.hpp"
+#include "tests/pipeline/sandbox.hpp"
+#include "tests/relative_difference.hpp"
+
+using namespace ashimpact;
+using test::relative_difference;
+using test::Sandbox;
+
+namespace {
+
+const Artifacts& built_in() {
+    static const Artifacts artifacts = compute_artifacts(std::nullopt, "comparison");
+    return artifacts;
+}
+
+const Json& result(std::string_view file) {
+    return built_in().at(file).document.at("result");
+}
+
+template <class Samples>
+const auto& named(const Samples& samples, const std::string& name) {
+    for (const auto& sample : samples)
+        if (sample.name == name) return sample;
+    throw std::logic_error("no such sample");
+}
+
+Artifacts computed_from(const Json& document) {
+    const Sandbox sandbox;
+    test::write_example(sandbox, document);
+    return compute_artifacts(sandbox.path("case.json"), "comparison");
+}
+
+}  // namespace
+
+TEST_CASE("every artifact of a run conforms to its schema and has the envelope") {
+    for (const Artifacts& artifacts : {built_in(), computed_from(test::example_case())}) {
+        std::vector<std::string> files{std::string(case_artifact)};
+        for (const Stage& stage : stages()) files.emplace_back(stage.file);
+        for (const std::string& file : files) {
+            const Json& document = artifacts.at(file).document;
+            CHECK_NOTHROW(validate_document(document, file.substr(0, file.size() - 5)));
+            std::vector<std::string> keys;
+            for (const auto& [key, _] : document.items()) keys.push_back(key);
+            CHECK(keys == std::vector<std::string>{"schema", "stage", "provenance", "citations", "warnings",
+                                                   "result"});
+            CHECK(parse_json(artifacts.at(file).bytes) == document);
+        }
+    }
+}
+
+TEST_CASE("1-modulus: Table 1 and the three moduli of the paper from weight fractions") {
+    const std::map<std::string, std::array<double, 4>> printed{// quartz, mullite, crystalline [%], E [GPa]
+                                                               {"88 um", {1.65, 47.63, 49.28, 148.13}},
+                                                               {"96 um", {6.29, 48.73, 55.02, 150.82}},
+                                                               {"104 um", {10.19, 57.12, 67.31, 164.81}}};
+    for (const auto& sample : result("1-modulus.json")["samples"]) {
+        const auto& [quartz, mullite, crystalline, modulus] = printed.at(sample["name"].get<std::string>());
+        const auto percent = [&](std::size_t i) {
+            return 100 * sample["phases"][i]["volume_fraction"].get<double>();
+        };
+        CHECK(std::abs(percent(0) - quartz) < 0.005);
+        CHECK(std::abs(percent(1) - mullite) < 0.005);
+        CHECK(std::abs(percent(0) + percent(1) - crystalline) < 0.005);
+        const double e = sample["young_modulus"]["value"];
+        CHECK(std::abs(e / 1e9 - modulus) < 0.01);
+        CHECK(sample["bounds"]["lower"]["value"].get<double>() < e);
+        CHECK(sample["bounds"]["upper"]["value"].get<double>() > e);
+    }
+}
+
+TEST_CASE("2-contact: mass from density and diameter, origins kept") {
+    for (const SampleContact& sample : built_in().read("2-contact.json", read_contacts)) {
+        const double r = sample.pair.effective_radius;
+        CHECK(relative_difference(sample.pair.mass, 4.0 / 3.0 * M_PI * r * r * r * sample.density) < 1e-14);
+    }
+    CHECK(result("2-contact.json")["samples"][0]["work_of_adhesion"]["origin"] == "inferred");
+}
+
+TEST_CASE("2-contact: Eq. 7 with an elastic wall, a rigid one, and a modulus that is given") {
+    Json document = test::example_case();
+    const auto modulus_of = [&] {
+        const Artifacts artifacts = computed_from(document);
+        return artifacts.at("2-contact.json").document["result"]["samples"][1];
+    };
+    document["samples"][1]["poisson_ratio"] = 0.25;
+    const Json elastic = modulus_of();
+    document["wall"] = {{"rigid", true}};
+    const Json rigid = modulus_of();
+    document["wall"] = {{"contact_modulus", "90 GPa"}};
+    const Json given = modulus_of();
+    const double particle = 1.0 / rigid["contact_modulus"]["value"].get<double>();
+    const double wall = (1 - 0.29 * 0.29) / 193e9;
+    CHECK(relative_difference(1.0 / elastic["contact_modulus"]["value"].get<double>(), particle + wall) <
+          1e-14);
+    CHECK(given["contact_modulus"]["value"] == 90e9);
+    CHECK(elastic["contact_modulus"]["standard_uncertainty"].get<double>() > 0);
+}
+
+TEST_CASE("3-analytic agrees with the dynamic JKR velocity without damping") {
+    const auto contacts = built_in().read("2-contact.json", read_contacts);
+    for (const SampleAnalytic& sample : built_in().read("3-analytic.json", read_analytic)) {
+        const Law jkr = Law::of<Jkr>();
+        const auto dynamic =
+            critical_velocity({jkr, Detachment::pull_off, {}, named(contacts, sample.name).pair});
+        CHECK(relative_difference(dynamic.value.value(), sample.critical_velocity) < 1e-12);
+    }
+}
+
+TEST_CASE("4-restitution: an impact with the published damping gives the reconstructed restitution back") {
+    const auto contacts = built_in().read("2-contact.json", read_contacts);
+    const auto restitutions = built_in().read("4-restitution.json", read_restitutions);
+    for (const SampleRestitution& sample : restitutions) {
+        const RestitutionSeries* jkr = sample.of(Law::of<Jkr>());
+        const RestitutionSeries* brach_dunn = sample.of(Law::of<BrachDunn>());
+        REQUIRE(jkr != nullptr);
+        CHECK(jkr == brach_dunn);  // the reference law's points
+        CHECK(jkr->origin == "reconstructed");
+        CHECK(std::is_sorted(jkr->velocity.begin(), jkr->velocity.end()));
+        CHECK(jkr->velocity.size() == 10);
+    }
+    const RestitutionSeries* series = named(restitutions, "88 um").of(Law::of<Dmt>());
+    const double e = series->restitution[3];
+    const double eta = 0.0223 * e * e - 0.0279 * e + 0.0151;
+    const ImpactResult impact = solve_impact({Law::of<Dmt>(),
+                                              Detachment::zero_overlap,
+                                              {DampingLaw::constant, eta},
+                                              named(contacts, "88 um").pair,
+                                              series->velocity[3]});
+    CHECK(relative_difference(impact.restitution, e) < 1e-10);
+}
+
+TEST_CASE("6-fit: Table 2 and Table 3 come back from the reconstructed points") {
+    const std::map<std::string, std::map<std::string, Quadratic>> table_2{
+        {"88 um",
+         {{"hertz", {0.0238, -0.0291, 0.0153}},
+          {"dmt", {0.0223, -0.0279, 0.0151}},
+          {"brach-dunn", {0.0193, -0.0247, 0.0141}}}},
+        {"96 um",
+         {{"hertz", {0.0104, -0.0229, 0.0155}},
+          {"dmt", {0.0115, -0.0235, 0.0156}},
+          {"brach-dunn", {0.0101, -0.0213, 0.0149}}}},
+        {"104 um",
+         {{"hertz", {0.0074, -0.0217, 0.0163}},
+          {"dmt", {0.0065, -0.0206, 0.0160}},
+          {"brach-dunn", {0.0043, -0.0170, 0.0145}}}}};
+    const auto fits =
+        built_in().read("6-fit.json", [](const View& v) { return read_fits(v, Dimension::damping); });
+    for (const auto& [name, laws] : table_2)
+        for (const auto& [law, fit] : laws) {
+            const LawFit* own = named(fits, name).laws.find(Law::named(law));
+            REQUIRE(own != nullptr);
+            CHECK(std::abs(own->a - fit[0]) < 1e-9);
+            CHECK(std::abs(own->b - fit[1]) < 1e-9);
+            CHECK(relative_difference(own->critical_damping, fit[2]) < 1e-9);
+        }
+}
+
+TEST_CASE("7-critical-velocity: captured just below, rebounding just above, for every law") {
+    const auto contacts = built_in().read("2-contact.json", read_contacts);
+    const auto fits =
+        built_in().read("6-fit.json", [](const View& v) { return read_fits(v, Dimension::damping); });
+    for (const auto& sample : built_in().read("7-critical-velocity.json", read_critical_velocities)) {
+        const ContactPair& contact = named(contacts, sample.name).pair;
+        int laws = 0;
+        for (const auto& [law, velocity] : sample.laws) {
+            const double eta = named(fits, sample.name).laws.find(law)->critical_damping;
+            Impact impact{law, law.default_detachment(), {DampingLaw::constant, eta}, contact, 0};
+            impact.velocity = velocity.value.value() * (1 - 1e-6);
+            CHECK(solve_impact(impact).outcome == Outcome::capture);
+            impact.velocity = velocity.value.value() * (1 + 1e-6);
+            CHECK(solve_impact(impact).outcome == Outcome::rebound);
+            ++laws;
+        }
+        CHECK(laws == 4);
+    }
+}
+
+TEST_CASE("8-histories: columns of the stated length, contact ends where it began, momentum closes") {
+    for (const auto& sample : result("8-histories.json")["samples"]) {
+        for (const auto* law : {"hertz", "dmt", "brach-dunn", "jkr"}) {
+            REQUIRE(sample[law].size() == 2);
+            CHECK(sample[law][0]["part"] == "critical");
+            CHECK(sample[law][1]["part"] == "rising");
+            for (const auto& history : sample[law]) {
+                const auto& trajectory = history["trajectory"];
+                for (const auto& [name, column] : trajectory.items()) CHECK(column["values"].size() == 49);
+                CHECK(trajectory["time"]["values"].back().get<double>() ==
+                      doctest::Approx(history["contact_time"]["value"].get<double>()));
+                const auto& momentum = history["momentum"];
+                const double lost = momentum["equation_44"]["momentum_lost"]["value"];
+                for (const auto* part : {"approach", "rebound"})
+                    CHECK(std::abs(momentum[part]["residual"]["value"].get<double>()) < 1e-4 * lost);
+            }
+        }
+    }
+}
+
+TEST_CASE("the momentum balance: 2 eta delta_m for constant damping, symmetry without") {
+    const ContactPair contact{
+        .mass = 9.277e-10, .effective_radius = 44e-6, .contact_modulus = 90e9, .work_of_adhesion = 0.3};
+    const Impact damped{
+        Law::of<BrachDunn>(), Detachment::zero_overlap, {DampingLaw::constant, 0.008}, contact, 2.5};
+    const double overlap = solve_impact(damped).maximum_overlap;
+    const MomentumBalance balance = momentum_balance(damped, 4001);
+    CHECK(relative_difference(balance.approach.damping_impulse, 0.008 * overlap) < 1e-6);
+    CHECK(relative_difference(balance.rebound.damping_impulse, 0.008 * overlap) < 1e-6);
+    CHECK(std::abs(balance.approach.residual) < 1e-6 * contact.mass * 2.5);
+    CHECK(std::abs(balance.rebound.residual) < 1e-6 * contact.mass * 2.5);
+    CHECK(balance.rebound_is_longer());
+
+    Impact undamped = damped;
+    undamped.damping.coefficient = 0;
+    const MomentumBalance symmetric = momentum_balance(undamped, 4001);
+    CHECK(relative_difference(symmetric.approach.duration, symmetric.rebound.duration) < 1e-9);
+    CHECK(symmetric.damping_impulse == 0);
+
+    Impact captured = damped;
+    captured.velocity = 0.01;
+    CHECK_THROWS_AS(static_cast<void>(momentum_balance(captured)), InputError);
+}
+
+TEST_CASE("comparison: fixed places, published values beside ours, the ratio in the sentence") {
+    const Json& comparison = result("comparison.json");
+    REQUIRE(comparison["samples"].size() == 3);
+    const Json& sample = comparison["samples"][2];
+    CHECK(sample["name"] == "104 um");
+    CHECK(sample["measured_critical_velocity"]["value"] == 0.69);
+    CHECK(sample["published"]["critical_velocity"]["dmt"]["published"]["value"] == 0.64);
+    const double ours = sample["dynamic_critical_velocity"]["dmt"]["value"];
+    CHECK(relative_difference(
+              sample["published"]["critical_velocity"]["dmt"]["relative_difference"].get<double>(),
+              ours / 0.64 - 1) < 1e-12);
+    CHECK(sample["published"]["contact_times"][0]["law"] == "brach-dunn");
+    CHECK_FALSE(sample["published"]["critical_velocity"].contains("jkr"));
+    double least = 1e300;
+    for (const auto& each : comparison["samples"])
+        for (const auto& [law, velocity] : each["dynamic_critical_velocity"].items())
+            least = std::min(least, velocity["value"].get<double>() /
+                                        each["analytic_critical_velocity"]["value"].get<double>());
+    CHECK(relative_difference(comparison["dynamic_over_analytic"]["least"].get<double>(), least) < 1e-14);
+    CHECK(comparison["conclusion"].get<std::string>().find("viscous dissipation does") != std::string::npos);
+}
+
+TEST_CASE("measured data: captures are kept apart and the falling branch is left out of the fit") {
+    const Artifacts artifacts = computed_from(test::example_case());
+    const Json& fine = artifacts.at("5-damping.json").document["result"]["samples"][0]["dmt"];
+    CHECK(fine["captured_at"]["values"] == Json{1.4, 1.55});
+    CHECK(fine["velocity"]["values"].size() == 10);
+    const Json& coarse = artifacts.at("6-fit.json").document["result"]["samples"][1]["dmt"];
+    CHECK(coarse["points"] == 8);
+    CHECK(coarse["points_beyond_rising_branch"] == 1);
+    CHECK(coarse["origin"] == "measured");
+    CHECK(coarse["degrees_of_freedom"] == 5);
+    CHECK(coarse["critical_damping"]["standard_uncertainty"].get<double>() > 0);
+}
+
+TEST_CASE("a sample without restitution data still gets its analytic velocity, and a warning") {
+    Json document = test::example_case();
+    document["samples"][1].erase("restitution");
+    const Artifacts artifacts = computed_from(document);
+    const Json& sample = artifacts.at("comparison.json").document["result"]["samples"][1];
+    CHECK(sample["analytic_critical_velocity"]["value"].get<double>() > 0);
+    CHECK(sample["dynamic_critical_velocity"]["jkr"].is_null());
+    CHECK(sample["verdict"]["jkr"] == "no damping data");
+    CHECK(artifacts.at("4-restitution.json").document["warnings"].size() == 1);
+}
+
+TEST_CASE("other damping laws go through every stage, with their unit") {
+    Json document = test::example_case();
+    for (const auto& [law, unit] :
+         std::map<std::string, std::string>{{"contact-radius", "Pa s"}, {"tsuji", "1"}}) {
+        document["damping_law"] = law;
+        const Artifacts artifacts = computed_from(document);
+        const Json& fit = artifacts.at("6-fit.json").document["result"]["samples"][0]["jkr"];
+        CHECK(fit["critical_damping"]["unit"] == unit);
+        const Json& velocity =
+            artifacts.at("7-critical-velocity.json").document["result"]["samples"][0]["jkr"];
+        CHECK(velocity["damping_law"] == law);
+        CHECK(velocity["verdict"].is_string());
+    }
+}
+
+TEST_CASE("without adhesive laws no work of adhesion is needed") {
+    Json document = test::example_case();
+    document["laws"] = {"hertz"};
+    document.erase("work_of_adhesion");
+    const Artifacts artifacts = computed_from(document);
+    const Json& comparison = artifacts.at("comparison.json").document["result"];
+    CHECK(comparison["samples"][0]["analytic_critical_velocity"]["value"] == 0);
+    CHECK(comparison["conclusion"].get<std::string>().find("no analytic and dynamic") != std::string::npos);
+}

@@ -1,0 +1,58 @@
+#include <chrono>
+#include <cstdlib>
+#include <limits>
+#include <string>
+#include <thread>
+
+#include "materials/error.hpp"
+#include "pipeline/cli/program.hpp"
+#include "pipeline/sweep/command.hpp"
+#include "pipeline/sweep/mpi/session.hpp"
+
+/// ashimpact-sweep with a formula in place of the solver, so that everything around the impacts can be tested
+/// with many of them. ASHIMPACT_PAUSE: seconds every chunk takes at least; ASHIMPACT_FAIL: a velocity [m/s]
+/// from which on an impact does not converge.
+namespace ashimpact {
+
+namespace {
+
+double number_from(const char* variable, double otherwise) {
+    const char* text = std::getenv(variable);
+    return text != nullptr ? std::stod(text) : otherwise;
+}
+
+ResultColumns stand_in(const ContactModel& model, const ImpactColumns& impacts, const WantedResults& wanted) {
+    static const double pause = number_from("ASHIMPACT_PAUSE", 0);
+    static const double failure = number_from("ASHIMPACT_FAIL", std::numeric_limits<double>::infinity());
+    if (pause > 0) std::this_thread::sleep_for(std::chrono::duration<double>(pause));
+    ResultColumns results;
+    const std::size_t count = impacts.velocity.size();
+    results.restitution.resize(count);
+    if (wanted.contact_time) results.contact_time.resize(count);
+    if (wanted.maximum_overlap) results.maximum_overlap.resize(count);
+    const double critical = 0.5 * static_cast<double>(model.law.index() + 1);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double v = impacts.velocity[i];
+        if (v >= failure) throw ConvergenceError("the stand-in was told to fail");
+        const double e = v > critical ? 0.9 * (v - critical) / v : 0.0;
+        results.restitution[i] = e;
+        if (wanted.contact_time)
+            results.contact_time[i] =
+                e > 0 ? impacts.effective_radius[i] / v : std::numeric_limits<double>::quiet_NaN();
+        if (wanted.maximum_overlap) results.maximum_overlap[i] = impacts.effective_radius[i] * v * 1e-3;
+    }
+    return results;
+}
+
+}  // namespace
+
+}  // namespace ashimpact
+
+int main(int argc, char** argv) {
+    ashimpact::MpiSession session;
+    const int status =
+        ashimpact::run_program(argc, argv, [&](const ashimpact::SweepOptions& options, std::ostream& out) {
+            ashimpact::run_sweep_command(options, session, ashimpact::stand_in, out);
+        });
+    return session.leave(status);
+}

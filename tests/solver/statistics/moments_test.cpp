@@ -1,0 +1,109 @@
+#include "solver/statistics/moments.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "solver/statistics/pairwise_merge.hpp"
+#include "solver/statistics/philox.hpp"
+
+using namespace ashimpact;
+
+namespace {
+
+/// Numbers of an exponential distribution far from zero, where power sums would cancel.
+std::vector<double> sample(std::size_t count, double offset) {
+    std::vector<double> values(count);
+    for (std::size_t i = 0; i < count; ++i)
+        values[i] = offset - std::log(unit_interval(random_bits(7, i, 0, RandomStream::points)[0]));
+    return values;
+}
+
+long double central(const std::vector<double>& values, int power) {
+    long double mean = 0;
+    for (const double value : values) mean += value;
+    mean /= static_cast<long double>(values.size());
+    long double sum = 0;
+    for (const double value : values) sum += std::pow(value - mean, static_cast<long double>(power));
+    return sum;
+}
+
+void check_same(const Moments& moments, const std::vector<double>& values) {
+    const auto near = [](long double value) {
+        return doctest::Approx(static_cast<double>(value)).epsilon(1e-9);
+    };
+    CHECK(moments.count == values.size());
+    CHECK(moments.second == near(central(values, 2)));
+    CHECK(moments.third == near(central(values, 3)));
+    CHECK(moments.fourth == near(central(values, 4)));
+}
+
+}  // namespace
+
+TEST_CASE("moments agree with extended precision, also far from zero") {
+    for (const double offset : {0.0, 1e6}) {
+        const auto values = sample(10'000, offset);
+        check_same(Moments::of(values), values);
+    }
+}
+
+TEST_CASE("moments of parts make the moments of the whole") {
+    const auto values = sample(5'000, 1e6);
+    Moments merged;
+    for (std::size_t first = 0; first < values.size();) {
+        const std::size_t count = std::min(values.size() - first, first / 3 + 1);
+        merged.merge(Moments::of(std::span(values).subspan(first, count)));
+        merged.merge(Moments{});
+        first += count;
+    }
+    check_same(merged, values);
+    CHECK(merged.minimum == *std::min_element(values.begin(), values.end()));
+    CHECK(merged.maximum == *std::max_element(values.begin(), values.end()));
+    CHECK(merged.mean == doctest::Approx(Moments::of(values).mean).epsilon(1e-15));
+}
+
+TEST_CASE("an exponential distribution has variance 1, skewness 2, excess kurtosis 6") {
+    const Moments moments = Moments::of(sample(400'000, 0));
+    CHECK(moments.mean == doctest::Approx(1).epsilon(0.01));
+    CHECK(moments.variance() == doctest::Approx(1).epsilon(0.02));
+    CHECK(moments.skewness() == doctest::Approx(2).epsilon(0.03));
+    CHECK(moments.excess_kurtosis() == doctest::Approx(6).epsilon(0.1));
+}
+
+namespace {
+
+/// A sum that remembers in which order it was made.
+struct Order {
+    std::string text;
+    void merge(const Order& other) { text = "(" + text + other.text + ")"; }
+};
+
+std::string order_of(unsigned chunks) {
+    PairwiseMerge<Order> merge;
+    for (unsigned i = 0; i < chunks; ++i) merge.add({std::string(1, static_cast<char>('a' + i))});
+    return merge.total().text;
+}
+
+}  // namespace
+
+TEST_CASE("chunks merge in the order of a binary tree") {
+    CHECK(order_of(1) == "a");
+    CHECK(order_of(4) == "((ab)(cd))");
+    CHECK(order_of(7) == "(((ab)(cd))((ef)g))");
+}
+
+TEST_CASE("parts of the tree merged elsewhere make the same tree") {
+    for (const std::vector<unsigned>& levels :
+         {std::vector<unsigned>{1, 1, 2}, {2, 0, 0, 1}, {3}, {1, 0, 0, 2}}) {
+        PairwiseMerge<Order> merge;
+        char next = 'a';
+        for (const unsigned level : levels) {
+            PairwiseMerge<Order> part;
+            for (unsigned i = 0; i < 1U << level; ++i) part.add({std::string(1, next++)});
+            CHECK(part.nodes() == 1);
+            merge.add(part.total(), level);
+        }
+        CHECK(merge.total().text == order_of(8));
+    }
+}
