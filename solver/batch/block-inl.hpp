@@ -37,42 +37,40 @@ struct Block {
     return bytes[0];
 }
 
-template <class F>
-HWY_INLINE void follow(Groups<LaneOrbit<F>>& orbit) {
-    for (int pass = 0; pass < most_passes; ++pass) {
-        orbit[0].observe(pass);
-        orbit[1].observe(pass);
-        if (!any(either(orbit[0].active(), orbit[1].active()))) break;
-        const ExtrapolatedLeapfrog<F, LaneOrbit<F>::sequences, LaneOrbit<F>> leap(orbit);
-        orbit[0].take(leap.template result<0>());
-        orbit[1].take(leap.template result<1>());
-    }
-}
-
 /// Follows the impacts of a block to their ends.
-template <class F, bool with_turn>
-HWY_NOINLINE void follow(Block& block, Detachment detachment) {
-    const auto lanes = [&](const double* column, int group) HWY_ATTR {
-        return Lanes::load(column + static_cast<std::size_t>(group) * lane_count);
-    };
-    Groups<LaneOrbit<F>> orbit{
-        LaneOrbit<F>(Equation<F>(lanes(block.adhesion, 0), lanes(block.damping, 0)), detachment),
-        LaneOrbit<F>(Equation<F>(lanes(block.adhesion, 1), lanes(block.damping, 1)), detachment)};
-    follow(orbit);
+template <class F>
+HWY_NOINLINE void follow(Block& block, Detachment detachment, bool with_turn) {
+    using Orbit = LaneOrbit<F>;
+    Groups<Orbit> orbits;
+    for (std::size_t group = 0; group < group_count; ++group) {
+        const std::size_t first = group * lane_count;
+        const Equation<F> equation(Lanes::load(block.adhesion + first), Lanes::load(block.damping + first));
+        orbits[group] = Orbit(equation, detachment);
+    }
+    for (int pass = 0; pass < most_passes; ++pass) {
+        Mask active = none();
+        for (Orbit& orbit : orbits) {
+            orbit.observe(pass);
+            active = either(active, orbit.active());
+        }
+        if (!any(active)) break;
+        Groups<LaneStep> steps;
+        ExtrapolatedLeapfrog<F, Orbit::sequences, Orbit>::step(orbits, steps);
+        for (std::size_t group = 0; group < group_count; ++group) orbits[group].take(steps[group]);
+    }
     block.rebound = block.capture = 0;
     for (std::size_t group = 0; group < group_count; ++group) {
-        const LaneOrbit<F>& o = orbit[group];
+        const Orbit& orbit = orbits[group];
         const std::size_t first = group * lane_count;
-        const LaneArrival end = o.end_point();
+        const LaneArrival end = orbit.end_point();
         end.time.store(block.time + first);
         end.speed.store(block.speed + first);
-        block.rebound |= bits_of(o.surely_ended(end.speed)) << first;
-        block.capture |= bits_of(o.surely_captured()) << first;
-        if constexpr (with_turn) {
-            const LaneTurn turn = o.turning_point();
-            turn.time.store(block.turn_time + first);
-            turn.overlap.store(block.turn_overlap + first);
-        }
+        block.rebound |= bits_of(orbit.surely_ended(end.speed)) << first;
+        block.capture |= bits_of(orbit.surely_captured()) << first;
+        if (!with_turn) continue;
+        const LaneTurn turn = orbit.turning_point();
+        turn.time.store(block.turn_time + first);
+        turn.overlap.store(block.turn_overlap + first);
     }
 }
 

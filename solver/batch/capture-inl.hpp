@@ -7,6 +7,7 @@
 #endif
 
 #include "solver/batch/equation-inl.hpp"
+#include "solver/batch/number-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
@@ -22,9 +23,11 @@ struct Places {
 };
 
 template <class F>
-[[nodiscard]] HWY_INLINE Places places_of(const Equation<F>& equation, Detachment detachment) {
-    const typename F::template ContactLaw<Lanes> law{equation.adhesion};
-    const auto place = [](const Lanes& u) HWY_ATTR { return F::squared ? u * u : u; };
+[[nodiscard]] HWY_FLATTEN inline Places places_of(const Equation<F>& equation, Detachment detachment) {
+    const typename F::template ContactLaw<LaneNumber> law{LaneNumber(equation.adhesion)};
+    const auto place = [](const LaneNumber& u) HWY_ATTR {
+        return F::squared ? u.lanes() * u.lanes() : u.lanes();
+    };
     Places p;
     p.touch = place(law.touch());
     p.equilibrium = place(*law.detachment_point(Detachment::zero_force));

@@ -64,11 +64,7 @@ HWY_NOINLINE void solve_task(const batch::ImpactTask& task) {
             block.adhesion[lane] = scaled.adhesion[i];
             block.damping[lane] = scaled.damping[i];
         }
-        if (task.turning_point) {
-            follow<F, true>(block, task.detachment);
-        } else {
-            follow<F, false>(block, task.detachment);
-        }
+        follow<F>(block, task.detachment, task.turning_point);
         for (std::size_t lane = 0; lane < used; ++lane) write(task, scaled, order[first + lane], block, lane);
     }
 }

@@ -9,12 +9,15 @@
 #include "solver/batch/equation-inl.hpp"
 #include "solver/batch/extrapolation.hpp"
 
+#include <array>
+#include <cstddef>
 #include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
 
-inline constexpr int group_count = 2;  ///< registers of lanes advanced together, to hide latency
+/// Registers of lanes advanced together: the next one's arithmetic hides the latency of this one's.
+inline constexpr std::size_t group_count = 4;
 template <class T>
 using Groups = std::array<T, group_count>;
 
@@ -26,7 +29,7 @@ struct LaneStep {
     Lanes end_stiffness;  ///< h(q) at the end, to second order
 };
 
-/// One step of order 2 sequences for two groups of lanes: explicit leapfrogs of 2, 4, ..., 2 sequences substeps
+/// One step of order 2 sequences for all groups of lanes: explicit leapfrogs of 2, 4, ..., 2 sequences substeps
 ///
 ///     y_(m+1/2) = y_(m-1/2) - tau h(q_m),   q_(m+1) = q_(m-1) + tau (y_(m-1/2) + y_(m+1/2)) - 2 tau beta g(q_m),
 ///
@@ -39,20 +42,19 @@ struct LaneStep {
 template <class F, int sequences, class Orbit>
 class ExtrapolatedLeapfrog {
   public:
-    HWY_INLINE explicit ExtrapolatedLeapfrog(const Groups<Orbit>& orbits) : orbit_(orbits) {
-        prepare<0>();
-        prepare<1>();
-        run(std::make_integer_sequence<int, Layout::length>{});
-        finish<0>();
-        finish<1>();
-    }
-    template <int group>
-    [[nodiscard]] HWY_INLINE const LaneStep& result() const {
-        return result_[group];
+    HWY_INLINE static void step(const Groups<Orbit>& orbits, Groups<LaneStep>& results) {
+        Groups<Start> start;
+        for (std::size_t group = 0; group < group_count; ++group) {
+            start[group] = started(orbits[group]);
+            results[group] = {{0.0, 0.0, 0.0}, 0.0, 0.0, 0.0};
+        }
+        for (int sequence = sequences; sequence >= 1; --sequence) {
+            run(orbits, start, sequence, results, std::make_index_sequence<group_count>{});
+        }
+        for (std::size_t group = 0; group < group_count; ++group) finish(orbits[group], results[group]);
     }
 
   private:
-    using Layout = Chains<sequences, group_count>;
     static constexpr Extrapolation<sequences> extrapolation{};
     static constexpr double kick_unit = Equation<F>::Stiffness::Pattern::leading;
     using At = Powers<Equation<F>::powers>;
@@ -64,122 +66,92 @@ class ExtrapolatedLeapfrog {
         Lanes slopes;    ///< sum of the monic part of delta'(q)
     };
     struct Start {
-        Lanes momentum;          ///< y in units of kick_unit H
-        Lanes half_kick;         ///< -h/2, monic
-        Lanes impulse;           ///< g, monic
-        Lanes half_slope;        ///< monic part
-        Lanes drift;             ///< kick_unit H^2
-        Lanes damping;           ///< 2 H beta (leading coefficient of g)
+        Lanes momentum;    ///< y in units of kick_unit H
+        Lanes half_kick;   ///< -h/2, monic
+        Lanes impulse;     ///< g, monic
+        Lanes half_slope;  ///< monic part
+        Lanes drift;       ///< kick_unit H^2
+        Lanes damping;     ///< 2 H beta (leading coefficient of g)
+    };
+    /// The substep's share of H, and of Start.
+    struct Substep {
+        Lanes drift;
+        Lanes damping;
     };
 
-    template <int group>
-    HWY_INLINE void prepare() {
-        const Equation<F>& equation = orbit_[group].equation();
-        const Lanes h = orbit_[group].step();
-        Start& s = start_[group];
-        const At at(orbit_[group].state().position);
-        s.momentum = orbit_[group].state().momentum / (Lanes(kick_unit) * h);
+    [[nodiscard]] HWY_INLINE static Start started(const Orbit& orbit) {
+        const Equation<F>& equation = orbit.equation();
+        const Lanes h = orbit.step();
+        const At at(orbit.state().position);
+        Start s;
+        s.momentum = orbit.state().momentum / (Lanes(kick_unit) * h);
         s.half_kick = equation.stiffness.subtracted_from(0.0, at) * Lanes(0.5);
         s.impulse = equation.impulse(at);
         s.half_slope = equation.slope(at) * Lanes(0.5);
         s.drift = Lanes(kick_unit) * h * h;
         s.damping = Lanes(2.0 * Equation<F>::Impulse::Pattern::leading) * h * equation.damping;
-        result_[group] = {{0.0, 0.0, 0.0}, 0.0, 0.0, 0.0};
+        return s;
     }
 
-    template <int... slot>
-    HWY_INLINE void run(std::integer_sequence<int, slot...> /*slots*/) {
-        (every_chain<slot>(std::make_integer_sequence<int, Layout::count>{}), ...);
-    }
-    template <int slot, int... chain>
-    HWY_INLINE void every_chain(std::integer_sequence<int, chain...> /*chains*/) {
-        (substep<slot, chain>(), ...);
-    }
-
-    template <int slot, int chain>
-    HWY_INLINE void substep() {
-        constexpr auto here = Layout::place(chain, slot);
-        constexpr int substeps = 2 * here.sequence;
-        if constexpr (here.substep == 0) {
-            begin<here.group, chain, substeps>();
-        } else {
-            advance<here.group, chain, substeps>();
-        }
-        if constexpr (here.substep == substeps - 1) {
-            // The groups share a chain one after the other; both add its result last, so that the order of a
-            // sum, and with it every bit, is the same whichever group a lane is in.
-            constexpr bool alone = Layout::is_shared(chain);
-            if constexpr (alone) {
-                kept_[here.group] = chain_[chain];
-            } else {
-                collect<here.group, here.sequence>(chain_[chain]);
-            }
-        }
+    /// One sequence of substeps.
+    template <std::size_t... group>
+    HWY_INLINE static void run(const Groups<Orbit>& orbits, const Groups<Start>& start, int sequence,
+                               Groups<LaneStep>& results, std::index_sequence<group...> /*groups*/) {
+        const int substeps = 2 * sequence;
+        const double share = 1.0 / substeps;
+        Groups<Substep> substep;
+        Groups<Chain> chain;
+        ((substep[group] = {start[group].drift * Lanes(share * share), start[group].damping * Lanes(share)}), ...);
+        ((chain[group] = begun(orbits[group], start[group], substep[group], substeps)), ...);
+        for (int m = 1; m < substeps; ++m) (advance(orbits[group].equation(), substep[group], chain[group]), ...);
+        (collect(orbits[group], start[group], chain[group], sequence, results[group]), ...);
     }
 
-    template <int group, int chain, int substeps>
-    HWY_INLINE void begin() {
-        const Start& s = start_[group];
-        Chain& c = chain_[chain];
-        c.previous = orbit_[group].state().position;
-        c.momentum = multiply_add(s.momentum, double{substeps}, s.half_kick);
-        const Lanes undamped =
-            multiply_add(s.drift * Lanes(1.0 / (substeps * substeps)), c.momentum, c.previous);
-        c.position = subtract_product(undamped, s.damping * Lanes(0.5 / substeps), s.impulse);
+    [[nodiscard]] HWY_INLINE static Chain begun(const Orbit& orbit, const Start& s, const Substep& h, int substeps) {
+        Chain c;
+        c.previous = orbit.state().position;
+        c.momentum = multiply_add(s.momentum, double(substeps), s.half_kick);
+        const Lanes undamped = multiply_add(h.drift, c.momentum, c.previous);
+        c.position = subtract_product(undamped, h.damping * Lanes(0.5), s.impulse);
         c.slopes = s.half_slope;
+        return c;
     }
 
-    template <int group, int chain, int substeps>
-    HWY_INLINE void advance() {
-        const Equation<F>& equation = orbit_[group].equation();
-        const Start& s = start_[group];
-        Chain& c = chain_[chain];
+    HWY_INLINE static void advance(const Equation<F>& equation, const Substep& h, Chain& c) {
         const At at(c.position);
         const Lanes kicked = equation.stiffness.subtracted_from(c.momentum, at);
-        const Lanes braked = subtract_product(c.previous, s.damping * Lanes(1.0 / substeps), equation.impulse(at));
-        c.previous = c.position;
-        c.position = multiply_add(s.drift * Lanes(1.0 / (substeps * substeps)), c.momentum + kicked, braked);
-        c.momentum = kicked;
+        const Lanes braked = subtract_product(c.previous, h.damping, equation.impulse(at));
         c.slopes = c.slopes + equation.slope(at);
+        c.previous = c.position;
+        c.position = multiply_add(h.drift, c.momentum + kicked, braked);
+        c.momentum = kicked;
     }
 
-    template <int group, int sequence>
-    HWY_INLINE void collect(const Chain& c) {
-        constexpr double substeps = 2.0 * sequence;
-        constexpr double weight = extrapolation.weight[sequence - 1];
-        constexpr double difference = extrapolation.difference[sequence - 1];
-        const Equation<F>& equation = orbit_[group].equation();
-        const Start& s = start_[group];
+    HWY_INLINE static void collect(const Orbit& orbit, const Start& s, const Chain& c, int sequence, LaneStep& r) {
+        const double substeps = 2.0 * sequence;
+        const double weight = extrapolation.weight[static_cast<std::size_t>(sequence - 1)];
+        const double difference = extrapolation.difference[static_cast<std::size_t>(sequence - 1)];
+        const Equation<F>& equation = orbit.equation();
         const At at(c.position);
         const Lanes kick = equation.stiffness.subtracted_from(0.0, at);
         const Lanes slopes = multiply_add(equation.slope(at), 0.5, c.slopes);
-        const Lanes moved = c.position - orbit_[group].state().position;
+        const Lanes moved = c.position - orbit.state().position;
         const Lanes pushed = multiply_add(kick, 0.5, c.momentum) - s.momentum * Lanes(substeps);
-        LaneStep& r = result_[group];
         r.change.position = multiply_add(moved, weight, r.change.position);
         r.change.momentum = multiply_add(pushed, weight / substeps, r.change.momentum);
         r.change.time = multiply_add(slopes, weight / substeps, r.change.time);
         r.position_error = multiply_add(moved, difference, r.position_error);
         r.momentum_error = multiply_add(pushed, difference / substeps, r.momentum_error);
-        if constexpr (sequence == sequences) r.end_stiffness = kick * Lanes(-kick_unit);
+        if (sequence == sequences) r.end_stiffness = kick * Lanes(-kick_unit);
     }
 
-    template <int group>
-    HWY_INLINE void finish() {
-        if constexpr (Layout::shared) collect<group, sequences / 2>(kept_[group]);
-        LaneStep& r = result_[group];
-        const Lanes h = orbit_[group].step();
+    HWY_INLINE static void finish(const Orbit& orbit, LaneStep& r) {
+        const Lanes h = orbit.step();
         r.change.momentum = r.change.momentum * (Lanes(kick_unit) * h);
         r.momentum_error = r.momentum_error * (Lanes(kick_unit) * h);
-        r.change.time = h * multiply_add(r.change.time, Equation<F>::Slope::Pattern::leading,
-                                         orbit_[group].equation().slope_constant);
+        r.change.time =
+            h * multiply_add(r.change.time, Equation<F>::Slope::Pattern::leading, orbit.equation().slope_constant);
     }
-
-    const Groups<Orbit>& orbit_;
-    Groups<Start> start_;
-    std::array<Chain, Layout::count> chain_;
-    Groups<Chain> kept_;
-    Groups<LaneStep> result_;
 };
 
 }  // namespace ashimpact::HWY_NAMESPACE

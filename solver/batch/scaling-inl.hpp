@@ -7,7 +7,7 @@
 #endif
 
 #include "solver/batch/kernel.hpp"
-#include "solver/batch/lanes-inl.hpp"
+#include "solver/batch/number-inl.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/scale.hpp"
 
@@ -23,12 +23,12 @@ namespace ashimpact::HWY_NAMESPACE {
     return Lanes::load(padded);
 }
 
-[[nodiscard]] HWY_INLINE BasicContactPair<Lanes> read_pair(const batch::Inputs& in, std::size_t i,
-                                                           std::size_t count) {
-    return {.mass = read(in.mass, i, count),
-            .effective_radius = read(in.effective_radius, i, count),
-            .contact_modulus = read(in.contact_modulus, i, count),
-            .work_of_adhesion = read(in.work_of_adhesion, i, count)};
+[[nodiscard]] inline BasicContactPair<LaneNumber> read_pair(const batch::Inputs& in, std::size_t i,
+                                                            std::size_t count) {
+    return {.mass = LaneNumber(read(in.mass, i, count)),
+            .effective_radius = LaneNumber(read(in.effective_radius, i, count)),
+            .contact_modulus = LaneNumber(read(in.contact_modulus, i, count)),
+            .work_of_adhesion = LaneNumber(read(in.work_of_adhesion, i, count))};
 }
 
 /// The two numbers of a scaled impact, and its units.
@@ -40,14 +40,14 @@ struct ScaledLanes {
 };
 
 template <class F>
-[[nodiscard]] HWY_INLINE ScaledLanes scaled(const batch::Inputs& in, std::size_t i, std::size_t count) {
-    const BasicContactPair<Lanes> pair = read_pair(in, i, count);
-    const BasicScale<Lanes> scale = BasicScale<Lanes>::of(pair, read(in.velocity, i, count));
+[[nodiscard]] HWY_FLATTEN inline ScaledLanes scaled(const batch::Inputs& in, std::size_t i, std::size_t count) {
+    const BasicContactPair<LaneNumber> pair = read_pair(in, i, count);
+    const auto scale = BasicScale<LaneNumber>::of(pair, LaneNumber(read(in.velocity, i, count)));
     ScaledLanes result;
-    result.adhesion = F::template ContactLaw<Lanes>::adhesion_number(pair, scale.length);
-    result.damping = read(in.damping, i, count) / scale.damping_unit(F::damping);
-    result.length = scale.length;
-    result.time = scale.time();
+    result.adhesion = F::template ContactLaw<LaneNumber>::adhesion_number(pair, scale.length).lanes();
+    result.damping = read(in.damping, i, count) / scale.damping_unit(F::damping).lanes();
+    result.length = scale.length.lanes();
+    result.time = scale.time().lanes();
     return result;
 }
 
