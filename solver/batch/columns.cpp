@@ -10,7 +10,8 @@ Eigen::Index common_size(const ContactColumns& contact, const std::vector<NamedC
     std::vector<NamedColumn> columns{{"mass", contact.mass.size()},
                                      {"effective_radius", contact.effective_radius.size()},
                                      {"contact_modulus", contact.contact_modulus.size()},
-                                     {"work_of_adhesion", contact.work_of_adhesion.size()}};
+                                     {"work_of_adhesion", contact.work_of_adhesion.size()},
+                                     {"yield_pressure", contact.yield_pressure.size()}};
     columns.insert(columns.end(), others.begin(), others.end());
     NamedColumn longest{{}, 1};
     for (const NamedColumn& column : columns) {

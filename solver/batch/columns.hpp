@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -16,6 +17,8 @@ struct ContactColumns {
     Column effective_radius;  ///< R* [m]
     Column contact_modulus;   ///< E* [Pa]
     Column work_of_adhesion;  ///< w [J/m2]
+    /// p_y [Pa]; infinite: never yields
+    Column yield_pressure = Eigen::ArrayXd::Constant(1, std::numeric_limits<double>::infinity());
 };
 
 struct NamedColumn {

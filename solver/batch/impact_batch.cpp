@@ -25,8 +25,8 @@ Impact impact_at(const ImpactBatch& batch, const batch::Inputs& in, std::size_t 
             in.velocity.at(i)};
 }
 
-void solve_alone(const ImpactBatch& batch, const ImpactTask& task, std::size_t i) {
-    const ImpactResult result = solve_impact(impact_at(batch, task.inputs, i));
+void solve_alone(const Impact& impact, const ImpactTask& task, std::size_t i) {
+    const ImpactResult result = solve_impact(impact);
     task.end[i] = result.outcome == Outcome::rebound ? LaneEnd::rebound : LaneEnd::capture;
     task.restitution[i] = result.restitution;
     task.contact_time[i] = result.contact_time.value_or(nothing);
@@ -35,12 +35,16 @@ void solve_alone(const ImpactBatch& batch, const ImpactTask& task, std::size_t i
 }
 
 /// Solves a task, and alone what its kernel could not decide. @return how many those were
-std::int64_t solve(const ImpactBatch& batch, const ImpactTask& task, batch::ImpactKernel kernel, Outcome* outcome) {
-    kernel(task);
+std::int64_t solve(const ImpactBatch& batch, const ImpactTask& task, std::size_t first, Outcome* outcome) {
+    batch::kernels_of(batch.law).impacts(task);
     std::int64_t alone = 0;
     for (std::size_t i = 0; i < task.count; ++i) {
         if (task.end[i] == LaneEnd::undecided) {
-            solve_alone(batch, task, i);
+            try {
+                solve_alone(impact_at(batch, task.inputs, i), task, i);
+            } catch (const ConvergenceError& error) {
+                throw ConvergenceError("impact " + std::to_string(first + i) + ": " + error.what());
+            }
             ++alone;
         }
         outcome[i] = task.end[i] == LaneEnd::rebound ? Outcome::rebound : Outcome::capture;
@@ -72,7 +76,6 @@ void solve_impacts(const ImpactBatch& batch, ImpactBatchResult& result, const Ba
     const Eigen::Index count =
         common_size(batch.contact, {{"damping", batch.damping.size()}, {"velocity", batch.velocity.size()}});
     const batch::Inputs inputs = inputs_of(batch);
-    const batch::ImpactKernel kernel = batch::kernels_of(batch.law).impacts;
     resize(result, count);
     batch::FirstFault fault;
     std::atomic<std::int64_t> scalar = 0;
@@ -90,7 +93,7 @@ void solve_impacts(const ImpactBatch& batch, ImpactBatchResult& result, const Ba
                               .contact_time = result.contact_time.data() + first,
                               .approach_time = result.approach_time.data() + first,
                               .maximum_overlap = result.maximum_overlap.data() + first};
-        scalar += solve(batch, task, kernel, result.outcome.data() + first);
+        scalar += solve(batch, task, first, result.outcome.data() + first);
     };
     batch::for_chunks(static_cast<std::size_t>(count), batch::most_impacts, options.threads, chunk);
     result.scalar = scalar;

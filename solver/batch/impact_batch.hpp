@@ -32,7 +32,7 @@ struct ImpactBatchResult {
     Eigen::ArrayXd contact_time;     ///< first touch to detachment [s]
     Eigen::ArrayXd approach_time;    ///< first touch to greatest overlap [s]
     Eigen::ArrayXd maximum_overlap;  ///< greatest overlap, or its supremum where it never turns [m]
-    std::int64_t scalar = 0;         ///< impacts too near capture for double precision, left to solve_impact()
+    std::int64_t scalar = 0;         ///< left to solve_impact(): too near capture for double precision, or plastic
 };
 
 /// Solves many impacts, several in each instruction, to |d(e^2)| <= 1e-12 (1 + |U_min|/(m v^2/2)) of solve_impact().

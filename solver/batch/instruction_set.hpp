@@ -5,8 +5,7 @@
 
 namespace ashimpact {
 
-/// Instruction sets this program was built for and this processor has, the best first: "AVX3" (AVX-512), "AVX2",
-/// "SSE4", "SCALAR" (none in particular); while one is prescribed, that one.
+/// Instruction sets this program was built for and this processor has, the best first: "avx512", "avx2", "baseline".
 [[nodiscard]] std::vector<std::string_view> instruction_sets();
 
 /// Has every batch from now on use this instruction set; for measurements and tests, and no other thread may be in a

@@ -14,22 +14,31 @@ struct Input {
     bool single = false;  ///< one value for all
 
     [[nodiscard]] double at(std::size_t i) const { return values[single ? 0 : i]; }
-    [[nodiscard]] Input from(std::size_t i) const { return {single ? values : values + i, single}; }
+    [[nodiscard]] Input from(std::size_t i) const {
+        return {single || values == nullptr ? values : values + i, single};
+    }
 };
 
 /// What the problems of a task are given; what its kind does not use stays empty.
 struct Inputs {
-    Input mass;
-    Input effective_radius;
-    Input contact_modulus;
-    Input work_of_adhesion;
-    Input damping;
-    Input velocity;
-    Input restitution;
+    Input mass{};
+    Input effective_radius{};
+    Input contact_modulus{};
+    Input work_of_adhesion{};
+    Input yield_pressure{};
+    Input damping{};
+    Input velocity{};
+    Input restitution{};
 
     [[nodiscard]] Inputs from(std::size_t i) const {
-        return {mass.from(i),    effective_radius.from(i), contact_modulus.from(i), work_of_adhesion.from(i),
-                damping.from(i), velocity.from(i),         restitution.from(i)};
+        return {.mass = mass.from(i),
+                .effective_radius = effective_radius.from(i),
+                .contact_modulus = contact_modulus.from(i),
+                .work_of_adhesion = work_of_adhesion.from(i),
+                .yield_pressure = yield_pressure.from(i),
+                .damping = damping.from(i),
+                .velocity = velocity.from(i),
+                .restitution = restitution.from(i)};
     }
 };
 
@@ -48,10 +57,10 @@ struct ImpactTask {
     std::size_t count;
     Inputs inputs;
     LaneEnd* end;
-    double* restitution;
-    double* contact_time;
-    double* approach_time;
-    double* maximum_overlap;
+    double* restitution;      ///< 0 where it is not a rebound [1]
+    double* contact_time;     ///< NaN where it is not a rebound [s]
+    double* approach_time;    ///< NaN without turning_point, or where it never turns [s]
+    double* maximum_overlap;  ///< NaN without turning_point [m]
 };
 
 /// Most impacts of a task.
@@ -64,7 +73,7 @@ struct Kernels {
     ImpactKernel impacts;
 };
 
-/// The kernels of a law. @throws InputError for a law with plastic history
+/// The kernels of a law; those of a law with plastic history leave every impact to the scalar solver.
 [[nodiscard]] Kernels kernels_of(Law law);
 [[nodiscard]] Kernels hertz_kernels();
 [[nodiscard]] Kernels dmt_kernels();

@@ -1,9 +1,7 @@
 #include "solver/batch/task.hpp"
 
-#include "materials/error.hpp"
-
+#include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace ashimpact::batch {
 
@@ -17,11 +15,20 @@ bool not_negative(const Input& column, std::size_t i) {
     return column.values == nullptr || (column.at(i) >= 0.0 && std::isfinite(column.at(i)));
 }
 
+/// Infinite where it never yields.
+bool positive_or_infinite(const Input& column, std::size_t i) {
+    return column.values == nullptr || column.at(i) > 0.0;
+}
+
+void leave_undecided(const ImpactTask& task) {
+    std::fill_n(task.end, task.count, LaneEnd::undecided);
+}
+
 }  // namespace
 
 bool admissible(const Inputs& in, std::size_t i) {
     return positive(in.mass, i) && positive(in.effective_radius, i) && positive(in.contact_modulus, i) &&
-           not_negative(in.work_of_adhesion, i) && not_negative(in.damping, i) && positive(in.velocity, i) &&
+           not_negative(in.work_of_adhesion, i) && positive_or_infinite(in.yield_pressure, i) && not_negative(in.damping, i) && positive(in.velocity, i) &&
            not_negative(in.restitution, i);
 }
 
@@ -40,8 +47,7 @@ Kernels kernels_of(Law law) {
     if (law == Law::of<Dmt>()) return dmt_kernels();
     if (law == Law::of<BrachDunn>()) return brach_dunn_kernels();
     if (law == Law::of<Jkr>()) return jkr_kernels();
-    throw InputError("contact law '" + std::string(law.name()) + "' has a plastic history and no batch kernel",
-                     "hertz, dmt, brach-dunn, jkr");
+    return {leave_undecided};
 }
 
 }  // namespace ashimpact::batch

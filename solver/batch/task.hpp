@@ -17,14 +17,16 @@ namespace ashimpact::batch {
     return {.mass = input_of(contact.mass),
             .effective_radius = input_of(contact.effective_radius),
             .contact_modulus = input_of(contact.contact_modulus),
-            .work_of_adhesion = input_of(contact.work_of_adhesion)};
+            .work_of_adhesion = input_of(contact.work_of_adhesion),
+            .yield_pressure = input_of(contact.yield_pressure)};
 }
 
 [[nodiscard]] inline ContactPair pair_at(const Inputs& in, std::size_t i) {
     return {.mass = in.mass.at(i),
             .effective_radius = in.effective_radius.at(i),
             .contact_modulus = in.contact_modulus.at(i),
-            .work_of_adhesion = in.work_of_adhesion.at(i)};
+            .work_of_adhesion = in.work_of_adhesion.at(i),
+            .yield_pressure = in.yield_pressure.at(i)};
 }
 
 /// Whether all numbers that are given are finite, and positive or at least not negative as validate() asks for.
