@@ -69,6 +69,7 @@ HWY_NOINLINE void follow(Block& block, Detachment detachment, bool with_turn) {
         block.capture |= bits_of(orbit.surely_captured()) << first;
         if (!with_turn) continue;
         const LaneTurn turn = orbit.turning_point();
+        block.capture &= ~(bits_of(orbit.turns_in_doubt(turn.time)) << first);
         turn.time.store(block.turn_time + first);
         turn.overlap.store(block.turn_overlap + first);
     }

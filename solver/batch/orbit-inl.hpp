@@ -33,7 +33,7 @@ class LaneOrbit {
     static constexpr int late = 5;  ///< steps from which on creeping is asked for: rare, and never in a hurry
     /// Part of a step within which an event is found by the Taylor series of landing order.
     static constexpr double landing = 0.06;
-    static constexpr int landing_order = 8;
+    static constexpr int landing_order = 10;
 
     LaneOrbit() = default;
     HWY_INLINE LaneOrbit(const Equation<F>& equation, Detachment detachment)
@@ -61,7 +61,7 @@ class LaneOrbit {
         const Rates r = rates(q, v);
         const Lanes usual = pilot_.step();
         const Lanes event = time_to_event(q, v, r);
-        const Mask near = both(active_, abs(event) <= usual * Lanes(landing));
+        const Mask near = both(active_, abs(event) <= landing_reach(q, v, usual));
         const Mask turning = both(near, approaching_);
         const Mask ending = both(without(near, approaching_), v < Lanes(0.0));
         keep(turning, turn_);
@@ -86,8 +86,11 @@ class LaneOrbit {
         const Lanes v = equation_.velocity(next);
         const Lanes error = multiply_add(max(speed_, abs(v)), abs(step.momentum_error),
                                          max(stiffness_, abs(step.end_stiffness)) * abs(step.position_error));
-        const Mask good = pilot_.template judge<2 * sequences - 1>(abs(step_), error * inverse_speed_squared_,
-                                                                   v > Lanes(0.0), active_);
+        // A step that leaves and comes back may have been at the end of contact in between.
+        const Mask returned = without(v > Lanes(0.0), approaching_);
+        const Lanes judged = select(returned, returned_error, error * inverse_speed_squared_);
+        const Mask good =
+            pilot_.template judge<2 * sequences - 1>(abs(step_), judged, v > Lanes(0.0), active_);
         const Mask taken = both(good, active_);
         state_.position = select(taken, next.position, state_.position);
         state_.momentum = select(taken, next.momentum, state_.momentum);
@@ -122,10 +125,16 @@ class LaneOrbit {
     }
     /// Captured lanes that the double precision of the energy leaves no doubt of.
     [[nodiscard]] HWY_INLINE Mask surely_captured() const { return without(captured_, doubtful_); }
+    /// Lanes that turn while hardly anything pulls them back, so that rounding moves the time of the turn.
+    [[nodiscard]] HWY_INLINE Mask turns_in_doubt(Lanes time) const {
+        const Lanes pull = rates(turn_.position, Lanes(0.0)).acceleration * time;
+        return both(turned_, pull * pull < places_.speed_squared * Lanes(1e-4));
+    }
 
   private:
     static constexpr int newton_steps = 4;
     static constexpr double doubt = 1e-9;  ///< energy, over that in the well, too near capture to tell here
+    static constexpr double returned_error = 1.0;  ///< has the pilot shorten the step as far as it ever does
 
     struct Rates {
         Lanes stiffness;     ///< h
@@ -166,6 +175,15 @@ class LaneOrbit {
         return select(both(p1 < Lanes(0.0), real), select(mild, better, h), back);
     }
 
+    /// How far from an event its series is used: for an end by force also a small part of the way to zero overlap, where
+    /// other roots are.
+    [[nodiscard]] HWY_INLINE Lanes landing_reach(Lanes q, Lanes v, Lanes usual) const {
+        const Lanes reach = usual * Lanes(landing);
+        if (!any(places_.by_force)) return reach;
+        const Lanes to_zero = abs(q / v) * Lanes(0.1 * landing);
+        return select(without(places_.by_force, approaching_), min(reach, to_zero), reach);
+    }
+
     HWY_INLINE void keep(Mask mask, LaneState& kept) const {
         kept.position = select(mask, state_.position, kept.position);
         kept.momentum = select(mask, state_.momentum, kept.momentum);
@@ -177,7 +195,7 @@ class LaneOrbit {
         const Mask leaving = without(without(active_, approaching_), places_.by_force);
         const Lanes left = capture.energy_left(q, v);
         const Lanes margin = places_.speed_squared * Lanes(doubt);
-        Mask caught = both(leaving, left < Lanes(0.0));
+        Mask caught = both(both(leaving, q > places_.end), left < Lanes(0.0));
         doubtful_ = either(doubtful_, both(caught, left > -margin));
         if (pass >= late) {
             caught = either(caught, both(without(active_, approaching_), capture.creeping(q, v)));

@@ -42,7 +42,7 @@ template <class F>
 /// Gustafsson 1994). So hardly a step has to be repeated.
 class Pilot {
   public:
-    static constexpr double tolerance = 3e-12;  ///< of the estimate, which is far above the error
+    static constexpr double tolerance = 2e-12;  ///< of the estimate, which is far above the error
     static constexpr double acceptable = 4.0;  ///< tolerances up to which a step is kept
 
     Pilot() = default;
