@@ -65,7 +65,7 @@ HWY_NOINLINE void follow(Block& block, Detachment detachment, bool with_turn) {
         const LaneArrival end = orbit.end_point();
         end.time.store(block.time + first);
         end.speed.store(block.speed + first);
-        block.rebound |= bits_of(orbit.surely_ended(end.speed)) << first;
+        block.rebound |= bits_of(orbit.surely_ended(end)) << first;
         block.capture |= bits_of(orbit.surely_captured()) << first;
         if (!with_turn) continue;
         const LaneTurn turn = orbit.turning_point();

@@ -27,11 +27,11 @@ struct BatchOptions {
 /// What the impacts did; NaN where there is nothing: contact time of a capture, approach time of an approach that
 /// never turns, both columns of the turning point where they were not asked for.
 struct ImpactBatchResult {
-    Eigen::Array<Outcome, Eigen::Dynamic, 1> outcome;
-    Eigen::ArrayXd restitution;      ///< e_n, 0 for a capture [1]
-    Eigen::ArrayXd contact_time;     ///< first touch to detachment [s]
-    Eigen::ArrayXd approach_time;    ///< first touch to greatest overlap [s]
-    Eigen::ArrayXd maximum_overlap;  ///< greatest overlap, or its supremum where it never turns [m]
+    Eigen::Array<Outcome, Eigen::Dynamic, 1> outcome{};
+    Eigen::ArrayXd restitution{};      ///< e_n, 0 for a capture [1]
+    Eigen::ArrayXd contact_time{};     ///< first touch to detachment [s]
+    Eigen::ArrayXd approach_time{};    ///< first touch to greatest overlap [s]
+    Eigen::ArrayXd maximum_overlap{};  ///< greatest overlap, or its supremum where it never turns [m]
     std::int64_t scalar = 0;         ///< left to solve_impact(): too near capture for double precision, or plastic
 };
 

@@ -23,6 +23,7 @@ struct LaneTurn {
 struct LaneArrival {
     Lanes speed;
     Lanes time;
+    Mask found;  ///< not where the end is next to a turn
 };
 
 /// Follows the impacts of one register of lanes, each on its own; a lane that has ended is left as it is.
@@ -111,24 +112,25 @@ class LaneOrbit {
     [[nodiscard]] HWY_INLINE LaneArrival end_point() const {
         const LaneSeries<F, landing_order> x(equation_, end_);
         Lanes h = 0.0;
+        Lanes move = 0.0;
         for (int i = 0; i < newton_steps; ++i) {
-            Lanes move = (x.position_at(h) - places_.end) / x.velocity_at(h);
+            move = (x.position_at(h) - places_.end) / x.velocity_at(h);
             if (any(places_.by_force)) move = select(places_.by_force, x.acceleration_at(h) / x.jerk_at(h), move);
             h = h - move;
         }
-        return {-x.velocity_at(h), x.time_at(h)};
+        return {-x.velocity_at(h), x.time_at(h), abs(move) < Lanes(1e-8)};
     }
 
     /// Lanes that have ended with a speed that is not in doubt.
-    [[nodiscard]] HWY_INLINE Mask surely_ended(Lanes speed) const {
-        return both(ended_, speed * speed > places_.speed_squared * Lanes(doubt));
+    [[nodiscard]] HWY_INLINE Mask surely_ended(const LaneArrival& end) const {
+        return both(both(ended_, end.found), end.speed * end.speed > places_.speed_squared * Lanes(doubt));
     }
     /// Captured lanes that the double precision of the energy leaves no doubt of.
     [[nodiscard]] HWY_INLINE Mask surely_captured() const { return without(captured_, doubtful_); }
     /// Lanes that turn while hardly anything pulls them back, so that rounding moves the time of the turn.
     [[nodiscard]] HWY_INLINE Mask turns_in_doubt(Lanes time) const {
         const Lanes pull = rates(turn_.position, Lanes(0.0)).acceleration * time;
-        return both(turned_, pull * pull < places_.speed_squared * Lanes(1e-4));
+        return both(turned_, pull * pull < places_.speed_squared * Lanes(1e-3));
     }
 
   private:

@@ -17,7 +17,7 @@ namespace ashimpact::HWY_NAMESPACE {
 /// Potential and the impulse of damping, at some part of the incident speed, make up the incident energy there.
 template <class F>
 [[nodiscard]] HWY_INLINE Lanes inward_step(const Equation<F>& equation, const Places& places) {
-    constexpr double part = 1.4;         // of a radian
+    constexpr double part = 1.3;         // of a radian
     constexpr double mean_speed = 0.72;  // of v_in
     constexpr int degree = F::potential.degree();
     static const double free_turn = std::pow(1.0 / F::potential.at(degree, 0), 1.0 / degree);
@@ -42,8 +42,8 @@ template <class F>
 /// Gustafsson 1994). So hardly a step has to be repeated.
 class Pilot {
   public:
-    static constexpr double tolerance = 2e-12;  ///< of the estimate, which is far above the error
-    static constexpr double acceptable = 4.0;  ///< tolerances up to which a step is kept
+    static constexpr double tolerance = 1.2e-12;  ///< of the estimate, which is far above the error
+    static constexpr double acceptable = 2.5;  ///< tolerances up to which a step is kept
 
     Pilot() = default;
     HWY_INLINE explicit Pilot(Lanes first) : log_step_(rough_log2(first)) {}

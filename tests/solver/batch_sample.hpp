@@ -14,12 +14,12 @@ struct Impacts {
     Law law = Law::of<Hertz>();
     Detachment detachment = Detachment::zero_overlap;
     DampingLaw damping_law = DampingLaw::constant;
-    Eigen::ArrayXd mass;
-    Eigen::ArrayXd effective_radius;
-    Eigen::ArrayXd contact_modulus;
-    Eigen::ArrayXd work_of_adhesion;
-    Eigen::ArrayXd damping;
-    Eigen::ArrayXd velocity;
+    Eigen::ArrayXd mass{};
+    Eigen::ArrayXd effective_radius{};
+    Eigen::ArrayXd contact_modulus{};
+    Eigen::ArrayXd work_of_adhesion{};
+    Eigen::ArrayXd damping{};
+    Eigen::ArrayXd velocity{};
 
     [[nodiscard]] Eigen::Index size() const { return velocity.size(); }
     [[nodiscard]] ImpactBatch batch() const;
