@@ -63,14 +63,28 @@ struct ImpactTask {
     double* maximum_overlap;  ///< NaN without turning_point [m]
 };
 
+/// Restitutions whose damping one thread searches in one go.
+struct InversionTask {
+    DampingLaw damping_law;
+    Detachment detachment;
+    std::size_t count;
+    Inputs inputs;          ///< damping: the single value 1
+    double* number_unit;    ///< damping coefficient of damping number 1 [unit of the law]
+    double* number;         ///< damping number found [1]
+    double* undamped;       ///< e_0, restitution without damping [1]
+    std::uint8_t* found;    ///< 1 where the number is good
+};
+
 /// Most impacts of a task.
 inline constexpr std::size_t most_impacts = 2048;
 
 using ImpactKernel = void (*)(const ImpactTask&);
+using InversionKernel = void (*)(const InversionTask&);
 
 /// The kernels of one contact law for the present instruction set.
 struct Kernels {
     ImpactKernel impacts;
+    InversionKernel inversions;
 };
 
 /// The kernels of a law; those of a law with plastic history leave every impact to the scalar solver.

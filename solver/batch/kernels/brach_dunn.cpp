@@ -8,11 +8,13 @@
 #include <hwy/foreach_target.h>
 
 #include "solver/batch/impacts-inl.hpp"
+#include "solver/batch/inversions-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
 
 void brach_dunn_impacts(const batch::ImpactTask& task) { solve_law<BrachDunn>(task); }
+void brach_dunn_inversions(const batch::InversionTask& task) { invert_law<BrachDunn>(task); }
 
 }  // namespace ashimpact::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -21,8 +23,11 @@ HWY_AFTER_NAMESPACE();
 namespace ashimpact {
 
 HWY_EXPORT(brach_dunn_impacts);
+HWY_EXPORT(brach_dunn_inversions);
 
-batch::Kernels batch::brach_dunn_kernels() { return {HWY_DYNAMIC_DISPATCH(brach_dunn_impacts)}; }
+batch::Kernels batch::brach_dunn_kernels() {
+    return {HWY_DYNAMIC_DISPATCH(brach_dunn_impacts), HWY_DYNAMIC_DISPATCH(brach_dunn_inversions)};
+}
 
 }  // namespace ashimpact
 #endif

@@ -8,11 +8,13 @@
 #include <hwy/foreach_target.h>
 
 #include "solver/batch/impacts-inl.hpp"
+#include "solver/batch/inversions-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
 
 void hertz_impacts(const batch::ImpactTask& task) { solve_law<Hertz>(task); }
+void hertz_inversions(const batch::InversionTask& task) { invert_law<Hertz>(task); }
 
 }  // namespace ashimpact::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -21,8 +23,11 @@ HWY_AFTER_NAMESPACE();
 namespace ashimpact {
 
 HWY_EXPORT(hertz_impacts);
+HWY_EXPORT(hertz_inversions);
 
-batch::Kernels batch::hertz_kernels() { return {HWY_DYNAMIC_DISPATCH(hertz_impacts)}; }
+batch::Kernels batch::hertz_kernels() {
+    return {HWY_DYNAMIC_DISPATCH(hertz_impacts), HWY_DYNAMIC_DISPATCH(hertz_inversions)};
+}
 
 }  // namespace ashimpact
 #endif

@@ -8,11 +8,13 @@
 #include <hwy/foreach_target.h>
 
 #include "solver/batch/impacts-inl.hpp"
+#include "solver/batch/inversions-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
 
 void jkr_impacts(const batch::ImpactTask& task) { solve_law<Jkr>(task); }
+void jkr_inversions(const batch::InversionTask& task) { invert_law<Jkr>(task); }
 
 }  // namespace ashimpact::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -21,8 +23,11 @@ HWY_AFTER_NAMESPACE();
 namespace ashimpact {
 
 HWY_EXPORT(jkr_impacts);
+HWY_EXPORT(jkr_inversions);
 
-batch::Kernels batch::jkr_kernels() { return {HWY_DYNAMIC_DISPATCH(jkr_impacts)}; }
+batch::Kernels batch::jkr_kernels() {
+    return {HWY_DYNAMIC_DISPATCH(jkr_impacts), HWY_DYNAMIC_DISPATCH(jkr_inversions)};
+}
 
 }  // namespace ashimpact
 #endif
