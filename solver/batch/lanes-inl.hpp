@@ -31,20 +31,45 @@ struct Lanes {
     HWY_INLINE void store(double* to) const { hn::StoreU(v, Tag(), to); }
 };
 
-HWY_INLINE Lanes operator+(Lanes a, Lanes b) { return Lanes(hn::Add(a.v, b.v)); }
-HWY_INLINE Lanes operator-(Lanes a, Lanes b) { return Lanes(hn::Sub(a.v, b.v)); }
-HWY_INLINE Lanes operator*(Lanes a, Lanes b) { return Lanes(hn::Mul(a.v, b.v)); }
+#ifdef ASHIMPACT_COUNT_OPERATIONS  // bench/operations.cpp
+inline long operation_count = 0;
+HWY_INLINE void count_operation() { ++operation_count; }
+#else
+HWY_INLINE void count_operation() {}
+#endif
+
+HWY_INLINE Lanes operator+(Lanes a, Lanes b) {
+    count_operation();
+    return Lanes(hn::Add(a.v, b.v));
+}
+HWY_INLINE Lanes operator-(Lanes a, Lanes b) {
+    count_operation();
+    return Lanes(hn::Sub(a.v, b.v));
+}
+HWY_INLINE Lanes operator*(Lanes a, Lanes b) {
+    count_operation();
+    return Lanes(hn::Mul(a.v, b.v));
+}
 HWY_INLINE Lanes operator/(Lanes a, Lanes b) { return Lanes(hn::Div(a.v, b.v)); }
-HWY_INLINE Lanes operator-(Lanes a) { return Lanes(hn::Neg(a.v)); }
+HWY_INLINE Lanes operator-(Lanes a) {
+    count_operation();
+    return Lanes(hn::Neg(a.v));
+}
 HWY_INLINE Mask operator<(Lanes a, Lanes b) { return hn::Lt(a.v, b.v); }
 HWY_INLINE Mask operator>(Lanes a, Lanes b) { return hn::Gt(a.v, b.v); }
 HWY_INLINE Mask operator<=(Lanes a, Lanes b) { return hn::Le(a.v, b.v); }
 HWY_INLINE Mask operator>=(Lanes a, Lanes b) { return hn::Ge(a.v, b.v); }
 
 /// a b + c
-HWY_INLINE Lanes multiply_add(Lanes a, Lanes b, Lanes c) { return Lanes(hn::MulAdd(a.v, b.v, c.v)); }
+HWY_INLINE Lanes multiply_add(Lanes a, Lanes b, Lanes c) {
+    count_operation();
+    return Lanes(hn::MulAdd(a.v, b.v, c.v));
+}
 /// c - a b
-HWY_INLINE Lanes subtract_product(Lanes c, Lanes a, Lanes b) { return Lanes(hn::NegMulAdd(a.v, b.v, c.v)); }
+HWY_INLINE Lanes subtract_product(Lanes c, Lanes a, Lanes b) {
+    count_operation();
+    return Lanes(hn::NegMulAdd(a.v, b.v, c.v));
+}
 HWY_INLINE Lanes abs(Lanes a) { return Lanes(hn::Abs(a.v)); }
 HWY_INLINE Lanes sqrt(Lanes a) { return Lanes(hn::Sqrt(a.v)); }
 HWY_INLINE Lanes min(Lanes a, Lanes b) { return Lanes(hn::Min(a.v, b.v)); }
