@@ -45,7 +45,7 @@ HWY_NOINLINE void follow(Block& block, Detachment detachment, bool with_turn) {
     for (std::size_t group = 0; group < group_count; ++group) {
         const std::size_t first = group * lane_count;
         const Equation<F> equation(Lanes::load(block.adhesion + first), Lanes::load(block.damping + first));
-        orbits[group] = Orbit(equation, detachment);
+        orbits[group] = Orbit(equation, detachment, with_turn);
     }
     for (int pass = 0; pass < most_passes; ++pass) {
         Mask active = none();

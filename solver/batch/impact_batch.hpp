@@ -21,7 +21,7 @@ struct ImpactBatch {
 
 struct BatchOptions {
     int threads = 1;            ///< 0: as many as there are cores
-    bool turning_point = true;  ///< approach time and greatest overlap too; without them a fifth is saved
+    bool turning_point = true;  ///< approach time and greatest overlap too; without them a sixth is saved, and the last bits of the rest differ
 };
 
 /// What the impacts did; NaN where there is nothing: contact time of a capture, approach time of an approach that

@@ -37,11 +37,13 @@ class LaneOrbit {
     static constexpr int landing_order = 10;
 
     LaneOrbit() = default;
-    HWY_INLINE LaneOrbit(const Equation<F>& equation, Detachment detachment)
+    /// @param with_turn whether turning_point() will be asked for; only then a step ends at the turn
+    HWY_INLINE LaneOrbit(const Equation<F>& equation, Detachment detachment, bool with_turn)
         : equation_(equation),
           places_(places_of(equation, detachment)),
           pilot_(inward_step(equation, places_)),
           inverse_speed_squared_(Lanes(1.0) / places_.speed_squared),
+          with_turn_(with_turn),
           approaching_(every()),
           active_(every()) {
         state_.position = places_.touch;
@@ -61,7 +63,9 @@ class LaneOrbit {
         const Lanes v = equation_.velocity(state_);
         const Rates r = rates(q, v);
         const Lanes usual = pilot_.step();
-        const Lanes event = time_to_event(q, v, r);
+        if (!with_turn_) approaching_ = without(approaching_, v <= Lanes(0.0));
+        Lanes event = time_to_event(q, v, r);
+        if (!with_turn_) event = select(approaching_, no_event, event);
         const Mask near = both(active_, abs(event) <= landing_reach(q, v, usual));
         const Mask turning = both(near, approaching_);
         const Mask ending = both(without(near, approaching_), v < Lanes(0.0));
@@ -135,6 +139,7 @@ class LaneOrbit {
 
   private:
     static constexpr int newton_steps = 4;
+    static constexpr double no_event = 1e300;  ///< pseudo-time to what is not in sight
     static constexpr double doubt = 1e-9;  ///< energy, over that in the well, too near capture to tell here
     static constexpr double returned_error = 1.0;  ///< has the pilot shorten the step as far as it ever does
 
@@ -173,7 +178,7 @@ class LaneOrbit {
         const Mask real = square > Lanes(0.0);
         // Gone past it, the way back is known at least to first order.
         const Mask passed = both(p0 < Lanes(0.0), p1 < Lanes(0.0));
-        const Lanes back = select(passed, -p0 / p1, 1e300);
+        const Lanes back = select(passed, -p0 / p1, no_event);
         return select(both(p1 < Lanes(0.0), real), select(mild, better, h), back);
     }
 
@@ -217,6 +222,7 @@ class LaneOrbit {
     Lanes step_;
     Lanes speed_;
     Lanes stiffness_;
+    bool with_turn_ = true;
     Mask approaching_;
     Mask active_;
     Mask captured_ = none();
