@@ -74,14 +74,9 @@ CriticalVelocityBatchResult critical_velocities(const CriticalVelocityBatch& bat
     };
     batch::for_chunks(static_cast<std::size_t>(count), chunk_size, threads, chunk);
     result.scalar = scalar;
-    if (fault.place() != batch::FirstFault::none) {
-        try {
-            validate(Impact{batch.law, batch.detachment, damping_at(batch, inputs, fault.place()),
-                            batch::pair_at(inputs, fault.place()), 1.0});
-        } catch (const InputError& error) {
-            throw error.at("impact " + std::to_string(fault.place()));
-        }
-    }
+    fault.raise([&](std::size_t i) {
+        validate(Impact{batch.law, batch.detachment, damping_at(batch, inputs, i), batch::pair_at(inputs, i), 1.0});
+    });
     return result;
 }
 

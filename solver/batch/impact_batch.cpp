@@ -97,13 +97,7 @@ void solve_impacts(const ImpactBatch& batch, ImpactBatchResult& result, const Ba
     };
     batch::for_chunks(static_cast<std::size_t>(count), batch::most_impacts, options.threads, chunk);
     result.scalar = scalar;
-    if (fault.place() != batch::FirstFault::none) {
-        try {
-            validate(impact_at(batch, inputs, fault.place()));
-        } catch (const InputError& error) {
-            throw error.at("impact " + std::to_string(fault.place()));
-        }
-    }
+    fault.raise([&](std::size_t i) { validate(impact_at(batch, inputs, i)); });
 }
 
 ImpactBatchResult solve_impacts(const ImpactBatch& batch, const BatchOptions& options) {

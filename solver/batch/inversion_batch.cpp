@@ -12,7 +12,7 @@ namespace ashimpact {
 
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double out_of_reach = std::numeric_limits<double>::quiet_NaN();
 constexpr double no_damping_yet = 1.0;
 
 /// What a kernel fills for one chunk.
@@ -34,7 +34,7 @@ void invert_alone(const DampingProblem& problem, double& damping, double& greate
         damping = inversion.damping.coefficient;
         greatest = inversion.greatest_restitution;
     } catch (const InputError&) {  // out of reach: the numbers themselves have been checked
-        damping = nothing;
+        damping = out_of_reach;
         greatest = solve_impact({problem.law, problem.detachment, {problem.damping_law, 0.0}, problem.contact,
                                  problem.velocity})
                        .restitution;
@@ -92,16 +92,11 @@ DampingBatchResult dampings_from_restitutions(const DampingBatch& batch, int thr
     };
     batch::for_chunks(static_cast<std::size_t>(count), batch::most_impacts, threads, chunk);
     result.scalar = scalar;
-    if (const std::size_t place = fault.place(); place != batch::FirstFault::none) {
-        const std::string name = "impact " + std::to_string(place);
-        const DampingProblem problem = problem_at(batch, inputs, place);
-        try {
-            validate(Impact{problem.law, problem.detachment, {problem.damping_law, 0.0}, problem.contact, problem.velocity});
-        } catch (const InputError& error) {
-            throw error.at(name);
-        }
-        throw InputError("restitution is " + std::to_string(problem.restitution), "0 <= e < 1").at(name);
-    }
+    fault.raise([&](std::size_t i) {
+        const DampingProblem problem = problem_at(batch, inputs, i);
+        validate(Impact{problem.law, problem.detachment, {problem.damping_law, 0.0}, problem.contact, problem.velocity});
+        throw InputError("restitution is " + std::to_string(problem.restitution), "0 <= e < 1");
+    });
     return result;
 }
 

@@ -1,7 +1,10 @@
 #include "solver/batch/task.hpp"
 
+#include "materials/error.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace ashimpact::batch {
 
@@ -44,6 +47,15 @@ bool FirstFault::check(const Inputs& chunk, std::size_t first, std::size_t count
     while (first + i < known && !place_.compare_exchange_weak(known, first + i)) {
     }
     return false;
+}
+
+void FirstFault::raise(const std::function<void(std::size_t)>& refuse) const {
+    if (place_ == none) return;
+    try {
+        refuse(place_);
+    } catch (const InputError& error) {
+        throw error.at("impact " + std::to_string(place_));
+    }
 }
 
 Kernels kernels_of(Law law) {

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <functional>
 #include <limits>
 
 namespace ashimpact::batch {
@@ -35,13 +36,13 @@ namespace ashimpact::batch {
 /// The first problem of a batch that is not admissible, found by several threads.
 class FirstFault {
   public:
-    static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-
     /// Looks through a chunk. @return whether all of it is admissible
     bool check(const Inputs& chunk, std::size_t first, std::size_t count);
-    [[nodiscard]] std::size_t place() const { return place_; }
+    /// Has @p refuse, which throws an InputError, say what is wrong with it, if there was one; adds the place.
+    void raise(const std::function<void(std::size_t)>& refuse) const;
 
   private:
+    static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
     std::atomic<std::size_t> place_{none};
 };
 
