@@ -18,8 +18,8 @@ namespace {
 
 constexpr int particles = 10000;
 constexpr double lowest_velocity = 1.0;
-constexpr double steps_a_contact = 200.0;           // of a Hertz contact at the highest velocity
-constexpr double hertz_contact_time = 3.21806546;   // undamped, in time scales
+constexpr double steps_a_contact = 200.0;          // of a Hertz contact at the highest velocity
+constexpr double hertz_contact_time = 3.21806546;  // undamped, in time scales
 
 struct Code {
     std::string name;
@@ -48,31 +48,33 @@ oracles::DeckValues values(int steps) {
     const ContactPair& pair = one.contact;
     const double fraction = one.damping.coefficient / (2.0 * std::sqrt(pair.mass * hertz_stiffness(pair)));
     const double sphere = 4.0 / 3.0 * std::numbers::pi * std::pow(pair.effective_radius, 3.0);
-    return {{"spacing", exact(4.0 * pair.effective_radius)},
-            {"box", exact(10.0)},
-            {"touching", exact(0.1)},
-            {"diameter", exact(2.0 * pair.effective_radius)},
-            {"radius", exact(pair.effective_radius)},
-            {"mass", exact(pair.mass)},
-            {"density", exact(pair.mass / sphere)},
-            {"velocity", exact(one.velocity)},
-            {"skin", exact(0.1 * pair.effective_radius)},
-            {"young_modulus", exact(2.0 * pair.contact_modulus)},
-            {"damping", exact(one.damping.coefficient)},
-            {"surface_energy", exact(pair.work_of_adhesion / 2.0)},
-            {"damping_restitution",
-             exact(std::exp(-std::numbers::pi * fraction / std::sqrt(1.0 - fraction * fraction)))},
-            {"pull_off_force", exact(-2.0 * std::numbers::pi * pair.work_of_adhesion * pair.effective_radius)},
-            {"time_step", exact(contact_time(impact(particles - 1)) / steps_a_contact)},
-            {"steps", std::to_string(steps)}};
+    return {
+        {"spacing", exact(4.0 * pair.effective_radius)},
+        {"box", exact(10.0)},
+        {"touching", exact(0.1)},
+        {"diameter", exact(2.0 * pair.effective_radius)},
+        {"radius", exact(pair.effective_radius)},
+        {"mass", exact(pair.mass)},
+        {"density", exact(pair.mass / sphere)},
+        {"velocity", exact(one.velocity)},
+        {"skin", exact(0.1 * pair.effective_radius)},
+        {"young_modulus", exact(2.0 * pair.contact_modulus)},
+        {"damping", exact(one.damping.coefficient)},
+        {"surface_energy", exact(pair.work_of_adhesion / 2.0)},
+        {"damping_restitution",
+         exact(std::exp(-std::numbers::pi * fraction / std::sqrt(1.0 - fraction * fraction)))},
+        {"pull_off_force", exact(-2.0 * std::numbers::pi * pair.work_of_adhesion * pair.effective_radius)},
+        {"time_step", exact(contact_time(impact(particles - 1)) / steps_a_contact)},
+        {"steps", std::to_string(steps)}};
 }
 
 /// CPU seconds of one run.
 double seconds_of(const Code& code, const std::filesystem::path& place, int steps) {
     std::ofstream(place / "deck.in") << oracles::fill(oracles::deck_template(code.deck), values(steps));
     const double before = children_seconds();
-    const int status = oracles::run_program(oracles::find_program(code.program, code.program == "lmp" ? "lammps" : code.program),
-                                            {"-in", "deck.in", "-log", "log", "-screen", "none", "-nocite"}, place);
+    const int status = oracles::run_program(
+        oracles::find_program(code.program, code.program == "lmp" ? "lammps" : code.program),
+        {"-in", "deck.in", "-log", "log", "-screen", "none", "-nocite"}, place);
     if (status != 0) throw std::runtime_error(code.name + " ended with status " + std::to_string(status));
     return children_seconds() - before;
 }

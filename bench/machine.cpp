@@ -27,7 +27,8 @@ cpu_set_t all_cores() {
 }
 
 void allow(const cpu_set_t& set) {
-    if (sched_setaffinity(0, sizeof set, &set) != 0) throw std::runtime_error("cannot choose the core to run on");
+    if (sched_setaffinity(0, sizeof set, &set) != 0)
+        throw std::runtime_error("cannot choose the core to run on");
 }
 
 }  // namespace
@@ -72,7 +73,8 @@ double start_up_seconds(const std::vector<std::string>& command, int repetitions
         const auto start = std::chrono::steady_clock::now();
         const int status =
             oracles::run_program(command.front(), {command.begin() + 1, command.end()}, ASHIMPACT_BENCH_WORK);
-        if (status != 0) throw std::runtime_error(command.front() + " ended with status " + std::to_string(status));
+        if (status != 0)
+            throw std::runtime_error(command.front() + " ended with status " + std::to_string(status));
         seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     }
     std::ranges::sort(seconds);

@@ -16,7 +16,8 @@ void unpin();
 /// Seconds of CPU time of the programs this process has started and waited for.
 [[nodiscard]] double children_seconds();
 
-/// Wall seconds of one run of a program, its output dropped; the median of several. @throws std::runtime_error
+/// Wall seconds of one run of a program, its output dropped; the median of several. @throws
+/// std::runtime_error
 [[nodiscard]] double start_up_seconds(const std::vector<std::string>& command, int repetitions);
 
 }  // namespace ashimpact::bench

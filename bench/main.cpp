@@ -1,8 +1,8 @@
 // ./dev bench: one table from one run. What is timed runs on one core, but for the scaling over threads.
 
-#include <CLI/CLI.hpp>
 #include <benchmark/benchmark.h>
 #include <fmt/core.h>
+#include <CLI/CLI.hpp>
 
 #include <chrono>
 #include <cstdio>
@@ -35,7 +35,8 @@ struct Options {
 constexpr std::int64_t peak_rounds = 2'000'000;
 
 /// Solves one by one and keeps the restitutions.
-std::function<void()> one_by_one(const Population& population, double (*solver)(const Impact&), std::vector<double>& out) {
+std::function<void()> one_by_one(const Population& population, double (*solver)(const Impact&),
+                                 std::vector<double>& out) {
     return [&population, solver, &out] {
         for (Eigen::Index i = 0; i < population.impacts.size(); ++i) {
             out[static_cast<std::size_t>(i)] = solver(population.impacts.at(i));
@@ -52,7 +53,8 @@ std::vector<double> values(const Eigen::ArrayXd& column) {
 }
 
 void print_row(const std::string& name, double rate, const Errors& errors, double unit) {
-    fmt::print("{:<44}{:>14.0f}{:>12.1e}{:>12.1e}{:>10.2f}\n", name, rate, errors.worst, errors.median, rate / unit);
+    fmt::print("{:<44}{:>14.0f}{:>12.1e}{:>12.1e}{:>10.2f}\n", name, rate, errors.worst, errors.median,
+               rate / unit);
 }
 
 /// The table of methods: DMT with constant damping.
@@ -73,25 +75,29 @@ void compare_methods(const Options& options) {
     std::vector<Subject> subjects;
     for (Peer& peer : peers) {
         peer.found.resize(few.restitution.size());
-        subjects.push_back({peer.name, static_cast<double>(few.restitution.size()), one_by_one(few, peer.solver, peer.found)});
+        subjects.push_back({peer.name, static_cast<double>(few.restitution.size()),
+                            one_by_one(few, peer.solver, peer.found)});
     }
     std::map<std::string, double> rates = rates_of(subjects, options.repetitions, options.seconds);
     const double unit = rates.at("GSL rk8pd 1e-10");
-    fmt::print("\nDMT, constant damping, e >= 0.02{:>26}{:>12}{:>12}{:>10}\n", "impacts/s/core", "worst", "median", "/ GSL");
+    fmt::print("\nDMT, constant damping, e >= 0.02{:>26}{:>12}{:>12}{:>10}\n", "impacts/s/core", "worst",
+               "median", "/ GSL");
     const auto batch = many.impacts.batch();
     ImpactBatchResult result;
     for (const std::string_view set : instruction_sets()) {
         use_instruction_set(set);
         const std::string name = "ashimpact, batch, " + std::string(set);
         const auto solve = [&] { solve_impacts(batch, result, {.turning_point = false}); };
-        const double rate = rates_of({{name, static_cast<double>(many.restitution.size()), solve}}, options.repetitions,
-                                     options.seconds)
+        const double rate = rates_of({{name, static_cast<double>(many.restitution.size()), solve}},
+                                     options.repetitions, options.seconds)
                                 .at(name);
         print_row(name, rate, errors_of(values(result.restitution), many.restitution), unit);
     }
     use_instruction_set({});
-    for (const Peer& peer : peers) print_row(peer.name, rates.at(peer.name), errors_of(peer.found, few.restitution), unit);
-    for (const DemRate& code : dem_rates(options.repetitions)) print_row(code.name, code.rate, code.errors, unit);
+    for (const Peer& peer : peers)
+        print_row(peer.name, rates.at(peer.name), errors_of(peer.found, few.restitution), unit);
+    for (const DemRate& code : dem_rates(options.repetitions))
+        print_row(code.name, code.rate, code.errors, unit);
 }
 
 /// Counts of operations by "law damping-law", from the program that counts them.
@@ -118,8 +124,8 @@ void compare_laws(const Options& options) {
                                  options.repetitions, options.seconds)
                             .at("multiply-add");
     fmt::print("\npeak of the core, measured: {:.2f} G multiply-adds/s\n", peak / 1e9);
-    fmt::print("\n{:<30}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "batch, best instruction set", "impacts/s", "with turn",
-               "operations", "% of peak", "dampings/s", "v_c/s");
+    fmt::print("\n{:<30}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "batch, best instruction set", "impacts/s",
+               "with turn", "operations", "% of peak", "dampings/s", "v_c/s");
     for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()}) {
         for (const DampingName& damping : damping_names) {
             const Population many = population(law, law.default_detachment(), damping.law, 16384);
@@ -133,8 +139,9 @@ void compare_laws(const Options& options) {
                 {"turn", count, [&] { solve_impacts(batch, result); }},
                 {"dampings", count,
                  [&] {
-                     benchmark::DoNotOptimize(dampings_from_restitutions(
-                         {batch.law, batch.detachment, batch.damping_law, batch.contact, batch.velocity, restitution}));
+                     benchmark::DoNotOptimize(
+                         dampings_from_restitutions({batch.law, batch.detachment, batch.damping_law,
+                                                     batch.contact, batch.velocity, restitution}));
                  }},
                 {"critical", count, [&] {
                      benchmark::DoNotOptimize(critical_velocities(
@@ -143,9 +150,10 @@ void compare_laws(const Options& options) {
             const auto rates = rates_of(subjects, options.repetitions, options.seconds);
             const std::string name = std::string(law.name()) + ' ' + std::string(damping.name);
             const double operations = counts.at(name);
-            fmt::print("{:<30}{:>12.0f}{:>12.0f}{:>12.0f}{:>12.1f}{:>12.0f}{:>12.0f}\n", name, rates.at("impacts"),
-                       rates.at("turn"), operations, 100.0 * rates.at("impacts") * operations / peak,
-                       rates.at("dampings"), rates.at("critical"));
+            fmt::print("{:<30}{:>12.0f}{:>12.0f}{:>12.0f}{:>12.1f}{:>12.0f}{:>12.0f}\n", name,
+                       rates.at("impacts"), rates.at("turn"), operations,
+                       100.0 * rates.at("impacts") * operations / peak, rates.at("dampings"),
+                       rates.at("critical"));
         }
     }
 }
@@ -177,28 +185,44 @@ void compare_threads(const Options& options) {
     const ImpactBatch batch = more.batch();
     ImpactBatchResult result;
     const auto solve = [&](int threads) {
-        return wall_seconds([&] { solve_impacts(batch, result, {.threads = threads, .turning_point = false}); },
-                            options.repetitions);
+        return wall_seconds(
+            [&] { solve_impacts(batch, result, {.threads = threads, .turning_point = false}); },
+            options.repetitions);
     };
     const double ours = solve(1) / solve(static_cast<int>(cores));
     const double pure = cores * wall_seconds([] { multiply_add_on(1); }, options.repetitions) /
                         wall_seconds([&] { multiply_add_on(cores); }, options.repetitions);
-    fmt::print("\nscaling over {} threads: impacts {:.2f}, pure multiply-adds {:.2f}, ratio {:.2f}\n", cores, ours, pure,
-               ours / pure);
+    fmt::print("\nscaling over {} threads: impacts {:.2f}, pure multiply-adds {:.2f}, ratio {:.2f}\n", cores,
+               ours, pure, ours / pure);
 }
 
 void measure_start_up(const Options& options) {
-    const std::vector<std::string> impact{ASHIMPACT_PROGRAM, "impact", "--law", "dmt", "--radius", "44 um", "--density",
-                                          "2600 kg/m3", "--contact-modulus", "90 GPa", "--work-of-adhesion", "0.3 J/m2",
-                                          "--damping", "0.0141 kg/s", "--velocity", "2 m/s"};
+    const std::vector<std::string> impact{ASHIMPACT_PROGRAM,
+                                          "impact",
+                                          "--law",
+                                          "dmt",
+                                          "--radius",
+                                          "44 um",
+                                          "--density",
+                                          "2600 kg/m3",
+                                          "--contact-modulus",
+                                          "90 GPa",
+                                          "--work-of-adhesion",
+                                          "0.3 J/m2",
+                                          "--damping",
+                                          "0.0141 kg/s",
+                                          "--velocity",
+                                          "2 m/s"};
     const std::vector<std::string> run{ASHIMPACT_PROGRAM, "run", "-o", ASHIMPACT_BENCH_WORK "/run"};
     fmt::print("start to end: ashimpact impact {:.1f} ms, ashimpact run {:.0f} ms\n",
-               1e3 * start_up_seconds(impact, 4 * options.repetitions + 1), 1e3 * start_up_seconds(run, options.repetitions));
+               1e3 * start_up_seconds(impact, 4 * options.repetitions + 1),
+               1e3 * start_up_seconds(run, options.repetitions));
 }
 
 void run(const Options& options) {
     pin_to_one_core();
-    fmt::print("{}; medians of {} repetitions; seconds of CPU time, on one core\n", processor(), options.repetitions);
+    fmt::print("{}; medians of {} repetitions; seconds of CPU time, on one core\n", processor(),
+               options.repetitions);
     compare_methods(options);
     compare_laws(options);
     measure_start_up(options);
@@ -213,7 +237,7 @@ int main(int argc, char** argv) {
     CLI::App app("Measures ashimpact and its peers in one run");
     ashimpact::bench::Options options;
     app.add_option("--repetitions", options.repetitions, "of every measurement; the median counts")
-        ->check(CLI::Range(1, 1000))
+        ->check(CLI::Range(2, 1000))
         ->capture_default_str();
     app.add_option("--seconds", options.seconds, "least length of a repetition")->capture_default_str();
     CLI11_PARSE(app, argc, argv);

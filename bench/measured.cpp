@@ -12,7 +12,8 @@ class Medians : public benchmark::BenchmarkReporter {
     bool ReportContext(const Context&) override { return true; }
     void ReportRuns(const std::vector<Run>& runs) override {
         for (const Run& run : runs) {
-            if (run.aggregate_name == "median") seconds[run.run_name.function_name] = run.GetAdjustedCPUTime();
+            if (run.aggregate_name == "median")
+                seconds[run.run_name.function_name] = run.GetAdjustedCPUTime();
         }
     }
 
@@ -21,7 +22,8 @@ class Medians : public benchmark::BenchmarkReporter {
 
 }  // namespace
 
-std::map<std::string, double> rates_of(const std::vector<Subject>& subjects, int repetitions, double seconds) {
+std::map<std::string, double> rates_of(const std::vector<Subject>& subjects, int repetitions,
+                                       double seconds) {
     benchmark::ClearRegisteredBenchmarks();
     for (const Subject& subject : subjects) {
         benchmark::RegisterBenchmark(subject.name.c_str(),
@@ -38,7 +40,8 @@ std::map<std::string, double> rates_of(const std::vector<Subject>& subjects, int
     Medians medians;
     benchmark::RunSpecifiedBenchmarks(&medians);
     std::map<std::string, double> rates;
-    for (const Subject& subject : subjects) rates[subject.name] = subject.items / medians.seconds.at(subject.name);
+    for (const Subject& subject : subjects)
+        rates[subject.name] = subject.items / medians.seconds.at(subject.name);
     return rates;
 }
 

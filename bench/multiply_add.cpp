@@ -32,8 +32,9 @@ std::int64_t multiply_adds_here(std::int64_t rounds) {
         a10 = hn::MulAdd(a10, factor, term);
         a11 = hn::MulAdd(a11, factor, term);
     }
-    const auto sum = hn::Add(hn::Add(hn::Add(hn::Add(a0, a1), hn::Add(a2, a3)), hn::Add(hn::Add(a4, a5), hn::Add(a6, a7))),
-                             hn::Add(hn::Add(a8, a9), hn::Add(a10, a11)));
+    const auto sum =
+        hn::Add(hn::Add(hn::Add(hn::Add(a0, a1), hn::Add(a2, a3)), hn::Add(hn::Add(a4, a5), hn::Add(a6, a7))),
+                hn::Add(hn::Add(a8, a9), hn::Add(a10, a11)));
     [[maybe_unused]] volatile double used = hn::GetLane(sum);
     return rounds * 12 * static_cast<std::int64_t>(hn::Lanes(tag));
 }

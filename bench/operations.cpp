@@ -1,5 +1,6 @@
-// Prints, for every law with a batch kernel, how many additions, multiplications and multiply-adds of the power-series and
-// leapfrog kind one impact takes: "law damping-law count". Divisions and roots are not counted.
+// Prints, for every law with a batch kernel, how many additions, multiplications and multiply-adds of the
+// power-series and leapfrog kind one impact takes: "law damping-law count". Divisions and roots are not
+// counted.
 
 #include <hwy/highway.h>
 
@@ -27,7 +28,8 @@ double operations_an_impact(const test::Impacts& impacts) {
         }
         follow<Form<L, damping_law>>(block, impact.detachment, false);
     }
-    return static_cast<double>(operation_count) / static_cast<double>(impacts.size()) / static_cast<double>(block_size);
+    return static_cast<double>(operation_count) / static_cast<double>(impacts.size()) /
+           static_cast<double>(block_size);
 }
 
 template <template <class> class L>

@@ -45,7 +45,9 @@ double odeint_restitution(const Impact& impact, double tolerance) {
     namespace odeint = boost::numeric::odeint;
     const Contact contact(impact);
     const auto in_time = [&](const State& x, State& slope, double) { slope = contact.in_time(x); };
-    const auto in_overlap = [&](const State& x, State& slope, double overlap) { slope = contact.in_overlap(overlap, x); };
+    const auto in_overlap = [&](const State& x, State& slope, double overlap) {
+        slope = contact.in_overlap(overlap, x);
+    };
     auto stepper = odeint::make_controlled<ErrorStepper>(tolerance, tolerance);
     State state{0.0, 1.0};
     double time = 0.0;
@@ -55,7 +57,11 @@ double odeint_restitution(const Impact& impact, double tolerance) {
         double next_time = time;
         while (stepper.try_step(in_time, next, next_time, step) != odeint::success) {
         }
-        if (next[0] <= 0.0) break;
+        if (next[0] <= 0.0 && state[1] < 0.0) break;
+        if (next[0] <= 0.0) {  // over turn and end at once
+            step = 0.5 * (next_time - time);
+            continue;
+        }
         state = next;
         time = next_time;
     }
@@ -84,7 +90,12 @@ double gsl_rk8pd(const Impact& impact) {
         State next = state;
         double next_time = time;
         inward.step(next_time, 1e9, step, next);
-        if (next[0] <= 0.0) break;
+        if (next[0] <= 0.0 && state[1] < 0.0) break;
+        if (next[0] <= 0.0) {  // over turn and end at once
+            step = 0.5 * (next_time - time);
+            inward.restart();
+            continue;
+        }
         state = next;
         time = next_time;
     }

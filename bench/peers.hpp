@@ -4,8 +4,9 @@
 
 namespace ashimpact::bench {
 
-// Other ways to solve one impact, in time, as one would write them: delta'' = -(F(delta) + eta delta'), scaled; at the end
-// of contact overlap becomes the clock, so that detachment is hit exactly. For DMT with constant damping that rebounds.
+// Other ways to solve one impact, in time, as one would write them: delta'' = -(F(delta) + eta delta'),
+// scaled; at the end of contact overlap becomes the clock, so that detachment is hit exactly. For DMT with
+// constant damping that rebounds.
 
 /// GSL's Prince-Dormand pair 8(9), relative tolerance 1e-10. Restitution [1].
 [[nodiscard]] double gsl_rk8pd(const Impact& impact);

@@ -5,7 +5,8 @@
 
 namespace ashimpact::bench {
 
-Population population(Law law, Detachment detachment, DampingLaw damping_law, Eigen::Index count, double most_damping) {
+Population population(Law law, Detachment detachment, DampingLaw damping_law, Eigen::Index count,
+                      double most_damping) {
     Population found;
     for (const test::Impacts& set : test::random_impacts(4 * count, most_damping, 41)) {
         if (set.law != law || set.detachment != detachment || set.damping_law != damping_law) continue;
@@ -24,7 +25,8 @@ Population population(Law law, Detachment detachment, DampingLaw damping_law, Ei
 
 Errors errors_of(const std::vector<double>& restitution, const std::vector<double>& reference) {
     std::vector<double> errors;
-    for (std::size_t i = 0; i < reference.size(); ++i) errors.push_back(std::abs(restitution[i] / reference[i] - 1.0));
+    for (std::size_t i = 0; i < reference.size(); ++i)
+        errors.push_back(std::abs(restitution[i] / reference[i] - 1.0));
     std::ranges::sort(errors);
     return {errors.back(), errors[errors.size() / 2]};
 }

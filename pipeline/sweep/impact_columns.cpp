@@ -69,8 +69,11 @@ ImpactBatch batch_of(const ContactModel& model, const ImpactColumns& impacts) {
 
 }  // namespace
 
-ResultColumns solve_in_batch(const ContactModel& model, const ImpactColumns& impacts, const WantedResults& wanted) {
-    const auto values = [](const Eigen::ArrayXd& column) { return std::vector<double>(column.begin(), column.end()); };
+ResultColumns solve_in_batch(const ContactModel& model, const ImpactColumns& impacts,
+                             const WantedResults& wanted) {
+    const auto values = [](const Eigen::ArrayXd& column) {
+        return std::vector<double>(column.begin(), column.end());
+    };
     try {
         const ImpactBatchResult solved =
             solve_impacts(batch_of(model, impacts), {.turning_point = wanted.maximum_overlap});

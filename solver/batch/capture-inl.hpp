@@ -16,7 +16,7 @@ namespace ashimpact::HWY_NAMESPACE {
 struct Places {
     Lanes touch;
     Lanes equilibrium;
-    Lanes end;            ///< where the contact ends, but where it ends by force
+    Lanes end;  ///< where the contact ends, but where it ends by force
     Lanes end_potential;
     Lanes speed_squared;  ///< v^2 in the bottom of the well, undamped: 1 + 2 (U_touch - U_min)
     Mask by_force;        ///< the contact ends where the total force vanishes
@@ -25,9 +25,8 @@ struct Places {
 template <class F>
 [[nodiscard]] HWY_FLATTEN inline Places places_of(const Equation<F>& equation, Detachment detachment) {
     const typename F::template ContactLaw<LaneNumber> law{LaneNumber(equation.adhesion)};
-    const auto place = [](const LaneNumber& u) HWY_ATTR {
-        return F::squared ? u.lanes() * u.lanes() : u.lanes();
-    };
+    const auto place = [](const LaneNumber& u)
+                           HWY_ATTR { return F::squared ? u.lanes() * u.lanes() : u.lanes(); };
     Places p;
     p.touch = place(law.touch());
     p.equilibrium = place(*law.detachment_point(Detachment::zero_force));
@@ -56,7 +55,8 @@ class LaneCapture {
         const Lanes least = equation_.damping_at(places_.equilibrium);
         const Mask slow = v >= least * way * Lanes(-0.5);
         const Mask soft = Lanes(4.0) * equation_.force(q) < least * least * way;
-        return without(either(both(q >= places_.equilibrium, both(slow, soft)), overdamped()), places_.by_force);
+        return without(either(both(q >= places_.equilibrium, both(slow, soft)), overdamped()),
+                       places_.by_force);
     }
     /// Before the turn: so damped that it creeps up to equilibrium and never turns.
     [[nodiscard]] HWY_INLINE Mask creeping_up(Lanes q, Lanes v) const {

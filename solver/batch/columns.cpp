@@ -18,8 +18,9 @@ Eigen::Index common_size(const ContactColumns& contact, const std::vector<NamedC
         if (column.size == 1) continue;
         if (longest.name.empty()) longest = column;
         if (column.size == longest.size) continue;
-        throw InputError("column " + std::string(column.name) + " has " + std::to_string(column.size) + " values",
-                         "1, or " + std::to_string(longest.size) + " as column " + std::string(longest.name));
+        throw InputError(
+            "column " + std::string(column.name) + " has " + std::to_string(column.size) + " values",
+            "1, or " + std::to_string(longest.size) + " as column " + std::string(longest.name));
     }
     return longest.size;
 }

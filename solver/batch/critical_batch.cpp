@@ -26,10 +26,12 @@ Damping damping_at(const CriticalVelocityBatch& batch, const batch::Inputs& in, 
 std::optional<CriticalVelocity> quick(const CriticalVelocityBatch& batch, const ContactPair& contact,
                                       const Damping& damping) {
     const bool elastic = !can_yield(batch.law, contact);
-    if (!elastic || damping.coefficient == 0.0 || batch.detachment == Detachment::zero_force) return std::nullopt;
+    if (!elastic || damping.coefficient == 0.0 || batch.detachment == Detachment::zero_force)
+        return std::nullopt;
     const double adhesion = velocity_of_adhesion(batch.law, contact);
     if (adhesion > 0.0) {
-        batch::CriticalTable& table = batch::CriticalTable::of(batch.law, batch.detachment, batch.damping_law);
+        batch::CriticalTable& table =
+            batch::CriticalTable::of(batch.law, batch.detachment, batch.damping_law);
         const auto entry = table.at(Scale::of(contact, adhesion).damping_number(damping));
         if (!entry) return std::nullopt;
         if (entry->verdict != CaptureVerdict::finite) return CriticalVelocity{.verdict = entry->verdict};
@@ -75,7 +77,8 @@ CriticalVelocityBatchResult critical_velocities(const CriticalVelocityBatch& bat
     batch::for_chunks(static_cast<std::size_t>(count), chunk_size, threads, chunk);
     result.scalar = scalar;
     fault.raise([&](std::size_t i) {
-        validate(Impact{batch.law, batch.detachment, damping_at(batch, inputs, i), batch::pair_at(inputs, i), 1.0});
+        validate(Impact{batch.law, batch.detachment, damping_at(batch, inputs, i), batch::pair_at(inputs, i),
+                        1.0});
     });
     return result;
 }

@@ -24,10 +24,12 @@ struct CriticalVelocityBatchResult {
     std::int64_t scalar = 0;  ///< left to critical_velocity(): beyond the tables, or plastic
 };
 
-/// Critical velocities to 1e-10 of critical_velocity(): with adhesion v_c depends on one number, which batch::CriticalTable
-/// tabulates; Hertz with constant damping has a closed form; the rest goes through the scalar solver.
+/// Critical velocities to 1e-10 of critical_velocity(): with adhesion v_c depends on one number, which
+/// batch::CriticalTable tabulates; Hertz with constant damping has a closed form; the rest goes through the
+/// scalar solver.
 /// @param threads 0: as many as there are cores; no bit of a result depends on it
 /// @throws InputError for inadmissible input, naming the first place it concerns
-[[nodiscard]] CriticalVelocityBatchResult critical_velocities(const CriticalVelocityBatch& batch, int threads = 1);
+[[nodiscard]] CriticalVelocityBatchResult critical_velocities(const CriticalVelocityBatch& batch,
+                                                              int threads = 1);
 
 }  // namespace ashimpact

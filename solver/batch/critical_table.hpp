@@ -10,13 +10,14 @@
 
 namespace ashimpact::batch {
 
-/// The critical velocity of one law, detachment and damping law with adhesion, as a function of its only number: the
-/// damping number beta in the scale in which the adhesion number is 1 (velocity V_a). Tabulated is the work of damping at
-/// v_c over beta, by Chebyshev polynomials through backward integrations on octaves of beta, halved until the last
-/// coefficients are below 1e-12. A piece is computed when it is first asked for.
+/// The critical velocity of one law, detachment and damping law with adhesion, as a function of its only
+/// number: the damping number beta in the scale in which the adhesion number is 1 (velocity V_a). Tabulated
+/// is the work of damping at v_c over beta, by Chebyshev polynomials through backward integrations on octaves
+/// of beta, halved until the last coefficients are below 1e-12. A piece is computed when it is first asked
+/// for.
 ///
-/// Relative error of v_c below 1e-10 (1e-12 as measured in the tests). Next to the damping from which everything is
-/// captured the table does not tell.
+/// Relative error of v_c below 1e-10 (1e-12 as measured in the tests). Next to the damping from which
+/// everything is captured the table does not tell.
 class CriticalTable {
   public:
     /// The table of that combination, one a process; any thread may ask.
@@ -38,9 +39,9 @@ class CriticalTable {
     struct Piece {
         std::once_flag computed;
         State state = State::untold;
-        std::vector<double> coefficients{};              ///< of ln(work/beta), where finite
-        double detachment_energy = 0.0;                  ///< in units of m V_a^2
-        std::array<std::unique_ptr<Piece>, 2> half{};    ///< where halved
+        std::vector<double> coefficients{};            ///< of ln(work/beta), where finite
+        double detachment_energy = 0.0;                ///< in units of m V_a^2
+        std::array<std::unique_ptr<Piece>, 2> half{};  ///< where halved
     };
 
     void compute(double lower, double upper, bool may_halve, Piece& piece) const;

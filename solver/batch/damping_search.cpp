@@ -47,7 +47,8 @@ double DampingSearch::interpolated() const {
         for (std::size_t i = 0; i + order < count_; ++i) {
             const Point& a = point_[i];
             const Point& b = point_[i + order];
-            value[i] = ((wanted_ - a.loss) * value[i + 1] - (wanted_ - b.loss) * value[i]) / (b.loss - a.loss);
+            value[i] =
+                ((wanted_ - a.loss) * value[i + 1] - (wanted_ - b.loss) * value[i]) / (b.loss - a.loss);
         }
     }
     return value[0];

@@ -7,9 +7,9 @@
 
 namespace ashimpact::batch {
 
-/// Searches the damping number that gives one impact a restitution e > 0, from impacts solved on the way: the polynomial
-/// through the nearest of them of beta in e/e_0 (Neville), which is smooth up to capture, kept inside what is known to be too
-/// little and too much. e_0, reached without damping, is the first point.
+/// Searches the damping number that gives one impact a restitution e > 0, from impacts solved on the way: the
+/// polynomial through the nearest of them of beta in e/e_0 (Neville), which is smooth up to capture, kept
+/// inside what is known to be too little and too much. e_0, reached without damping, is the first point.
 class DampingSearch {
   public:
     DampingSearch() = default;
@@ -40,8 +40,8 @@ class DampingSearch {
     double undamped_ = 1.0;
     double number_ = 0.0;
     double too_little_ = 0.0;
-    double too_much_ = -1.0;                     ///< unknown while negative
-    std::array<Point, most_points> point_{};     ///< the nearest to the wanted loss first; at first e_0
+    double too_much_ = -1.0;                  ///< unknown while negative
+    std::array<Point, most_points> point_{};  ///< the nearest to the wanted loss first; at first e_0
     std::size_t count_ = 1;
     bool found_ = false;
 };

@@ -5,12 +5,14 @@
 
 namespace ashimpact {
 
-/// Weights that extrapolate results of 2, 4, ..., 2k substeps, whose error is a series in the substep squared, to
-/// substep zero (Richardson 1911; Bulirsch & Stoer 1966). Those of one substep count less give the error estimate.
+/// Weights that extrapolate results of 2, 4, ..., 2k substeps, whose error is a series in the substep
+/// squared, to substep zero (Richardson 1911; Bulirsch & Stoer 1966). Those of one substep count less give
+/// the error estimate.
 template <int sequences>
 struct Extrapolation {
     std::array<double, static_cast<std::size_t>(sequences)> weight{};
-    std::array<double, static_cast<std::size_t>(sequences)> difference{};  ///< to the weights without the finest
+    std::array<double, static_cast<std::size_t>(sequences)>
+        difference{};  ///< to the weights without the finest
 
     constexpr Extrapolation() {
         for (int i = 1; i <= sequences; ++i) {

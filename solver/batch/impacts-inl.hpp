@@ -48,8 +48,8 @@ inline void write(const batch::ImpactTask& task, const ScaledTask& scaled, std::
     task.maximum_overlap[i] = task.turning_point ? block.turn_overlap[lane] * scaled.length[i] : nothing;
 }
 
-/// Solves the impacts of a task: scales them, and follows them in blocks of like ones, so that the lanes of a block
-/// end together.
+/// Solves the impacts of a task: scales them, and follows them in blocks of like ones, so that the lanes of a
+/// block end together.
 template <class F>
 HWY_NOINLINE void solve_task(const batch::ImpactTask& task) {
     ScaledTask scaled;

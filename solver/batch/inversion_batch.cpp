@@ -24,7 +24,8 @@ struct Searched {
 };
 
 DampingProblem problem_at(const DampingBatch& batch, const batch::Inputs& in, std::size_t i) {
-    return {batch.law, batch.detachment, batch.damping_law, batch::pair_at(in, i), in.velocity.at(i), in.restitution.at(i)};
+    return {batch.law,         batch.detachment,    batch.damping_law, batch::pair_at(in, i),
+            in.velocity.at(i), in.restitution.at(i)};
 }
 
 /// One impact through the scalar solver.
@@ -35,15 +36,18 @@ void invert_alone(const DampingProblem& problem, double& damping, double& greate
         greatest = inversion.greatest_restitution;
     } catch (const InputError&) {  // out of reach: the numbers themselves have been checked
         damping = out_of_reach;
-        greatest = solve_impact({problem.law, problem.detachment, {problem.damping_law, 0.0}, problem.contact,
+        greatest = solve_impact({problem.law,
+                                 problem.detachment,
+                                 {problem.damping_law, 0.0},
+                                 problem.contact,
                                  problem.velocity})
                        .restitution;
     }
 }
 
 /// @return how many were left to the scalar solver
-std::int64_t invert(const DampingBatch& batch, const batch::Inputs& inputs, std::size_t count, double* damping,
-                    double* greatest) {
+std::int64_t invert(const DampingBatch& batch, const batch::Inputs& inputs, std::size_t count,
+                    double* damping, double* greatest) {
     Searched searched;
     const batch::InversionTask task{.damping_law = batch.damping_law,
                                     .detachment = batch.detachment,
@@ -88,13 +92,15 @@ DampingBatchResult dampings_from_restitutions(const DampingBatch& batch, int thr
     const auto chunk = [&](std::size_t first, std::size_t size) {
         const batch::Inputs own = inputs.from(first);
         if (!fault.check(own, first, size)) return;
-        scalar += invert(batch, own, size, result.damping.data() + first, result.greatest_restitution.data() + first);
+        scalar += invert(batch, own, size, result.damping.data() + first,
+                         result.greatest_restitution.data() + first);
     };
     batch::for_chunks(static_cast<std::size_t>(count), batch::most_impacts, threads, chunk);
     result.scalar = scalar;
     fault.raise([&](std::size_t i) {
         const DampingProblem problem = problem_at(batch, inputs, i);
-        validate(Impact{problem.law, problem.detachment, {problem.damping_law, 0.0}, problem.contact, problem.velocity});
+        validate(Impact{
+            problem.law, problem.detachment, {problem.damping_law, 0.0}, problem.contact, problem.velocity});
         throw InputError("restitution is " + std::to_string(problem.restitution), "0 <= e < 1");
     });
     return result;

@@ -20,12 +20,13 @@ struct DampingBatch {
 };
 
 struct DampingBatchResult {
-    Eigen::ArrayXd damping{};               ///< coefficient; NaN where no damping gives the restitution [unit of the law]
+    Eigen::ArrayXd damping{};  ///< coefficient; NaN where no damping gives the restitution [unit of the law]
     Eigen::ArrayXd greatest_restitution{};  ///< reachable without damping [1]
     std::int64_t scalar = 0;                ///< left to damping_from_restitution()
 };
 
-/// Dampings from restitutions on the batch solver; a result gives its restitution back within the batch solver's bound.
+/// Dampings from restitutions on the batch solver; a result gives its restitution back within the batch
+/// solver's bound.
 /// @param threads 0: as many as there are cores; no bit of a result depends on it
 /// @throws InputError for inadmissible input, naming the first impact it concerns
 [[nodiscard]] DampingBatchResult dampings_from_restitutions(const DampingBatch& batch, int threads = 1);

@@ -16,7 +16,8 @@ inline constexpr int most_trials = 16;  ///< impacts after which a search is lef
 
 /// e_0: without damping all of the energy comes back but what the break costs; 0 where the break costs more.
 template <class F>
-HWY_INLINE void undamped_restitutions(const ScaledTask& scaled, Detachment detachment, std::size_t count, double* out) {
+HWY_INLINE void undamped_restitutions(const ScaledTask& scaled, Detachment detachment, std::size_t count,
+                                      double* out) {
     for (std::size_t i = 0; i < count; i += lane_count) {
         const Equation<F> equation(Lanes::load(scaled.adhesion + i), Lanes(0.0));
         const Places places = places_of(equation, detachment);
@@ -53,7 +54,8 @@ HWY_NOINLINE void invert_task(const batch::InversionTask& task) {
     std::array<double, batch::most_impacts> start;  // the first count are filled here
     for (std::size_t i = 0; i < task.count; ++i) {
         task.number_unit[i] = 1.0 / scaled.damping[i];
-        start[i] = batch::DampingSearch(task.damping_law, task.inputs.restitution.at(i), task.undamped[i]).number();
+        start[i] =
+            batch::DampingSearch(task.damping_law, task.inputs.restitution.at(i), task.undamped[i]).number();
     }
     batch::Order order;
     order.sort(scaled.adhesion, start.data(), task.count);

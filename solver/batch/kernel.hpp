@@ -68,11 +68,11 @@ struct InversionTask {
     DampingLaw damping_law;
     Detachment detachment;
     std::size_t count;
-    Inputs inputs;          ///< damping: the single value 1
-    double* number_unit;    ///< damping coefficient of damping number 1 [unit of the law]
-    double* number;         ///< damping number found [1]
-    double* undamped;       ///< e_0, restitution without damping [1]
-    std::uint8_t* found;    ///< 1 where the number is good
+    Inputs inputs;        ///< damping: the single value 1
+    double* number_unit;  ///< damping coefficient of damping number 1 [unit of the law]
+    double* number;       ///< damping number found [1]
+    double* undamped;     ///< e_0, restitution without damping [1]
+    std::uint8_t* found;  ///< 1 where the number is good
 };
 
 /// Most impacts of a task.

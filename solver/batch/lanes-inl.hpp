@@ -33,7 +33,9 @@ struct Lanes {
 
 #ifdef ASHIMPACT_COUNT_OPERATIONS  // bench/operations.cpp
 inline long operation_count = 0;
-HWY_INLINE void count_operation() { ++operation_count; }
+HWY_INLINE void count_operation() {
+    ++operation_count;
+}
 #else
 HWY_INLINE void count_operation() {}
 #endif
@@ -50,15 +52,25 @@ HWY_INLINE Lanes operator*(Lanes a, Lanes b) {
     count_operation();
     return Lanes(hn::Mul(a.v, b.v));
 }
-HWY_INLINE Lanes operator/(Lanes a, Lanes b) { return Lanes(hn::Div(a.v, b.v)); }
+HWY_INLINE Lanes operator/(Lanes a, Lanes b) {
+    return Lanes(hn::Div(a.v, b.v));
+}
 HWY_INLINE Lanes operator-(Lanes a) {
     count_operation();
     return Lanes(hn::Neg(a.v));
 }
-HWY_INLINE Mask operator<(Lanes a, Lanes b) { return hn::Lt(a.v, b.v); }
-HWY_INLINE Mask operator>(Lanes a, Lanes b) { return hn::Gt(a.v, b.v); }
-HWY_INLINE Mask operator<=(Lanes a, Lanes b) { return hn::Le(a.v, b.v); }
-HWY_INLINE Mask operator>=(Lanes a, Lanes b) { return hn::Ge(a.v, b.v); }
+HWY_INLINE Mask operator<(Lanes a, Lanes b) {
+    return hn::Lt(a.v, b.v);
+}
+HWY_INLINE Mask operator>(Lanes a, Lanes b) {
+    return hn::Gt(a.v, b.v);
+}
+HWY_INLINE Mask operator<=(Lanes a, Lanes b) {
+    return hn::Le(a.v, b.v);
+}
+HWY_INLINE Mask operator>=(Lanes a, Lanes b) {
+    return hn::Ge(a.v, b.v);
+}
 
 /// a b + c
 HWY_INLINE Lanes multiply_add(Lanes a, Lanes b, Lanes c) {
@@ -70,19 +82,41 @@ HWY_INLINE Lanes subtract_product(Lanes c, Lanes a, Lanes b) {
     count_operation();
     return Lanes(hn::NegMulAdd(a.v, b.v, c.v));
 }
-HWY_INLINE Lanes abs(Lanes a) { return Lanes(hn::Abs(a.v)); }
-HWY_INLINE Lanes sqrt(Lanes a) { return Lanes(hn::Sqrt(a.v)); }
-HWY_INLINE Lanes min(Lanes a, Lanes b) { return Lanes(hn::Min(a.v, b.v)); }
-HWY_INLINE Lanes max(Lanes a, Lanes b) { return Lanes(hn::Max(a.v, b.v)); }
-HWY_INLINE Lanes select(Mask mask, Lanes yes, Lanes no) { return Lanes(hn::IfThenElse(mask, yes.v, no.v)); }
+HWY_INLINE Lanes abs(Lanes a) {
+    return Lanes(hn::Abs(a.v));
+}
+HWY_INLINE Lanes sqrt(Lanes a) {
+    return Lanes(hn::Sqrt(a.v));
+}
+HWY_INLINE Lanes min(Lanes a, Lanes b) {
+    return Lanes(hn::Min(a.v, b.v));
+}
+HWY_INLINE Lanes max(Lanes a, Lanes b) {
+    return Lanes(hn::Max(a.v, b.v));
+}
+HWY_INLINE Lanes select(Mask mask, Lanes yes, Lanes no) {
+    return Lanes(hn::IfThenElse(mask, yes.v, no.v));
+}
 
-HWY_INLINE Mask both(Mask a, Mask b) { return hn::And(a, b); }
-HWY_INLINE Mask either(Mask a, Mask b) { return hn::Or(a, b); }
+HWY_INLINE Mask both(Mask a, Mask b) {
+    return hn::And(a, b);
+}
+HWY_INLINE Mask either(Mask a, Mask b) {
+    return hn::Or(a, b);
+}
 /// a and not b
-HWY_INLINE Mask without(Mask a, Mask b) { return hn::AndNot(b, a); }
-HWY_INLINE Mask none() { return hn::FirstN(Tag(), 0); }
-HWY_INLINE Mask every() { return hn::FirstN(Tag(), lane_count); }
-HWY_INLINE bool any(Mask mask) { return !hn::AllFalse(Tag(), mask); }
+HWY_INLINE Mask without(Mask a, Mask b) {
+    return hn::AndNot(b, a);
+}
+HWY_INLINE Mask none() {
+    return hn::FirstN(Tag(), 0);
+}
+HWY_INLINE Mask every() {
+    return hn::FirstN(Tag(), lane_count);
+}
+HWY_INLINE bool any(Mask mask) {
+    return !hn::AllFalse(Tag(), mask);
+}
 
 /// Binary logarithm, linear between the powers of two: off by at most 0.086, and inverted exactly by
 /// rough_exp2(); for finite x > 0.

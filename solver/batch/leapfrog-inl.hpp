@@ -29,14 +29,16 @@ struct LaneStep {
     Lanes end_stiffness;  ///< h(q) at the end, to second order
 };
 
-/// One step of order 2 sequences for all groups of lanes: explicit leapfrogs of 2, 4, ..., 2 sequences substeps
+/// One step of order 2 sequences for all groups of lanes: explicit leapfrogs of 2, 4, ..., 2 sequences
+/// substeps
 ///
-///     y_(m+1/2) = y_(m-1/2) - tau h(q_m),   q_(m+1) = q_(m-1) + tau (y_(m-1/2) + y_(m+1/2)) - 2 tau beta g(q_m),
+///     y_(m+1/2) = y_(m-1/2) - tau h(q_m),   q_(m+1) = q_(m-1) + tau (y_(m-1/2) + y_(m+1/2)) - 2 tau beta
+///     g(q_m),
 ///
-/// extrapolated to tau = 0. Their error is a series in tau^2, as Gragg's midpoint rule has it (Gragg 1965; without
-/// damping this is Stoermer's rule: Hairer, Norsett & Wanner, Solving ODEs I, II.14). No square root, no division
-/// within, next to no memory traffic. Momentum is carried in units of tau times the leading coefficient of h, so that
-/// a kick is one multiply-add with the law's own polynomial.
+/// extrapolated to tau = 0. Their error is a series in tau^2, as Gragg's midpoint rule has it (Gragg 1965;
+/// without damping this is Stoermer's rule: Hairer, Norsett & Wanner, Solving ODEs I, II.14). No square root,
+/// no division within, next to no memory traffic. Momentum is carried in units of tau times the leading
+/// coefficient of h, so that a kick is one multiply-add with the law's own polynomial.
 ///
 /// @tparam Orbit has equation() (an Equation<F>), state() and step()
 template <class F, int sequences, class Orbit>
@@ -101,13 +103,16 @@ class ExtrapolatedLeapfrog {
         const double share = 1.0 / substeps;
         Groups<Substep> substep;
         Groups<Chain> chain;
-        ((substep[group] = {start[group].drift * Lanes(share * share), start[group].damping * Lanes(share)}), ...);
+        ((substep[group] = {start[group].drift * Lanes(share * share), start[group].damping * Lanes(share)}),
+         ...);
         ((chain[group] = begun(orbits[group], start[group], substep[group], substeps)), ...);
-        for (int m = 1; m < substeps; ++m) (advance(orbits[group].equation(), substep[group], chain[group]), ...);
+        for (int m = 1; m < substeps; ++m)
+            (advance(orbits[group].equation(), substep[group], chain[group]), ...);
         (collect(orbits[group], start[group], chain[group], sequence, results[group]), ...);
     }
 
-    [[nodiscard]] HWY_INLINE static Chain begun(const Orbit& orbit, const Start& s, const Substep& h, int substeps) {
+    [[nodiscard]] HWY_INLINE static Chain begun(const Orbit& orbit, const Start& s, const Substep& h,
+                                                int substeps) {
         Chain c;
         c.previous = orbit.state().position;
         c.momentum = multiply_add(s.momentum, double(substeps), s.half_kick);
@@ -127,7 +132,8 @@ class ExtrapolatedLeapfrog {
         c.momentum = kicked;
     }
 
-    HWY_INLINE static void collect(const Orbit& orbit, const Start& s, const Chain& c, int sequence, LaneStep& r) {
+    HWY_INLINE static void collect(const Orbit& orbit, const Start& s, const Chain& c, int sequence,
+                                   LaneStep& r) {
         const double substeps = 2.0 * sequence;
         const double weight = extrapolation.weight[static_cast<std::size_t>(sequence - 1)];
         const double difference = extrapolation.difference[static_cast<std::size_t>(sequence - 1)];
@@ -149,8 +155,8 @@ class ExtrapolatedLeapfrog {
         const Lanes h = orbit.step();
         r.change.momentum = r.change.momentum * (Lanes(kick_unit) * h);
         r.momentum_error = r.momentum_error * (Lanes(kick_unit) * h);
-        r.change.time =
-            h * multiply_add(r.change.time, Equation<F>::Slope::Pattern::leading, orbit.equation().slope_constant);
+        r.change.time = h * multiply_add(r.change.time, Equation<F>::Slope::Pattern::leading,
+                                         orbit.equation().slope_constant);
     }
 };
 

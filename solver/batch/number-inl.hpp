@@ -11,8 +11,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
 
-/// Lanes in memory: the number type with which a contact law is evaluated outside the integration. The law's own
-/// functions are compiled for the baseline; vector registers cannot go through them, memory can.
+/// Lanes in memory: the number type with which a contact law is evaluated outside the integration. The law's
+/// own functions are compiled for the baseline; vector registers cannot go through them, memory can.
 struct LaneNumber {
     HWY_ALIGN double value[lane_count];
 
@@ -24,14 +24,30 @@ struct LaneNumber {
     [[nodiscard]] HWY_INLINE Lanes lanes() const { return Lanes::load(value); }
 };
 
-inline LaneNumber operator+(const LaneNumber& a, const LaneNumber& b) { return LaneNumber(a.lanes() + b.lanes()); }
-inline LaneNumber operator-(const LaneNumber& a, const LaneNumber& b) { return LaneNumber(a.lanes() - b.lanes()); }
-inline LaneNumber operator*(const LaneNumber& a, const LaneNumber& b) { return LaneNumber(a.lanes() * b.lanes()); }
-inline LaneNumber operator/(const LaneNumber& a, const LaneNumber& b) { return LaneNumber(a.lanes() / b.lanes()); }
-inline LaneNumber operator-(const LaneNumber& a) { return LaneNumber(-a.lanes()); }
-inline LaneNumber sqrt(const LaneNumber& x) { return LaneNumber(sqrt(x.lanes())); }
-inline LaneNumber cbrt(const LaneNumber& x) { return LaneNumber(cbrt(x.lanes())); }
-inline LaneNumber two_fifths_power(const LaneNumber& x) { return LaneNumber(two_fifths_power(x.lanes())); }
+inline LaneNumber operator+(const LaneNumber& a, const LaneNumber& b) {
+    return LaneNumber(a.lanes() + b.lanes());
+}
+inline LaneNumber operator-(const LaneNumber& a, const LaneNumber& b) {
+    return LaneNumber(a.lanes() - b.lanes());
+}
+inline LaneNumber operator*(const LaneNumber& a, const LaneNumber& b) {
+    return LaneNumber(a.lanes() * b.lanes());
+}
+inline LaneNumber operator/(const LaneNumber& a, const LaneNumber& b) {
+    return LaneNumber(a.lanes() / b.lanes());
+}
+inline LaneNumber operator-(const LaneNumber& a) {
+    return LaneNumber(-a.lanes());
+}
+inline LaneNumber sqrt(const LaneNumber& x) {
+    return LaneNumber(sqrt(x.lanes()));
+}
+inline LaneNumber cbrt(const LaneNumber& x) {
+    return LaneNumber(cbrt(x.lanes()));
+}
+inline LaneNumber two_fifths_power(const LaneNumber& x) {
+    return LaneNumber(two_fifths_power(x.lanes()));
+}
 
 }  // namespace ashimpact::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -119,7 +119,8 @@ class LaneOrbit {
         Lanes move = 0.0;
         for (int i = 0; i < newton_steps; ++i) {
             move = (x.position_at(h) - places_.end) / x.velocity_at(h);
-            if (any(places_.by_force)) move = select(places_.by_force, x.acceleration_at(h) / x.jerk_at(h), move);
+            if (any(places_.by_force))
+                move = select(places_.by_force, x.acceleration_at(h) / x.jerk_at(h), move);
             h = h - move;
         }
         return {-x.velocity_at(h), x.time_at(h), abs(move) < Lanes(1e-8)};
@@ -160,14 +161,15 @@ class LaneOrbit {
         return r;
     }
 
-    /// Pseudo-time to the turning point, or after it to the end of contact, from the expansion to third order;
-    /// beyond any step where none is in sight.
+    /// Pseudo-time to the turning point, or after it to the end of contact, from the expansion to third
+    /// order; beyond any step where none is in sight.
     [[nodiscard]] HWY_INLINE Lanes time_to_event(Lanes q, Lanes v, const Rates& r) const {
         const Lanes third = r.jerk * Lanes(1.0 / 6.0);
         const Lanes half = r.acceleration * Lanes(0.5);
         const Lanes p0 = select(approaching_, v, select(places_.by_force, -r.acceleration, q - places_.end));
         const Lanes p1 = select(approaching_, r.acceleration, select(places_.by_force, -r.jerk, v));
-        const Lanes p2 = select(approaching_, r.jerk * Lanes(0.5), select(places_.by_force, Lanes(0.0), half));
+        const Lanes p2 =
+            select(approaching_, r.jerk * Lanes(0.5), select(places_.by_force, Lanes(0.0), half));
         const Lanes p3 = select(either(approaching_, places_.by_force), Lanes(0.0), third);
         const Lanes square = subtract_product(p1 * p1, Lanes(4.0) * p2, p0);
         const Lanes root = sqrt(max(square, 0.0));
@@ -182,8 +184,8 @@ class LaneOrbit {
         return select(both(p1 < Lanes(0.0), real), select(mild, better, h), back);
     }
 
-    /// How far from an event its series is used: for an end by force also a small part of the way to zero overlap, where
-    /// other roots are.
+    /// How far from an event its series is used: for an end by force also a small part of the way to zero
+    /// overlap, where other roots are.
     [[nodiscard]] HWY_INLINE Lanes landing_reach(Lanes q, Lanes v, Lanes usual) const {
         const Lanes reach = usual * Lanes(landing);
         if (!any(places_.by_force)) return reach;

@@ -8,8 +8,8 @@
 
 namespace ashimpact::batch {
 
-/// An order of the impacts of a task in which like ones are neighbours. It has no influence on results, only on how
-/// long the lanes of a block wait for each other.
+/// An order of the impacts of a task in which like ones are neighbours. It has no influence on results, only
+/// on how long the lanes of a block wait for each other.
 class Order {
   public:
     void sort(const double* adhesion, const double* damping, std::size_t count);

@@ -13,15 +13,17 @@
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
 
-/// Step for the way in: a part of the period of the motion about the estimated greatest q, where it is shortest.
-/// Potential and the impulse of damping, at some part of the incident speed, make up the incident energy there.
+/// Step for the way in: a part of the period of the motion about the estimated greatest q, where it is
+/// shortest. Potential and the impulse of damping, at some part of the incident speed, make up the incident
+/// energy there.
 template <class F>
 [[nodiscard]] HWY_INLINE Lanes inward_step(const Equation<F>& equation, const Places& places) {
     constexpr double part = 1.3;         // of a radian
     constexpr double mean_speed = 0.72;  // of v_in
     constexpr int degree = F::potential.degree();
     static const double free_turn = std::pow(1.0 / F::potential.at(degree, 0), 1.0 / degree);
-    static const double bound_turn = std::pow(1.36 * 1.15, 5.0 / degree);  // of DMT; that of the other laws is less
+    static const double bound_turn =
+        std::pow(1.36 * 1.15, 5.0 / degree);  // of DMT; that of the other laws is less
     const Lanes a = equation.adhesion;
     const Lanes brake = equation.damping * Lanes(mean_speed);
     const auto work = [&](Lanes q) HWY_ATTR {
@@ -37,13 +39,13 @@ template <class F>
     return Lanes(part) / sqrt(multiply_add(drag, drag, value_of<F::stiffness_slope>(a, q)));
 }
 
-/// Chooses steps. On the way in they stay as they are, unless the error says that they are far from ideal. On the way
-/// out the ideal step grows from step to step by a factor that itself changes little (a predictive controller:
-/// Gustafsson 1994). So hardly a step has to be repeated.
+/// Chooses steps. On the way in they stay as they are, unless the error says that they are far from ideal. On
+/// the way out the ideal step grows from step to step by a factor that itself changes little (a predictive
+/// controller: Gustafsson 1994). So hardly a step has to be repeated.
 class Pilot {
   public:
     static constexpr double tolerance = 1.2e-12;  ///< of the estimate, which is far above the error
-    static constexpr double acceptable = 2.5;  ///< tolerances up to which a step is kept
+    static constexpr double acceptable = 2.5;     ///< tolerances up to which a step is kept
 
     Pilot() = default;
     HWY_INLINE explicit Pilot(Lanes first) : log_step_(rough_log2(first)) {}
@@ -60,12 +62,13 @@ class Pilot {
         constexpr double floor = 1e-6 * tolerance;
         const Mask good = error <= Lanes(acceptable * tolerance);
         const Lanes log_taken = rough_log2(taken);
-        const Lanes gain = (rough_log2(Lanes(tolerance)) - rough_log2(max(error, floor))) * Lanes(1.0 / order);
+        const Lanes gain =
+            (rough_log2(Lanes(tolerance)) - rough_log2(max(error, floor))) * Lanes(1.0 / order);
         const Lanes ideal = log_taken + gain;
         const Lanes trend = min(max(ideal - last_ideal_, 0.0), 0.4);
         const Mask left = leaving_ > Lanes(0.0);
-        const Lanes outward = min(ideal + select(left, trend, first_trend),
-                                  log_taken + select(left, Lanes(0.45), Lanes(0.25)));
+        const Lanes outward =
+            min(ideal + select(left, trend, first_trend), log_taken + select(left, Lanes(0.45), Lanes(0.25)));
         const Lanes steady = log_taken + min(max(gain - Lanes(0.35), 0.0), 0.3) * touched_;
         const Lanes next = select(good, select(inward, steady, outward), ideal - Lanes(0.1));
         // A step cut short for an event, and good, says nothing of the next.

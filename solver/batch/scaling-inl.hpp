@@ -40,7 +40,8 @@ struct ScaledLanes {
 };
 
 template <class F>
-[[nodiscard]] HWY_FLATTEN inline ScaledLanes scaled(const batch::Inputs& in, std::size_t i, std::size_t count) {
+[[nodiscard]] HWY_FLATTEN inline ScaledLanes scaled(const batch::Inputs& in, std::size_t i,
+                                                    std::size_t count) {
     const BasicContactPair<LaneNumber> pair = read_pair(in, i, count);
     const auto scale = BasicScale<LaneNumber>::of(pair, LaneNumber(read(in.velocity, i, count)));
     ScaledLanes result;

@@ -12,15 +12,20 @@ namespace ashimpact {
 /// A set of powers of one variable; bit k stands for x^k.
 using PowerSet = std::uint64_t;
 
-[[nodiscard]] constexpr PowerSet power_bit(int power) { return PowerSet{1} << power; }
-[[nodiscard]] constexpr bool contains(PowerSet set, int power) { return ((set >> power) & 1U) != 0; }
+[[nodiscard]] constexpr PowerSet power_bit(int power) {
+    return PowerSet{1} << power;
+}
+[[nodiscard]] constexpr bool contains(PowerSet set, int power) {
+    return ((set >> power) & 1U) != 0;
+}
 [[nodiscard]] constexpr int highest(PowerSet set) {
     int power = 0;
     while ((set >> power) > 1) ++power;
     return power;
 }
 
-/// The smaller factor i of x^power = x^i x^(power-i) with both in the set, as balanced as possible; 0 if none.
+/// The smaller factor i of x^power = x^i x^(power-i) with both in the set, as balanced as possible; 0 if
+/// none.
 [[nodiscard]] constexpr int factor_of(PowerSet set, int power) {
     for (int i = power / 2; i >= 1; --i) {
         if (contains(set, i) && contains(set, power - i)) return i;

@@ -35,8 +35,8 @@ void leave_unsearched(const InversionTask& task) {
 
 bool admissible(const Inputs& in, std::size_t i) {
     return positive(in.mass, i) && positive(in.effective_radius, i) && positive(in.contact_modulus, i) &&
-           not_negative(in.work_of_adhesion, i) && positive_or_infinite(in.yield_pressure, i) && not_negative(in.damping, i) && positive(in.velocity, i) &&
-           not_negative(in.restitution, i);
+           not_negative(in.work_of_adhesion, i) && positive_or_infinite(in.yield_pressure, i) &&
+           not_negative(in.damping, i) && positive(in.velocity, i) && not_negative(in.restitution, i);
 }
 
 bool FirstFault::check(const Inputs& chunk, std::size_t first, std::size_t count) {

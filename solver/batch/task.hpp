@@ -11,7 +11,9 @@
 
 namespace ashimpact::batch {
 
-[[nodiscard]] inline Input input_of(const Column& column) { return {column.data(), column.size() == 1}; }
+[[nodiscard]] inline Input input_of(const Column& column) {
+    return {column.data(), column.size() == 1};
+}
 
 /// Inputs with the contact pairs; the rest stays empty.
 [[nodiscard]] inline Inputs inputs_of(const ContactColumns& contact) {
@@ -30,7 +32,8 @@ namespace ashimpact::batch {
             .yield_pressure = in.yield_pressure.at(i)};
 }
 
-/// Whether all numbers that are given are finite, and positive or at least not negative as validate() asks for.
+/// Whether all numbers that are given are finite, and positive or at least not negative as validate() asks
+/// for.
 [[nodiscard]] bool admissible(const Inputs& in, std::size_t i);
 
 /// The first problem of a batch that is not admissible, found by several threads.
@@ -38,7 +41,8 @@ class FirstFault {
   public:
     /// Looks through a chunk. @return whether all of it is admissible
     bool check(const Inputs& chunk, std::size_t first, std::size_t count);
-    /// Has @p refuse, which throws an InputError, say what is wrong with it, if there was one; adds the place.
+    /// Has @p refuse, which throws an InputError, say what is wrong with it, if there was one; adds the
+    /// place.
     void raise(const std::function<void(std::size_t)>& refuse) const;
 
   private:

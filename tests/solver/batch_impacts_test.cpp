@@ -18,8 +18,8 @@ namespace {
 
 constexpr double bound = 1e-12;  ///< |d(e^2)| over the conditioning of the problem
 
-/// Compares a batch with the scalar solver, impact by impact. The contact time near capture is as ill-conditioned as
-/// 1/e^2.
+/// Compares a batch with the scalar solver, impact by impact. The contact time near capture is as
+/// ill-conditioned as 1/e^2.
 void check_against_scalar(const Impacts& impacts) {
     const ImpactBatchResult result = solve_impacts(impacts.batch());
     CAPTURE(impacts.law.name());
@@ -61,7 +61,8 @@ Impacts around_critical(Impacts impacts, const std::vector<double>& factors) {
         }
     }
     impacts = impacts.picked(places);
-    impacts.velocity = Eigen::Map<const Eigen::ArrayXd>(velocities.data(), static_cast<Eigen::Index>(velocities.size()));
+    impacts.velocity =
+        Eigen::Map<const Eigen::ArrayXd>(velocities.data(), static_cast<Eigen::Index>(velocities.size()));
     return impacts;
 }
 
@@ -116,12 +117,13 @@ TEST_CASE("a single value stands for all, and what is not asked for is not a num
     const ImpactBatchResult full = solve_impacts(batch);
     const Eigen::ArrayXd mass = Eigen::ArrayXd::Constant(1, 1e-12);
     const Eigen::ArrayXd velocity = Eigen::ArrayXd::Constant(1, 2.0);
-    const ImpactBatch single{batch.law,
-                             batch.detachment,
-                             batch.damping_law,
-                             {mass, impacts.effective_radius, impacts.contact_modulus, impacts.work_of_adhesion},
-                             impacts.damping,
-                             velocity};
+    const ImpactBatch single{
+        batch.law,
+        batch.detachment,
+        batch.damping_law,
+        {mass, impacts.effective_radius, impacts.contact_modulus, impacts.work_of_adhesion},
+        impacts.damping,
+        velocity};
     CHECK(identical(full, solve_impacts(single)));
     const ImpactBatchResult less = solve_impacts(single, {.turning_point = false});
     CHECK(less.approach_time.isNaN().all());
@@ -136,8 +138,8 @@ TEST_CASE("an elastic-plastic law goes through the scalar solver") {
     ImpactBatch batch{impacts.law,
                       impacts.detachment,
                       impacts.damping_law,
-                      {impacts.mass, impacts.effective_radius, impacts.contact_modulus, impacts.work_of_adhesion,
-                       Eigen::ArrayXd::Constant(1, 2e9)},
+                      {impacts.mass, impacts.effective_radius, impacts.contact_modulus,
+                       impacts.work_of_adhesion, Eigen::ArrayXd::Constant(1, 2e9)},
                       impacts.damping,
                       impacts.velocity};
     const ImpactBatchResult result = solve_impacts(batch);

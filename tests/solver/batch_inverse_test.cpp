@@ -99,7 +99,8 @@ TEST_CASE("inverse problems: no bit depends on threads or order, and the first f
         const CriticalVelocityBatchResult three = critical_velocities(critical_batch(impacts), 3);
         const Eigen::ArrayXd restitution = Eigen::ArrayXd::LinSpaced(impacts.size(), 0.1, 0.8);
         const DampingBatchResult damping = dampings_from_restitutions(damping_batch(impacts, restitution), 1);
-        const DampingBatchResult threaded = dampings_from_restitutions(damping_batch(impacts, restitution), 3);
+        const DampingBatchResult threaded =
+            dampings_from_restitutions(damping_batch(impacts, restitution), 3);
         std::vector<Eigen::Index> reversed;
         for (Eigen::Index i = impacts.size(); i-- > 0;) reversed.push_back(i);
         const Impacts backward = impacts.picked(reversed);
@@ -107,7 +108,8 @@ TEST_CASE("inverse problems: no bit depends on threads or order, and the first f
             dampings_from_restitutions(damping_batch(backward, restitution(reversed)), 1);
         Eigen::Index different = 0;
         for (Eigen::Index i = 0; i < impacts.size(); ++i) {
-            const bool all = same(one.value[i], three.value[i]) && same(damping.damping[i], threaded.damping[i]) &&
+            const bool all = same(one.value[i], three.value[i]) &&
+                             same(damping.damping[i], threaded.damping[i]) &&
                              same(damping.damping[i], other.damping[impacts.size() - 1 - i]);
             different += all ? 0 : 1;
         }

@@ -23,8 +23,8 @@ class Random {
     std::mt19937_64 engine_;
 };
 
-Impacts random_impacts(Law law, Detachment detachment, DampingLaw damping_law, Eigen::Index count, double most_damping,
-                       Random& random) {
+Impacts random_impacts(Law law, Detachment detachment, DampingLaw damping_law, Eigen::Index count,
+                       double most_damping, Random& random) {
     Impacts impacts{.law = law, .detachment = detachment, .damping_law = damping_law};
     for (Eigen::ArrayXd* column : {&impacts.mass, &impacts.effective_radius, &impacts.contact_modulus,
                                    &impacts.work_of_adhesion, &impacts.damping, &impacts.velocity}) {
@@ -52,7 +52,8 @@ bool same_bits(const Eigen::ArrayXd& a, const Eigen::ArrayXd& b) {
 }  // namespace
 
 ImpactBatch Impacts::batch() const {
-    return {law, detachment, damping_law, {mass, effective_radius, contact_modulus, work_of_adhesion}, damping, velocity};
+    return {law,     detachment, damping_law, {mass, effective_radius, contact_modulus, work_of_adhesion},
+            damping, velocity};
 }
 
 Impact Impacts::at(Eigen::Index i) const {
@@ -95,7 +96,8 @@ std::vector<Impacts> random_impacts(Eigen::Index count, double most_damping, std
 
 double conditioned_error(double restitution, const ImpactResult& reference) {
     const double depth = std::abs(reference.energy.minimum) / reference.energy.incident;
-    return std::abs(restitution * restitution - reference.restitution * reference.restitution) / (1.0 + depth);
+    return std::abs(restitution * restitution - reference.restitution * reference.restitution) /
+           (1.0 + depth);
 }
 
 bool identical(const ImpactBatchResult& a, const ImpactBatchResult& b) {

@@ -28,9 +28,11 @@ struct Impacts {
     [[nodiscard]] Impacts picked(const std::vector<Eigen::Index>& places) const;
 };
 
-/// Every law with a batch kernel with every detachment admissible for it and every damping law, @p count impacts each:
-/// fly ash of 0.5 to 100 micrometres at 0.01 to 20 m/s, damping numbers evenly from 0 to @p most_damping.
-[[nodiscard]] std::vector<Impacts> random_impacts(Eigen::Index count, double most_damping, std::uint64_t seed);
+/// Every law with a batch kernel with every detachment admissible for it and every damping law, @p count
+/// impacts each: fly ash of 0.5 to 100 micrometres at 0.01 to 20 m/s, damping numbers evenly from 0 to @p
+/// most_damping.
+[[nodiscard]] std::vector<Impacts> random_impacts(Eigen::Index count, double most_damping,
+                                                  std::uint64_t seed);
 
 /// |e^2 - e_ref^2| / (1 + |U_min|/(m v^2/2)), the error in units of the problem's conditioning [1].
 [[nodiscard]] double conditioned_error(double restitution, const ImpactResult& reference);

@@ -13,8 +13,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
 
-void brach_dunn_impacts(const batch::ImpactTask& task) { solve_law<BrachDunn>(task); }
-void brach_dunn_inversions(const batch::InversionTask& task) { invert_law<BrachDunn>(task); }
+void brach_dunn_impacts(const batch::ImpactTask& task) {
+    solve_law<BrachDunn>(task);
+}
+void brach_dunn_inversions(const batch::InversionTask& task) {
+    invert_law<BrachDunn>(task);
+}
 
 }  // namespace ashimpact::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -13,8 +13,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
 
-void dmt_impacts(const batch::ImpactTask& task) { solve_law<Dmt>(task); }
-void dmt_inversions(const batch::InversionTask& task) { invert_law<Dmt>(task); }
+void dmt_impacts(const batch::ImpactTask& task) {
+    solve_law<Dmt>(task);
+}
+void dmt_inversions(const batch::InversionTask& task) {
+    invert_law<Dmt>(task);
+}
 
 }  // namespace ashimpact::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

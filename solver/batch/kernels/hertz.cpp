@@ -13,8 +13,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
 
-void hertz_impacts(const batch::ImpactTask& task) { solve_law<Hertz>(task); }
-void hertz_inversions(const batch::InversionTask& task) { invert_law<Hertz>(task); }
+void hertz_impacts(const batch::ImpactTask& task) {
+    solve_law<Hertz>(task);
+}
+void hertz_inversions(const batch::InversionTask& task) {
+    invert_law<Hertz>(task);
+}
 
 }  // namespace ashimpact::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -13,8 +13,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
 
-void jkr_impacts(const batch::ImpactTask& task) { solve_law<Jkr>(task); }
-void jkr_inversions(const batch::InversionTask& task) { invert_law<Jkr>(task); }
+void jkr_impacts(const batch::ImpactTask& task) {
+    solve_law<Jkr>(task);
+}
+void jkr_inversions(const batch::InversionTask& task) {
+    invert_law<Jkr>(task);
+}
 
 }  // namespace ashimpact::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
