@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <limits>
+#include <string_view>
+#include <vector>
+
+namespace ashimpact {
+
+/// One value an impact, or a single one for all of them.
+using Column = Eigen::Ref<const Eigen::ArrayXd>;
+
+/// The contact pairs of a batch, as ContactPair.
+struct ContactColumns {
+    Column mass;              ///< effective mass m* [kg]
+    Column effective_radius;  ///< R* [m]
+    Column contact_modulus;   ///< E* [Pa]
+    Column work_of_adhesion;  ///< w [J/m2]
+    /// p_y [Pa]; infinite: never yields
+    Column yield_pressure = Eigen::ArrayXd::Constant(1, std::numeric_limits<double>::infinity());
+};
+
+struct NamedColumn {
+    std::string_view name;
+    Eigen::Index size;
+};
+
+/// The length that all columns of more than one value have; 1 where there is none such.
+/// @throws InputError where two differ
+[[nodiscard]] Eigen::Index common_size(const ContactColumns& contact, const std::vector<NamedColumn>& others);
+
+}  // namespace ashimpact
