@@ -41,7 +41,7 @@ MotionExpansion<Extended> backward_expansion(const MotionStepper<Extended>& step
 }  // namespace
 
 bool ends_at_rest_point(const Motion<Extended>& motion) {
-    return std::abs(motion.slope(*motion.end)) < 1e-12L;
+    return std::abs(motion.slope(*motion.end)) <= 1e-12L * std::abs(motion.slope(motion.equilibrium));
 }
 
 std::optional<Arrival> critical_arrival(const Motion<Extended>& motion) {
