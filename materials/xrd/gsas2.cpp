@@ -19,7 +19,7 @@ bool is_weight_line(std::string_view text) {
 }
 
 /// "LABEL : VALUE, sig VALUE"
-PrintedNumber read_weight(std::string_view text, std::size_t line) {
+PrintedNumber weight_in(std::string_view text, std::size_t line) {
     std::string_view rest = text.substr(text.find(weight_label) + weight_label.size());
     rest = trimmed(rest.substr(std::min(rest.find(':') + 1, rest.size())));
     const auto comma = rest.find(',');
@@ -70,7 +70,7 @@ void read_weight_line(Scan& scan, std::string_view text, std::size_t line) {
         throw InputError("a weight fraction stands before any phase heading",
                          "\"Phase: NAME in histogram: NAME\"")
             .at(at_line(line));
-    const PrintedNumber weight = read_weight(text, line);
+    const PrintedNumber weight = weight_in(text, line);
     auto& phases = scan.sample().analysis.phases;
     for (const PhaseFraction& phase : phases)
         if (phase.name == scan.phase)
