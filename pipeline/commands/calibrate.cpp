@@ -83,7 +83,8 @@ void add_observations(const PublishedSample& published, std::size_t index, Calib
              .velocity_uncertainty = time.velocity.standard_uncertainty.value_or(0),
              .value = time.contact_time.value,
              .standard_uncertainty =
-                 time.contact_time.standard_uncertainty.value_or(1e-3 * time.contact_time.value)});
+                 time.contact_time.standard_uncertainty.value_or(1e-3 * time.contact_time.value),
+             .damping_fit_uncertainty = published.damping_fit_uncertainty.value_or(0)});
     }
 }
 

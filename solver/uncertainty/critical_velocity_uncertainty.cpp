@@ -15,15 +15,6 @@ namespace ashimpact {
 
 namespace {
 
-std::optional<double> critical_velocity_of(const ContactModel& model, double damping) {
-    if (!(damping > 0.0)) return std::nullopt;
-    if (const auto read = model.critical_velocity(damping)) return read;
-    const ScaledImpacts& impacts = model.map().impacts();
-    return critical_velocity(
-               {impacts.law(), impacts.detachment(), {DampingLaw::constant, damping}, model.contact()})
-        .value;
-}
-
 /// Coefficients of the damping curve from standard normal numbers: the first by the two halves of its
 /// interval, the others as they go with it, and their own scatter.
 class CurveSampler {
@@ -152,9 +143,10 @@ Propagation propagate_critical_velocity(const DampingCurveFit& fit, const Contac
     const auto critical = [&](std::span<const double> values) -> std::optional<double> {
         const CurveMemory::Entry& entry = entry_of(values.first(count));
         const ContactModel other(model.shared_map(), contact.contact(values.subspan(count)));
-        if (change == DampingUnderChange::held) return critical_velocity_of(other, entry.coefficients[0]);
+        if (change == DampingUnderChange::held)
+            return other.critical_velocity_anywhere(entry.coefficients[0]);
         if (entry.velocities.empty()) return std::nullopt;
-        return critical_velocity_of(other, rereading.critical_damping(other, entry.velocities));
+        return other.critical_velocity_anywhere(rereading.critical_damping(other, entry.velocities));
     };
     return propagate(inputs, critical, options);
 }
@@ -173,7 +165,8 @@ Propagation propagate_critical_velocity(Law law, Detachment detachment, const Ra
     return propagate(
         inputs,
         [&](std::span<const double> values) {
-            return critical_velocity_of(ContactModel(map, contact.contact(values.subspan(1))), values[0]);
+            return ContactModel(map, contact.contact(values.subspan(1)))
+                .critical_velocity_anywhere(values[0]);
         },
         options);
 }

@@ -2,7 +2,6 @@
 
 #include "materials/error.hpp"
 #include "materials/text.hpp"
-#include "solver/critical_velocity.hpp"
 #include "solver/gsl/distribution.hpp"
 #include "solver/uncertainty/fitted_curve.hpp"
 
@@ -27,11 +26,7 @@ double corrected_akaike(const FittedCurve& curve) {
 }
 
 double critical_velocity_at(const ContactModel& model, double damping) {
-    if (const auto read = model.critical_velocity(damping)) return *read;
-    const ScaledImpacts& impacts = model.map().impacts();
-    return critical_velocity(
-               {impacts.law(), impacts.detachment(), {DampingLaw::constant, damping}, model.contact()})
-        .value.value_or(0.0);
+    return model.critical_velocity_anywhere(damping).value_or(0.0);
 }
 
 /// v_c rises with eta_c, so its interval has the same ends.
@@ -83,15 +78,30 @@ void add_range(DampingCurveFit& fit, const RestitutionData& data) {
     fit.extrapolation = fit.restitutions[0] / (fit.restitutions[1] - fit.restitutions[0]);
 }
 
+/// @param options the order becomes that of the fit
+FittedCurve fit_of_order(const ContactModel& model, const ReboundSelection& selection,
+                         DampingCurveOptions& options) {
+    constexpr int lowest = 2;
+    while (true) {
+        try {
+            return fit_curve(model, selection.data, options, selection.noise_known);
+        } catch (const ConvergenceError&) {
+            if (!options.lower_if_needed || options.order <= lowest) throw;
+            --options.order;
+        }
+    }
+}
+
 }  // namespace
 
 DampingCurveFit fit_damping_curve(const ContactModel& model, const MeasurementSet& set,
-                                  const DampingCurveOptions& options) {
+                                  const DampingCurveOptions& wanted) {
     validate(set);
     ReboundSelection selection = select_rebounds(model, set);
-    require_enough(selection, set, options.order);
-    if (options.captures) selection.data.captures = captures_of(set);
-    const FittedCurve curve = fit_curve(model, selection.data, options, selection.noise_known);
+    require_enough(selection, set, wanted.order);
+    if (wanted.captures) selection.data.captures = captures_of(set);
+    DampingCurveOptions options = wanted;
+    const FittedCurve curve = fit_of_order(model, selection, options);
     const Goodness& goodness = curve.goodness;
 
     DampingCurveFit fit{};

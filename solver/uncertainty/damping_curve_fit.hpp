@@ -21,12 +21,15 @@ struct DampingCurveOptions {
     int order = 2;          ///< of the polynomial; the paper's is 2
     bool captures = false;  ///< use which impacts stuck, where the data have captures
     bool robust = false;    ///< bisquare weights take back what lies far from the curve
+    /// Where the likelihood has no maximum of that order, the next lower one down to the quadratic is taken;
+    /// the fit's own options say which.
+    bool lower_if_needed = false;
 };
 
 /// The paper's way: quadratic in e_n, rebounds only, v_c by extrapolation to e_n = 0.
 inline constexpr DampingCurveOptions extrapolated_fit{.order = 2, .captures = false};
 /// Directly: captures included, and two orders more, so that v_c does not hang on eta being quadratic.
-inline constexpr DampingCurveOptions direct_fit{.order = 4, .captures = true};
+inline constexpr DampingCurveOptions direct_fit{.order = 4, .captures = true, .lower_if_needed = true};
 
 /// One rebound in a fit.
 struct FittedRebound {

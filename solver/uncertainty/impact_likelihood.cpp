@@ -11,8 +11,8 @@ namespace ashimpact {
 
 namespace {
 
-constexpr double far = 6.5;             ///< standard uncertainties beyond which noise does not reach
-constexpr double panel_of_noise = 2.5;  ///< length of a panel in the least noise
+constexpr double far = 7.0;             ///< standard uncertainties beyond which noise does not reach
+constexpr double panel_of_noise = 2.0;  ///< length of a panel in the least noise
 
 struct NoiseRange {
     double least = std::numeric_limits<double>::infinity();

@@ -39,6 +39,7 @@ Json one_sample(const std::string& law) {
     document["laws"] = {law};
     document["samples"].erase(0);
     document.erase("camera");
+    document["uncertainty"] = {{"samples", 64}, {"replicates", 4}};
     document["samples"][0].erase("restitution");
     document["samples"][0]["density"] = {{"value", 2300}, {"unit", "kg/m3"}, {"standard_uncertainty", 20}};
     document["work_of_adhesion"] = {{"value", 0.3}, {"unit", "J/m2"}, {"standard_uncertainty", 0.01}};
