@@ -136,7 +136,7 @@ class ReboundDensity {
 };
 
 /// One velocity has one restitution, so v(e) cannot fall. Where eta falls with e it does, a little, close to
-/// e = 0 (by up to 2.8 % with the paper's fits); a greater fall costs, or likelihoods given a rebound would
+/// e = 0 (by up to 1.2 % with the paper's fits); a greater fall costs, or likelihoods given a rebound would
 /// grow without bounds towards curves that fold.
 void add_fold(const CurveNodes::Values& nodes, ImpactLikelihood::Value& result) {
     constexpr double allowed = 0.03;

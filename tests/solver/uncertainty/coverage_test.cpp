@@ -60,7 +60,7 @@ TEST_CASE("the bounds of the coverage test can fail") {
     CHECK_FALSE(too_few(76, 80));
 }
 
-// test_uncertainty --no-skip --test-case="coverage study*": some ten minutes; docs/uncertainty.md has its
+// test_uncertainty --no-skip --test-case="coverage study*": some twenty minutes; docs/uncertainty.md has its
 // table.
 TEST_CASE("coverage study: 1,000 repetitions, all laws" * doctest::skip()) {
     std::puts(
