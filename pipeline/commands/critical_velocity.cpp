@@ -33,9 +33,10 @@ std::string critical_velocity_text(const CriticalVelocityProblem& problem, const
                          name_of(problem.damping.law)));
     list.add("critical velocity", verdict_text(result));
     if (result.verdict == CaptureVerdict::finite) {
-        list.add("contact time", result.contact_time
-                                     ? readable(*result.contact_time, "s")
-                                     : "not computed for this end of contact");
+        list.add("contact time",
+                 result.contact_time
+                     ? readable(*result.contact_time, "s")
+                     : "none: the particle comes to rest ever more slowly, contact never ends");
         if (result.maximum_overlap) list.add("maximum overlap", readable(*result.maximum_overlap, "m"));
         list.add("energy", fmt::format("{} dissipated, {} spent in yielding, {} to break the contact",
                                        readable(result.dissipated, "J"), readable(result.plastic, "J"),

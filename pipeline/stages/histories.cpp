@@ -37,7 +37,7 @@ Json stage_json(const StageMomentum& stage) {
 Json momentum_json(const MomentumBalance& balance) {
     return {{"approach", stage_json(balance.approach)},
             {"rebound", stage_json(balance.rebound)},
-            {"mean_force_ratio", balance.rebound.mean_force / balance.approach.mean_force},
+            {"mean_force_ratio", balance.mean_force_ratio()},
             {"equation_44",
              {{"damping_impulse", quantity_json(balance.damping_impulse, Dimension::impulse)},
               {"momentum_lost", quantity_json(balance.momentum_lost, Dimension::impulse)},
@@ -45,7 +45,8 @@ Json momentum_json(const MomentumBalance& balance) {
             {"equation_45",
              {{"approach_time", quantity_json(balance.approach.duration, Dimension::time)},
               {"rebound_time", quantity_json(balance.rebound.duration, Dimension::time)},
-              {"holds", balance.rebound_is_longer()}}}};
+              {"holds", balance.rebound_is_longer()}}},
+            {"verdict", verdict_of(balance)}};
 }
 
 Json trajectory_json(const std::vector<TrajectoryPoint>& points) {
