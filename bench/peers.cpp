@@ -16,6 +16,9 @@ namespace {
 
 constexpr double hertz_contact_time = 3.21806546;  // undamped, in time scales
 
+constexpr double captured = 0.0;      ///< what a method says that loses too much energy
+constexpr double least_step = 1e-13;  ///< in overlap, with which it would come to rest before the end
+
 using State = std::array<double, 2>;  // overlap and velocity
 
 /// Scaled DMT with constant damping.
@@ -62,6 +65,7 @@ double odeint_restitution(const Impact& impact, double tolerance) {
             step = 0.5 * (next_time - time);
             continue;
         }
+        if (state[1] < 0.0 && next[1] > 0.0) return captured;
         state = next;
         time = next_time;
     }
@@ -71,6 +75,7 @@ double odeint_restitution(const Impact& impact, double tolerance) {
     while (overlap > 0.0) {
         step = std::max(step, -overlap);
         static_cast<void>(last.try_step(in_overlap, state, overlap, step));
+        if (std::abs(step) < least_step && overlap > least_step) return captured;
     }
     return -state[1];
 }
@@ -96,6 +101,7 @@ double gsl_rk8pd(const Impact& impact) {
             inward.restart();
             continue;
         }
+        if (state[1] < 0.0 && next[1] > 0.0) return captured;
         state = next;
         time = next_time;
     }
@@ -124,6 +130,7 @@ double velocity_verlet(const Impact& impact) {
         acceleration = contact.acceleration(next, half);
         const double next_velocity = half + 0.5 * step * acceleration;
         if (next <= 0.0) return -(velocity + (next_velocity - velocity) * overlap / (overlap - next));
+        if (velocity < 0.0 && next_velocity > 0.0) return captured;
         overlap = next;
         velocity = next_velocity;
     }
