@@ -12,16 +12,11 @@
 #include "tests/relative_difference.hpp"
 
 using namespace ashimpact;
+using test::computed_from;
 using test::relative_difference;
 using test::Sandbox;
 
 namespace {
-
-Artifacts computed_from(const Json& document, std::string_view last = "comparison") {
-    const Sandbox sandbox;
-    test::write_example(sandbox, document);
-    return compute_artifacts(sandbox.path("case.json"), last);
-}
 
 const Json& result(const Artifacts& artifacts, std::string_view file) {
     return artifacts.at(file).document.at("result").at("samples")[0];

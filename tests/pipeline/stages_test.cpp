@@ -20,6 +20,7 @@
 #include "tests/relative_difference.hpp"
 
 using namespace ashimpact;
+using test::computed_from;
 using test::relative_difference;
 using test::Sandbox;
 
@@ -39,12 +40,6 @@ const auto& named(const Samples& samples, const std::string& name) {
     for (const auto& sample : samples)
         if (sample.name == name) return sample;
     throw std::logic_error("no such sample");
-}
-
-Artifacts computed_from(const Json& document, std::string_view last = "comparison") {
-    const Sandbox sandbox;
-    test::write_example(sandbox, document);
-    return compute_artifacts(sandbox.path("case.json"), last);
 }
 
 /// The example under one law: fits to measured impacts take their time.

@@ -13,7 +13,7 @@ using namespace ashimpact::test;
 
 namespace {
 
-constexpr unsigned long seed = 20130829;  // the day the paper appeared
+constexpr unsigned long study_seed = 20130829;  // the day the paper appeared
 
 /// Which fit should cover which truth: the paper's is quadratic, the direct one need not care.
 struct Study {
@@ -39,7 +39,7 @@ TEST_CASE("intervals of eta_c and v_c cover the truth: all laws, few repetitions
         Coverage all;
         for (const Law law : laws) {
             const ContactModel model = ash_model(law);
-            const Coverage c = coverage_of(ash_laboratory(model, study.truth), study.options, 20, seed);
+            const Coverage c = coverage_of(ash_laboratory(model, study.truth), study.options, 20, study_seed);
             all.repetitions += c.repetitions;
             all.failures += c.failures;
             all.damping_above += c.damping_above;
@@ -68,7 +68,8 @@ TEST_CASE("coverage study: 1,000 repetitions, all laws" * doctest::skip()) {
     for (const Law law : laws) {
         const ContactModel model = ash_model(law);
         for (const Study& study : studies) {
-            const Coverage c = coverage_of(ash_laboratory(model, study.truth), study.options, 1000, seed);
+            const Coverage c =
+                coverage_of(ash_laboratory(model, study.truth), study.options, 1000, study_seed);
             const double damping = static_cast<double>(c.damping()) / c.repetitions;
             const double velocity = static_cast<double>(c.velocity) / c.repetitions;
             std::printf("%-11s %-12s %-13s %.3f    %.3f    %-6d %-6d %-5d %+.5f  %.4f\n",

@@ -37,7 +37,7 @@ MeasuredDamping analysed(const MeasurementSet& set, Law law = Law::of<BrachDunn>
     return analyse_impacts(law, law.default_detachment(), ash_contact(), set, options);
 }
 
-MeasurementSet set_of(const std::vector<std::pair<double, double>>& impacts) {
+MeasurementSet impacts_of(const std::vector<std::pair<double, double>>& impacts) {
     MeasurementSet set{.source = "lab", .points = {}};
     for (const auto& [velocity, rebound] : impacts)
         set.points.push_back({.velocity = velocity, .rebound = rebound});
@@ -200,7 +200,7 @@ TEST_CASE("impacts without scatter give the damping behind them") {
 }
 
 TEST_CASE("degenerate: every impact captured") {
-    const MeasuredDamping result = analysed(set_of({{0.2, 0.0}, {0.5, 0.0}, {0.8, 0.0}}));
+    const MeasuredDamping result = analysed(impacts_of({{0.2, 0.0}, {0.5, 0.0}, {0.8, 0.0}}));
     check_finite(result);
     CHECK_FALSE(result.extrapolated);
     CHECK_FALSE(result.direct);
@@ -212,14 +212,14 @@ TEST_CASE("degenerate: every impact captured") {
 }
 
 TEST_CASE("degenerate: captured at velocities at which nothing can rebound") {
-    const MeasuredDamping result = analysed(set_of({{1e-4, 0.0}, {2e-4, 0.0}}), Law::of<Jkr>());
+    const MeasuredDamping result = analysed(impacts_of({{1e-4, 0.0}, {2e-4, 0.0}}), Law::of<Jkr>());
     check_finite(result);
     CHECK_FALSE(result.impacts[0].damping);
     CHECK(has_note(result, "every impact was captured"));
 }
 
 TEST_CASE("degenerate: one point") {
-    const MeasuredDamping result = analysed(set_of({{2.0, 0.6}}));
+    const MeasuredDamping result = analysed(impacts_of({{2.0, 0.6}}));
     check_finite(result);
     REQUIRE(result.impacts.size() == 1);
     CHECK(result.impacts[0].damping.value_or(0.0) > 0.0);
@@ -233,7 +233,7 @@ TEST_CASE("degenerate: one point") {
 TEST_CASE("degenerate: restitution falls from the first impact on") {
     std::vector<std::pair<double, double>> impacts;
     for (double v = 2.0; v < 6.0; v += 0.2) impacts.emplace_back(v, v * (0.6 - 0.06 * v));
-    const MeasuredDamping result = analysed(set_of(impacts));
+    const MeasuredDamping result = analysed(impacts_of(impacts));
     check_finite(result);
     CHECK_FALSE(result.rising);
     CHECK_FALSE(result.extrapolated);
@@ -275,7 +275,7 @@ TEST_CASE("degenerate: order does not matter, duplicates count as what they are"
     check_finite(twice);
 
     std::vector<std::pair<double, double>> same(20, {2.0, 0.7});
-    const MeasuredDamping single = analysed(set_of(same));
+    const MeasuredDamping single = analysed(impacts_of(same));
     check_finite(single);
     CHECK_FALSE(single.extrapolated);
     CHECK(has_note(single, "1 distinct rebounds"));
@@ -284,13 +284,13 @@ TEST_CASE("degenerate: order does not matter, duplicates count as what they are"
 TEST_CASE("degenerate: the same restitution at every velocity") {
     std::vector<std::pair<double, double>> impacts;
     for (double v = 1.5; v < 4.0; v += 0.2) impacts.emplace_back(v, 0.4 * v);
-    const MeasuredDamping result = analysed(set_of(impacts));
+    const MeasuredDamping result = analysed(impacts_of(impacts));
     check_finite(result);
 }
 
 TEST_CASE("degenerate: numbers that are none are refused with their line") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    MeasurementSet set = set_of({{2.0, 0.5}, {nan, 0.5}});
+    MeasurementSet set = impacts_of({{2.0, 0.5}, {nan, 0.5}});
     set.points[1].line = 3;
     CHECK(contains(input_error_of([&] { static_cast<void>(analysed(set)); }), "line 3: v_in is nan"));
     set.points[1].velocity = 2.0;
@@ -298,7 +298,7 @@ TEST_CASE("degenerate: numbers that are none are refused with their line") {
     CHECK(contains(input_error_of([&] { static_cast<void>(analysed(set)); }), "line 3: v_r is nan"));
     set.points[1].rebound = -0.5;
     CHECK(contains(input_error_of([&] { static_cast<void>(analysed(set)); }), "v_r is -0.5"));
-    CHECK(contains(input_error_of([&] { static_cast<void>(analysed(set_of({}))); }), "no measurement"));
+    CHECK(contains(input_error_of([&] { static_cast<void>(analysed(impacts_of({}))); }), "no measurement"));
 }
 
 TEST_CASE("a contact that yields is inverted and not fitted") {
@@ -308,8 +308,9 @@ TEST_CASE("a contact that yields is inverted and not fitted") {
                         .contact_modulus = RandomInput{"contact modulus", 90e9},
                         .yield_pressure = 6e9};
     const Law law = Law::of<ThorntonNing>();
-    const MeasuredDamping result = analyse_impacts(law, law.default_detachment(), random_contact(sphere),
-                                                   set_of({{2.0, 0.7}, {3.0, 1.2}}), without_propagation());
+    const MeasuredDamping result =
+        analyse_impacts(law, law.default_detachment(), random_contact(sphere),
+                        impacts_of({{2.0, 0.7}, {3.0, 1.2}}), without_propagation());
     check_finite(result);
     CHECK(result.impacts[1].damping.value_or(0.0) > 0.0);
     CHECK_FALSE(result.extrapolated);
