@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "materials/error.hpp"
+#include "solver/gsl/distribution.hpp"
 #include "solver/gsl/minimum.hpp"
 #include "solver/gsl/quadrature.hpp"
 #include "solver/gsl/random.hpp"
@@ -223,6 +224,18 @@ TEST_CASE("GSL's minimiser: Rosenbrock's valley, and a function that ends") {
         return {std::numeric_limits<double>::infinity(), Eigen::VectorXd::Zero(x.size())};
     }};
     CHECK_THROWS_AS(static_cast<void>(gsl::minimise(nowhere, Eigen::Vector2d(0.0, 0.0))), ConvergenceError);
+}
+
+TEST_CASE("the slope of ln Phi, up to where the density is too small for a number") {
+    for (const double x : {-30.0, -1.0, 0.0, 2.0}) {
+        CAPTURE(x);
+        const double h = 1e-5;
+        const double difference =
+            (gsl::log_normal_probability(x + h) - gsl::log_normal_probability(x - h)) / (2.0 * h);
+        CHECK(relative_difference(gsl::log_normal_probability_slope(x), difference) < 1e-7);
+    }
+    CHECK(gsl::log_normal_probability_slope(36.9) > 0.0);
+    CHECK(gsl::log_normal_probability_slope(1e3) == 0.0);
 }
 
 TEST_CASE("GSL's minimiser of one variable: a parabola, and a guess that is no better than the ends") {
