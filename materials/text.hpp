@@ -28,6 +28,9 @@ namespace ashimpact {
 [[nodiscard]] std::vector<std::string> nearest(std::string_view word,
                                                const std::vector<std::string>& candidates, std::size_t count);
 
+/// "a pressure", "an energy": the indefinite article by the first letter.
+[[nodiscard]] std::string with_article(std::string_view noun);
+
 /// The words with ", " between them.
 [[nodiscard]] std::string joined(const std::vector<std::string>& words);
 

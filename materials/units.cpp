@@ -43,7 +43,7 @@ const DimensionRow& row(Dimension dimension) {
 
 std::string allowed(Dimension dimension) {
     const auto& [_, name, unit, examples] = row(dimension);
-    return "a " + std::string(name) + " [" + std::string(unit) + "], e.g. " + std::string(examples);
+    return with_article(name) + " [" + std::string(unit) + "], e.g. " + std::string(examples);
 }
 
 /// The number of 15 significant digits next to it: takes away the rounding errors of a product of unit

@@ -48,6 +48,8 @@ class RestitutionCurve {
     problem_text << "restitution " << problem.restitution << " cannot be reached by damping law '"
                  << name_of(problem.damping_law) << "' with contact law '" << problem.law.name() << "' at "
                  << problem.velocity << " m/s";
+    if (!(greatest > 0))
+        throw InputError(problem_text.str(), "a velocity at which the impact rebounds without damping");
     std::ostringstream allowed;
     allowed.precision(8);
     allowed << (reaches_zero ? "0 <= e <= " : "0 < e <= ") << greatest;

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "pipeline/cli/argument_checks.hpp"
 #include "pipeline/cli/commands.hpp"
 #include "pipeline/commands/critical_velocity.hpp"
 #include "pipeline/commands/damping.hpp"
@@ -63,13 +64,15 @@ void add_impact(CLI::App& program, Action& action) {
     command
         ->add_option("--time-step", options->time_step, "of paper-explicit; default: 10000 steps a contact")
         ->type_name("Q");
-    command
-        ->add_option("--trajectory", options->trajectory,
-                     "write overlap, velocity and forces against time (CSV)")
-        ->type_name("FILE");
+    auto* trajectory = command
+                           ->add_option("--trajectory", options->trajectory,
+                                        "write overlap, velocity and forces against time (CSV)")
+                           ->type_name("FILE")
+                           ->check(not_empty());
     command->add_option("--points", options->points, "number of points of the trajectory")
         ->capture_default_str()
-        ->check(CLI::Range(2, 10'000'000));
+        ->check(whole_number(2, 10'000'000))
+        ->needs(trajectory);
     command->add_flag("--json", options->json, json_help);
     command->callback(
         [options, &action] { action = [options](std::ostream& out) { run_impact_command(*options, out); }; });
@@ -104,14 +107,15 @@ void add_damping(CLI::App& program, Action& action) {
         ->add_option("--impacts", options->impacts,
                      "instead of one impact a CSV table of many, with a heading such as \"v_in [m/s], v_r "
                      "[m/s]\": damping of each, fits, critical velocity with its interval")
-        ->type_name("FILE");
+        ->type_name("FILE")
+        ->check(not_empty());
     command->add_option("--frame-rate", options->frame_rate, "of the camera, frames per second")
         ->type_name("X");
     command->add_option("--pixel-size", options->pixel_size, "of the camera, in the object, \"2 um\"")
         ->type_name("Q");
     command->add_option("--bin", options->bin, "rebounds to be put into one point")
         ->type_name("N")
-        ->check(CLI::Range(1, 1'000'000));
+        ->check(whole_number(1, 1'000'000));
     command->add_flag("--json", options->json, json_help);
     command->callback([options, &action] {
         action = [options](std::ostream& out) { run_damping_command(*options, out); };

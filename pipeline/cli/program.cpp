@@ -1,7 +1,6 @@
 #include "pipeline/cli/program.hpp"
 
 #include <fmt/format.h>
-#include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
@@ -10,8 +9,9 @@
 
 #include "data/version.hpp"
 #include "materials/error.hpp"
-#include "materials/text.hpp"
 #include "pipeline/cli/commands.hpp"
+#include "pipeline/cli/held_warnings.hpp"
+#include "pipeline/cli/usage.hpp"
 
 namespace ashimpact {
 
@@ -29,11 +29,12 @@ std::string version_text() {
     return fmt::format("ashimpact {} ({})", program_version(), program_revision());
 }
 
-void set_up_messages() {
-    auto logger =
-        std::make_shared<spdlog::logger>("ashimpact", std::make_shared<spdlog::sinks::stderr_sink_st>());
+std::shared_ptr<HeldWarnings> set_up_messages() {
+    auto messages = std::make_shared<HeldWarnings>();
+    auto logger = std::make_shared<spdlog::logger>("ashimpact", messages);
     logger->set_pattern("%v");
     spdlog::set_default_logger(std::move(logger));
+    return messages;
 }
 
 void add_common_options(CLI::App& app) {
@@ -45,8 +46,14 @@ void add_common_options(CLI::App& app) {
 }
 
 /// Runs a command and checks that what it printed arrived.
-void perform(const Action& action) {
-    action(std::cout);
+void perform(const Action& action, HeldWarnings& messages) {
+    try {
+        action(std::cout);
+    } catch (const InputError&) {
+        messages.drop();  // one line says what is wrong
+        throw;
+    }
+    messages.release();
     std::cout.flush();
     if (!std::cout) throw InputError("cannot be written", "a place with room").at("standard output");
 }
@@ -54,23 +61,6 @@ void perform(const Action& action) {
 std::string one_line(std::string text) {
     std::replace(text.begin(), text.end(), '\n', ' ');
     return text;
-}
-
-int usage_error(const CLI::App& program, const CLI::ParseError& error) {
-    const auto chosen = program.get_subcommands();
-    if (!chosen.empty()) {
-        const std::string command = "ashimpact " + chosen.front()->get_name();
-        spdlog::error("{}: {}; see `{} --help`", command, one_line(error.what()), command);
-        return wrong_input;
-    }
-    const auto unknown = program.remaining();
-    std::string commands;
-    for (const CLI::App* each : program.get_subcommands([](const CLI::App*) { return true; }))
-        commands += (commands.empty() ? "" : ", ") + each->get_name();
-    spdlog::error("ashimpact: {}; allowed: {}; see `ashimpact --help`",
-                  unknown.empty() ? "a command is missing" : "unknown command " + in_quotes(unknown.front()),
-                  commands);
-    return wrong_input;
 }
 
 }  // namespace
@@ -84,7 +74,7 @@ CLI::App* add_command(CLI::App& program, const std::string& name, const std::str
 }
 
 int run_program(int argc, const char* const* argv, const SweepRunner& sweep) {
-    set_up_messages();
+    const auto messages = set_up_messages();
     CLI::App program(purpose, "ashimpact");
     add_common_options(program);
     program.require_subcommand(1);
@@ -96,16 +86,18 @@ int run_program(int argc, const char* const* argv, const SweepRunner& sweep) {
     add_document_commands(program, action);
     try {
         program.parse(argc, argv);
-        perform(action);
+        perform(action, *messages);
         return done;
     } catch (const CLI::Success& request) {  // --help, --version
         return program.exit(request);
     } catch (const CLI::ParseError& error) {
-        return usage_error(program, error);
+        spdlog::error("{}", usage_error(program, error));
+        return wrong_input;
     } catch (const InputError& error) {
         spdlog::error("{}", one_line(error.what()));
         return wrong_input;
     } catch (const ConvergenceError& error) {
+        messages->release();
         spdlog::error("not converged: {}", one_line(error.what()));
         return not_converged;
     } catch (const std::exception& error) {

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "pipeline/cli/argument_checks.hpp"
 #include "pipeline/cli/commands.hpp"
 
 namespace ashimpact {
@@ -28,15 +29,17 @@ void add_sweep_command(CLI::App& program, Action& action, const SweepRunner& run
     const auto options = std::make_shared<SweepOptions>();
     command->add_option("spec", options->spec, "JSON file that says what to compute")
         ->required()
-        ->type_name("SPEC.json");
+        ->type_name("SPEC.json")
+        ->check(not_empty());
     command
         ->add_option("-o,--output", options->output,
                      "JSON file for the result; a full table goes beside it (.h5)")
         ->required()
-        ->type_name("FILE");
+        ->type_name("FILE")
+        ->check(not_empty());
     command->add_option("--threads", options->threads, "of each process; 0: its share of the cores")
         ->capture_default_str()
-        ->check(CLI::Range(0, 1024));
+        ->check(whole_number(0, 1024));
     command->add_option("--checkpoint", options->checkpoint_interval, "seconds between checkpoints")
         ->capture_default_str()
         ->check(CLI::Range(0.0, 1e6))

@@ -7,6 +7,7 @@
 #include "materials/checks.hpp"
 #include "materials/contact_properties.hpp"
 #include "materials/error.hpp"
+#include "materials/text.hpp"
 #include "pipeline/case/laws.hpp"
 
 namespace ashimpact {
@@ -23,21 +24,13 @@ auto at_option(const std::string& option, Read&& read) {
     }
 }
 
-double read_positive(const std::string& option, const std::string& text, Dimension dimension) {
-    const double value = read_option(option, text, dimension);
-    return at_option(option, [&] {
-        require_positive(dimension_name(dimension), value, dimension);
-        return value;
-    });
-}
-
 double read_mass(const ContactOptions& options, double radius) {
     if (options.density.empty() == options.mass.empty()) {
         const std::string problem = options.mass.empty() ? "neither is given" : "both are given";
         throw InputError(problem, "one of the two").at("--density, --mass");
     }
-    if (!options.mass.empty()) return read_positive("--mass", options.mass, Dimension::mass);
-    return sphere_mass(radius, read_positive("--density", options.density, Dimension::density));
+    if (!options.mass.empty()) return read_positive_option("--mass", options.mass, Dimension::mass);
+    return sphere_mass(radius, read_positive_option("--density", options.density, Dimension::density));
 }
 
 double read_work_of_adhesion(const ContactOptions& options, Law law) {
@@ -53,7 +46,8 @@ double read_work_of_adhesion(const ContactOptions& options, Law law) {
 }
 
 double read_yield_pressure(const ContactOptions& options, Law law) {
-    if (yields(law)) return read_positive("--yield-pressure", options.yield_pressure, Dimension::pressure);
+    if (yields(law))
+        return read_positive_option("--yield-pressure", options.yield_pressure, Dimension::pressure);
     if (!options.yield_pressure.empty())
         spdlog::warn("warning: --yield-pressure: {} never yields, so it changes nothing", law.name());
     return std::numeric_limits<double>::infinity();
@@ -74,22 +68,30 @@ Detachment read_detachment(const std::string& name, Law law) {
 double read_option(const std::string& option, const std::string& text, Dimension dimension) {
     return at_option(option, [&] {
         if (text.empty())
-            throw InputError("is missing", "a " + std::string(dimension_name(dimension)) + " [" +
+            throw InputError("is missing", with_article(dimension_name(dimension)) + " [" +
                                                std::string(si_unit(dimension)) + "]");
         return parse_quantity(text, dimension);
+    });
+}
+
+double read_positive_option(const std::string& option, const std::string& text, Dimension dimension) {
+    const double value = read_option(option, text, dimension);
+    return at_option(option, [&] {
+        require_positive(dimension_name(dimension), value, dimension);
+        return value;
     });
 }
 
 ContactChoice read_contact(const ContactOptions& options) {
     const Law law = at_option("--law", [&] { return Law::named(options.law); });
     const Detachment detachment = read_detachment(options.detachment, law);
-    const double radius = read_positive("--radius", options.radius, Dimension::length);
-    const ContactPair contact{
-        .mass = read_mass(options, radius),
-        .effective_radius = radius,
-        .contact_modulus = read_positive("--contact-modulus", options.contact_modulus, Dimension::pressure),
-        .work_of_adhesion = read_work_of_adhesion(options, law),
-        .yield_pressure = read_yield_pressure(options, law)};
+    const double radius = read_positive_option("--radius", options.radius, Dimension::length);
+    const ContactPair contact{.mass = read_mass(options, radius),
+                              .effective_radius = radius,
+                              .contact_modulus = read_positive_option(
+                                  "--contact-modulus", options.contact_modulus, Dimension::pressure),
+                              .work_of_adhesion = read_work_of_adhesion(options, law),
+                              .yield_pressure = read_yield_pressure(options, law)};
     return {law, detachment, contact};
 }
 

@@ -38,4 +38,8 @@ struct ContactChoice {
 /// What an option says [SI unit of the dimension]. @throws InputError naming the option
 [[nodiscard]] double read_option(const std::string& option, const std::string& text, Dimension dimension);
 
+/// The same, > 0. @throws InputError naming the option
+[[nodiscard]] double read_positive_option(const std::string& option, const std::string& text,
+                                          Dimension dimension);
+
 }  // namespace ashimpact

@@ -38,7 +38,7 @@ void run_damping_command(const DampingOptions& options, std::ostream& out) {
         .detachment = choice.detachment,
         .damping_law = read_damping(options.contact).law,
         .contact = choice.contact,
-        .velocity = read_option("--velocity", options.velocity, Dimension::velocity),
+        .velocity = read_positive_option("--velocity", options.velocity, Dimension::velocity),
         .restitution = read_option("--restitution", options.restitution, Dimension::fraction)};
     const DampingInversion inversion = damping_from_restitution(problem);
     const Impact impact{.law = problem.law,

@@ -143,7 +143,7 @@ Solution solve(const ImpactOptions& options, const Impact& impact) {
     validate(impact);
     const double time_step = options.time_step.empty()
                                  ? explicit_time_step(impact, steps)
-                                 : read_option("--time-step", options.time_step, Dimension::time);
+                                 : read_positive_option("--time-step", options.time_step, Dimension::time);
     return {solve_impact_explicit(impact, {.time_step = time_step}), time_step};
 }
 
@@ -151,11 +151,12 @@ Solution solve(const ImpactOptions& options, const Impact& impact) {
 
 void run_impact_command(const ImpactOptions& options, std::ostream& out) {
     const ContactChoice choice = read_contact(options.contact);
-    const Impact impact{.law = choice.law,
-                        .detachment = choice.detachment,
-                        .damping = read_damping(options.contact),
-                        .contact = choice.contact,
-                        .velocity = read_option("--velocity", options.velocity, Dimension::velocity)};
+    const Impact impact{
+        .law = choice.law,
+        .detachment = choice.detachment,
+        .damping = read_damping(options.contact),
+        .contact = choice.contact,
+        .velocity = read_positive_option("--velocity", options.velocity, Dimension::velocity)};
     const auto [result, time_step] = solve(options, impact);
     warn_of_regime(regime_of(impact, result.maximum_overlap));
     if (!options.trajectory.empty()) {

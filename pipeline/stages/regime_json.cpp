@@ -6,6 +6,7 @@ namespace ashimpact {
 
 Json regime_json(const Regime& regime) {
     return {{"tabor_parameter", regime.tabor_parameter},
+            {"equilibrium_separation", quantity_json(equilibrium_separation, Dimension::length)},
             {"adhesion", name_of(regime.adhesion)},
             {"damping_number", regime.damping_number},
             {"adhesion_number", regime.adhesion_number},

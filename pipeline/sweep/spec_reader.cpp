@@ -75,7 +75,7 @@ void require_input(const View& document, const SweepSpec& spec, ImpactInput inpu
     if (is_given(spec, input)) return;
     document.at("impact").fail(
         in_quotes(name_of(input)) + " is missing" + why,
-        "a " + std::string(dimension_name(dimension_of(input, spec.damping_law))) + " here or in /variables");
+        with_article(dimension_name(dimension_of(input, spec.damping_law))) + " here or in /variables");
 }
 
 /// An input that no law of the sweep looks at changes nothing: said, not refused.

@@ -44,7 +44,7 @@ class VariableReader {
 
     [[nodiscard]] double at(const char* key) const {
         if (!node_.has(key))
-            node_.fail(in_quotes(key) + " is missing", "a " + std::string(dimension_name(dimension_)));
+            node_.fail(in_quotes(key) + " is missing", with_article(dimension_name(dimension_)));
         return node_.at(key).number(dimension_);
     }
 

@@ -1,0 +1,44 @@
+#include "pipeline/cli/held_warnings.hpp"
+
+#include <cstdio>
+
+namespace ashimpact {
+
+namespace {
+
+void write_message(std::string_view text) {
+    std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+}  // namespace
+
+HeldWarnings::~HeldWarnings() {
+    write_message(held_);
+}
+
+void HeldWarnings::release() {
+    const std::lock_guard lock(mutex_);
+    write_message(held_);
+    held_.clear();
+}
+
+void HeldWarnings::drop() {
+    const std::lock_guard lock(mutex_);
+    held_.clear();
+}
+
+void HeldWarnings::sink_it_(const spdlog::details::log_msg& message) {
+    spdlog::memory_buf_t line;
+    formatter_->format(message, line);
+    const std::string_view text(line.data(), line.size());
+    if (message.level == spdlog::level::warn)
+        held_ += text;
+    else
+        write_message(text);
+}
+
+void HeldWarnings::flush_() {
+    std::fflush(stderr);
+}
+
+}  // namespace ashimpact

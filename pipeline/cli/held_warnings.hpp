@@ -1,0 +1,34 @@
+#pragma once
+
+#include <spdlog/sinks/base_sink.h>
+
+#include <mutex>
+#include <string>
+
+namespace ashimpact {
+
+/// Standard error. Warnings wait until it is known whether the command's input is right at all: an error in
+/// the input is told in one line, without remarks on results that there are not. Safe for several threads.
+class HeldWarnings : public spdlog::sinks::base_sink<std::mutex> {
+  public:
+    HeldWarnings() = default;
+    ~HeldWarnings() override;
+    HeldWarnings(const HeldWarnings&) = delete;
+    HeldWarnings& operator=(const HeldWarnings&) = delete;
+    HeldWarnings(HeldWarnings&&) = delete;
+    HeldWarnings& operator=(HeldWarnings&&) = delete;
+
+    /// Writes what waits.
+    void release();
+    /// Forgets what waits.
+    void drop();
+
+  protected:
+    void sink_it_(const spdlog::details::log_msg& message) override;
+    void flush_() override;
+
+  private:
+    std::string held_;
+};
+
+}  // namespace ashimpact
