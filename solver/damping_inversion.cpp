@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 
 namespace ashimpact {
@@ -49,7 +50,7 @@ class RestitutionCurve {
                  << name_of(problem.damping_law) << "' with contact law '" << problem.law.name() << "' at "
                  << problem.velocity << " m/s";
     if (!(greatest > 0))
-        throw InputError(problem_text.str(), "a velocity at which the impact rebounds without damping");
+        throw InputError(problem_text.str(), "0, or a velocity at which the impact rebounds without damping");
     std::ostringstream allowed;
     allowed.precision(8);
     allowed << (reaches_zero ? "0 <= e <= " : "0 < e <= ") << greatest;
@@ -96,6 +97,25 @@ double solution_within(RestitutionCurve& curve, double target, double lower, dou
     return gsl::brent(miss, lower, upper, {.relative = spacing}).root;
 }
 
+/// A root of double precision with its last bits from extended precision: Newton, the slope a difference of
+/// doubles. None where restitution is so steep or so rough that this does not settle at once.
+std::optional<double> corrected(RestitutionCurve& curve, double target, double root) {
+    constexpr double part = 1e-6;
+    constexpr double spacing = std::numeric_limits<double>::epsilon();
+    constexpr int most_corrections = 3;
+    const double rise = curve.at<double>(root * (1 + part)) - curve.at<double>(root * (1 - part));
+    const double slope = rise / (2 * part * root);
+    if (!(slope < 0)) return std::nullopt;
+    double number = root;
+    for (int i = 0; i < most_corrections; ++i) {
+        const double step = static_cast<double>(curve.at<Extended>(number) - target) / slope;
+        if (std::abs(step) <= spacing * number) return number;
+        if (!(std::abs(step) < part * root)) return std::nullopt;
+        number -= step;
+    }
+    return std::nullopt;
+}
+
 double scaled_solution(const DampingProblem& problem, RestitutionCurve& curve) {
     const double target = problem.restitution;
     if (target == 0.0) return smallest_capturing(problem, curve);
@@ -103,6 +123,7 @@ double scaled_solution(const DampingProblem& problem, RestitutionCurve& curve) {
     if (curve.at<double>(0.0) <= target) return solution_within(curve, target, 0.0, most);
     const auto miss = [&](double number) { return curve.at<double>(number) - target; };
     const double root = gsl::brent(miss, 0.0, most).root;
+    if (const auto exact = corrected(curve, target, root)) return *exact;
     for (double margin = 1e-12; margin < 0.1; margin *= 100) {
         const double lower = root * (1 - margin);
         const double upper = root * (1 + margin);

@@ -284,7 +284,7 @@ TEST_CASE("wrong options: exit 2, one line that names the option") {
                    "--points: is \"1\"; allowed: a whole number from 2 to 10000000"},
              Wrong{"impact --law hertz --velocity -2" + contact, "--velocity: velocity is -2 m/s"},
              Wrong{"damping --law jkr --velocity 0.001 --restitution 0.3" + contact,
-                   "allowed: a velocity at which the impact rebounds without damping"},
+                   "allowed: 0, or a velocity at which the impact rebounds without damping"},
              Wrong{"impact --law jkr --velocity 2 --method paper-explicit" + contact,
                    "cannot treat law 'jkr'"},
              Wrong{
