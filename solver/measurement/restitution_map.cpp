@@ -13,6 +13,7 @@ namespace {
 constexpr int root_degree = 26;      ///< along the cube root of the restitution
 constexpr int time_degree = 14;      ///< the same for contact times
 constexpr double least_timed = 0.3;  ///< cube root of e below which contact times are solved, not tabulated
+constexpr double least_in_batch = 0.3;  ///< cube root of e below which dampings are searched for one by one
 constexpr double margin = 0.05;      ///< distance in x from where every impact is captured
 
 /// Degree along x: the dependence on adhesion is smooth over factors of velocity.
@@ -24,6 +25,24 @@ int degree_for(ScaledVelocityRange range) {
 double cube(double x) {
     return x * x * x;
 }
+
+/// The places of a table's nodes whose root is not below a least one.
+struct NodePlaces {
+    Eigen::ArrayXd root;
+    Eigen::ArrayXd x;
+
+    NodePlaces(const ChebyshevAxis& roots, const ChebyshevAxis& along, int first_root, int end_root) {
+        const int rows = end_root - first_root;
+        root.resize(static_cast<Eigen::Index>(rows) * (along.degree + 1));
+        x.resize(root.size());
+        for (int j = 0; j <= along.degree; ++j) {
+            for (int i = 0; i < rows; ++i) {
+                root[j * rows + i] = roots.node(first_root + i);
+                x[j * rows + i] = along.node(j);
+            }
+        }
+    }
+};
 
 }  // namespace
 
@@ -41,40 +60,48 @@ RestitutionMap::RestitutionMap(Law law, Detachment detachment, ScaledVelocityRan
     check();
 }
 
+ChebyshevAxis RestitutionMap::axis_of_x() const {
+    if (!impacts_.adhesive()) return {0.0, 0.0, 0};
+    return {range_.lower, range_.upper, degree_for(range_)};
+}
+
 void RestitutionMap::tabulate_damping() {
-    const bool adhesive = impacts_.adhesive();
     const ChebyshevAxis root{0.0, 1.0, root_degree};
-    const ChebyshevAxis along{adhesive ? range_.lower : 0.0, adhesive ? range_.upper : 0.0,
-                              adhesive ? degree_for(range_) : 0};
+    const ChebyshevAxis along = axis_of_x();
+    int weak = 0;  // nodes whose rebound is too slow for the batch solver's accuracy
+    while (root.node(weak) < least_in_batch) ++weak;
     Eigen::MatrixXd numbers = Eigen::MatrixXd::Zero(root.degree + 1, along.degree + 1);
-    // From strong to weak impacts and from e = 1 to 0, so that the last solutions tell where the next one is.
+    const NodePlaces places(root, along, weak, root.degree);
+    const Eigen::ArrayXd restitution = places.root.binaryExpr(
+        places.x, [&](double each, double x) { return cube(each) * impacts_.greatest_restitution(x); });
+    numbers.middleRows(weak, root.degree - weak) =
+        impacts_.damping_numbers(restitution, places.x)
+            .reshaped(root.degree - weak, along.degree + 1)
+            .matrix();
+    // From strong to weak impacts and towards e = 0, so that the last solutions tell where the next one is.
     for (int j = along.degree; j >= 0; --j) {
         const double x = along.node(j);
-        double shift = 0.0;
-        for (int i = root.degree - 1; i >= 0; --i) {
+        for (int i = weak - 1; i >= 0; --i) {
             const double e = cube(root.node(i)) * impacts_.greatest_restitution(x);
             const bool first = j == along.degree;
-            const double guess = first ? 1.2 * (1.0 - e) : numbers(i, j + 1) + shift;
+            const double shift = first ? 0.0 : numbers(i + 1, j) - numbers(i + 1, j + 1);
+            const double guess = first ? numbers(i + 1, j) : numbers(i, j + 1) + shift;
             const double width = first ? 0.1 : std::max(2e-4, 0.1 * std::abs(shift));
             numbers(i, j) = impacts_.damping_number(e, x, {.guess = std::max(0.0, guess), .width = width});
-            if (!first) shift = numbers(i, j) - numbers(i, j + 1);
         }
     }
     damping_ = ChebyshevSurface(root, along, numbers);
 }
 
 void RestitutionMap::tabulate_times() {
-    const bool adhesive = impacts_.adhesive();
     const ChebyshevAxis root{least_timed, 1.0, time_degree};
-    const ChebyshevAxis along{adhesive ? range_.lower : 0.0, adhesive ? range_.upper : 0.0,
-                              adhesive ? degree_for(range_) : 0};
-    Eigen::MatrixXd times(root.degree + 1, along.degree + 1);
-    for (int j = 0; j <= along.degree; ++j) {
-        for (int i = 0; i <= root.degree; ++i) {
-            times(i, j) = impacts_.contact_time(damping_(root.node(i), along.node(j)).value, along.node(j));
-        }
-    }
-    time_ = ChebyshevSurface(root, along, times);
+    const ChebyshevAxis along = axis_of_x();
+    const NodePlaces places(root, along, 0, root.degree + 1);
+    const Eigen::ArrayXd numbers = places.root.binaryExpr(
+        places.x, [&](double each, double x) { return std::max(0.0, damping_(each, x).value); });
+    time_ = ChebyshevSurface(
+        root, along,
+        impacts_.contact_times(numbers, places.x).reshaped(root.degree + 1, along.degree + 1).matrix());
 }
 
 void RestitutionMap::check() {

@@ -30,7 +30,7 @@ struct DampingNumber {
 /// approximation is checked against solved impacts when it is made, see accuracy().
 class RestitutionMap {
   public:
-    /// Solves the impacts (0.05 to 0.2 s). The range is cut where every impact is captured.
+    /// Solves the impacts (some hundredths of a second). The range is cut where every impact is captured.
     /// @throws InputError for a detachment that does not capture or a range that is empty
     RestitutionMap(Law law, Detachment detachment, ScaledVelocityRange range);
 
@@ -46,6 +46,7 @@ class RestitutionMap {
     [[nodiscard]] double contact_time(double restitution, double x) const;
 
   private:
+    [[nodiscard]] ChebyshevAxis axis_of_x() const;
     void tabulate_damping();
     void tabulate_times();
     void check();

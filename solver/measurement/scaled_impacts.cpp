@@ -1,6 +1,8 @@
 #include "solver/measurement/scaled_impacts.hpp"
 
 #include "materials/error.hpp"
+#include "solver/batch/impact_batch.hpp"
+#include "solver/batch/inversion_batch.hpp"
 #include "solver/critical_velocity.hpp"
 #include "solver/gsl/root.hpp"
 #include "solver/impact.hpp"
@@ -30,6 +32,26 @@ Impact impact_at(const ScaledImpacts& impacts, double damping_number, double vel
             .damping = {DampingLaw::constant, coefficient},
             .contact = unit_pair,
             .velocity = velocity};
+}
+
+/// The unit pair, for any number of impacts.
+struct UnitPairColumns {
+    Eigen::ArrayXd one = Eigen::ArrayXd::Constant(1, 1.0);
+    Eigen::ArrayXd modulus = Eigen::ArrayXd::Constant(1, unit_pair.contact_modulus);
+
+    [[nodiscard]] ContactColumns columns() const { return {one, one, modulus, one}; }
+};
+
+/// Damping coefficient of damping number one at each velocity.
+Eigen::ArrayXd damping_units(const Eigen::ArrayXd& velocities) {
+    return velocities.unaryExpr([](double velocity) {
+        return Scale::of(unit_pair, velocity).damping_coefficient(DampingLaw::constant, 1.0);
+    });
+}
+
+/// The scale's time L/v at each velocity.
+Eigen::ArrayXd time_units(const Eigen::ArrayXd& velocities) {
+    return velocities.unaryExpr([](double velocity) { return Scale::of(unit_pair, velocity).time(); });
 }
 
 CriticalVelocity critical_of(const Impact& impact) {
@@ -98,6 +120,30 @@ double ScaledImpacts::damping_number(double restitution, double x, const Search&
             return critical.value ? std::log(velocity(x) / *critical.value) : 1.0;
         },
         search);
+}
+
+Eigen::ArrayXd ScaledImpacts::velocities(const Eigen::ArrayXd& x) const {
+    return x.unaryExpr([this](double each) { return velocity(each); });
+}
+
+Eigen::ArrayXd ScaledImpacts::damping_numbers(const Eigen::ArrayXd& restitution,
+                                              const Eigen::ArrayXd& x) const {
+    const UnitPairColumns unit;
+    const Eigen::ArrayXd speed = velocities(x);
+    const auto found = dampings_from_restitutions(
+        {law_, detachment_, DampingLaw::constant, unit.columns(), speed, restitution});
+    return found.damping / damping_units(speed);
+}
+
+Eigen::ArrayXd ScaledImpacts::contact_times(const Eigen::ArrayXd& damping_number,
+                                            const Eigen::ArrayXd& x) const {
+    const UnitPairColumns unit;
+    const Eigen::ArrayXd speed = velocities(x);
+    const Eigen::ArrayXd damping = damping_number * damping_units(speed);
+    const auto solved =
+        solve_impacts({law_, detachment_, DampingLaw::constant, unit.columns(), damping, speed},
+                      {.turning_point = false});
+    return solved.contact_time / time_units(speed);
 }
 
 }  // namespace ashimpact

@@ -4,6 +4,8 @@
 #include "solver/contact/pair.hpp"
 #include "solver/contact/registry.hpp"
 
+#include <Eigen/Core>
+
 namespace ashimpact {
 
 /// The impacts of one law with constant damping, reduced to their two numbers: the logarithm x = ln(v/V_a) of
@@ -37,8 +39,17 @@ class ScaledImpacts {
     };
     [[nodiscard]] double damping_number(double restitution, double x, const Search& search) const;
 
+    /// Damping numbers of many impacts on the batch solver, to its accuracy, which leaves all digits at
+    /// e > 0.02 or so. @param restitution 0 < e <= greatest_restitution(x) [1]; @param x of the same length
+    [[nodiscard]] Eigen::ArrayXd damping_numbers(const Eigen::ArrayXd& restitution,
+                                                 const Eigen::ArrayXd& x) const;
+    /// Contact times of many impacts that rebound, as contact_time() [1].
+    [[nodiscard]] Eigen::ArrayXd contact_times(const Eigen::ArrayXd& damping_number,
+                                               const Eigen::ArrayXd& x) const;
+
   private:
     [[nodiscard]] double velocity(double x) const;
+    [[nodiscard]] Eigen::ArrayXd velocities(const Eigen::ArrayXd& x) const;
 
     Law law_;
     Detachment detachment_;
