@@ -52,7 +52,7 @@ std::string wrong_count(const CLI::App& command, const std::string& message) {
 }
 
 std::string what_is_wrong(const CLI::App& command, const CLI::Error& error) {
-    const std::string message = error.what();
+    std::string message = error.what();
     if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) return missing(command);
     if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) return unexpected(command);
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) return wrong_count(command, message);
