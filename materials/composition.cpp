@@ -24,6 +24,10 @@ std::string per_cent(double fraction) {
     return shortest(std::round(fraction * 1e6) / 1e4) + " %";
 }
 
+std::string to_tenths(double value) {
+    return shortest(std::round(value * 10) / 10);
+}
+
 /// v_i x_i / sum v_j x_j
 std::vector<double> normalised_products(std::span<const double> fractions, std::span<const double> factors) {
     assert(fractions.size() == factors.size());
@@ -52,8 +56,8 @@ Component component(const PhaseFraction& line, ResolvedPhase resolved, std::vect
     if (!resolved.note.empty()) notes.push_back(resolved.note);
     if (!line.density) return result;
     const double catalogue = result.phase.density.value;
-    notes.push_back("the file's density of " + in_quotes(line.name) + ", " + shortest(*line.density) +
-                    " kg/m3, is used; the catalogue has " + shortest(catalogue) + " kg/m3 (" +
+    notes.push_back("the file's density of " + in_quotes(line.name) + ", " + to_tenths(*line.density) +
+                    " kg/m3, is used; the catalogue has " + to_tenths(catalogue) + " kg/m3 (" +
                     per_cent(*line.density / catalogue - 1) + ")");
     result.phase.density = {.value = *line.density};
     return result;
@@ -185,6 +189,14 @@ void note_rescaling(const FractionModel& model, std::vector<std::string>& notes)
                     per_cent(expected));
 }
 
+/// The modulus of the glass is the least certain input; its catalogue entry says why.
+void note_glass(Composition& composition) {
+    for (const Component& c : composition.components)
+        if (c.phase.amorphous && !c.phase.remark.empty())
+            composition.notes.push_back(in_quotes(c.name) + " is taken as " + c.phase.name + ": " +
+                                        c.phase.remark);
+}
+
 void fill_fractions(Composition& composition) {
     const std::vector<double> fractions = composition.model.fractions();
     std::vector<double> densities;
@@ -229,6 +241,7 @@ Composition compose(const Analysis& analysis, const PhaseCatalogue& catalogue) {
             component(rest, catalogue.resolve(analysis.amorphous_phase), composition.notes));
     }
     refuse_repeated(composition.components);
+    note_glass(composition);
     note_rescaling(composition.model, composition.notes);
     fill_fractions(composition);
     return composition;

@@ -29,7 +29,8 @@ class Watcher {
     [[nodiscard]] std::string pointer() const {
         std::string pointer;
         for (const Level& level : levels_)
-            pointer = level.is_array ? child_pointer(pointer, level.index) : child_pointer(pointer, level.key);
+            pointer =
+                level.is_array ? child_pointer(pointer, level.index) : child_pointer(pointer, level.key);
         return pointer.empty() ? "/" : pointer;
     }
 
@@ -117,7 +118,8 @@ Json parse_json(std::string_view text) {
         throw InputError("this is not valid JSON: " + reason_of(error.what()), "JSON (RFC 8259)")
             .at(place_of(text, error.byte));
     } catch (const Json::out_of_range&) {
-        throw InputError("a number is out of the range of double precision", "finite numbers").at(watcher.pointer());
+        throw InputError("a number is out of the range of double precision", "finite numbers")
+            .at(watcher.pointer());
     }
 }
 

@@ -21,9 +21,9 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] std::string child_pointer(const std::string& pointer, std::string_view key);
 [[nodiscard]] std::string child_pointer(const std::string& pointer, std::size_t index);
 
-/// Parses the user's JSON, stricter than the library: a key twice in one object (comments apart), more than 64
-/// levels, a number out of range and text after the end are errors, and so is what is no JSON. Errors: InputError
-/// at "line N, column M" or at the JSON pointer.
+/// Parses the user's JSON, stricter than the library: a key twice in one object (comments apart), more than
+/// 64 levels, a number out of range and text after the end are errors, and so is what is no JSON. Errors:
+/// InputError at "line N, column M" or at the JSON pointer.
 [[nodiscard]] Json parse_json(std::string_view text);
 
 /// Throws InputError unless `node` is an object whose keys are all in `allowed`; names the nearest allowed

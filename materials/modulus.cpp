@@ -158,7 +158,7 @@ void note_dominant(const std::vector<Contribution>& contributions, std::vector<s
     constexpr double most = 0.5;
     if (contributions.empty() || contributions.front().share <= most) return;
     notes.push_back(contributions.front().what + " gives " +
-                    shortest(std::round(contributions.front().share * 1000) / 10) +
+                    shortest(std::floor(contributions.front().share * 1000) / 10) +
                     " % of the variance of E");
 }
 
@@ -210,7 +210,6 @@ ModulusEstimate estimate_modulus(const Composition& composition, const ModulusOp
     estimate.density = results.density;
     estimate.density_uncertainty = uncertainties[1].standard_uncertainty;
     estimate.contributions = uncertainties[0].contributions;
-    estimate.notes = composition.notes;
     note_missing(composition, estimate.notes);
     note_dominant(estimate.contributions, estimate.notes);
     if (options.porosity && !porosity_warning(*options.porosity).empty())

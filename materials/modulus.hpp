@@ -49,7 +49,7 @@ struct ModulusEstimate {
     double density = 0;                         ///< of the dense mixture [kg/m3]
     double density_uncertainty = 0;             ///< [kg/m3]
     std::vector<Contribution> contributions{};  ///< to the variance of young_modulus, largest first
-    std::vector<std::string> notes{};           ///< what the reader of the result should know
+    std::vector<std::string> notes{};           ///< beside those of the composition
 
     /// The result of one rule; nothing where a Poisson ratio is missing.
     [[nodiscard]] std::optional<RuleResult> by(MixtureRule rule) const;

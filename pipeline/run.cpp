@@ -88,6 +88,7 @@ Artifact manifest_of(const RunPlan& plan, const std::vector<Artifact>& all,
 
 void write_artifacts(const std::filesystem::path& folder, const std::vector<Artifact>& artifacts) {
     std::vector<FileContent> files;
+    files.reserve(artifacts.size());
     for (const Artifact& artifact : artifacts) files.push_back({folder / artifact.file, artifact.bytes});
     write_files(files);
 }
@@ -172,13 +173,14 @@ RunSummary run_stages(const RunPlan& plan) {
 
     for (std::size_t i = 0; i < stages().size(); ++i) {
         const Stage& stage = stages()[i];
-        if (range.holds(i))
+        if (range.holds(i)) {
             keep(computed(stage, artifacts), true);
-        else if (i < range.first && is_read(range, stage.file))
+            spdlog::debug("{}: done", stage.name);
+        } else if (i < range.first && is_read(range, stage.file)) {
             keep(loaded_artifact(plan.folder, stage.file), false);
-        else
+        } else {
             add_left(plan.folder, stage.file, stage.name, all);
-        spdlog::debug("{}: done", stage.name);
+        }
     }
     summary.written.push_back(manifest_of(plan, all, summary.written));
     for (const Artifact& artifact : summary.written)

@@ -67,8 +67,13 @@ double predicted_velocity(const CalibrationSample& sample, Law law, double dampi
     return *critical.value;
 }
 
-/// Contact time at @p velocity on the curve that the published fit implies; on the captured side of the curve
-/// the time to arrival has no end, and the nearest rebound stands for it so that a fit can find its way back.
+/// Power of v_c/v with which the stand-in for a contact time grows on the captured side: about the slope of
+/// the real one just above v_c, so that the weights do not jump there.
+constexpr double captured_growth = 3.0;
+
+/// Contact time at @p velocity on the curve that the published fit implies. On the captured side of the curve
+/// there is none; the nearest rebound's, growing with the distance to it, stands for it so that a fit can
+/// find its way back.
 double predicted_time(const CalibrationSample& sample, const ContactTimeObservation& at, double velocity) {
     const PublishedDamping published{
         at.law,           at.law.default_detachment(), sample.contact(), at.damping_fit[0], at.damping_fit[1],
@@ -79,10 +84,9 @@ double predicted_time(const CalibrationSample& sample, const ContactTimeObservat
                   {DampingLaw::constant, published.damping(e)},
                   published.contact,
                   velocity};
-    if (e == 0.0) {
-        impact.velocity = (1.0 + 1e-6) * predicted_velocity(sample, at.law, impact.damping.coefficient);
-    }
-    return solve_impact(impact).contact_time.value();
+    if (e > 0.0) return solve_impact(impact).contact_time.value();
+    impact.velocity = (1.0 + 1e-6) * predicted_velocity(sample, at.law, impact.damping.coefficient);
+    return solve_impact(impact).contact_time.value() * std::pow(impact.velocity / velocity, captured_growth);
 }
 
 double logarithmic_slope(const std::function<double(double)>& function, double at) {
@@ -146,6 +150,19 @@ Eigen::VectorXd normalised(const CalibrationProblem& problem, const std::vector<
     return result;
 }
 
+/// Fit from @p start with the weights of that point.
+gsl::NonlinearFit fit_once(const CalibrationProblem& problem, const std::vector<Slot>& slots,
+                           const Eigen::VectorXd& start) {
+    const auto at = samples_with(problem, slots, start);
+    const Weights weights{residuals_of(at, problem.critical_velocities),
+                          residuals_of(at, problem.contact_times)};
+    return gsl::fit_nonlinear(
+        [&](const Eigen::VectorXd& x) {
+            return normalised(problem, samples_with(problem, slots, x), weights);
+        },
+        start, {.parameter_tolerance = 1e-9, .gradient_tolerance = 1e-10, .difference_step = 1e-5});
+}
+
 void require_solvable(const CalibrationProblem& problem, std::size_t constants) {
     const std::size_t observations = problem.critical_velocities.size() + problem.contact_times.size();
     const auto known = [&](const auto& observation) { return observation.sample < problem.samples.size(); };
@@ -159,6 +176,22 @@ void require_solvable(const CalibrationProblem& problem, std::size_t constants) 
         throw InputError("the calibration has " + std::to_string(observations) + " observations for " +
                              std::to_string(constants) + " free constants",
                          "at least one free constant and as many observations");
+    }
+}
+
+/// A contact time that the calibrated model has not is no minimum worth reporting.
+void require_rebounds(const CalibrationProblem& problem, const std::vector<CalibrationSample>& samples) {
+    for (const ContactTimeObservation& o : problem.contact_times) {
+        const PublishedDamping published{o.law,
+                                         o.law.default_detachment(),
+                                         samples[o.sample].contact(),
+                                         o.damping_fit[0],
+                                         o.damping_fit[1],
+                                         o.damping_fit[2]};
+        if (reconstructed_restitution(published, o.velocity) > 0.0) continue;
+        throw ConvergenceError("calibration: the constants found capture sample " +
+                               std::to_string(o.sample + 1) +
+                               " at the velocity of its contact time; start nearer to the answer");
     }
 }
 
@@ -198,18 +231,20 @@ CalibrationSummary calibrate(const CalibrationProblem& problem) {
         logarithms[static_cast<Eigen::Index>(i)] = std::log(constant_of(start, slots[i].quantity));
     }
 
+    // A contact time jumps where its impact is captured, so the critical velocities lead the fit near the
+    // answer.
+    CalibrationProblem velocities_only = problem;
+    velocities_only.contact_times.clear();
+    if (problem.critical_velocities.size() >= slots.size()) {
+        logarithms = fit_once(velocities_only, slots, logarithms).parameters;
+    }
     gsl::NonlinearFit fit;
     for (int pass = 0; pass < 3; ++pass) {  // the weights depend, weakly, on the constants
-        const auto at = samples_with(problem, slots, logarithms);
-        const Weights weights{residuals_of(at, problem.critical_velocities),
-                              residuals_of(at, problem.contact_times)};
-        fit = gsl::fit_nonlinear(
-            [&](const Eigen::VectorXd& x) {
-                return normalised(problem, samples_with(problem, slots, x), weights);
-            },
-            logarithms, {.parameter_tolerance = 1e-9, .gradient_tolerance = 1e-10, .difference_step = 1e-5});
+        fit = fit_once(problem, slots, logarithms);
         logarithms = fit.parameters;
     }
+
+    require_rebounds(problem, samples_with(problem, slots, fit.parameters));
 
     const Eigen::VectorXd deviation = fit.covariance.diagonal().cwiseSqrt();
     CalibrationSummary summary;

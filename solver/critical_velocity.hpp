@@ -46,6 +46,6 @@ struct CriticalVelocity {
 [[nodiscard]] CriticalVelocity critical_velocity(const CriticalVelocityProblem& problem);
 
 /// v_c m^3 k^2 / eta^5 of Hertz with constant damping and zero-overlap detachment [1].
-inline constexpr double hertz_critical_constant = 0.5476175;
+inline constexpr double hertz_critical_constant = 0.54761752963804861;
 
 }  // namespace ashimpact

@@ -1,10 +1,10 @@
 #include "solver/damping_inversion.hpp"
 
 #include "materials/error.hpp"
-#include "solver/critical_velocity.hpp"
 #include "solver/gsl/root.hpp"
 #include "solver/orbit.hpp"
 #include "solver/scaled_impact.hpp"
+#include "solver/velocity_scales.hpp"
 
 #include <cmath>
 #include <limits>
@@ -13,6 +13,10 @@
 namespace ashimpact {
 
 namespace {
+
+bool is_adhesive(const DampingProblem& problem) {
+    return velocity_of_adhesion(problem.law, problem.contact) > 0.0;
+}
 
 /// Restitution as a function of the scaled damping coefficient.
 class RestitutionCurve {
@@ -72,28 +76,25 @@ double polished(RestitutionCurve& curve, double number, double restitution) {
     return usable && std::abs(curve.at<Extended>(better) - restitution) < std::abs(miss) ? better : number;
 }
 
-CriticalVelocity critical_with(const DampingProblem& problem, const RestitutionCurve& curve, double number) {
-    return critical_velocity({problem.law, problem.detachment, curve.damping(number), problem.contact});
+/// Whether enough of the damping captures the impact, so that restitution zero is reachable: not where the
+/// contact ends by force, nor where without adhesion the damping vanishes with the contact radius.
+bool reaches_zero(const DampingProblem& problem) {
+    return problem.detachment != Detachment::zero_force &&
+           (problem.damping_law != DampingLaw::contact_radius || is_adhesive(problem));
 }
 
-/// Smallest damping whose critical velocity reaches the impact velocity, to rounding and on the capturing
-/// side.
+/// Smallest damping that captures, by bisection down to neighbouring numbers.
 double smallest_capturing(const DampingProblem& problem, RestitutionCurve& curve) {
-    const auto excess = [&](double number) {
-        const CriticalVelocity critical = critical_with(problem, curve, number);
-        switch (critical.verdict) {
-            case CaptureVerdict::always_captured:
-                return 1.0;
-            case CaptureVerdict::never_captured:
-                return -1.0;
-            case CaptureVerdict::finite:
-                break;
-        }
-        return std::tanh(std::log(*critical.value / problem.velocity));
-    };
-    double number = gsl::brent(excess, 0.0, too_much(curve, std::numeric_limits<double>::min())).root;
-    for (double nudge = 1e-15; curve.at<Extended>(number) > 0.0; nudge *= 2.0) number *= 1.0 + nudge;
-    return number;
+    const bool linear = problem.damping_law == DampingLaw::tsuji && !is_adhesive(problem) &&
+                        !can_yield(problem.law, problem.contact);
+    if (linear) return std::sqrt(5.0);  // exactly; just below, rebounds are too slow for any arithmetic
+    double lower = 0.0;
+    double upper = too_much(curve, std::numeric_limits<double>::min());
+    while (true) {
+        const double middle = lower + (upper - lower) / 2.0;
+        if (middle <= lower || middle >= upper) return upper;
+        (curve.at<Extended>(middle) > 0.0 ? lower : upper) = middle;
+    }
 }
 
 double scaled_solution(const DampingProblem& problem, RestitutionCurve& curve) {
@@ -110,11 +111,8 @@ DampingInversion damping_from_restitution(const DampingProblem& problem) {
     validate(curve.impact(0.0));
     const double target = problem.restitution;
     const double greatest = curve.at<Extended>(0.0);
-    const bool never_captures =
-        target == 0.0 && critical_with(problem, curve, 1.0).verdict == CaptureVerdict::never_captured;
-    if (!(target >= 0.0 && target <= greatest) || never_captures) {
-        unreachable_restitution(problem, greatest, !never_captures);
-    }
+    const bool reachable = target > 0.0 ? target <= greatest : target == 0.0 && reaches_zero(problem);
+    if (!reachable) unreachable_restitution(problem, greatest, reaches_zero(problem));
     const double number = target < greatest ? scaled_solution(problem, curve) : 0.0;
     return {.damping = curve.damping(number),
             .greatest_restitution = greatest,

@@ -14,9 +14,10 @@ struct ExplicitSchemeOptions {
 ///     (delta_i - 2 delta_{i+1} + delta_{i+2})/Dt^2 + eta/m (delta_{i+1} - delta_i)/Dt + F(delta_{i+1})/m = 0
 ///
 /// from delta_0 = 0, delta_1 = v Dt; Dong et al. 2013, Eqs. 31-34. First order in Dt: the damping uses the
-/// velocity half a step behind. The contact ends at zero overlap (crossing by linear interpolation), a
-/// capture is the second turning point. Constant damping and laws whose force is a function of overlap only
-/// (not JKR). The ledger's potential terms are those of the law at the end overlap; its residual is the
+/// velocity half a step behind. The contact ends at zero overlap (crossing by linear interpolation, the
+/// velocity there from the last two steps), a capture is the second turning point, or certain before it where
+/// the motion is so damped that it creeps. Constant damping and laws whose force is a function of overlap
+/// only (not JKR). The ledger's potential terms are those of the law at the end overlap; its residual is the
 /// scheme's energy error.
 /// @throws InputError for what the scheme cannot treat, ConvergenceError at the step limit
 [[nodiscard]] ImpactResult solve_impact_explicit(const Impact& impact, const ExplicitSchemeOptions& options);

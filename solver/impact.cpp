@@ -74,11 +74,11 @@ std::string_view name_of(Outcome outcome) {
 std::optional<std::string> refusal(Law law, Detachment detachment) {
     return law.visit<std::optional<std::string>>([&]<template <class> class L>()
                                                      -> std::optional<std::string> {
-        const L<Extended> numeric{L<Extended>::name == Hertz<Extended>::name ? 0.0L : 1.0L};
+        const L<Extended> numeric{1.0L};  // whether it is admissible depends on no number
         const auto point = numeric.detachment_point(detachment);
         const std::string subject =
             std::string(name_of(detachment)) + " does not end a contact of law " + std::string(law.name());
-        if (!point) return subject + ": the law has no such point apart from zero overlap";
+        if (!point) return subject + ": the law has no such point";
         const Motion<Extended> motion =
             make_motion<L, Extended>(numeric.adhesion, DampingLaw::constant, 0.0L, detachment);
         if (motion.potential(*motion.end) < motion.potential(motion.touch)) {

@@ -28,8 +28,8 @@ struct Stages {
 
 Stages stages_of(const std::vector<TrajectoryPoint>& points, double turn) {
     Stages stages;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const Instant now = instant_of(points[i]);
+    for (const TrajectoryPoint& point : points) {
+        const Instant now = instant_of(point);
         if (now.time < turn) {
             stages.approach.push_back(now);
             continue;

@@ -28,8 +28,9 @@ struct MomentumBalance {
     [[nodiscard]] bool rebound_is_longer() const { return rebound.duration > approach.duration; }  ///< (45)
 };
 
-/// The balance of an impact that rebounds, by the trapezoidal rule over @p points instants (error of order
-/// points^-2).
+/// The balance of an impact that rebounds, by the trapezoidal rule over @p points instants. Forces have
+/// half-integer powers of time at touch and detachment (quarter ones with Tsuji's damping), so the error is
+/// of order points^(-3/2), or points^(-5/4).
 /// @throws InputError for inadmissible input or an impact that ends in capture
 [[nodiscard]] MomentumBalance momentum_balance(const Impact& impact, int points = 1001);
 

@@ -9,6 +9,10 @@ namespace ashimpact {
 
 inline constexpr int most_steps = 20000;
 
+/// Overlap and velocity, scaled, below which a rebound has come to nothing: no instrument tells it from a
+/// capture, and its powers would underflow.
+inline constexpr double vanishing_overlap = 1e-100;
+
 template <class Real>
 CaptureTest<Real>::CaptureTest(const Motion<Real>& motion)
     : motion_(motion), by_place_(motion.end.has_value()) {
@@ -33,9 +37,10 @@ bool CaptureTest<Real>::creeping(const MotionState<Real>& state) const {
     if (!by_place_) return false;
     if (always_overdamped_) return true;
     if (state.position < motion_.equilibrium) return false;
+    const Real way = motion_.overlap(state.position) - end_overlap_;
+    if (way < vanishing_overlap && state.velocity > -vanishing_overlap) return true;
     // Below the line v = -(eta/2)(delta - delta_end) the motion cannot get while F <= (eta^2/4)(delta -
     // delta_end).
-    const Real way = motion_.overlap(state.position) - end_overlap_;
     return state.velocity >= -least_damping_ / Real(2) * way &&
            Real(4) * motion_.force(state.position) < least_damping_ * least_damping_ * way;
 }
@@ -45,6 +50,9 @@ bool CaptureTest<Real>::creeping_up(const MotionState<Real>& state) const {
     if (state.position >= motion_.equilibrium) return false;
     const Real damping = motion_.damping(state.position);
     const Real way = equilibrium_overlap_ - motion_.overlap(state.position);
+    // A spiral so tight that it turns beneath rounding only looks like this one.
+    const Real rounding = 64 * std::numeric_limits<Real>::epsilon() * equilibrium_overlap_;
+    if (std::abs(way) <= rounding && state.velocity <= damping * rounding) return true;
     return damping * damping >= Real(4) * equilibrium_slope_ && state.velocity <= damping / Real(2) * way;
 }
 
@@ -92,7 +100,8 @@ ApproachEnd approach(const Motion<Real>& motion, MotionState<Real>& state,
             orbit.maximum_overlap = motion.overlap(state.position);
             return ApproachEnd::turned;
         }
-        if (capture.creeping_up(state)) {
+        const bool leaves_first = leave_at && *leave_at < motion.equilibrium;
+        if (!leaves_first && capture.creeping_up(state)) {
             orbit.turn = orbit.end = state;
             orbit.maximum_overlap = motion.overlap(motion.equilibrium);
             return ApproachEnd::creeping;

@@ -26,7 +26,9 @@ struct Unloading {
 class PlasticCapture {
   public:
     PlasticCapture(const CriticalVelocityProblem& problem, const Scale& scale)
-        : scale_(scale),
+        : overdamped_(problem.damping.law == DampingLaw::tsuji &&
+                      problem.damping.coefficient * problem.damping.coefficient >= 5.0),
+          scale_(scale),
           motion_(scaled_plastic_motion<Extended>(
               {problem.law, problem.detachment, problem.damping, problem.contact, scale.velocity}, scale)) {}
 
@@ -36,7 +38,7 @@ class PlasticCapture {
     /// rebounds: how far beyond u the orbit that just arrives would have to turn.
     [[nodiscard]] double margin(double u) {
         const Unloading unloading = from(u);
-        if (!unloading.arrival) return -1.0;
+        if (!unloading.arrival) return overdamped_ ? 1.0 : -1.0;
         if (!unloading.turn) return 1.0;
         return static_cast<double>(unloading.motion.root_radius(unloading.turn->position) / u - 1);
     }
@@ -83,6 +85,7 @@ class PlasticCapture {
         return unloading;
     }
 
+    bool overdamped_;  ///< Tsuji's damping from sqrt5 on captures, whatever the radius
     Scale scale_;
     PlasticMotion<Extended> motion_;
 };

@@ -27,6 +27,11 @@ Impact impact_with(const PublishedDamping& published, double e, double velocity)
 }  // namespace
 
 double velocity_of_restitution(const Impact& impact, double restitution) {
+    if (impact.damping.law != DampingLaw::constant) {
+        throw InputError("restitution need not rise with velocity for damping law '" +
+                             std::string(name_of(impact.damping.law)) + "'",
+                         std::string(name_of(DampingLaw::constant)));
+    }
     if (!(restitution > 0.0 && restitution < 1.0)) not_reached(restitution, "0 < e < 1");
     const CriticalVelocity critical =
         critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact});

@@ -13,6 +13,9 @@ namespace {
 
 constexpr double widest_contact = 0.3;  ///< a/R* beyond which the parabolic geometry of every law here is off
 
+/// yield_number/adhesion^(2/3) below which adhesion alone yields the contact at first touch.
+constexpr double yields_at_touch = 0.5;
+
 std::string text(double value) {
     std::ostringstream stream;
     stream.precision(3);
@@ -34,6 +37,16 @@ void warn_of_tabor(Law law, Regime& regime) {
     }
 }
 
+void warn_of_yield_by_adhesion(const Impact& impact, double length, Regime& regime) {
+    if (impact.law != Law::of<ThorntonNing>() || !(regime.adhesion_number > 0.0)) return;
+    const double ratio = ThorntonNing<double>::yield_number(impact.contact, length) /
+                         std::pow(regime.adhesion_number, 2.0 / 3.0);
+    if (ratio < yields_at_touch) {
+        regime.warnings.emplace_back(
+            "adhesion alone yields the contact at first touch: outside the range of the plastic closure");
+    }
+}
+
 }  // namespace
 
 Regime regime_of(const Impact& impact, double maximum_overlap) {
@@ -48,6 +61,7 @@ Regime regime_of(const Impact& impact, double maximum_overlap) {
     regime.adhesion_number = impact.law.visit<double>(
         [&]<template <class> class L>() { return L<double>::adhesion_number(contact, scale.length); });
     regime.yield_velocity = yield_velocity(contact);
+    warn_of_yield_by_adhesion(impact, scale.length, regime);
     regime.relative_contact_radius = std::sqrt(std::max(0.0, maximum_overlap) / contact.effective_radius);
 
     warn_of_tabor(impact.law, regime);

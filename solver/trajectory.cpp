@@ -101,8 +101,10 @@ class Sampler {
         const Extended adhesion = adhesion_;
         if (law_ == Law::of<ThorntonNing>()) {
             const Extended hertz_part = force + 1.5L * adhesion * power<3>(u);
+            if (2 * hertz_part <= adhesion * power<3>(u)) return force;
             const Extended rim = adhesion * u;
-            return 2 * hertz_part <= adhesion * power<3>(u) ? force : -rim * std::sqrt(rim / 2);
+            const Extended flattening = hertz_part / power<6>(u);  // R*/R_p; the Hertz pressure falls with it
+            return -rim * std::sqrt(rim / (2 * flattening));
         }
         return law_.visit<Extended>(
             [&]<template <class> class L>() { return L<Extended>{adhesion}.attractive_force(u); });

@@ -47,7 +47,7 @@ Amorphous read_amorphous(const View& node, FractionBasis basis) {
         if (node.text() == "remainder") return AmorphousRemainder{};
     }
     const auto fraction = [](const View& at) {
-        const Quantity quantity = at.quantity(Dimension::fraction);
+        Quantity quantity = at.quantity(Dimension::fraction);
         at.located([&] { require_fraction("fraction", quantity.value); });
         return quantity;
     };

@@ -103,11 +103,12 @@ std::vector<LawChoice> read_laws(const View& document) {
         for (const View& name : names->elements()) laws.push_back(Law::named(name.text()));
     }
     std::vector<LawChoice> choices;
+    choices.reserve(laws.size());
     for (const Law law : laws) choices.push_back({law, law.default_detachment()});
     const auto detachments = document.find("detachments");
     if (!detachments) return choices;
     for (const auto& [name, value] : detachments->members()) {
-        const Law law = value.located([&] { return Law::named(name); });
+        const Law law = value.located([&key = name] { return Law::named(key); });
         const Detachment detachment = detachment_named(value.text());
         if (const auto reason = refusal(law, detachment)) value.fail(*reason, admissible_detachments(law));
         for (LawChoice& choice : choices)

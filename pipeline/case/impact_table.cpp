@@ -81,8 +81,8 @@ struct Layout {
 Layout layout_of(std::string_view line) {
     const char separator = separator_of(line);
     const auto heading = cells(line, separator);
-    const Layout layout{separator, column_named(heading, velocity_names),
-                        column_named(heading, restitution_names), column_named(heading, rebound_names)};
+    Layout layout{separator, column_named(heading, velocity_names), column_named(heading, restitution_names),
+                  column_named(heading, rebound_names)};
     if (!layout.velocity.found || (!layout.restitution.found && !layout.rebound.found))
         throw InputError("the heading lacks a column", headings);
     return layout;

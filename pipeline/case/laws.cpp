@@ -13,11 +13,9 @@ bool is_adhesive(Law law) {
 }
 
 bool yields(Law law) {
-    return can_yield(law, {.mass = 1,
-                           .effective_radius = 1,
-                           .contact_modulus = 1,
-                           .work_of_adhesion = 1,
-                           .yield_pressure = 1});
+    return can_yield(
+        law,
+        {.mass = 1, .effective_radius = 1, .contact_modulus = 1, .work_of_adhesion = 1, .yield_pressure = 1});
 }
 
 Dimension dimension_of(DampingLaw law) {

@@ -4,8 +4,8 @@
 
 #include <ostream>
 
-#include "pipeline/json/quantity_json.hpp"
 #include "pipeline/json/writer.hpp"
+#include "pipeline/stages/critical_velocity.hpp"
 #include "pipeline/text/readable.hpp"
 #include "pipeline/text/table.hpp"
 
@@ -35,7 +35,7 @@ std::string critical_velocity_text(const CriticalVelocityProblem& problem, const
     if (result.verdict == CaptureVerdict::finite) {
         list.add("contact time", result.contact_time
                                      ? readable(*result.contact_time, "s")
-                                     : "infinite: the particle comes to rest only at the end");
+                                     : "not computed for this end of contact");
         if (result.maximum_overlap) list.add("maximum overlap", readable(*result.maximum_overlap, "m"));
         list.add("energy", fmt::format("{} dissipated, {} spent in yielding, {} to break the contact",
                                        readable(result.dissipated, "J"), readable(result.plastic, "J"),
@@ -47,21 +47,6 @@ std::string critical_velocity_text(const CriticalVelocityProblem& problem, const
 }
 
 }  // namespace
-
-Json critical_velocity_json(const CriticalVelocityProblem& problem, const CriticalVelocity& result) {
-    return {{"law", problem.law.name()},
-            {"detachment", name_of(problem.detachment)},
-            {"damping_law", name_of(problem.damping.law)},
-            {"damping", quantity_json(problem.damping.coefficient, unit_of(problem.damping.law))},
-            {"critical_velocity", quantity_json(result.value, Dimension::velocity)},
-            {"verdict", name_of(result.verdict)},
-            {"contact_time", quantity_json(result.contact_time, Dimension::time)},
-            {"maximum_overlap", quantity_json(result.maximum_overlap, Dimension::length)},
-            {"crossings", column_json(result.crossings, Dimension::velocity)},
-            {"dissipated", quantity_json(result.dissipated, Dimension::energy)},
-            {"plastic", quantity_json(result.plastic, Dimension::energy)},
-            {"detachment_energy", quantity_json(result.detachment_energy, Dimension::energy)}};
-}
 
 void run_critical_velocity_command(const CriticalVelocityOptions& options, std::ostream& out) {
     const ContactChoice choice = read_contact(options.contact);

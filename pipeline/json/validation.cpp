@@ -25,7 +25,7 @@ Path path_of(const Error& error) {
 
 /// The first error, or the choice ("anyOf") that encloses it.
 Error decisive(const valijson::ValidationResults& results) {
-    const Error first = *results.begin();
+    Error first = *results.begin();
     for (const Error& error : results) {
         const bool choice = error.description.find("Of constraint") != std::string::npos &&
                             error.description.find("allOf") == std::string::npos;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "pipeline/case/laws.hpp"
-#include "pipeline/commands/critical_velocity.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/contact.hpp"
 #include "pipeline/stages/fit.hpp"
@@ -24,6 +23,21 @@ Json law_json(const Case& data, const LawChoice& choice, double damping, const C
 }
 
 }  // namespace
+
+Json critical_velocity_json(const CriticalVelocityProblem& problem, const CriticalVelocity& result) {
+    return {{"law", problem.law.name()},
+            {"detachment", name_of(problem.detachment)},
+            {"damping_law", name_of(problem.damping.law)},
+            {"damping", quantity_json(problem.damping.coefficient, unit_of(problem.damping.law))},
+            {"critical_velocity", quantity_json(result.value, Dimension::velocity)},
+            {"verdict", name_of(result.verdict)},
+            {"contact_time", quantity_json(result.contact_time, Dimension::time)},
+            {"maximum_overlap", quantity_json(result.maximum_overlap, Dimension::length)},
+            {"crossings", column_json(result.crossings, Dimension::velocity)},
+            {"dissipated", quantity_json(result.dissipated, Dimension::energy)},
+            {"plastic", quantity_json(result.plastic, Dimension::energy)},
+            {"detachment_energy", quantity_json(result.detachment_energy, Dimension::energy)}};
+}
 
 StageOutput critical_velocity_stage(const Artifacts& before) {
     const Case data = read_case_artifact(before);

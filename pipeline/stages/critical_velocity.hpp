@@ -6,6 +6,7 @@
 
 #include "pipeline/case/law_map.hpp"
 #include "pipeline/stages/stage.hpp"
+#include "solver/critical_velocity.hpp"
 
 namespace ashimpact {
 
@@ -29,5 +30,9 @@ struct SampleCriticalVelocity {
 [[nodiscard]] StageOutput critical_velocity_stage(const Artifacts& before);
 
 [[nodiscard]] std::vector<SampleCriticalVelocity> read_critical_velocities(const View& result);
+
+/// A critical velocity with the keys of `ashimpact critical-velocity --json`.
+[[nodiscard]] Json critical_velocity_json(const CriticalVelocityProblem& problem,
+                                          const CriticalVelocity& result);
 
 }  // namespace ashimpact

@@ -51,6 +51,7 @@ Json momentum_json(const MomentumBalance& balance) {
 Json trajectory_json(const std::vector<TrajectoryPoint>& points) {
     const auto column = [&](double TrajectoryPoint::*member, Dimension dimension) {
         std::vector<double> values;
+        values.reserve(points.size());
         for (const TrajectoryPoint& point : points) values.push_back(point.*member);
         return column_json(values, dimension);
     };

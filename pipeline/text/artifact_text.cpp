@@ -96,6 +96,7 @@ std::string rows_text(const Json& list, std::size_t indent) {
     TextTable table(heading);
     for (const Json& row : list) {
         std::vector<std::string> cells;
+        cells.reserve(heading.size());
         for (const std::string& key : heading) cells.push_back(short_text(row.at(key)));
         table.add(std::move(cells));
     }

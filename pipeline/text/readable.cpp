@@ -57,7 +57,7 @@ std::string readable(double value, std::string_view unit) {
 }
 
 std::string readable(const Quantity& quantity) {
-    const std::string text = readable(quantity.value, quantity.unit);
+    std::string text = readable(quantity.value, quantity.unit);
     if (!quantity.standard_uncertainty) return text;
     const double share = std::abs(*quantity.standard_uncertainty / quantity.value);
     return fmt::format("{} +- {} %", text, readable_number(100 * share, 2));

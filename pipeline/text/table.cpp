@@ -51,10 +51,14 @@ std::string TextList::text(std::size_t indent) const {
     std::size_t longest = 0;
     for (const auto& [name, value] : rows_) longest = std::max(longest, width(name));
     std::string out;
-    for (const auto& [name, value] : rows_)
-        out += without_trailing_blanks(std::string(indent, ' ') + name +
-                                       std::string(longest - width(name) + gap, ' ') + value) +
-               "\n";
+    for (const auto& [name, value] : rows_) {
+        std::string line(indent, ' ');
+        line += name;
+        line += std::string(longest - width(name) + gap, ' ');
+        line += value;
+        out += without_trailing_blanks(std::move(line));
+        out += '\n';
+    }
     return out;
 }
 

@@ -1,6 +1,9 @@
 #include "solver/gsl/distribution.hpp"
 
 #include <gsl/gsl_cdf.h>
+#include <gsl/gsl_sf_erf.h>
+
+#include <numbers>
 
 namespace ashimpact::gsl {
 
@@ -12,8 +15,37 @@ double normal_probability(double x) {
     return gsl_cdf_ugaussian_P(x);
 }
 
+double log_normal_probability(double x) {
+    return gsl_sf_log_erfc(-x / std::numbers::sqrt2) - std::numbers::ln2;
+}
+
+double log_normal_probability_slope(double x) {
+    return gsl_sf_hazard(-x);
+}
+
+double student_quantile(double probability, int degrees_of_freedom) {
+    return degrees_of_freedom > 0 ? gsl_cdf_tdist_Pinv(probability, degrees_of_freedom)
+                                  : normal_quantile(probability);
+}
+
 double chi_squared_exceedance(double chi_squared, int degrees_of_freedom) {
     return degrees_of_freedom > 0 ? gsl_cdf_chisq_Q(chi_squared, degrees_of_freedom) : 1.0;
+}
+
+double chi_squared_quantile(double probability, int degrees_of_freedom) {
+    return gsl_cdf_chisq_Pinv(probability, degrees_of_freedom);
+}
+
+double binomial_probability(unsigned most, double success, unsigned trials) {
+    return gsl_cdf_binomial_P(most, success, trials);
+}
+
+double lognormal_quantile(double probability, double log_mean, double log_deviation) {
+    return gsl_cdf_lognormal_Pinv(probability, log_mean, log_deviation);
+}
+
+double uniform_quantile(double probability, double lower, double upper) {
+    return gsl_cdf_flat_Pinv(probability, lower, upper);
 }
 
 }  // namespace ashimpact::gsl

@@ -1,5 +1,6 @@
 #include "solver/gsl/nonlinear_fit.hpp"
 
+#include "materials/error.hpp"
 #include "solver/gsl/status.hpp"
 
 #include <gsl/gsl_blas.h>
@@ -13,11 +14,9 @@ namespace ashimpact::gsl {
 
 namespace {
 
-using Residuals = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
-
-/// Carries the residuals through GSL's C interface; an exception is kept and thrown again outside it.
+/// Carries the problem through GSL's C interface; an exception is kept and thrown again outside it.
 struct Target {
-    const Residuals& residuals;
+    const NonlinearProblem& problem;
     std::exception_ptr error;
 };
 
@@ -27,12 +26,22 @@ Eigen::VectorXd from_gsl(const gsl_vector* v) {
     return result;
 }
 
-int evaluate(const gsl_vector* x, void* parameters, gsl_vector* f) {
-    auto& target = *static_cast<Target*>(parameters);
+Eigen::MatrixXd from_gsl(const gsl_matrix* m) {
+    Eigen::MatrixXd result(static_cast<Eigen::Index>(m->size1), static_cast<Eigen::Index>(m->size2));
+    for (std::size_t i = 0; i < m->size1; ++i) {
+        for (std::size_t j = 0; j < m->size2; ++j) {
+            result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = gsl_matrix_get(m, i, j);
+        }
+    }
+    return result;
+}
+
+/// Calls @p action unless an earlier call threw; keeps what it throws.
+template <class Action>
+int guarded(Target& target, Action&& action) {
     if (target.error) return GSL_EFAILED;
     try {
-        const Eigen::VectorXd value = target.residuals(from_gsl(x));
-        for (std::size_t i = 0; i < f->size; ++i) gsl_vector_set(f, i, value[static_cast<Eigen::Index>(i)]);
+        action();
         return GSL_SUCCESS;
     } catch (...) {
         target.error = std::current_exception();
@@ -40,8 +49,47 @@ int evaluate(const gsl_vector* x, void* parameters, gsl_vector* f) {
     }
 }
 
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Whether no step can lower chi^2 by more than rounding: the best linear one gains less than 1e-8 of it, or
+/// changes no parameter by more than 1e-6 of itself.
+bool is_stationary(const gsl_multifit_nlinear_workspace* workspace) {
+    const gsl_matrix* j = gsl_multifit_nlinear_jac(workspace);
+    const Eigen::Map<const RowMajor, 0, Eigen::OuterStride<>> jacobian(
+        j->data, static_cast<Eigen::Index>(j->size1), static_cast<Eigen::Index>(j->size2),
+        Eigen::OuterStride<>(static_cast<Eigen::Index>(j->tda)));
+    const Eigen::VectorXd residuals = from_gsl(gsl_multifit_nlinear_residual(workspace));
+    const Eigen::VectorXd parameters = from_gsl(gsl_multifit_nlinear_position(workspace));
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors(jacobian.rows(), jacobian.cols());
+    factors.setThreshold(1e-6);  // directions that only the differences' noise tells apart do not count
+    const Eigen::VectorXd step = factors.compute(jacobian).solve(residuals);
+    const double gain = (jacobian * step).squaredNorm();
+    return gain <= 1e-8 * residuals.squaredNorm() ||
+           (step.array().abs() <= 1e-6 * parameters.array().abs()).all();
+}
+
+int evaluate(const gsl_vector* x, void* parameters, gsl_vector* f) {
+    auto& target = *static_cast<Target*>(parameters);
+    return guarded(target, [&] {
+        const Eigen::VectorXd value = target.problem.residuals(from_gsl(x));
+        for (std::size_t i = 0; i < f->size; ++i) gsl_vector_set(f, i, value[static_cast<Eigen::Index>(i)]);
+    });
+}
+
+int differentiate(const gsl_vector* x, void* parameters, gsl_matrix* jacobian) {
+    auto& target = *static_cast<Target*>(parameters);
+    return guarded(target, [&] {
+        const Eigen::MatrixXd value = target.problem.jacobian(from_gsl(x));
+        for (std::size_t i = 0; i < jacobian->size1; ++i) {
+            for (std::size_t j = 0; j < jacobian->size2; ++j) {
+                gsl_matrix_set(jacobian, i, j,
+                               value(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+            }
+        }
+    });
+}
+
 Eigen::MatrixXd covariance_of(const gsl_multifit_nlinear_workspace* workspace, std::size_t size) {
-    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     RowMajor covariance(static_cast<Eigen::Index>(size), static_cast<Eigen::Index>(size));
     auto view = gsl_matrix_view_array(covariance.data(), size, size);
     check(gsl_multifit_nlinear_covar(gsl_multifit_nlinear_jac(workspace), 0.0, &view.matrix), "covariance");
@@ -50,10 +98,15 @@ Eigen::MatrixXd covariance_of(const gsl_multifit_nlinear_workspace* workspace, s
 
 }  // namespace
 
-NonlinearFit fit_nonlinear(const Residuals& residuals, const Eigen::VectorXd& start,
+NonlinearFit fit_nonlinear(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& residuals,
+                           const Eigen::VectorXd& start, const NonlinearFitOptions& options) {
+    return fit_nonlinear(NonlinearProblem{.residuals = residuals}, start, options);
+}
+
+NonlinearFit fit_nonlinear(const NonlinearProblem& fitted, const Eigen::VectorXd& start,
                            const NonlinearFitOptions& options) {
     quiet();
-    const auto count = static_cast<std::size_t>(residuals(start).size());
+    const auto count = static_cast<std::size_t>(fitted.residuals(start).size());
     const auto size = static_cast<std::size_t>(start.size());
     gsl_multifit_nlinear_parameters setup = gsl_multifit_nlinear_default_parameters();
     setup.fdtype = GSL_MULTIFIT_NLINEAR_CTRDIFF;
@@ -62,9 +115,10 @@ NonlinearFit fit_nonlinear(const Residuals& residuals, const Eigen::VectorXd& st
         gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &setup, count, size),
         &gsl_multifit_nlinear_free);
 
-    Target target{residuals, nullptr};
+    Target target{fitted, nullptr};
     gsl_multifit_nlinear_fdf problem{};
     problem.f = &evaluate;
+    if (fitted.jacobian) problem.df = &differentiate;
     problem.n = count;
     problem.p = size;
     problem.params = &target;
@@ -77,12 +131,17 @@ NonlinearFit fit_nonlinear(const Residuals& residuals, const Eigen::VectorXd& st
             options.gradient_tolerance, options.residual_tolerance, nullptr, nullptr, &info, workspace.get());
     }
     if (target.error) std::rethrow_exception(target.error);
-    // No further progress from a stationary point is convergence at rounding level, not a failure.
-    if (status != GSL_ENOPROG) check(status, "nonlinear fit");
+    // How GSL stopped does not decide: rounding can keep its tests from passing at the minimum, and residuals
+    // that are not smooth can pass them elsewhere.
+    if (status != GSL_ENOPROG && status != GSL_EMAXITER) check(status, "nonlinear fit");
+    if (!is_stationary(workspace.get())) {
+        throw ConvergenceError("nonlinear fit: no further progress where chi^2 is not at its minimum");
+    }
 
     NonlinearFit fit;
     fit.parameters = from_gsl(gsl_multifit_nlinear_position(workspace.get()));
     fit.residuals = from_gsl(gsl_multifit_nlinear_residual(workspace.get()));
+    fit.jacobian = from_gsl(gsl_multifit_nlinear_jac(workspace.get()));
     fit.covariance = covariance_of(workspace.get(), size);
     fit.chi_squared = fit.residuals.squaredNorm();
     fit.iterations = static_cast<int>(gsl_multifit_nlinear_niter(workspace.get()));

@@ -18,13 +18,24 @@ struct NonlinearFit {
     Eigen::VectorXd parameters;
     Eigen::MatrixXd covariance;  ///< (J^T J)^-1 at the solution
     Eigen::VectorXd residuals;
+    Eigen::MatrixXd jacobian;  ///< of the residuals, at the solution
     double chi_squared;
     int iterations;
 };
 
-/// Minimises the sum of squares of @p residuals(parameters) by Levenberg-Marquardt with geodesic acceleration
-/// off and central differences (GSL multifit_nlinear).
-/// @throws ConvergenceError; whatever @p residuals throws
+/// Residuals as a function of the parameters, and their derivatives where those are known.
+struct NonlinearProblem {
+    std::function<Eigen::VectorXd(const Eigen::VectorXd&)> residuals;
+    std::function<Eigen::MatrixXd(const Eigen::VectorXd&)> jacobian{};  ///< empty: central differences
+};
+
+/// Minimises the sum of squares of the residuals by Levenberg-Marquardt with geodesic acceleration off (GSL
+/// multifit_nlinear).
+/// @throws ConvergenceError; whatever the functions throw
+[[nodiscard]] NonlinearFit fit_nonlinear(const NonlinearProblem& problem, const Eigen::VectorXd& start,
+                                         const NonlinearFitOptions& options = {});
+
+/// The same with central differences.
 [[nodiscard]] NonlinearFit fit_nonlinear(
     const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& residuals, const Eigen::VectorXd& start,
     const NonlinearFitOptions& options = {});

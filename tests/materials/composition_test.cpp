@@ -10,11 +10,7 @@
 #include "tests/materials/messages.hpp"
 #include "tests/relative_difference.hpp"
 
-using namespace ashimpact;
-using ashimpact::test::holds;
-using ashimpact::test::refusal;
-using ashimpact::test::relative_difference;
-using ashimpact::test::shipped_catalogue;
+namespace ashimpact::test {
 
 namespace {
 
@@ -107,6 +103,14 @@ TEST_CASE("rounded fractions are scaled within the tolerance, with a note") {
     CHECK(composition.notes[0] == "the fractions add up to 99.7 % and were scaled to 100 %");
 }
 
+TEST_CASE("whose modulus stands for the glass is said") {
+    const Composition composition =
+        paper({.phases = crystalline, .amorphous = AmorphousFraction{.value = 0.4}});
+    REQUIRE(composition.notes.size() == 1);
+    CHECK(holds(composition.notes[0],
+                "\"glass\" is taken as glass-dong2013: No measured modulus of fly-ash glass"));
+}
+
 TEST_CASE("the file's own density is used and compared with the catalogue's") {
     const Composition composition = compose(
         {.phases = {{.name = "Mullite", .fraction = 1, .density = 3087.0}}, .amorphous = AmorphousNone{}},
@@ -163,3 +167,5 @@ TEST_CASE("what does not close or makes no sense is refused in one line") {
                          .amorphous = AmorphousNone{}}),
                 "density of quartz is 0 kg/m3"));
 }
+
+}  // namespace ashimpact::test

@@ -7,8 +7,7 @@
 #include "materials/error.hpp"
 #include "tests/relative_difference.hpp"
 
-using namespace ashimpact;
-using ashimpact::test::relative_difference;
+namespace ashimpact::test {
 
 namespace {
 
@@ -74,3 +73,5 @@ TEST_CASE("impossible bodies are refused by name, value and unit") {
         static_cast<void>(contact_modulus({.young_modulus = 90e9, .poisson_ratio = -1}, RigidWall{})),
         InputError);
 }
+
+}  // namespace ashimpact::test

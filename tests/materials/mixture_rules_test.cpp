@@ -10,8 +10,7 @@
 #include "tests/materials/catalogue.hpp"
 #include "tests/relative_difference.hpp"
 
-using namespace ashimpact;
-using ashimpact::test::relative_difference;
+namespace ashimpact::test {
 
 namespace {
 
@@ -96,7 +95,7 @@ TEST_CASE("a single phase keeps its moduli under every rule, and an absent one c
 
 TEST_CASE("10,000 random compositions: the order of the rules") {
     std::mt19937_64 generator(20130806);
-    const PhaseCatalogue catalogue = test::shipped_catalogue();
+    const PhaseCatalogue catalogue = shipped_catalogue();
     int eq1_above_hashin_shtrikman = 0;
     int eq1_below_voigt = 0;
     for (int i = 0; i < 10'000; ++i) {
@@ -134,3 +133,5 @@ TEST_CASE("Eq. 1 can also lie below the rigorous upper bound") {
     CHECK(young_modulus(hashin_shtrikman_lower(v, phases)) > 90.5e9);
     CHECK(young_modulus(voigt_moduli(v, phases)) > young_modulus(hashin_shtrikman_upper(v, phases)));
 }
+
+}  // namespace ashimpact::test

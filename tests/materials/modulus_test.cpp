@@ -10,12 +10,7 @@
 #include "tests/materials/messages.hpp"
 #include "tests/relative_difference.hpp"
 
-using namespace ashimpact;
-using ashimpact::test::file_text;
-using ashimpact::test::holds;
-using ashimpact::test::refusal;
-using ashimpact::test::relative_difference;
-using ashimpact::test::shipped_catalogue;
+namespace ashimpact::test {
 
 namespace {
 
@@ -53,21 +48,21 @@ TEST_CASE(
     REQUIRE(file.samples.size() == 3);
     CHECK(file.warnings.empty());
     const PhaseCatalogue catalogue = shipped_catalogue().preferring("dong2013");
-    for (const auto& [name, quartz, mullite, modulus, printed] : table1) {
+    for (const Table1Row& row : table1) {
         const auto sample = std::find_if(file.samples.begin(), file.samples.end(),
-                                         [n = name](const XrdSample& s) { return s.name == n; });
+                                         [&](const XrdSample& s) { return s.name == row.sample; });
         REQUIRE(sample != file.samples.end());
         const Composition composition = compose(sample->analysis, catalogue);
         const auto per_cent = [&](std::size_t i) {
             return std::round(composition.components[i].volume_fraction * 1e4) / 100;
         };
-        CAPTURE(name);
-        CHECK(per_cent(0) == quartz);
-        CHECK(per_cent(1) == mullite);
-        CHECK(per_cent(2) == std::round((100 - quartz - mullite) * 100) / 100);
+        CAPTURE(row.sample);
+        CHECK(per_cent(0) == row.quartz);
+        CHECK(per_cent(1) == row.mullite);
+        CHECK(per_cent(2) == std::round((100 - row.quartz - row.mullite) * 100) / 100);
         const ModulusEstimate estimate = estimate_modulus(composition);
-        CHECK(std::abs(estimate.young_modulus / 1e9 - modulus) < 0.001);
-        CHECK(std::abs(estimate.young_modulus / 1e9 - printed) < 0.01);
+        CHECK(std::abs(estimate.young_modulus / 1e9 - row.young_modulus) < 0.001);
+        CHECK(std::abs(estimate.young_modulus / 1e9 - row.printed) < 0.01);
     }
 }
 
@@ -206,3 +201,5 @@ TEST_CASE("density of a particle beside a measured one") {
     CHECK(holds(refusal([] { return particle_density(2600, {}, 2700.0); }), "above the true density"));
     CHECK(holds(refusal([] { return particle_density(2600, 1.0, {}); }), "porosity is 1"));
 }
+
+}  // namespace ashimpact::test

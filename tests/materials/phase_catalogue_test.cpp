@@ -9,10 +9,7 @@
 #include "tests/materials/catalogue.hpp"
 #include "tests/relative_difference.hpp"
 
-using namespace ashimpact;
-using ashimpact::test::file_text;
-using ashimpact::test::relative_difference;
-using ashimpact::test::shipped_catalogue;
+namespace ashimpact::test {
 
 namespace {
 
@@ -103,7 +100,7 @@ TEST_CASE("the paper's values are their own entries and can be preferred") {
 
 TEST_CASE("names are found whatever their case, punctuation, spelling and data-base number") {
     const PhaseCatalogue catalogue = shipped_catalogue();
-    for (const auto& [name, phase] :
+    for (const auto& pair :
          std::initializer_list<std::pair<const char*, const char*>>{{"Quartz low", "quartz"},
                                                                     {"quartz, low", "quartz"},
                                                                     {"SiO2", "quartz"},
@@ -119,8 +116,8 @@ TEST_CASE("names are found whatever their case, punctuation, spelling and data-b
                                                                     {"fused silica", "fused-silica"},
                                                                     {"K-feldspar", "orthoclase"},
                                                                     {"Plagioclase", "anorthite"}}) {
-        CAPTURE(name);
-        CHECK(catalogue.resolve(name).phase.name == phase);
+        CAPTURE(pair.first);
+        CHECK(catalogue.resolve(pair.first).phase.name == pair.second);
     }
     CHECK(catalogue.resolve("Plagioclase").note ==
           "\"Plagioclase\" is a mineral group: anorthite stands for it");
@@ -172,8 +169,7 @@ TEST_CASE("a broken catalogue says where it is broken") {
     CHECK(
         read(one_phase(std::string(density))).starts_with("/phases/0: the key \"young_modulus\" is missing"));
     CHECK(read(one_phase(good + R"(, "young": 3)")).starts_with("/phases/0/young: unknown key"));
-    CHECK(
-        read(one_phase(good + ", " + density)).starts_with("/phases/0/density: this key is there twice"));
+    CHECK(read(one_phase(good + ", " + density)).starts_with("/phases/0/density: this key is there twice"));
     CHECK(read(one_phase(good + R"(, "poisson_ratio": {"value": 0.2, "unit": "1"})"))
               .find("without a citation") != std::string::npos);
     CHECK(read(one_phase(good + R"(, "poisson_ratio": {"value": 0.6, "unit": "1"})"))
@@ -190,3 +186,5 @@ TEST_CASE("a broken catalogue says where it is broken") {
               .starts_with("/phases: \"X\" stands for both x and y"));
     CHECK(read(std::string(5000, '[')).find("nested too deeply") != std::string::npos);
 }
+
+}  // namespace ashimpact::test

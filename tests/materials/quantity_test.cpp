@@ -8,9 +8,9 @@
 #include "materials/error.hpp"
 #include "tests/relative_difference.hpp"
 
-using namespace ashimpact;
-using ashimpact::test::relative_difference;
 using nlohmann::json;
+
+namespace ashimpact::test {
 
 namespace {
 
@@ -64,3 +64,5 @@ TEST_CASE("a wrong quantity is refused with a pointer to the wrong part") {
     CHECK(message(R"({"value": 1, "unit": "m", "standard_uncertainty": -3})", Dimension::length)
               .starts_with("/standard_uncertainty: "));
 }
+
+}  // namespace ashimpact::test

@@ -9,8 +9,7 @@
 #include "materials/error.hpp"
 #include "tests/relative_difference.hpp"
 
-using namespace ashimpact;
-using ashimpact::test::relative_difference;
+namespace ashimpact::test {
 
 namespace {
 
@@ -126,3 +125,5 @@ TEST_CASE("impossible contacts are refused") {
     CHECK_THROWS_AS(static_cast<void>(dong2013::separation_velocity_from_mass(ash_on_steel, -1)), InputError);
     CHECK_THROWS_AS(static_cast<void>(dong2013::separation_velocity(ash_on_steel, -1)), InputError);
 }
+
+}  // namespace ashimpact::test

@@ -10,8 +10,7 @@
 #include "materials/unit_system.hpp"
 #include "tests/relative_difference.hpp"
 
-using namespace ashimpact;
-using ashimpact::test::relative_difference;
+namespace ashimpact::test {
 
 namespace {
 
@@ -74,9 +73,9 @@ TEST_CASE("quantities as users write them") {
         Row{"1.9 nJ", Dimension::energy, 1.9e-9},
         Row{"-2 mm/s", Dimension::velocity, -2e-3},
     };
-    for (const auto& [text, dimension, value] : rows) {
-        CAPTURE(text);
-        CHECK(relative_difference(parse_quantity(text, dimension), value) < 1e-14);
+    for (const Row& row : rows) {
+        CAPTURE(row.text);
+        CHECK(relative_difference(parse_quantity(row.text, row.dimension), row.value) < 1e-14);
     }
 }
 
@@ -176,3 +175,5 @@ TEST_CASE("every dimension's own unit converts to itself") {
         CHECK(to_si(7.3, si_unit(dimension), dimension) == 7.3);
     }
 }
+
+}  // namespace ashimpact::test

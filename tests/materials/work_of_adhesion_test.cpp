@@ -7,8 +7,7 @@
 #include "materials/error.hpp"
 #include "tests/relative_difference.hpp"
 
-using namespace ashimpact;
-using ashimpact::test::relative_difference;
+namespace ashimpact::test {
 
 TEST_CASE("the three rules, worked by hand for 0.16 and 0.09 J/m2") {
     const SurfaceEnergies energies{.particle = 0.16, .wall = 0.09};
@@ -51,3 +50,5 @@ TEST_CASE("energies that make no sense are refused") {
                                                        {.particle = 0.1, .wall = 0.1, .interfacial = 0.3})),
                     InputError);
 }
+
+}  // namespace ashimpact::test

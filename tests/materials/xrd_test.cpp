@@ -9,12 +9,7 @@
 #include "tests/materials/messages.hpp"
 #include "tests/relative_difference.hpp"
 
-using namespace ashimpact;
-using ashimpact::test::file_text;
-using ashimpact::test::holds;
-using ashimpact::test::refusal;
-using ashimpact::test::relative_difference;
-using ashimpact::test::shipped_catalogue;
+namespace ashimpact::test {
 
 namespace {
 
@@ -225,3 +220,5 @@ TEST_CASE("intensities and ratios that make no sense are refused") {
     CHECK(holds(refused(1, 0), "reference intensity ratio of Quartz is 0"));
     CHECK(holds(refused(0, 3), "all intensities are zero"));
 }
+
+}  // namespace ashimpact::test

@@ -318,14 +318,15 @@ TEST_CASE("an interrupted run leaves whole results: those before it or its own")
         const std::string wait = "0." + std::string(i < 8 ? "0" : "") + std::to_string(i < 8 ? i + 2 : 2 * i);
         const std::string which = i % 2 == 0 ? "case.json" : "";
         const std::string program = "'" ASHIMPACT_PROGRAM "' run " + which + " -o out";
-        const std::string shell = "cd '" + sandbox.folder().string() + "' && timeout -s TERM " + wait + " " + program +
-                                  " >/dev/null 2>&1";
+        const std::string shell = "cd '" + sandbox.folder().string() + "' && timeout -s TERM " + wait + " " +
+                                  program + " >/dev/null 2>&1";
         interrupted += std::system(shell.c_str()) == 0 ? 0 : 1;
         const Json manifest = sandbox.json("out/manifest.json");
         REQUIRE(manifest["result"]["artifacts"].size() == 10);
         for (const auto& artifact : manifest["result"]["artifacts"])
             CHECK(artifact["sha256"] == sha256(sandbox.read("out/" + artifact["file"].get<std::string>())));
-        for (const auto& [name, content] : sandbox.everything()) CHECK(name.find(".tmp") == std::string::npos);
+        for (const auto& [name, content] : sandbox.everything())
+            CHECK(name.find(".tmp") == std::string::npos);
     }
     CHECK(interrupted > 0);
 }

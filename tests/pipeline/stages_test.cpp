@@ -90,7 +90,7 @@ TEST_CASE("2-contact: mass from density and diameter, origins kept") {
         const double r = sample.pair.effective_radius;
         CHECK(relative_difference(sample.pair.mass, 4.0 / 3.0 * M_PI * r * r * r * sample.density) < 1e-14);
     }
-    CHECK(result("2-contact.json")["samples"][0]["contact_modulus"]["origin"] == "inferred");
+    CHECK(result("2-contact.json")["samples"][0]["work_of_adhesion"]["origin"] == "inferred");
 }
 
 TEST_CASE("2-contact: Eq. 7 with an elastic wall, a rigid one, and a modulus that is given") {

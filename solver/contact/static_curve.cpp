@@ -1,0 +1,89 @@
+#include "solver/contact/static_curve.hpp"
+
+#include "materials/checks.hpp"
+#include "materials/error.hpp"
+#include "materials/text.hpp"
+#include "solver/numeric/series.hpp"
+#include "solver/scaled_impact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace ashimpact {
+
+namespace {
+
+void require_at_least(const char* quantity, double value, double least) {
+    if (std::isfinite(value) && value >= least) return;
+    throw InputError(std::string(quantity) + " is " + shortest(value) + " m",
+                     shortest(least) + " m, where the contact breaks, or more");
+}
+
+}  // namespace
+
+// Any unit of length would do, for the laws are homogeneous; with R* contact radius and overlap share it.
+StaticCurve::StaticCurve(Law law, const ContactPair& contact) : law_(law), length_(contact.effective_radius) {
+    require_positive("effective_radius", contact.effective_radius, Dimension::length);
+    require_positive("contact_modulus", contact.contact_modulus, Dimension::pressure);
+    require_not_negative("work_of_adhesion", contact.work_of_adhesion, Dimension::energy_per_area);
+    if (can_yield(law, contact)) {
+        throw InputError(
+            "a contact of law '" + std::string(law.name()) + "' that can yield has no static curve",
+            "an infinite yield_pressure");
+    }
+    force_unit_ = hertz_stiffness(contact) * length_ * std::sqrt(length_);
+    law.visit<void>([&]<template <class> class L>() {
+        adhesion_ = L<double>::adhesion_number(contact, length_);
+        least_root_ = *L<double>{adhesion_}.detachment_point(L<double>::default_detachment);
+    });
+}
+
+StaticCurve StaticCurve::normalised(Law law) {
+    // A pair with K = 1 and pi w R* = 1, whose SI units are those of Eq. 21.
+    return {law,
+            {.mass = 1.0,
+             .effective_radius = 1.0,
+             .contact_modulus = 0.75,
+             .work_of_adhesion = 1.0 / std::numbers::pi}};
+}
+
+StaticPoint StaticCurve::point(double root) const {
+    return law_.visit<StaticPoint>([&]<template <class> class L>() -> StaticPoint {
+        const L<double> numeric{adhesion_};
+        const double attraction = numeric.attractive_force(root);
+        return {.contact_radius = root * root * length_,
+                .overlap = numeric.overlap(root) * length_,
+                .repulsive_force = std::max(0.0, numeric.force(root) - attraction) * force_unit_,
+                .attractive_force = attraction * force_unit_};
+    });
+}
+
+StaticPoint StaticCurve::at_contact_radius(double a) const {
+    require_at_least("contact_radius", a, first().contact_radius);
+    return point(std::sqrt(a / length_));
+}
+
+StaticPoint StaticCurve::at_overlap(double delta) const {
+    require_at_least("overlap", delta, first().overlap);
+    if (delta == first().overlap) return first();
+    const auto excess = [&](double step) { return point(least_root_ + step).overlap - delta; };
+    double step = std::max(least_root_, std::sqrt(std::sqrt(std::abs(delta) / length_)));
+    while (excess(step) < 0.0) step *= 2.0;
+    return point(least_root_ + sign_change<double>(excess, step));
+}
+
+std::vector<StaticPoint> StaticCurve::sampled(double delta, int count) const {
+    if (count < 2) throw InputError("a curve has " + std::to_string(count) + " points", "at least 2");
+    const double from = first().contact_radius;
+    const double to = at_overlap(delta).contact_radius;
+    std::vector<StaticPoint> points;
+    points.reserve(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) {
+        points.push_back(point(std::sqrt((from + (to - from) * i / (count - 1)) / length_)));
+    }
+    return points;
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,122 @@
+#include "solver/measurement/damping_parts.hpp"
+
+#include "materials/error.hpp"
+#include "materials/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace ashimpact {
+
+namespace {
+
+constexpr int steps = 400;
+
+/// A grid of velocities, even in the logarithm.
+std::vector<double> grid_of(const DampingSmoothing& smooth) {
+    std::vector<double> velocities;
+    for (int i = 0; i <= steps; ++i) {
+        const double share = static_cast<double>(i) / steps;
+        velocities.push_back(smooth.slowest() * std::pow(smooth.fastest() / smooth.slowest(), share));
+    }
+    return velocities;
+}
+
+std::size_t least_damping(const DampingSmoothing& smooth, const std::vector<double>& grid) {
+    const auto least = std::min_element(grid.begin(), grid.end(), [&](double a, double b) {
+        return smooth.at(a).damping < smooth.at(b).damping;
+    });
+    return static_cast<std::size_t>(least - grid.begin());
+}
+
+/// The steep part beyond the boundary, outwards from the least damping: direction -1 falling, +1 rising.
+std::optional<PartBoundary> boundary_of(const DampingSmoothing& smooth, const std::vector<double>& grid,
+                                        double flatness, int direction) {
+    const auto last = direction > 0 ? grid.size() - 1 : std::size_t{0};
+    auto i = least_damping(smooth, grid);
+    while (i != last && direction * smooth.at(grid[i]).elasticity < flatness)
+        i = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + direction);
+    if (i == last) return std::nullopt;
+    const auto here = smooth.at(grid[i]);
+    const auto end = smooth.at(grid[last]);
+    if (end.damping - here.damping < 2.0 * std::hypot(end.standard_uncertainty, here.standard_uncertainty))
+        return std::nullopt;
+    const auto next = smooth.at(grid[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + direction)]);
+    const double bend =
+        std::abs(next.elasticity - here.elasticity) / (std::log(smooth.fastest() / smooth.slowest()) / steps);
+    return PartBoundary{grid[i], grid[i] * here.elasticity_uncertainty / std::max(bend, 1e-3)};
+}
+
+}  // namespace
+
+std::string_view name_of(DampingPart part) {
+    switch (part) {
+        case DampingPart::falling:
+            return "falling";
+        case DampingPart::flat:
+            return "flat";
+        case DampingPart::rising:
+            return "rising";
+    }
+    return {};
+}
+
+DampingParts find_parts(const std::vector<InvertedImpact>& inverted, const PartOptions& options) {
+    DampingParts result;
+    const auto smooth = DampingSmoothing::of(inverted);
+    if (!smooth) {
+        result.note = "fewer than " + std::to_string(least_smoothed) +
+                      " rebounds within reach, or too few velocities, for parts to be told apart";
+        return result;
+    }
+    for (const auto& residual : smooth->residuals()) {
+        if (std::abs(residual.value) > options.outlier) result.outliers.push_back(residual.index);
+    }
+    std::sort(result.outliers.begin(), result.outliers.end());
+    const std::vector<double> grid = grid_of(*smooth);
+    if (const auto falling = boundary_of(*smooth, grid, options.flatness, -1)) {
+        result.parts.push_back(DampingPart::falling);
+        result.boundaries.push_back(*falling);
+    }
+    result.parts.push_back(DampingPart::flat);
+    if (const auto rising = boundary_of(*smooth, grid, options.flatness, +1)) {
+        result.parts.push_back(DampingPart::rising);
+        result.boundaries.push_back(*rising);
+    }
+    return result;
+}
+
+RisingBranch rising_branch(const ContactModel& model, const MeasurementSet& set) {
+    RisingBranch branch{
+        .set = {set.source, {}, set.warnings}, .indices = {}, .upper = 0.0, .falls_beyond = false};
+    for (const Measurement& point : set.points) branch.upper = std::max(branch.upper, point.velocity);
+    if (const auto smooth = DampingSmoothing::of(invert(model, set))) {
+        const std::vector<double> grid = grid_of(*smooth);
+        std::vector<double> restitution;
+        for (const double v : grid) restitution.push_back(model.restitution(v, smooth->at(v).damping));
+        const auto top = std::max_element(restitution.begin(), restitution.end());
+        const auto lowest = std::min_element(top, restitution.end());
+        const double v_top = grid[static_cast<std::size_t>(top - restitution.begin())];
+        const double v_low = grid[static_cast<std::size_t>(lowest - restitution.begin())];
+        const auto uncertainty = [&](double v, double e) {
+            return smooth->at(v).standard_uncertainty / std::abs(model.damping(v, e).by_restitution);
+        };
+        branch.falls_beyond =
+            *top - *lowest > 2.0 * std::hypot(uncertainty(v_top, *top), uncertainty(v_low, *lowest));
+        if (branch.falls_beyond) branch.upper = v_top;
+        if (branch.falls_beyond && top == restitution.begin())
+            throw InputError("there is no rising branch: restitution falls with velocity from " +
+                                 shortest(smooth->slowest()) + " m/s on",
+                             "impacts from below the velocity of greatest restitution")
+                .in_file(set.source);
+    }
+    for (std::size_t i = 0; i < set.points.size(); ++i) {
+        if (set.points[i].velocity > branch.upper) continue;
+        branch.set.points.push_back(set.points[i]);
+        branch.indices.push_back(i);
+    }
+    return branch;
+}
+
+}  // namespace ashimpact

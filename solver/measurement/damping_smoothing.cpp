@@ -1,0 +1,151 @@
+#include "solver/measurement/damping_smoothing.hpp"
+
+#include "materials/error.hpp"
+#include "solver/gsl/linear_fit.hpp"
+#include "solver/gsl/robust.hpp"
+#include "solver/gsl/statistics.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <span>
+
+namespace ashimpact {
+
+namespace {
+
+constexpr std::size_t rows_per_interval = 8;
+constexpr std::size_t most_rows = 300;  ///< more rebounds are averaged in groups for the choice of the curve
+
+}  // namespace
+
+/// What is smoothed, ordered by velocity.
+struct DampingSmoothing::Rows {
+    std::vector<double> position;  ///< ln v
+    std::vector<double> damping;
+    std::vector<double> weight;  ///< 1/u
+    std::vector<std::size_t> index;
+
+    void add(double x, double value, double inverse, std::size_t from) {
+        position.push_back(x);
+        damping.push_back(value);
+        weight.push_back(inverse);
+        index.push_back(from);
+    }
+    [[nodiscard]] Rows averaged() const;
+};
+
+DampingSmoothing::Rows DampingSmoothing::Rows::averaged() const {
+    if (position.size() <= most_rows) return *this;
+    const std::size_t group = (position.size() + most_rows - 1) / most_rows;
+    Rows result;
+    for (std::size_t i = 0; i < position.size(); i += group) {
+        const std::size_t size = std::min(group, position.size() - i);
+        const auto part = [&](const std::vector<double>& all) { return std::span(all).subspan(i, size); };
+        const double root = std::sqrt(static_cast<double>(size));
+        std::vector<double> middle(part(damping).begin(), part(damping).end());
+        constexpr std::array half{0.5};  // the median, so that outliers do not spoil their group
+        result.add(gsl::moments(part(position)).mean, gsl::quantiles(middle, half).front(),
+                   root * gsl::moments(part(weight)).mean, index[i]);
+    }
+    return result;
+}
+
+std::optional<DampingSmoothing> DampingSmoothing::with_intervals(const Rows& rows, int intervals) {
+    std::vector<double> fractions;
+    for (int i = 0; i <= intervals; ++i) fractions.push_back(static_cast<double>(i) / intervals);
+    const std::vector<double> breaks = gsl::quantiles(rows.position, fractions);
+    if (std::adjacent_find(breaks.begin(), breaks.end(), std::greater_equal<>()) != breaks.end())
+        return std::nullopt;
+    DampingSmoothing result{gsl::BSpline(breaks)};
+    const auto count = static_cast<Eigen::Index>(rows.position.size());
+    const Eigen::Index size = result.splines_.size();
+    if (count < size + 3) return std::nullopt;
+    Eigen::MatrixXd design(count, size);
+    Eigen::VectorXd observed(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const auto row = static_cast<std::size_t>(i);
+        design.row(i) = rows.weight[row] * result.splines_.values(rows.position[row]).transpose();
+        observed[i] = rows.weight[row] * rows.damping[row];
+    }
+    gsl::RobustLinearFit fit;
+    try {
+        fit = gsl::fit_linear_robust(design, observed);
+    } catch (const ConvergenceError&) {
+        return std::nullopt;  // too many knots for the data
+    }
+    result.coefficients_ = fit.parameters;
+    result.covariance_ = fit.covariance;
+    const auto n = static_cast<double>(count);
+    const double p = static_cast<double>(size) + 1.0;
+    const double least = 1e-12 * observed.norm();
+    const double deviation = std::max(fit.deviation, least);
+    result.criterion_ =
+        2.0 * n * std::log(deviation) + 2.0 * p + 2.0 * p * (p + 1.0) / std::max(1.0, n - p - 1.0);
+    return result;
+}
+
+std::optional<DampingSmoothing> DampingSmoothing::of(const std::vector<InvertedImpact>& inverted) {
+    std::vector<const InvertedImpact*> ordered;
+    std::set<double> velocities;
+    for (const InvertedImpact& impact : inverted) {
+        if (!impact.damping || impact.restitution == 0.0) continue;
+        ordered.push_back(&impact);
+        velocities.insert(impact.velocity);
+    }
+    if (ordered.size() < least_smoothed || velocities.size() < 4) return std::nullopt;
+    std::sort(ordered.begin(), ordered.end(),
+              [](const InvertedImpact* a, const InvertedImpact* b) { return a->velocity < b->velocity; });
+    Rows rows;
+    for (const InvertedImpact* impact : ordered) {
+        rows.add(std::log(impact->velocity), *impact->damping,
+                 1.0 / impact->standard_uncertainty.value_or(*ordered.front()->damping), impact->index);
+    }
+    const Rows averaged = rows.averaged();
+    std::optional<DampingSmoothing> best;
+    const auto most =
+        static_cast<int>(std::clamp<std::size_t>(averaged.position.size() / rows_per_interval, 1, 40));
+    int worse = 0;
+    for (int intervals = 1; intervals <= most && worse < 3; intervals += 1 + intervals / 3) {
+        auto candidate = with_intervals(averaged, intervals);
+        const bool better = candidate && (!best || candidate->criterion_ < best->criterion_);
+        worse = better ? 0 : worse + 1;
+        if (better) best = std::move(candidate);
+    }
+    if (!best) return std::nullopt;
+    best->first_ = averaged.position.front();
+    best->last_ = averaged.position.back();
+    std::vector<double> scaled;
+    for (std::size_t i = 0; i < rows.position.size(); ++i) {
+        const double x = std::clamp(rows.position[i], best->first_, best->last_);
+        const double smooth = best->splines_.values(x).dot(best->coefficients_);
+        scaled.push_back((rows.damping[i] - smooth) * rows.weight[i]);
+    }
+    const double deviation = std::max(gsl::robust_deviation(scaled), std::numeric_limits<double>::min());
+    for (std::size_t i = 0; i < scaled.size(); ++i)
+        best->residuals_.push_back({rows.index[i], scaled[i] / deviation});
+    return best;
+}
+
+double DampingSmoothing::slowest() const {
+    return std::exp(first_);
+}
+
+double DampingSmoothing::fastest() const {
+    return std::exp(last_);
+}
+
+DampingSmoothing::Value DampingSmoothing::at(double velocity) const {
+    const double x = std::clamp(std::log(velocity), first_, last_);
+    const Eigen::VectorXd values = splines_.values(x);
+    const Eigen::VectorXd slopes = splines_.slopes(x);
+    const double damping = values.dot(coefficients_);
+    return {.damping = damping,
+            .standard_uncertainty = std::sqrt(values.dot(covariance_ * values)),
+            .elasticity = slopes.dot(coefficients_) / damping,
+            .elasticity_uncertainty = std::sqrt(slopes.dot(covariance_ * slopes)) / damping};
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "solver/gsl/bspline.hpp"
+#include "solver/measurement/inversion.hpp"
+
+#include <Eigen/Dense>
+
+#include <optional>
+#include <vector>
+
+namespace ashimpact {
+
+/// Fewest rebounds that can be smoothed.
+inline constexpr std::size_t least_smoothed = 8;
+
+/// Damping over the logarithm of velocity as a robust cubic spline, its knots at quantiles of the data, their
+/// number by the corrected Akaike criterion.
+class DampingSmoothing {
+  public:
+    /// None for fewer than least_smoothed rebounds within reach, or fewer than four distinct velocities.
+    [[nodiscard]] static std::optional<DampingSmoothing> of(const std::vector<InvertedImpact>& inverted);
+
+    struct Value {
+        double damping;                 ///< [kg/s]
+        double standard_uncertainty;    ///< [kg/s]
+        double elasticity;              ///< d ln eta/d ln v [1]
+        double elasticity_uncertainty;  ///< standard [1]
+    };
+    /// @param velocity within [slowest(), fastest()] [m/s]
+    [[nodiscard]] Value at(double velocity) const;
+    [[nodiscard]] double slowest() const;
+    [[nodiscard]] double fastest() const;
+    /// Residual of each rebound in robust standard deviations, with its index in the set.
+    struct Residual {
+        std::size_t index;
+        double value;
+    };
+    [[nodiscard]] const std::vector<Residual>& residuals() const { return residuals_; }
+    [[nodiscard]] Eigen::Index coefficients() const { return coefficients_.size(); }
+
+  private:
+    explicit DampingSmoothing(gsl::BSpline splines) : splines_(std::move(splines)) {}
+
+    gsl::BSpline splines_;
+    Eigen::VectorXd coefficients_;
+    Eigen::MatrixXd covariance_;
+    std::vector<Residual> residuals_;
+    double first_ = 0.0;  ///< ln v
+    double last_ = 0.0;
+    double criterion_ = 0.0;
+
+    struct Rows;
+    [[nodiscard]] static std::optional<DampingSmoothing> with_intervals(const Rows& rows, int intervals);
+};
+
+}  // namespace ashimpact

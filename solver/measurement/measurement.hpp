@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ashimpact {
+
+/// Uncertainty of one measured impact as variances of its two velocities [m2/s2].
+struct VelocityNoise {
+    double incident;
+    double rebound;
+    double covariance = 0.0;
+
+    /// Independent standard uncertainties of v_in and v_r [m/s].
+    [[nodiscard]] static VelocityNoise of_velocities(double incident, double rebound) {
+        return {incident * incident, rebound * rebound, 0.0};
+    }
+    /// Independent standard uncertainties of v_in [m/s] and e_n [1] at a point.
+    [[nodiscard]] static VelocityNoise of_restitution(double velocity, double restitution,
+                                                      double velocity_uncertainty,
+                                                      double restitution_uncertainty);
+    [[nodiscard]] VelocityNoise scaled(double factor) const {
+        return {factor * incident, factor * rebound, factor * covariance};
+    }
+};
+
+/// One measured impact. Kept in velocities, in which a camera's errors are independent and normal; e_n, their
+/// ratio, has errors in both axes of every plot against it.
+struct Measurement {
+    double velocity;                       ///< v_in [m/s]
+    double rebound;                        ///< v_r, magnitude; 0 for a capture [m/s]
+    std::optional<VelocityNoise> noise{};  ///< none: not known
+    std::size_t line = 0;                  ///< of the file it stands in; 0: none
+    std::size_t count = 1;                 ///< impacts it is the mean of
+
+    [[nodiscard]] double restitution() const { return rebound / velocity; }
+    /// Censored: only that v_in was too small to rebound is known.
+    [[nodiscard]] bool captured() const { return rebound == 0.0; }
+};
+
+/// The impacts of one sample, in the order of the file.
+struct MeasurementSet {
+    std::string source;  ///< file name, for messages
+    std::vector<Measurement> points;
+    std::vector<std::string> warnings{};
+
+    [[nodiscard]] std::size_t captures() const;
+    [[nodiscard]] std::size_t rebounds() const { return points.size() - captures(); }
+    /// Whether the uncertainties are known; it is for all points or for none.
+    [[nodiscard]] bool has_noise() const;
+};
+
+/// Checks what every use of measurements needs: at least one point, finite numbers, v_in > 0, v_r >= 0,
+/// uncertainties > 0, of all points or of none.
+/// @throws InputError with source and line
+void validate(const MeasurementSet& set);
+
+/// What a high-speed camera resolves of a velocity that is the slope of positions in successive frames.
+struct Camera {
+    double frame_rate;                     ///< [1/s]; Dong et al. 2013: 80,000
+    double pixel_size;                     ///< in the object [m]
+    int frames = 2;                        ///< positions used for each velocity, >= 2
+    double position_in_pixels = 0.288675;  ///< standard uncertainty of a position; 1/sqrt(12): whole pixels
+
+    /// Standard uncertainty of a velocity [m/s]: that of the slope of a straight line through equally spaced
+    /// positions, u_x f sqrt(12/(n (n^2 - 1))). @throws InputError
+    [[nodiscard]] double velocity_uncertainty() const;
+};
+
+/// The set with the camera's uncertainty in both velocities of every point, replacing what was known.
+[[nodiscard]] MeasurementSet with_camera(MeasurementSet set, const Camera& camera);
+
+}  // namespace ashimpact

@@ -1,0 +1,147 @@
+#include "solver/measurement/measurement_headings.hpp"
+
+#include "materials/error.hpp"
+#include "materials/text.hpp"
+#include "materials/units.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace ashimpact {
+
+namespace {
+
+struct Alias {
+    std::string_view key;
+    MeasuredQuantity quantity;
+};
+
+constexpr std::array aliases{
+    Alias{"vin", MeasuredQuantity::velocity},
+    Alias{"vi", MeasuredQuantity::velocity},
+    Alias{"v", MeasuredQuantity::velocity},
+    Alias{"velocity", MeasuredQuantity::velocity},
+    Alias{"incidentvelocity", MeasuredQuantity::velocity},
+    Alias{"incidentnormalvelocity", MeasuredQuantity::velocity},
+    Alias{"normalincidentvelocity", MeasuredQuantity::velocity},
+    Alias{"impactvelocity", MeasuredQuantity::velocity},
+    Alias{"vr", MeasuredQuantity::rebound},
+    Alias{"vrn", MeasuredQuantity::rebound},
+    Alias{"vout", MeasuredQuantity::rebound},
+    Alias{"rebound", MeasuredQuantity::rebound},
+    Alias{"reboundvelocity", MeasuredQuantity::rebound},
+    Alias{"normalreboundvelocity", MeasuredQuantity::rebound},
+    Alias{"e", MeasuredQuantity::restitution},
+    Alias{"en", MeasuredQuantity::restitution},
+    Alias{"cor", MeasuredQuantity::restitution},
+    Alias{"restitution", MeasuredQuantity::restitution},
+    Alias{"coefficientofrestitution", MeasuredQuantity::restitution},
+    Alias{"normalrestitution", MeasuredQuantity::restitution},
+};
+
+constexpr std::array<std::string_view, 8> uncertainty_words{"u",
+                                                            "sigma",
+                                                            "sd",
+                                                            "std",
+                                                            "uncertainty",
+                                                            "uncertaintyof",
+                                                            "standarduncertainty",
+                                                            "standarduncertaintyof"};
+
+/// Letters and digits in lower case; "v_{in}" becomes "vin".
+std::string key_of(std::string_view text) {
+    std::string key;
+    for (const char c : lower_case(text)) {
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0) key += c;
+    }
+    return key;
+}
+
+std::optional<MeasuredQuantity> quantity_of(std::string_view key) {
+    const auto found =
+        std::find_if(aliases.begin(), aliases.end(), [&](const Alias& alias) { return alias.key == key; });
+    return found == aliases.end() ? std::nullopt : std::optional(found->quantity);
+}
+
+struct Meaning {
+    MeasuredQuantity quantity;
+    bool is_uncertainty;
+};
+
+std::optional<Meaning> meaning_of(std::string_view name) {
+    const std::string key = key_of(name);
+    if (const auto quantity = quantity_of(key)) return Meaning{*quantity, false};
+    for (const std::string_view word : uncertainty_words) {
+        std::optional<MeasuredQuantity> quantity;
+        if (key.starts_with(word)) quantity = quantity_of(std::string_view(key).substr(word.size()));
+        if (!quantity && key.ends_with(word))
+            quantity = quantity_of(std::string_view(key).substr(0, key.size() - word.size()));
+        if (quantity) return Meaning{*quantity, true};
+    }
+    return std::nullopt;
+}
+
+struct NameAndUnit {
+    std::string_view name;
+    std::string_view unit;
+};
+
+/// "v_r (mm/s)" into name and unit; brackets that belong to the name, as in "u(v_r)", stay there.
+NameAndUnit split(std::string_view cell) {
+    for (const std::string_view pair : {"[]", "()"}) {
+        if (!cell.ends_with(pair[1])) continue;
+        const auto open = cell.rfind(pair[0]);
+        if (open == std::string_view::npos) continue;
+        const std::string_view name = trimmed(cell.substr(0, open));
+        if (pair == "[]" || meaning_of(name))
+            return {name, trimmed(cell.substr(open + 1, cell.size() - open - 2))};
+    }
+    return {cell, {}};
+}
+
+void require_columns(const MeasurementHeading& heading) {
+    constexpr const char* allowed = "v_in with v_r or with e_n, e.g. \"v_in [m/s], v_r [m/s]\"";
+    if (!heading.of(MeasuredQuantity::velocity))
+        throw InputError("the heading has no column for the incident velocity", allowed);
+    const bool rebound = heading.of(MeasuredQuantity::rebound).has_value();
+    const bool restitution = heading.of(MeasuredQuantity::restitution).has_value();
+    if (!rebound && !restitution)
+        throw InputError("the heading has no column for the rebound velocity or the restitution", allowed);
+    if (rebound && restitution)
+        throw InputError("the heading has both the rebound velocity and the restitution", "one of them");
+    const auto other = rebound ? MeasuredQuantity::restitution : MeasuredQuantity::rebound;
+    if (heading.uncertainty_of(other))
+        throw InputError("the uncertainty in column " + in_quotes(heading.uncertainty_of(other)->name) +
+                             " is that of a column that is not there",
+                         "the uncertainty of a column of the table");
+}
+
+}  // namespace
+
+MeasurementHeading read_measurement_heading(const std::vector<std::string>& cells) {
+    MeasurementHeading heading{.value = {}, .uncertainty = {}, .unused = {}, .columns = cells.size()};
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const auto [name, unit] = split(cells[i]);
+        const auto meaning = meaning_of(name);
+        if (!meaning) {
+            heading.unused.emplace_back(cells[i]);
+            continue;
+        }
+        const bool is_ratio = meaning->quantity == MeasuredQuantity::restitution;
+        const Dimension dimension = is_ratio ? Dimension::fraction : Dimension::velocity;
+        auto& column = (meaning->is_uncertainty ? heading.uncertainty
+                                                : heading.value)[static_cast<std::size_t>(meaning->quantity)];
+        if (column)
+            throw InputError("the columns " + in_quotes(column->name) + " and " + in_quotes(name) +
+                                 " hold the same quantity",
+                             "each quantity once");
+        column = MeasuredColumn{.position = i,
+                                .name = std::string(name),
+                                .to_si = unit.empty() ? 1.0 : to_si(1.0, unit, dimension),
+                                .unit_given = !unit.empty() || is_ratio};
+    }
+    require_columns(heading);
+    return heading;
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ashimpact {
+
+/// What a column of a table of impacts holds.
+enum class MeasuredQuantity { velocity, rebound, restitution };
+
+struct MeasuredColumn {
+    std::size_t position;
+    std::string name;  ///< as the file has it, without unit
+    double to_si;      ///< factor
+    bool unit_given;
+};
+
+/// The columns of a heading.
+struct MeasurementHeading {
+    std::array<std::optional<MeasuredColumn>, 3> value;        ///< by MeasuredQuantity
+    std::array<std::optional<MeasuredColumn>, 3> uncertainty;  ///< by MeasuredQuantity
+    std::vector<std::string> unused;
+    std::size_t columns;
+
+    [[nodiscard]] const std::optional<MeasuredColumn>& of(MeasuredQuantity quantity) const {
+        return value[static_cast<std::size_t>(quantity)];
+    }
+    [[nodiscard]] const std::optional<MeasuredColumn>& uncertainty_of(MeasuredQuantity quantity) const {
+        return uncertainty[static_cast<std::size_t>(quantity)];
+    }
+};
+
+/// Errors: InputError for a unit of another dimension, a column twice, v_in missing, or both v_r and e_n.
+[[nodiscard]] MeasurementHeading read_measurement_heading(const std::vector<std::string>& cells);
+
+}  // namespace ashimpact

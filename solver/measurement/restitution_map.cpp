@@ -1,0 +1,117 @@
+#include "solver/measurement/restitution_map.hpp"
+
+#include "materials/error.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ashimpact {
+
+namespace {
+
+constexpr int root_degree = 26;      ///< along the cube root of the restitution
+constexpr int time_degree = 14;      ///< the same for contact times
+constexpr double least_timed = 0.3;  ///< cube root of e below which contact times are solved, not tabulated
+constexpr double margin = 0.05;      ///< distance in x from where every impact is captured
+
+/// Degree along x: the dependence on adhesion is smooth over factors of velocity.
+int degree_for(ScaledVelocityRange range) {
+    const double wanted = 6.0 + 2.0 * (range.upper - range.lower);
+    return static_cast<int>(std::clamp(wanted, 8.0, 30.0));
+}
+
+double cube(double x) {
+    return x * x * x;
+}
+
+}  // namespace
+
+RestitutionMap::RestitutionMap(Law law, Detachment detachment, ScaledVelocityRange range)
+    : impacts_(law, detachment), range_(range) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (impacts_.adhesive()) {
+        range_.lower = std::max(range.lower, impacts_.lowest() + margin);
+    } else {
+        range_ = {-infinity, infinity};
+    }
+    if (!(range_.lower < range_.upper)) throw InputError("every impact is captured at these velocities");
+    tabulate_damping();
+    tabulate_times();
+    check();
+}
+
+void RestitutionMap::tabulate_damping() {
+    const bool adhesive = impacts_.adhesive();
+    const ChebyshevAxis root{0.0, 1.0, root_degree};
+    const ChebyshevAxis along{adhesive ? range_.lower : 0.0, adhesive ? range_.upper : 0.0,
+                              adhesive ? degree_for(range_) : 0};
+    Eigen::MatrixXd numbers = Eigen::MatrixXd::Zero(root.degree + 1, along.degree + 1);
+    // From strong to weak impacts and from e = 1 to 0, so that the last solutions tell where the next one is.
+    for (int j = along.degree; j >= 0; --j) {
+        const double x = along.node(j);
+        double shift = 0.0;
+        for (int i = root.degree - 1; i >= 0; --i) {
+            const double e = cube(root.node(i)) * impacts_.greatest_restitution(x);
+            const bool first = j == along.degree;
+            const double guess = first ? 1.2 * (1.0 - e) : numbers(i, j + 1) + shift;
+            const double width = first ? 0.1 : std::max(2e-4, 0.1 * std::abs(shift));
+            numbers(i, j) = impacts_.damping_number(e, x, {.guess = std::max(0.0, guess), .width = width});
+            if (!first) shift = numbers(i, j) - numbers(i, j + 1);
+        }
+    }
+    damping_ = ChebyshevSurface(root, along, numbers);
+}
+
+void RestitutionMap::tabulate_times() {
+    const bool adhesive = impacts_.adhesive();
+    const ChebyshevAxis root{least_timed, 1.0, time_degree};
+    const ChebyshevAxis along{adhesive ? range_.lower : 0.0, adhesive ? range_.upper : 0.0,
+                              adhesive ? degree_for(range_) : 0};
+    Eigen::MatrixXd times(root.degree + 1, along.degree + 1);
+    for (int j = 0; j <= along.degree; ++j) {
+        for (int i = 0; i <= root.degree; ++i) {
+            times(i, j) = impacts_.contact_time(damping_(root.node(i), along.node(j)).value, along.node(j));
+        }
+    }
+    time_ = ChebyshevSurface(root, along, times);
+}
+
+void RestitutionMap::check() {
+    constexpr std::array shares{0.004, 0.05, 0.31, 0.77};
+    constexpr std::array places{0.07, 0.36, 0.88};
+    accuracy_ = 0.0;
+    for (const double place : places) {
+        const double x = impacts_.adhesive() ? range_.lower + place * (range_.upper - range_.lower) : 0.0;
+        for (const double share : shares) {
+            const double e = share * impacts_.greatest_restitution(x);
+            const double found = impacts_.restitution(damping_number(e, x).value, x);
+            accuracy_ = std::max(accuracy_, std::abs(found - e));
+        }
+    }
+}
+
+double RestitutionMap::root_of_share(double restitution, double x) const {
+    return std::cbrt(std::max(0.0, restitution) / impacts_.greatest_restitution(x));
+}
+
+DampingNumber RestitutionMap::damping_number(double restitution, double x) const {
+    const double root = root_of_share(restitution, x);
+    const SurfacePoint at = damping_(root, x);
+    // d(root)/de = root/(3 e); at e = 0 the slope is that of a place close by, where the same power rules.
+    const double safe = std::max(root, 1e-2);
+    const double slope = root < safe ? damping_(safe, x).by_x : at.by_x;
+    const double greatest = impacts_.greatest_restitution(x);
+    const double by_restitution = slope / (3.0 * safe * safe * greatest);
+    double by_x = at.by_y;
+    if (greatest < 1.0) by_x -= at.by_x * root / 3.0 * (1.0 - greatest * greatest) / (greatest * greatest);
+    return {at.value, by_restitution, by_x};
+}
+
+double RestitutionMap::contact_time(double restitution, double x) const {
+    const double root = root_of_share(restitution, x);
+    if (root >= least_timed) return time_(root, x).value;
+    return impacts_.contact_time(damping_(root, x).value, x);
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "solver/measurement/scaled_impacts.hpp"
+#include "solver/numeric/chebyshev_surface.hpp"
+
+#include <limits>
+
+namespace ashimpact {
+
+/// Range of x = ln(v/V_a) that a map covers.
+struct ScaledVelocityRange {
+    double lower;
+    double upper;
+
+    [[nodiscard]] bool contains(double x) const { return x >= lower && x <= upper; }
+};
+
+/// Damping number and its slopes at one place of a map.
+struct DampingNumber {
+    double value;           ///< beta = eta m^(-3/5) k^(-2/5) v^(-1/5) [1]
+    double by_restitution;  ///< d beta/de
+    double by_x;            ///< d beta/dx
+};
+
+/// beta(e, x), the damping number that gives a restitution, of one law and all materials, in a form that
+/// costs a microsecond where solving the impact costs milliseconds.
+///
+/// beta is interpolated in the cube root of e over its greatest value: near capture its expansion has the
+/// powers e, e^(4/3) ... e^(7/3) (which of them depends on the law), all whole powers there. The
+/// approximation is checked against solved impacts when it is made, see accuracy().
+class RestitutionMap {
+  public:
+    /// Solves the impacts (0.05 to 0.2 s). The range is cut where every impact is captured.
+    /// @throws InputError for a detachment that does not capture or a range that is empty
+    RestitutionMap(Law law, Detachment detachment, ScaledVelocityRange range);
+
+    [[nodiscard]] const ScaledImpacts& impacts() const { return impacts_; }
+    [[nodiscard]] ScaledVelocityRange range() const { return range_; }
+    /// Largest error in restitution found when the map was checked [1].
+    [[nodiscard]] double accuracy() const { return accuracy_; }
+
+    /// @param restitution 0 <= e <= greatest_restitution(x); @param x within range()
+    [[nodiscard]] DampingNumber damping_number(double restitution, double x) const;
+    [[nodiscard]] double greatest_restitution(double x) const { return impacts_.greatest_restitution(x); }
+    /// Contact time in units of L/v, e > 0 [1].
+    [[nodiscard]] double contact_time(double restitution, double x) const;
+
+  private:
+    void tabulate_damping();
+    void tabulate_times();
+    void check();
+    [[nodiscard]] double root_of_share(double restitution, double x) const;
+
+    ScaledImpacts impacts_;
+    ScaledVelocityRange range_;
+    ChebyshevSurface damping_;
+    ChebyshevSurface time_;
+    double accuracy_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace ashimpact

@@ -1,0 +1,45 @@
+#include "solver/numeric/chebyshev.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace ashimpact {
+
+double ChebyshevAxis::node(int i) const {
+    if (degree == 0) return lower;
+    const double t = -std::cos(std::numbers::pi * i / degree);
+    return i == degree ? upper : lower + (upper - lower) * 0.5 * (1.0 + t);
+}
+
+Eigen::MatrixXd ChebyshevAxis::analysis() const {
+    assert(degree <= greatest_degree);
+    const int n = degree;
+    Eigen::MatrixXd transform = Eigen::MatrixXd::Ones(n + 1, n + 1);
+    if (n == 0) return transform;
+    const auto half_at_ends = [n](int i) { return i == 0 || i == n ? 0.5 : 1.0; };
+    for (int k = 0; k <= n; ++k) {
+        for (int i = 0; i <= n; ++i) {
+            const double angle = std::numbers::pi * k * (n - i) / n;
+            transform(k, i) = 2.0 / n * half_at_ends(k) * half_at_ends(i) * std::cos(angle);
+        }
+    }
+    return transform;
+}
+
+ChebyshevBasis::ChebyshevBasis(const ChebyshevAxis& axis, double position)
+    : value(axis.degree + 1), slope(axis.degree + 1) {
+    value[0] = 1.0;
+    slope[0] = 0.0;
+    if (axis.degree == 0) return;
+    const double stretch = 2.0 / (axis.upper - axis.lower);
+    const double t = (position - axis.lower) * stretch - 1.0;
+    value[1] = t;
+    slope[1] = stretch;
+    for (int k = 2; k <= axis.degree; ++k) {
+        value[k] = 2.0 * t * value[k - 1] - value[k - 2];
+        slope[k] = 2.0 * stretch * value[k - 1] + 2.0 * t * slope[k - 1] - slope[k - 2];
+    }
+}
+
+}  // namespace ashimpact

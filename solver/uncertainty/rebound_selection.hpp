@@ -1,0 +1,41 @@
+#pragma once
+
+#include "solver/uncertainty/restitution_likelihood.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace ashimpact {
+
+enum class Exclusion {
+    above_reach,  ///< v_r exceeds v_in by more than three standard uncertainties, or at all if those are
+                  ///< unknown
+};
+
+struct ExcludedRebound {
+    std::size_t index;
+    Exclusion reason;
+};
+
+/// The rebounds of a set that a fit can use, and where they stand in it.
+struct ReboundSelection {
+    RestitutionData data;  ///< without outcomes; noise that is not known is 1 m/s
+    std::vector<std::size_t> indices;
+    std::vector<ExcludedRebound> excluded;
+    bool noise_known;
+};
+
+[[nodiscard]] ReboundSelection select_rebounds(const ContactModel& model, const MeasurementSet& set);
+
+/// @throws InputError unless there are enough distinct rebounds for a curve of this order
+void require_enough(const ReboundSelection& selection, const MeasurementSet& set, int order);
+
+/// Least squares of the inverted damping on the restitution: biased by the noise in both, but close; of a
+/// lower order where that of @p order gives no curve. @throws ConvergenceError where none does
+[[nodiscard]] Eigen::VectorXd starting_coefficients(const ContactModel& model, const RestitutionData& data,
+                                                    int order);
+
+/// What the outcomes of all impacts say, with the noise enlarged by @p scatter.
+[[nodiscard]] std::vector<ImpactOutcome> outcomes_of(const MeasurementSet& set, double scatter);
+
+}  // namespace ashimpact

@@ -1,0 +1,160 @@
+// The critical velocity parts capture from rebound, to nine digits, for every law; so do the verdicts.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "solver/critical_velocity.hpp"
+#include "solver/scale.hpp"
+#include "tests/support/contact_cases.hpp"
+#include "tests/support/random.hpp"
+
+using namespace ashimpact;
+using namespace ashimpact::test;
+
+namespace {
+
+/// How much deeper than the kinetic energy the adhesive well may be for nine digits to be told apart.
+constexpr double greatest_depth = 1e6;
+
+CriticalVelocity critical_of(const Impact& impact) {
+    return critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact});
+}
+
+/// The same impact at another velocity, damping coefficient and all.
+ImpactResult at_velocity(Impact impact, double velocity) {
+    impact.velocity = velocity;
+    return solve_impact(impact);
+}
+
+/// A verdict without a critical velocity: captured, or rebounding, at every velocity that keeps the overlap
+/// within the theory.
+void check_every_velocity(const Impact& impact, CaptureVerdict verdict) {
+    for (double factor = 1e-6; factor < 2e6; factor *= 100) {
+        const ImpactResult result = at_velocity(impact, factor * impact.velocity);
+        const bool within_theory = result.maximum_overlap < impact.contact.effective_radius;
+        if (result.yielded && !within_theory) continue;
+        CHECK((result.outcome == Outcome::capture) == (verdict == CaptureVerdict::always_captured));
+    }
+}
+
+/// Capture and rebound change places at @p velocity. Returns whether nine digits were in reach.
+bool check_change(const Impact& impact, double velocity, Outcome outcome_below) {
+    const ImpactResult below = at_velocity(impact, velocity * (1.0 - 1e-9));
+    const ImpactResult above = at_velocity(impact, velocity * (1.0 + 1e-9));
+    if (std::abs(above.energy.minimum) > greatest_depth * above.energy.incident) return false;
+    CAPTURE(velocity);
+    CHECK(below.outcome == outcome_below);
+    CHECK(above.outcome != outcome_below);
+    CHECK(std::max(below.restitution, above.restitution) < 1e-3);
+    return true;
+}
+
+/// Checks the verdict on the damping of @p impact by impacts; returns whether nine digits were in reach.
+bool check_verdict(const Impact& impact) {
+    CAPTURE(describe(impact));
+    const CriticalVelocity critical = critical_of(impact);
+    if (critical.verdict != CaptureVerdict::finite) {
+        CHECK(!critical.value);
+        CHECK(critical.crossings.empty());
+        check_every_velocity(impact, critical.verdict);
+        return false;
+    }
+    REQUIRE(critical.value);
+    CHECK(*critical.value > 0.0);
+    REQUIRE(!critical.crossings.empty());
+    CHECK(critical.crossings.front() == *critical.value);
+    CHECK(std::is_sorted(critical.crossings.begin(), critical.crossings.end()));
+    Outcome below = Outcome::capture;
+    for (const double velocity : critical.crossings) {
+        if (!check_change(impact, velocity, below)) return false;
+        below = below == Outcome::capture ? Outcome::rebound : Outcome::capture;
+    }
+    // All that the impact brought was dissipated, or spent on yielding and on the break.
+    const double kinetic = 0.5 * impact.contact.mass * *critical.value * *critical.value;
+    const double spent = critical.dissipated + critical.plastic + critical.detachment_energy;
+    CHECK(std::abs(spent - kinetic) < 1e-12 * kinetic);
+    const double overlap = at_velocity(impact, *critical.value * (1.0 + 1e-9)).maximum_overlap;
+    CHECK(std::abs(*critical.maximum_overlap - overlap) < 1e-8 * overlap);
+    return true;
+}
+
+Impact random_impact(Random& random, ContactCase c) {
+    const double radius = random.log_uniform(1e-7, 1e-3);
+    const double density = random.log_uniform(500.0, 2e4);
+    const ContactPair pair{.mass = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * density,
+                           .effective_radius = radius,
+                           .contact_modulus = random.log_uniform(1e8, 1e12),
+                           .work_of_adhesion = random.log_uniform(1e-4, 10.0)};
+    const double velocity = random.log_uniform(1e-4, 1e3);
+    if (std::isfinite(c.yield_pressure))
+        c.yield_pressure = pair.contact_modulus * random.log_uniform(1e-3, 1.0);
+    return impact_of(c, pair, random.log_uniform(1e-3, 3.0), velocity);
+}
+
+/// Checks @p times random verdicts of each case; returns how many were in reach.
+int check_random_verdicts(const std::vector<ContactCase>& cases, int times, Random random) {
+    int reached = 0;
+    for (const ContactCase& c : cases) {
+        for (int i = 0; i < times; ++i) reached += check_verdict(random_impact(random, c)) ? 1 : 0;
+    }
+    return reached;
+}
+
+}  // namespace
+
+TEST_CASE("capture just below and rebound just above the critical velocity, at fly-ash scale") {
+    int reached = 0;
+    for (const ContactCase& c : elastic_cases()) {
+        for (const double w : ash_adhesions) {
+            for (const double number : {1e-4, 0.02, 0.3, 1.2, 3.0}) {
+                reached += check_verdict(impact_of(c, ash(w), number, 2.0)) ? 1 : 0;
+            }
+        }
+    }
+    CHECK(reached > 100);
+    for (const ContactCase& c : yielding_cases()) {
+        for (const double number : {0.02, 0.8}) CHECK(check_verdict(impact_of(c, ash(0.3), number, 2.0)));
+    }
+}
+
+TEST_CASE("capture just below and rebound just above the critical velocity, anywhere") {
+    const int times = repetitions(200);
+    CHECK(check_random_verdicts(elastic_cases(), times, Random(20131)) > 5 * times);
+}
+
+TEST_CASE("contacts that yield: every change between capture and rebound, anywhere") {
+    const int times = repetitions(6);
+    CHECK(check_random_verdicts(yielding_cases(), times, Random(1998)) > times / 2);
+}
+
+TEST_CASE("an undamped contact whose break costs energy captures below that energy") {
+    int reached = 0;
+    for (const ContactCase& c : undamped_cases()) {
+        for (const double w : ash_adhesions) {
+            reached += check_verdict(impact_of(c, ash(w), 0.0, 2.0)) ? 1 : 0;
+        }
+    }
+    CHECK(reached >= 3);
+}
+
+TEST_CASE("where the arrival takes a finite time, impacts just above the critical velocity end then") {
+    int seen = 0;
+    for (const ContactCase& c : elastic_cases()) {
+        const Impact impact = impact_of(c, ash(0.3), 0.3, 2.0);
+        const CriticalVelocity critical = critical_of(impact);
+        if (!critical.contact_time) continue;
+        ++seen;
+        CAPTURE(name_of(c));
+        // The particle is late by v_r/acceleration, and v_r is the root of the excess.
+        const auto lateness = [&](double excess) {
+            const ImpactResult above = at_velocity(impact, *critical.value * (1.0 + excess));
+            return std::abs(above.contact_time.value() / *critical.contact_time - 1.0);
+        };
+        CHECK(lateness(1e-8) < 0.011 * lateness(1e-4));
+        CHECK(lateness(1e-12) < 2e-5);
+    }
+    CHECK(seen >= 3);
+}

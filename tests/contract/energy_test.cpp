@@ -1,0 +1,169 @@
+// Energy: what an undamped impact keeps, what a damped one loses, against quadratures of their own.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solver/contact/static_curve.hpp"
+#include "solver/orbit.hpp"
+#include "solver/scaled_impact.hpp"
+#include "tests/relative_difference.hpp"
+#include "tests/support/contact_cases.hpp"
+#include "tests/support/quadrature.hpp"
+#include "tests/support/worst.hpp"
+
+using namespace ashimpact;
+using namespace ashimpact::test;
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Overlap at which the static law detaches [m].
+double end_overlap(Law law, const ContactPair& pair, Detachment detachment) {
+    return law.visit<double>([&]<template <class> class L>() {
+        const double length = pair.effective_radius;
+        const L<double> numeric{L<double>::adhesion_number(pair, length)};
+        return numeric.overlap(*numeric.detachment_point(detachment)) * length;
+    });
+}
+
+/// Work that breaking the contact costs, from zero overlap to its end [J]: the static force over the overlap,
+/// in a variable in which it is smooth at a fold.
+double work_of_breaking(Law law, const ContactPair& pair, Detachment detachment) {
+    const StaticCurve curve(law, pair);
+    const double way = end_overlap(law, pair, detachment);
+    if (std::abs(way) < 1e-12 * pair.effective_radius) return 0.0;
+    return integral([&](double x) { return curve.at_overlap(way * (1.0 - x * x)).force() * 2.0 * x * way; },
+                    0.0, 1.0);
+}
+
+/// What the ledger is exact relative to [J].
+double size_of(const EnergyLedger& energy) {
+    return std::max(energy.incident, std::abs(energy.minimum));
+}
+
+template <class Action>
+void for_each_damped_impact(Action&& action) {
+    for (const ContactCase& c : contact_cases()) {
+        for (const double w : ash_adhesions) {
+            for (const double v : ash_velocities) {
+                for (const double number : {0.05, 0.3, 0.8, 1.3}) action(impact_of(c, ash(w), number, v));
+            }
+        }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("an undamped impact loses what breaking the contact costs, and nothing else") {
+    Worst ledger;
+    Worst restitution;
+    Worst time;
+    for (const ContactCase& c : elastic_cases()) {
+        for (const double w : ash_adhesions) {
+            for (const double v : ash_velocities) {
+                const Impact impact = impact_of(c, ash(w), 0.0, v);
+                const ImpactResult result = solve_impact(impact);
+                const double kinetic = 0.5 * impact.contact.mass * v * v;
+                const double breaking = work_of_breaking(c.law, impact.contact, c.detachment);
+                const double expected = std::sqrt(1.0 - breaking / kinetic);
+                REQUIRE(result.outcome == Outcome::rebound);
+                CHECK(result.energy.dissipated == 0.0);
+                ledger.see(std::abs(result.energy.residual) / kinetic, describe(impact));
+                restitution.see(std::abs(result.restitution - expected), describe(impact));
+                if (breaking == 0.0) {
+                    time.see(relative_difference(*result.contact_time, 2.0 * *result.approach_time),
+                             describe(impact));
+                }
+            }
+        }
+    }
+    CHECK_MESSAGE(ledger.deviation() < 1e-12, ledger.where());
+    CHECK_MESSAGE(restitution.deviation() < 1e-12, restitution.where());
+    CHECK_MESSAGE(time.deviation() < 1e-12, time.where());
+}
+
+TEST_CASE("the damping law does not matter where its coefficient is zero") {
+    Worst worst;
+    for (const ContactCase& c : contact_cases()) {
+        ContactCase plain = c;
+        plain.damping_law = DampingLaw::constant;
+        const ImpactResult a = solve_impact(impact_of(c, ash(0.3), 0.0, 2.0));
+        const ImpactResult b = solve_impact(impact_of(plain, ash(0.3), 0.0, 2.0));
+        worst.see(std::abs(a.restitution - b.restitution), name_of(c));
+        worst.see(relative_difference(*a.contact_time, *b.contact_time), name_of(c));
+        worst.see(relative_difference(a.maximum_overlap, b.maximum_overlap), name_of(c));
+    }
+    CHECK_MESSAGE(worst.deviation() < 1e-14, worst.where());
+}
+
+TEST_CASE("the ledger of a damped impact closes, and every entry has its sign") {
+    Worst worst;
+    int captures = 0;
+    int yielded = 0;
+    for_each_damped_impact([&](const Impact& impact) {
+        const ImpactResult result = solve_impact(impact);
+        const EnergyLedger& energy = result.energy;
+        CAPTURE(describe(impact));
+        const double kinetic = 0.5 * impact.contact.mass * impact.velocity * impact.velocity;
+        CHECK(relative_difference(energy.incident, kinetic) < 1e-14);
+        CHECK(energy.dissipated > 0.0);
+        CHECK(energy.remaining >= 0.0);
+        CHECK(energy.minimum <= 0.0);
+        worst.see(std::abs(energy.incident + energy.at_touch - energy.remaining - energy.potential -
+                           energy.dissipated - energy.plastic) /
+                      size_of(energy),
+                  describe(impact));
+        worst.see(std::abs(energy.residual) / size_of(energy), describe(impact));
+        CHECK(energy.plastic >= 0.0);
+        CHECK(result.yielded == (energy.plastic > 0.0));
+        yielded += result.yielded ? 1 : 0;
+        captures += result.outcome == Outcome::capture ? 1 : 0;
+        if (result.outcome == Outcome::rebound) {
+            CHECK(relative_difference(energy.remaining, result.restitution * result.restitution * kinetic) <
+                  1e-14);
+            ContactPair elastic = impact.contact;
+            elastic.yield_pressure = infinity;
+            const double breaking = work_of_breaking(impact.law, elastic, impact.detachment);
+            const bool at_a_place = impact.detachment != Detachment::zero_force;
+            if (at_a_place && !result.yielded) {
+                CHECK(std::abs(energy.potential - energy.at_touch - breaking) < 1e-12 * size_of(energy));
+            }
+        }
+    });
+    CHECK(captures > 10);
+    CHECK(yielded > 20);
+    CHECK_MESSAGE(worst.deviation() < 1e-12, worst.where());
+}
+
+TEST_CASE("the dissipated energy is the work of damping, integrated by itself along the motion") {
+    Worst worst;
+    for_each_damped_impact([&](const Impact& impact) {
+        const Scale scale = Scale::of(impact.contact, impact.velocity);
+        double approach = 0.0;
+        double rebound = 0.0;
+        const auto add_work = [&](const Motion<Extended>& branch, const MotionExpansion<Extended>& x,
+                                  Extended used) {
+            const double work = integral(
+                [&](double part) {
+                    const MotionState<Extended> s = x.at(part * used);
+                    return static_cast<double>(branch.damping(s.position) * s.velocity * s.velocity *
+                                               branch.slope(s.position) * used);
+                },
+                0.0, 1.0);
+            (x.velocity[0] > 0 ? approach : rebound) += work;
+        };
+        const Orbit<Extended> orbit =
+            can_yield(impact.law, impact.contact)
+                ? follow_plastic(scaled_plastic_motion<Extended>(impact, scale), 1.0L, add_work).orbit
+                : follow<Extended>(scaled_motion<Extended>(impact, scale), 1.0L, add_work);
+        // The ledger of a capture ends at the greatest overlap.
+        const double work = orbit.outcome == Outcome::rebound ? approach + rebound : approach;
+        worst.see(relative_difference(work * scale.energy(), solve_impact(impact).energy.dissipated),
+                  describe(impact));
+    });
+    CHECK(worst.count() > 500);
+    CHECK_MESSAGE(worst.deviation() < 1e-12, worst.where());
+}

@@ -1,0 +1,83 @@
+// Orbits of a law without memory cannot cross: faster in is faster out, and more damping is less of it.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "solver/critical_velocity.hpp"
+#include "tests/support/contact_cases.hpp"
+
+using namespace ashimpact;
+using namespace ashimpact::test;
+
+TEST_CASE(
+    "a faster impact rebounds faster, goes deeper and, with constant damping, keeps more of its velocity") {
+    for (const ContactCase& c : elastic_cases()) {
+        CAPTURE(name_of(c));
+        Impact impact = impact_of(c, ash(0.3), 0.3, 2.0);
+        ImpactResult before{};
+        int rebounds = 0;
+        for (impact.velocity = 0.02; impact.velocity < 50.0; impact.velocity *= 1.25) {
+            CAPTURE(impact.velocity);
+            const ImpactResult now = solve_impact(impact);
+            CHECK(now.maximum_overlap >= before.maximum_overlap);
+            if (now.outcome == Outcome::capture) {
+                CHECK(before.restitution == 0.0);  // captured below, rebounding above, never the other way
+                CHECK(now.restitution == 0.0);
+            } else {
+                ++rebounds;
+                CHECK(now.restitution > 0.0);
+                CHECK(now.restitution < 1.0);
+                CHECK(now.rebound_velocity > before.rebound_velocity);
+                if (c.damping_law == DampingLaw::constant) CHECK(now.restitution > before.restitution);
+            }
+            before = now;
+        }
+        CHECK(rebounds > 5);
+    }
+}
+
+TEST_CASE("more damping: less restitution, less overlap, a later end") {
+    for (const ContactCase& c : contact_cases()) {
+        for (const double w : ash_adhesions) {
+            ImpactResult before = solve_impact(impact_of(c, ash(w), 0.0, 2.0));
+            for (double number = 0.01; number < 3.0; number *= 1.3) {
+                const ImpactResult now = solve_impact(impact_of(c, ash(w), number, 2.0));
+                CAPTURE(name_of(c));
+                CAPTURE(w);
+                CAPTURE(number);
+                CHECK(now.maximum_overlap < before.maximum_overlap);
+                if (now.outcome == Outcome::capture) {
+                    CHECK(now.restitution == 0.0);
+                    before = now;
+                    continue;
+                }
+                REQUIRE(before.outcome == Outcome::rebound);
+                CHECK(now.restitution < before.restitution);
+                if (c.detachment != Detachment::zero_force) CHECK(*now.contact_time > *before.contact_time);
+                before = now;
+            }
+        }
+    }
+}
+
+TEST_CASE("critical velocity rises with damping, and once every impact is captured it stays so") {
+    for (const ContactCase& c : elastic_cases()) {
+        for (const double w : ash_adhesions) {
+            double before = 0.0;
+            bool always = false;
+            for (double number = 0.01; number < 8.0; number *= 1.5) {
+                const Impact impact = impact_of(c, ash(w), number, 2.0);
+                const CriticalVelocity now =
+                    critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact});
+                CAPTURE(describe(impact));
+                if (always) CHECK(now.verdict == CaptureVerdict::always_captured);
+                always = now.verdict == CaptureVerdict::always_captured;
+                if (now.verdict == CaptureVerdict::never_captured) CHECK(before == 0.0);
+                if (now.verdict == CaptureVerdict::finite) {
+                    CHECK(*now.value > before);
+                    before = *now.value;
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,90 @@
+// Ten thousand impacts of anything: each ends in a rebound, a capture or a typed refusal, and its ledger
+// closes.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "materials/error.hpp"
+#include "tests/support/contact_cases.hpp"
+#include "tests/support/random.hpp"
+#include "tests/support/worst.hpp"
+
+using namespace ashimpact;
+using namespace ashimpact::test;
+
+namespace {
+
+/// Any law, damping law and detachment, admissible or not, over the whole range that fly ash and its
+/// neighbours span.
+Impact random_impact(Random& random) {
+    ContactCase c{.law = Law::at(random.below(Law::count())),
+                  .damping_law = damping_names[random.below(damping_names.size())].law,
+                  .detachment = detachment_names[random.below(detachment_names.size())].detachment};
+    const double radius = random.log_uniform(1e-7, 1e-3);
+    const double density = random.log_uniform(500.0, 2e4);
+    const ContactPair pair{.mass = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * density,
+                           .effective_radius = radius,
+                           .contact_modulus = random.log_uniform(1e8, 1e12),
+                           .work_of_adhesion = random.log_uniform(1e-4, 10.0)};
+    if (random.below(2) == 0) c.yield_pressure = pair.contact_modulus * random.log_uniform(1e-3, 1.0);
+    const double velocity = random.log_uniform(1e-4, 1e3);
+    return impact_of(c, pair, random.uniform(0.0, 2.0), velocity);
+}
+
+struct Tally {
+    int rebounds = 0;
+    int captures = 0;
+    int refusals = 0;
+    int beyond_theory = 0;  ///< overlap larger than the radius
+};
+
+}  // namespace
+
+TEST_CASE("random impacts end in a rebound, a capture or a refusal, and their energy is accounted for") {
+    Random random(3);
+    Tally tally;
+    Worst ledger;
+    Worst in_double;
+    const int times = repetitions(10'000);
+    while (tally.rebounds + tally.captures < times) {
+        const Impact impact = random_impact(random);
+        CAPTURE(describe(impact));
+        if (refusal(impact.law, impact.detachment)) {
+            CHECK_THROWS_AS(static_cast<void>(solve_impact(impact)), InputError);
+            ++tally.refusals;
+            continue;
+        }
+        const ImpactResult result = solve_impact(impact);
+        const bool rebound = result.outcome == Outcome::rebound;
+        (rebound ? tally.rebounds : tally.captures) += 1;
+        const EnergyLedger& energy = result.energy;
+        const double size = std::max(energy.incident, std::abs(energy.minimum));
+        ledger.see(std::abs(energy.residual) / size, describe(impact));
+
+        const bool consistent =
+            std::isfinite(result.maximum_overlap) && result.maximum_overlap > 0.0 &&
+            result.contact_time.has_value() == rebound &&
+            (rebound ? result.restitution > 0.0 && result.restitution <= 1.0 : result.restitution == 0.0) &&
+            (!result.approach_time || *result.approach_time > 0.0) &&
+            (!rebound || *result.contact_time > result.approach_time.value());
+        CHECK(consistent);
+
+        const bool beyond = result.maximum_overlap > impact.contact.effective_radius;
+        tally.beyond_theory += beyond ? 1 : 0;
+        const double conditioning = size / energy.incident / std::max(result.restitution, 1e-8);
+        if (conditioning < 1e3) {
+            in_double.see(std::abs(restitution_of(impact) - result.restitution), describe(impact));
+        }
+    }
+    MESSAGE(tally.rebounds << " rebounds, " << tally.captures << " captures, " << tally.refusals
+                           << " refusals; " << tally.beyond_theory
+                           << " with an overlap beyond the radius, outside the theory");
+    CHECK(tally.rebounds > times / 4);
+    CHECK(tally.captures > times / 4);
+    CHECK(tally.refusals > times / 10);
+    CHECK(tally.beyond_theory > 0);
+    CHECK_MESSAGE(ledger.deviation() < 1e-10, ledger.where());
+    CHECK_MESSAGE(in_double.deviation() < 1e-10, in_double.where());
+}

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "solver/impact.hpp"
+
+namespace ashimpact::test {
+
+/// A way to run an impact.
+struct ContactCase {
+    Law law;
+    DampingLaw damping_law;
+    Detachment detachment;
+    double yield_pressure = std::numeric_limits<double>::infinity();  ///< [Pa]
+};
+
+/// Every registered law with every damping law and every detachment that is admissible for it, its contact
+/// never yielding: no law has a memory then.
+[[nodiscard]] std::vector<ContactCase> elastic_cases();
+
+/// Those of the laws that have a memory, with a contact that yields in most impacts of ash().
+[[nodiscard]] std::vector<ContactCase> yielding_cases();
+
+/// Both.
+[[nodiscard]] std::vector<ContactCase> contact_cases();
+
+/// The elastic ones without damping laws: constant stands for all of them.
+[[nodiscard]] std::vector<ContactCase> undamped_cases();
+
+/// "dmt, tsuji, zero-overlap"; "..., yielding".
+[[nodiscard]] std::string name_of(const ContactCase& c);
+
+/// The sphere of the reference impacts (88 um, 2600 kg/m3) on its wall, E* = 90 GPa.
+[[nodiscard]] ContactPair ash(double work_of_adhesion);
+
+/// Works of adhesion, velocities and scaled dampings that span the reference impacts [J/m2], [m/s], [1].
+inline constexpr double ash_adhesions[] = {0.05, 0.3, 1.0};
+inline constexpr double ash_velocities[] = {0.5, 2.0, 10.0};
+inline constexpr double damping_numbers[] = {0.05, 0.3, 0.8};
+
+/// An impact whose damping has the scaled value @p damping_number at that velocity (beta for constant
+/// damping), and whose contact has the case's yield pressure.
+[[nodiscard]] Impact impact_of(const ContactCase& c, const ContactPair& pair, double damping_number,
+                               double velocity);
+
+/// The impact in words, for the message of a failed check.
+[[nodiscard]] std::string describe(const Impact& impact);
+
+}  // namespace ashimpact::test

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+
+namespace ashimpact::test {
+
+/// A JSON file of tests/data. @throws std::runtime_error where it cannot be read
+[[nodiscard]] inline nlohmann::json data_file(const std::string& name) {
+    const std::string path = std::string(ASHIMPACT_TEST_DATA) + "/" + name;
+    std::ifstream file(path);
+    if (!file) throw std::runtime_error("cannot read " + path);
+    return nlohmann::json::parse(file);
+}
+
+}  // namespace ashimpact::test

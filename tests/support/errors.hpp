@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "materials/error.hpp"
+
+namespace ashimpact::test {
+
+/// The message of the InputError that @p action throws; says so where it throws none.
+template <class Action>
+[[nodiscard]] std::string input_error_of(Action&& action) {
+    try {
+        action();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no InputError";
+}
+
+/// Whether @p text contains @p part.
+[[nodiscard]] inline bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace ashimpact::test

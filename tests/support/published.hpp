@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "solver/contact/registry.hpp"
+
+namespace ashimpact::test {
+
+/// What Dong et al. 2013 print for one law and sieve size.
+struct PublishedLaw {
+    Law law;
+    std::array<double, 3> damping_fit;  ///< Table 2 [kg/s]
+    double critical_damping;            ///< Table 3 [kg/s]
+    double critical_velocity;           ///< Table 4 [m/s]
+};
+
+/// What they print for one sieve size.
+struct PublishedSample {
+    std::string name;
+    double diameter;       ///< [m]
+    double young_modulus;  ///< [Pa]
+    double contact_time;   ///< Brach-Dunn, near 2 m/s [s]
+    std::vector<PublishedLaw> laws;
+
+    /// The entry of that law.
+    [[nodiscard]] const PublishedLaw& of(Law law) const;
+};
+
+/// tests/data/published/dong2013.json.
+[[nodiscard]] std::vector<PublishedSample> published_samples();
+
+}  // namespace ashimpact::test

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+
+namespace ashimpact::test {
+
+/// The same numbers on every machine, unlike the distributions of the standard library.
+class Random {
+  public:
+    explicit Random(std::uint64_t seed) : engine_(seed) {}
+
+    [[nodiscard]] double uniform(double lower, double upper) {
+        const double unit = static_cast<double>(engine_() >> 11U) * 0x1p-53;
+        return lower + (upper - lower) * unit;
+    }
+    [[nodiscard]] double log_uniform(double lower, double upper) {
+        return std::exp(uniform(std::log(lower), std::log(upper)));
+    }
+    /// One of 0 ... count - 1.
+    [[nodiscard]] std::size_t below(std::size_t count) {
+        return static_cast<std::size_t>(uniform(0.0, static_cast<double>(count)));
+    }
+
+  private:
+    std::mt19937_64 engine_;
+};
+
+/// How often to repeat what costs time: as often as asked, but less under sanitizers.
+[[nodiscard]] constexpr int repetitions(int in_release) {
+#ifdef ASHIMPACT_FEWER_REPETITIONS
+    return in_release / 20 + 1;
+#else
+    return in_release;
+#endif
+}
+
+}  // namespace ashimpact::test
