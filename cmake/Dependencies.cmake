@@ -10,6 +10,7 @@ find_package(fmt REQUIRED)
 find_package(Nettle REQUIRED)    # nettle::nettle, for SHA-256
 find_package(Boost 1.68 REQUIRED)  # headers only: the tables of Boost.Random
 find_package(TBB REQUIRED)
+find_package(hwy REQUIRED)
 find_package(ZLIB REQUIRED)
 set(MPI_CXX_SKIP_MPICXX ON)  # the C interface: that of C++ is no longer part of MPI
 find_package(MPI REQUIRED COMPONENTS CXX)

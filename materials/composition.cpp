@@ -16,6 +16,8 @@ constexpr const char* how_to_state_amorphous =
     "sample, or "
     "the statement that there is none";
 
+constexpr std::size_t most_phases = 1000;
+
 double sum(std::span<const double> values) {
     return std::accumulate(values.begin(), values.end(), 0.0);
 }
@@ -40,6 +42,10 @@ std::vector<double> normalised_products(std::span<const double> fractions, std::
 
 void check_fractions(const Analysis& analysis) {
     if (analysis.phases.empty()) throw InputError("no phases", "at least one phase with its fraction");
+    if (analysis.phases.size() > most_phases)
+        throw InputError("the sample has " + std::to_string(analysis.phases.size()) + " phases",
+                         std::to_string(most_phases) + " or fewer")
+            .at(analysis.phases[most_phases].place);
     for (const PhaseFraction& phase : analysis.phases) {
         if (!(phase.fraction >= 0) || !std::isfinite(phase.fraction))
             throw InputError("the fraction of " + in_quotes(phase.name) + " is " + shortest(phase.fraction),
@@ -56,6 +62,8 @@ Component component(const PhaseFraction& line, ResolvedPhase resolved, std::vect
     if (!resolved.note.empty()) notes.push_back(resolved.note);
     if (!line.density) return result;
     const double catalogue = result.phase.density.value;
+    constexpr double rounding = 1e-9;
+    if (std::abs(*line.density - catalogue) < rounding * catalogue) return result;
     notes.push_back("the file's density of " + in_quotes(line.name) + ", " + to_tenths(*line.density) +
                     " kg/m3, is used; the catalogue has " + to_tenths(catalogue) + " kg/m3 (" +
                     per_cent(*line.density / catalogue - 1) + ")");
@@ -63,13 +71,35 @@ Component component(const PhaseFraction& line, ResolvedPhase resolved, std::vect
     return result;
 }
 
-void refuse_repeated(const std::vector<Component>& components) {
+void refuse_repeated(const std::vector<Component>& components, const Analysis& analysis) {
+    const auto place_of = [&](std::size_t i) {
+        return i < analysis.phases.size() ? analysis.phases[i].place : std::string();
+    };
     for (std::size_t i = 0; i < components.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             if (components[i].phase.name == components[j].phase.name)
-                throw InputError(in_quotes(components[i].name) + " and " + in_quotes(components[j].name) +
+                throw InputError(in_quotes(components[j].name) + " and " + in_quotes(components[i].name) +
                                      " are the same phase, " + components[i].phase.name,
-                                 "each phase once");
+                                 "each phase once")
+                    .at(place_of(i));
+}
+
+/// All phases of the file; an error is at the first line that names an unknown one.
+std::vector<ResolvedPhase> resolved_phases(const Analysis& analysis, const PhaseCatalogue& catalogue) {
+    std::vector<std::string> names;
+    for (const PhaseFraction& line : analysis.phases) names.push_back(line.name);
+    try {
+        return catalogue.resolve_all(names);
+    } catch (const InputError& all) {
+        for (const PhaseFraction& line : analysis.phases) {
+            try {
+                static_cast<void>(catalogue.resolve(line.name));
+            } catch (const InputError&) {
+                throw all.at(line.place);
+            }
+        }
+        throw;
+    }
 }
 
 bool holds_amorphous_phase(const std::vector<Component>& components) {
@@ -189,6 +219,17 @@ void note_rescaling(const FractionModel& model, std::vector<std::string>& notes)
                     per_cent(expected));
 }
 
+/// A refinement that knows no amorphous phase adds up to one; what remains beside it is no measurement.
+void note_small_remainder(const Analysis& analysis, const FractionModel& model,
+                          std::vector<std::string>& notes) {
+    const auto* const stated = std::get_if<AmorphousRemainder>(&analysis.amorphous);
+    if (!stated) return;
+    const double rest = 1 - stated->scale * sum(model.amounts);
+    if (rest > analysis.closure_tolerance) return;
+    notes.push_back("the phases leave " + per_cent(rest) +
+                    " for the amorphous part: are the fractions of the whole sample?");
+}
+
 /// The modulus of the glass is the least certain input; its catalogue entry says why.
 void note_glass(Composition& composition) {
     for (const Component& c : composition.components)
@@ -226,12 +267,10 @@ std::vector<double> FractionModel::fractions() const {
 
 Composition compose(const Analysis& analysis, const PhaseCatalogue& catalogue) {
     check_fractions(analysis);
-    std::vector<std::string> names;
-    for (const PhaseFraction& line : analysis.phases) names.push_back(line.name);
-    auto resolved = catalogue.resolve_all(names);
+    auto resolved = resolved_phases(analysis, catalogue);
 
     Composition composition{.components = {}, .basis = analysis.basis};
-    for (std::size_t i = 0; i < names.size(); ++i)
+    for (std::size_t i = 0; i < resolved.size(); ++i)
         composition.components.push_back(
             component(analysis.phases[i], std::move(resolved[i]), composition.notes));
     composition.model = Closing(analysis, holds_amorphous_phase(composition.components)).model();
@@ -240,9 +279,10 @@ Composition compose(const Analysis& analysis, const PhaseCatalogue& catalogue) {
         composition.components.push_back(
             component(rest, catalogue.resolve(analysis.amorphous_phase), composition.notes));
     }
-    refuse_repeated(composition.components);
+    refuse_repeated(composition.components, analysis);
     note_glass(composition);
     note_rescaling(composition.model, composition.notes);
+    note_small_remainder(analysis, composition.model, composition.notes);
     fill_fractions(composition);
     return composition;
 }

@@ -18,6 +18,7 @@ struct PhaseFraction {
     double fraction = 0;                           ///< [1], of the crystalline part or of the whole
     std::optional<double> standard_uncertainty{};  ///< [1]
     std::optional<double> density{};  ///< [kg/m3] the file's own x-ray density; wins over the catalogue
+    std::string place{};              ///< where the file has it, "line 12"; for messages, may be empty
 };
 
 /// How the amorphous part is known. It is never assumed: an analysis that does not state it is refused.

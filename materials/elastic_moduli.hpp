@@ -15,7 +15,7 @@ struct IsotropicModuli {
 /// Returns Young's modulus [Pa]: E = 9KG/(3K + G); it grows with K and with G. Zero if either is zero.
 [[nodiscard]] double young_modulus(const IsotropicModuli& moduli);
 
-/// Returns Poisson's ratio [1]: nu = (3K - 2G)/(2(3K + G)).
+/// Returns Poisson's ratio [1]: nu = (3K - 2G)/(2(3K + G)). Validity: not both zero, as of a pore.
 [[nodiscard]] double poisson_ratio(const IsotropicModuli& moduli);
 
 }  // namespace ashimpact

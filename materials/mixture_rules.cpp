@@ -39,8 +39,10 @@ double shear(const IsotropicModuli& moduli) {
 /// Bounds of the comparison medium with these moduli.
 IsotropicModuli walpole(Fractions fractions, Phases phases, const IsotropicModuli& medium) {
     const double y = 4.0 / 3.0 * medium.shear;
-    const double z =
-        medium.shear * (9 * medium.bulk + 8 * medium.shear) / (6 * (medium.bulk + 2 * medium.shear));
+    // A medium without shear modulus (pores) resists no change of shape, whatever its bulk modulus.
+    const double z = medium.shear == 0 ? 0
+                                       : medium.shear * (9 * medium.bulk + 8 * medium.shear) /
+                                             (6 * (medium.bulk + 2 * medium.shear));
     return {.bulk = shifted_harmonic_mean(fractions, phases, y, bulk),
             .shear = shifted_harmonic_mean(fractions, phases, z, shear)};
 }

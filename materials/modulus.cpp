@@ -82,6 +82,17 @@ Mixture mixture_of(const Composition& composition, const ModulusOptions& options
     return mixture;
 }
 
+/// @throws InputError if the rule or the porosity law needs what no source gives
+Mixture checked_mixture(const Composition& composition, const ModulusOptions& options) {
+    if (options.porosity) require_valid(*options.porosity);
+    Mixture mixture = mixture_of(composition, options);
+    if (options.rule > MixtureRule::hill && !mixture.has_poisson_ratios())
+        throw InputError("the rule " + std::string(mixture_rule_name(options.rule)) +
+                             " needs a Poisson ratio for every phase",
+                         "parallel, series, hill, or Poisson's ratios in the case file");
+    return mixture;
+}
+
 /// The inputs in one list, and a mixture rebuilt from their values.
 class Parameters {
   public:
@@ -150,7 +161,8 @@ void note_missing(const Composition& composition, std::vector<std::string>& note
                         ": the uncertainty given is a lower limit");
     if (!without_ratio.empty())
         notes.push_back("no Poisson ratio is known for " + joined(without_ratio) +
-                        ": the bounds on bulk and shear modulus are left out");
+                        ": the bounds on bulk and shear modulus are left out, and E has no rigorous upper "
+                        "bound (the parallel rule is none)");
     if (!assumed.empty()) notes.push_back("the Poisson ratio is assumed for " + joined(assumed));
 }
 
@@ -187,13 +199,12 @@ std::optional<RuleResult> ModulusEstimate::by(MixtureRule rule) const {
     return std::nullopt;
 }
 
+double young_modulus_of(const Composition& composition, const ModulusOptions& options) {
+    return evaluate(checked_mixture(composition, options)).chosen.young_modulus;
+}
+
 ModulusEstimate estimate_modulus(const Composition& composition, const ModulusOptions& options) {
-    if (options.porosity) require_valid(*options.porosity);
-    const Mixture mixture = mixture_of(composition, options);
-    if (options.rule > MixtureRule::hill && !mixture.has_poisson_ratios())
-        throw InputError("the rule " + std::string(mixture_rule_name(options.rule)) +
-                             " needs a Poisson ratio for every phase",
-                         "parallel, series, hill, or Poisson's ratios in the case file");
+    const Mixture mixture = checked_mixture(composition, options);
     const Parameters parameters(composition, mixture);
     const auto function = [&](const std::vector<double>& x) { return flat(evaluate(parameters.mixture(x))); };
     const auto uncertainties = propagate_linearly(function, parameters.inputs());
@@ -226,11 +237,12 @@ ParticleDensity particle_density(double true_density, std::optional<double> poro
     result.apparent_density = true_density * (1 - result.porosity);
     if (!measured_density) return result;
     const double measured_porosity = porosity_from_densities(*measured_density, true_density);
-    if (porosity)
-        result.notes.push_back("the measured density gives a porosity of " + shortest(measured_porosity) +
-                               ", stated is " + shortest(*porosity));
-    else
-        result.porosity = measured_porosity;
+    constexpr double disagreement = 0.005;
+    if (porosity && std::abs(measured_porosity - *porosity) > disagreement)
+        result.notes.push_back("the measured density gives a porosity of " +
+                               shortest(std::round(1e4 * measured_porosity) / 1e4) + ", stated is " +
+                               shortest(*porosity));
+    if (!porosity) result.porosity = measured_porosity;
     result.apparent_density = *measured_density;
     return result;
 }

@@ -61,6 +61,9 @@ struct ModulusEstimate {
 [[nodiscard]] ModulusEstimate estimate_modulus(const Composition& composition,
                                                const ModulusOptions& options = {});
 
+/// Returns the Young's modulus of estimate_modulus alone [Pa], without its uncertainty: for Monte Carlo.
+[[nodiscard]] double young_modulus_of(const Composition& composition, const ModulusOptions& options = {});
+
 /// Density of a particle from its phases beside the measured one.
 struct ParticleDensity {
     double true_density = 0;      ///< of the dense mixture [kg/m3]
@@ -70,8 +73,9 @@ struct ParticleDensity {
 };
 
 /// Returns the density of a particle: the measured (apparent) one where there is one, else true (1 - P). With
-/// a measured one and no porosity, the porosity follows from the two; with both, a disagreement is noted.
-/// Errors: InputError for a measured density above the true one, or a porosity outside [0, 1).
+/// a measured one and no porosity, the porosity follows from the two; with both, a disagreement of more than
+/// 0.005 is noted. Errors: InputError for a measured density above the true one, or a porosity outside [0,
+/// 1).
 [[nodiscard]] ParticleDensity particle_density(double true_density, std::optional<double> porosity,
                                                std::optional<double> measured_density);
 

@@ -112,6 +112,15 @@ std::string without_database_number(std::string key) {
     return key;
 }
 
+/// What a phase is called in every set: quartz for quartz-dong2013 of the set dong2013.
+std::string common_name(const Phase& phase, const PhaseSet& set) {
+    const std::string mark = "-" + set.name;
+    return phase.name.ends_with(mark) ? phase.name.substr(0, phase.name.size() - mark.size()) : phase.name;
+}
+
+/// How many unknown names a message lists.
+constexpr std::size_t most_listed = 8;
+
 }  // namespace
 
 std::string phase_key(std::string_view name) {
@@ -186,30 +195,41 @@ PhaseCatalogue PhaseCatalogue::overridden_by(PhaseSet set) const {
     return PhaseCatalogue(std::move(sets));
 }
 
-const Phase* PhaseCatalogue::find(const std::string& key) const {
-    for (const PhaseSet& set : sets_)
-        for (const Phase& phase : set.phases)
+PhaseCatalogue::Found PhaseCatalogue::find(const std::string& key, std::size_t sets) const {
+    for (std::size_t i = 0; i < sets; ++i)
+        for (const Phase& phase : sets_[i].phases)
             for (const auto& name : names_of(phase))
-                if (phase_key(name) == key) return &phase;
-    return nullptr;
+                if (phase_key(name) == key) return {.phase = &phase, .set = i};
+    return {};
+}
+
+std::optional<ResolvedPhase> PhaseCatalogue::named(std::string_view name, const std::string& key) const {
+    const Found found = find(key, sets_.size());
+    if (!found.phase) return std::nullopt;
+    if (key == phase_key(found.phase->name)) return ResolvedPhase{.phase = *found.phase};
+    const std::string common = common_name(*found.phase, sets_[found.set]);
+    const Found first = find(phase_key(common), found.set);
+    if (!first.phase) return ResolvedPhase{.phase = *found.phase};
+    return ResolvedPhase{.phase = *first.phase,
+                         .note = in_quotes(name) + " is " + common + ": " + first.phase->name +
+                                 " of the set " + sets_[first.set].name + " is taken"};
 }
 
 std::vector<std::string> PhaseCatalogue::nearest_names(std::string_view name) const {
-    std::vector<std::string> names;
+    std::map<std::string, std::string> spellings;  // one for each key: the first
     for (const PhaseSet& set : sets_)
-        for (const Phase& phase : set.phases) {
-            const auto all = names_of(phase);
-            names.insert(names.end(), all.begin(), all.end());
-        }
-    std::sort(names.begin(), names.end());
-    names.erase(std::unique(names.begin(), names.end()), names.end());
+        for (const Phase& phase : set.phases)
+            for (const std::string& known : names_of(phase)) spellings.emplace(phase_key(known), known);
+    std::vector<std::string> names;
+    names.reserve(spellings.size());
+    for (auto& [_, spelling] : spellings) names.push_back(std::move(spelling));
     return nearest(name, names, 3);
 }
 
 ResolvedPhase PhaseCatalogue::resolve(std::string_view name) const {
     const std::string key = phase_key(name);
-    if (const Phase* phase = find(key)) return {.phase = *phase};
-    if (const Phase* phase = find(without_database_number(key))) return {.phase = *phase};
+    for (const std::string& spelling : {key, without_database_number(key)})
+        if (auto phase = named(name, spelling)) return *phase;
     std::vector<std::string> members;
     for (const PhaseSet& set : sets_) {
         for (const auto& [group, representative] : set.group_representatives)
@@ -232,12 +252,15 @@ std::vector<ResolvedPhase> PhaseCatalogue::resolve_all(const std::vector<std::st
     std::vector<ResolvedPhase> resolved;
     std::string problems;
     std::string allowed;
-    int unknown = 0;
+    std::size_t unknown = 0;
     for (const auto& name : names) {
         try {
             resolved.push_back(resolve(name));
         } catch (const InputError& error) {
-            ++unknown;
+            if (++unknown > most_listed) {
+                problems += ", and more";
+                break;
+            }
             problems += (problems.empty() ? "" : ", ") + error.problem() +
                         (names.size() > 1 ? " (" + error.allowed() + ")" : "");
             allowed = error.allowed();

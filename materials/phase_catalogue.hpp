@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -39,7 +41,7 @@ class PhaseCatalogue {
     /// The same sets with `set` (its name) in front. Errors: InputError that lists the sets.
     [[nodiscard]] PhaseCatalogue preferring(std::string_view set) const;
 
-    /// The same sets behind `set`: its phases hide phases of the same name.
+    /// The same sets behind `set`: its phases hide phases of the same name, under all their synonyms.
     [[nodiscard]] PhaseCatalogue overridden_by(PhaseSet set) const;
 
     /// The phase a name stands for: its own name, a synonym, a BGMN identifier (a trailing data-base number
@@ -53,7 +55,15 @@ class PhaseCatalogue {
     [[nodiscard]] const std::vector<PhaseSet>& sets() const& { return sets_; }
 
   private:
-    [[nodiscard]] const Phase* find(const std::string& key) const;
+    struct Found {
+        const Phase* phase = nullptr;
+        std::size_t set = 0;
+    };
+    /// The first phase with that key among the names of the first `sets` sets.
+    [[nodiscard]] Found find(const std::string& key, std::size_t sets) const;
+    /// The phase with that key; if it is found by a synonym and a set before its own knows the same phase,
+    /// that one.
+    [[nodiscard]] std::optional<ResolvedPhase> named(std::string_view name, const std::string& key) const;
     [[nodiscard]] std::vector<std::string> nearest_names(std::string_view name) const;
 
     std::vector<PhaseSet> sets_;

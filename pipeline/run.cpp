@@ -8,10 +8,12 @@
 #include "materials/text.hpp"
 #include "pipeline/case/case_json.hpp"
 #include "pipeline/case/case_reader.hpp"
+#include "pipeline/case/detachment_json.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/files/sha256.hpp"
 #include "pipeline/json/schema.hpp"
 #include "pipeline/json/writer.hpp"
+#include "pipeline/stages/read_case_artifact.hpp"
 
 namespace ashimpact {
 
@@ -45,6 +47,7 @@ Artifact sealed(std::string_view file, std::string_view stage, const std::vector
 
 Artifact case_artifact_of(const LoadedCase& loaded) {
     StageOutput output{.result = case_json(loaded.data)};
+    output.options = {{"detachments", detachments_json(loaded.data)}};
     output.warnings = loaded.warnings;
     return sealed(case_artifact, "case", loaded.inputs, output);
 }
@@ -53,7 +56,11 @@ Artifact computed(const Stage& stage, const Artifacts& before) {
     std::vector<InputFile> inputs;
     for (const std::string_view file : stage.reads)
         inputs.push_back({std::string(file), sha256(before.at(file).bytes)});
-    return sealed(stage.file, stage.name, inputs, stage.run(before));
+    StageOutput output = stage.run(before);
+    const bool reads_case =
+        std::find(stage.reads.begin(), stage.reads.end(), case_artifact) != stage.reads.end();
+    if (reads_case) output.options["detachments"] = detachments_json(read_case_artifact(before));
+    return sealed(stage.file, stage.name, inputs, output);
 }
 
 /// An artifact of an earlier run, checked against its schema.

@@ -10,7 +10,8 @@ namespace ashimpact {
 /// Where a critical orbit is followed backward from: at, or just before, the end of contact.
 struct Arrival {
     MotionState<Extended> state;
-    Extended dissipated_after = 0;  ///< work of damping from that state to the end
+    Extended dissipated_after = 0;           ///< work of damping from that state to the end
+    std::optional<Extended> time_after = 0;  ///< from that state to the end; none where it takes for ever
 };
 
 /// The end of contact is a rest point of the regularised motion (delta'(q_end) = 0).

@@ -65,6 +65,9 @@ struct ContactTimeObservation {
     double velocity_uncertainty;        ///< standard [m/s]
     double value;                       ///< contact time [s]
     double standard_uncertainty;        ///< of the time itself [s]
+    /// Standard, of each coefficient, e.g. rounding/sqrt(12); that of c is one error with that of the damping
+    /// of a critical velocity of the same sample and law [kg/s].
+    double damping_fit_uncertainty = 0.0;
 };
 
 struct CalibrationProblem {
@@ -108,7 +111,7 @@ struct CalibrationSummary {
 };
 
 /// Least squares in the logarithms of constants and observations (GSL), with the uncertainty of each
-/// observation widened by the rounding of the damping, or of the velocity, that it rests on.
+/// observation widened by the rounding of the damping, or of the velocity and the fit, that it rests on.
 /// @throws InputError for a problem with fewer observations than constants or unknown samples,
 /// ConvergenceError
 [[nodiscard]] CalibrationSummary calibrate(const CalibrationProblem& problem);

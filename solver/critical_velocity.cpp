@@ -34,7 +34,8 @@ CriticalVelocity finite_result(const Motion<Extended>& motion, const Arrival& ar
     CriticalVelocity result;
     result.value = static_cast<double>(std::sqrt(2 * (dissipated + released))) * scale.velocity;
     result.crossings = {*result.value};
-    if (arrival.state.velocity == 0) result.contact_time = static_cast<double>(-touch.time) * scale.time();
+    if (arrival.time_after)
+        result.contact_time = static_cast<double>(*arrival.time_after - touch.time) * scale.time();
     result.maximum_overlap = static_cast<double>(motion.overlap(turn.position)) * scale.length;
     result.dissipated = static_cast<double>(dissipated) * scale.energy();
     result.detachment_energy = static_cast<double>(released) * scale.energy();

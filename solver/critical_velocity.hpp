@@ -28,7 +28,7 @@ struct CriticalVelocityProblem {
 struct CriticalVelocity {
     CaptureVerdict verdict = CaptureVerdict::finite;
     std::optional<double> value{};            ///< v_c, where finite [m/s]
-    std::optional<double> contact_time{};     ///< first touch to arrival at rest, where that is finite [s]
+    std::optional<double> contact_time{};     ///< first touch to arrival at rest; none: it never ends [s]
     std::optional<double> maximum_overlap{};  ///< greatest overlap at v_c [m]
     double dissipated = 0.0;                  ///< work taken by damping at v_c [J]
     double plastic = 0.0;                     ///< work spent in yielding at v_c [J]

@@ -25,7 +25,7 @@ class RestitutionCurve {
         : problem_(problem), scale_(Scale::of(problem.contact, problem.velocity)) {}
 
     template <class Real>
-    [[nodiscard]] double at(double number) {
+    [[nodiscard]] Real at(double number) {
         ++impacts;
         return scaled_restitution<Real>(impact(number), scale_);
     }
@@ -65,17 +65,6 @@ double too_much(RestitutionCurve& curve, double restitution) {
     return number;
 }
 
-/// Newton-like polish in extended precision: the double-precision root is good to about 1e-13 in restitution.
-double polished(RestitutionCurve& curve, double number, double restitution) {
-    const double miss = curve.at<Extended>(number) - restitution;
-    if (std::abs(miss) <= 1e-15) return number;
-    const double nudged = number * (1.0 + 1e-6);
-    const double slope = (curve.at<Extended>(nudged) - restitution - miss) / (nudged - number);
-    const double better = number - miss / slope;
-    const bool usable = slope < 0.0 && std::abs(better - number) < 1e-9 * number;
-    return usable && std::abs(curve.at<Extended>(better) - restitution) < std::abs(miss) ? better : number;
-}
-
 /// Whether enough of the damping captures the impact, so that restitution zero is reachable: not where the
 /// contact ends by force, nor where without adhesion the damping vanishes with the contact radius.
 bool reaches_zero(const DampingProblem& problem) {
@@ -97,11 +86,28 @@ double smallest_capturing(const DampingProblem& problem, RestitutionCurve& curve
     }
 }
 
+/// The root in a bracket to the spacing of numbers, restitution in extended precision: what is left to damp
+/// may be so little, or restitution so steep, that double precision does not see it.
+double solution_within(RestitutionCurve& curve, double target, double lower, double upper) {
+    const auto miss = [&](double number) { return static_cast<double>(curve.at<Extended>(number) - target); };
+    constexpr double spacing = 2 * std::numeric_limits<double>::epsilon();
+    return gsl::brent(miss, lower, upper, {.relative = spacing}).root;
+}
+
 double scaled_solution(const DampingProblem& problem, RestitutionCurve& curve) {
     const double target = problem.restitution;
     if (target == 0.0) return smallest_capturing(problem, curve);
+    const double most = too_much(curve, target);
+    if (curve.at<double>(0.0) <= target) return solution_within(curve, target, 0.0, most);
     const auto miss = [&](double number) { return curve.at<double>(number) - target; };
-    return polished(curve, gsl::brent(miss, 0.0, too_much(curve, target)).root, target);
+    const double root = gsl::brent(miss, 0.0, most).root;
+    for (double margin = 1e-12; margin < 0.1; margin *= 100) {
+        const double lower = root * (1 - margin);
+        const double upper = root * (1 + margin);
+        if (curve.at<Extended>(lower) > target && curve.at<Extended>(upper) <= target)
+            return solution_within(curve, target, lower, upper);
+    }
+    return solution_within(curve, target, 0.0, most);
 }
 
 }  // namespace
@@ -110,7 +116,7 @@ DampingInversion damping_from_restitution(const DampingProblem& problem) {
     RestitutionCurve curve(problem);
     validate(curve.impact(0.0));
     const double target = problem.restitution;
-    const double greatest = curve.at<Extended>(0.0);
+    const auto greatest = static_cast<double>(curve.at<Extended>(0.0));
     const bool reachable = target > 0.0 ? target <= greatest : target == 0.0 && reaches_zero(problem);
     if (!reachable) unreachable_restitution(problem, greatest, reaches_zero(problem));
     const double number = target < greatest ? scaled_solution(problem, curve) : 0.0;

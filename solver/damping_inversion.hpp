@@ -22,7 +22,8 @@ struct DampingInversion {
 };
 
 /// Damping from restitution, with adhesion; Dong et al. 2013, section 4.2. Restitution falls monotonically
-/// with damping, so the answer is unique; restitution 0 gives the smallest damping that captures.
+/// with damping, so the answer is unique, and exact to the spacing of numbers; restitution 0 gives the
+/// smallest damping that captures.
 /// @throws InputError naming the reachable range where no damping gives the restitution; ConvergenceError
 [[nodiscard]] DampingInversion damping_from_restitution(const DampingProblem& problem);
 

@@ -1,6 +1,7 @@
 #include "solver/explicit_scheme.hpp"
 
 #include "materials/error.hpp"
+#include "materials/text.hpp"
 #include "solver/orbit.hpp"
 #include "solver/scaled_impact.hpp"
 
@@ -14,6 +15,12 @@ namespace {
 
 /// Contact time of an undamped Hertz impact in units of L/v.
 constexpr double hertz_contact_time = 3.21806546;
+
+/// Longest step that the scheme takes, in units of the undamped Hertz contact: beyond it nothing is resolved.
+constexpr double longest_step = 0.1;
+
+/// Steps of suggested length in m/eta, the time in which damping alone takes 1/e of the velocity.
+constexpr double steps_per_damping_time = 100;
 
 /// The scheme needs the force as a function of overlap, from no contact radius at first touch on.
 bool is_treatable(Law law) {
@@ -30,6 +37,13 @@ std::string treatable_laws() {
     return names;
 }
 
+/// Beyond m/eta the damping term of the scheme alone would turn the motion round.
+double longest_time_step(const Impact& impact) {
+    const Scale scale = Scale::of(impact.contact, impact.velocity);
+    const double damping = scale.damping_number(impact.damping);
+    return std::min(longest_step * hertz_contact_time, 1.0 / damping) * scale.time();
+}
+
 void require_treatable(const Impact& impact, const ExplicitSchemeOptions& options) {
     validate(impact);
     if (!is_treatable(impact.law)) {
@@ -44,9 +58,21 @@ void require_treatable(const Impact& impact, const ExplicitSchemeOptions& option
         throw InputError("the paper's explicit scheme has constant damping", "constant");
     }
     if (!(options.time_step > 0.0) || !std::isfinite(options.time_step)) {
-        throw InputError("time_step is " + std::to_string(options.time_step) + " s", "a finite number > 0 s");
+        throw InputError("time_step is " + shortest(options.time_step) + " s", "a finite number > 0 s");
+    }
+    const double longest = longest_time_step(impact);
+    if (options.time_step > longest) {
+        throw InputError("time_step is " + shortest(options.time_step) + " s, too long for this impact",
+                         "up to " + shortest(longest) + " s");
     }
 }
+
+/// Where the ledger ends: detachment, or for a capture the greatest overlap or the rest it creeps to.
+struct LedgerEnd {
+    double overlap = 0.0;
+    double speed = 0.0;
+    double dissipated = 0.0;
+};
 
 /// The recurrence of Eq. 31, scaled; remembers the three latest overlaps.
 struct Recurrence {
@@ -72,6 +98,15 @@ struct Recurrence {
         const double previous = (before - earlier) / step;
         return velocity() + (velocity() - previous) * (crossing() - 0.5);
     }
+    /// At rest in equilibrium, where a creeping approach ends: damping has taken all that is above it.
+    [[nodiscard]] LedgerEnd at_rest() const {
+        const double rest = motion.overlap(motion.equilibrium);
+        const double above = motion.potential(coordinate(now)) - motion.potential(motion.equilibrium);
+        return {rest, 0.0, dissipated + step_work() + velocity() * velocity() / 2.0 + above};
+    }
+    [[nodiscard]] LedgerEnd at_crossing() const {
+        return {0.0, std::max(0.0, -crossing_velocity()), dissipated + crossing() * step_work()};
+    }
     /// Work of damping over the last step.
     [[nodiscard]] double step_work() const { return motion.damping[0] * velocity() * velocity() * step; }
     void advance() {
@@ -87,7 +122,9 @@ struct Recurrence {
 }  // namespace
 
 double explicit_time_step(const Impact& impact, double steps) {
-    return hertz_contact_time * Scale::of(impact.contact, impact.velocity).time() / steps;
+    const Scale scale = Scale::of(impact.contact, impact.velocity);
+    const double damping = scale.damping_number(impact.damping);
+    return std::min(hertz_contact_time / steps, 1.0 / (steps_per_damping_time * damping)) * scale.time();
 }
 
 ImpactResult solve_impact_explicit(const Impact& impact, const ExplicitSchemeOptions& options) {
@@ -98,31 +135,29 @@ ImpactResult solve_impact_explicit(const Impact& impact, const ExplicitSchemeOpt
     Recurrence r{.motion = motion, .step = step};
 
     const CaptureTest<double> capture(motion);
-    double maximum = r.now;
     long count = 1;
     long turned_at = 0;
-    bool creeping = false;  // captured, and so damped that there is no second turning point to wait for
+    LedgerEnd last;
     bool captured = false;
     while (r.now > 0.0 && !captured) {
         if (++count > options.most_steps) throw ConvergenceError("explicit scheme: step limit reached");
         r.advance();
-        maximum = std::max(maximum, r.now);
-        if (turned_at == 0 && r.now < r.before) turned_at = count - 1;
-        if (r.now > 0.0) {
-            creeping = turned_at == 0 ? capture.creeping_up(r.state()) : capture.creeping(r.state());
+        const bool rises = r.now >= r.before;
+        if (turned_at == 0 && !rises) {
+            turned_at = count - 1;
+            last = {.overlap = r.before, .speed = 0.0, .dissipated = r.dissipated};
+        } else if (turned_at != 0 && rises) {
+            captured = true;  // a second turning point, still in contact
         }
-        captured = creeping || (turned_at != 0 && r.now > r.before);
+        if (r.now <= 0.0 || captured) continue;
+        captured = turned_at == 0 ? capture.creeping_up(r.state()) : capture.creeping(r.state());
     }
     const bool turned = turned_at != 0;
-    if (!turned) maximum = motion.overlap(motion.equilibrium);
-    double speed = 0.0;  // at the end of the ledger; a second turning point has none
-    if (creeping) speed = std::abs(r.velocity());
-    if (!captured) {
-        speed = std::max(0.0, -r.crossing_velocity());
-        r.dissipated += r.crossing() * r.step_work();
-    }
-    const double last = creeping ? r.now : captured ? r.before : 0.0;
-    const double potential = motion.potential(r.coordinate(last));
+    const double maximum = turned ? last.overlap : motion.overlap(motion.equilibrium);
+    if (!turned) last = r.at_rest();
+    if (!captured) last = r.at_crossing();
+    const double speed = last.speed;
+    const double potential = motion.potential(r.coordinate(last.overlap));
 
     ImpactResult result{};
     result.outcome = captured ? Outcome::capture : Outcome::rebound;
@@ -137,9 +172,9 @@ ImpactResult solve_impact_explicit(const Impact& impact, const ExplicitSchemeOpt
                      .remaining = 0.5 * speed * speed * scale.energy(),
                      .at_touch = 0.0,
                      .potential = potential * scale.energy(),
-                     .dissipated = r.dissipated * scale.energy(),
+                     .dissipated = last.dissipated * scale.energy(),
                      .plastic = 0.0,
-                     .residual = (0.5 - 0.5 * speed * speed - potential - r.dissipated) * scale.energy(),
+                     .residual = (0.5 - 0.5 * speed * speed - potential - last.dissipated) * scale.energy(),
                      .minimum = motion.potential(motion.equilibrium) * scale.energy()};
     result.steps = static_cast<int>(count);
     return result;

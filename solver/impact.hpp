@@ -24,15 +24,16 @@ enum class Outcome { rebound, capture };
 /// "rebound" or "capture".
 [[nodiscard]] std::string_view name_of(Outcome outcome);
 
-/// Where the energy of an impact went, up to detachment, or for a capture up to the greatest overlap [J].
-/// incident + at_touch = remaining + potential + dissipated + plastic + residual.
+/// Where the energy of an impact went, up to detachment, or for a capture up to the greatest overlap; where
+/// it never turns, up to the rest in equilibrium that it tends to [J]. incident + at_touch = remaining +
+/// potential + dissipated + plastic + residual.
 struct EnergyLedger {
     double incident;    ///< m v_in^2/2
     double remaining;   ///< kinetic energy at the end of the ledger
     double at_touch;    ///< potential at first touch, 0 by definition at zero contact radius
     double potential;   ///< potential at the end of the ledger
     double dissipated;  ///< work taken by damping
-    double plastic;     ///< work spent in yielding
+    double plastic;     ///< work spent in yielding; below 0 where a flattened contact gains more adhesion
     double residual;    ///< what does not close: integration error
     double minimum;     ///< U_min, potential at static equilibrium; the depth of the adhesive well
 };

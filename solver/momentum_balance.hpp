@@ -2,6 +2,8 @@
 
 #include "solver/impact.hpp"
 
+#include <string>
+
 namespace ashimpact {
 
 /// Time, impulses and mean static force of one stage of an impact.
@@ -13,7 +15,7 @@ struct StageMomentum {
     double residual;         ///< what does not close: error of the quadrature [N s]
 };
 
-/// The momentum of one rebound, stage by stage; Dong et al. 2013, Eqs. 35-45, from the dense trajectory.
+/// The momentum of one rebound, stage by stage; Dong et al. 2013, Eqs. 35-45.
 ///
 /// Approach: static + damping impulse = m v_in (Eqs. 36, 38). Rebound: static - damping impulse = m v_rn (37,
 /// 39). The paper argues for (44) and (45) from equal mean forces (40) and speeds that fall all the way;
@@ -21,17 +23,23 @@ struct StageMomentum {
 struct MomentumBalance {
     StageMomentum approach;
     StageMomentum rebound;
-    double damping_impulse;  ///< left of (44), 2 eta delta_m for constant damping [N s]
-    double momentum_lost;    ///< right of (44), m (v_in - v_rn) [N s]
+    double incident_momentum;  ///< m v_in [N s]
+    double damping_impulse;    ///< left of (44), 2 eta delta_m for constant damping [N s]
+    double momentum_lost;      ///< right of (44), m (v_in - v_rn) [N s]
 
-    [[nodiscard]] bool damping_exceeds_loss() const { return damping_impulse > momentum_lost; }    ///< (44)
-    [[nodiscard]] bool rebound_is_longer() const { return rebound.duration > approach.duration; }  ///< (45)
+    /// Of two sides equal but for rounding, as without damping, neither is the larger.
+    [[nodiscard]] bool damping_exceeds_loss() const;  ///< (44)
+    [[nodiscard]] bool rebound_is_longer() const;     ///< (45)
+    /// Mean static force of the rebound over that of the approach; the paper takes it for 1 (40) [1].
+    [[nodiscard]] double mean_force_ratio() const { return rebound.mean_force / approach.mean_force; }
 };
 
-/// The balance of an impact that rebounds, by the trapezoidal rule over @p points instants. Forces have
-/// half-integer powers of time at touch and detachment (quarter ones with Tsuji's damping), so the error is
-/// of order points^(-3/2), or points^(-5/4).
+/// What the balance says of (40), (44) and (45), in words with the numbers of both sides.
+[[nodiscard]] std::string verdict_of(const MomentumBalance& balance);
+
+/// The balance of an impact that rebounds: forces integrated over the solver's own dense output by
+/// Gauss-Legendre quadrature, step by step, so that residuals are of the order of rounding.
 /// @throws InputError for inadmissible input or an impact that ends in capture
-[[nodiscard]] MomentumBalance momentum_balance(const Impact& impact, int points = 1001);
+[[nodiscard]] MomentumBalance momentum_balance(const Impact& impact);
 
 }  // namespace ashimpact

@@ -38,19 +38,24 @@ struct Motion {
     }
 };
 
+/// How a damping law depends on u = sqrt(contact radius): eta(u) for the scaled coefficient 1.
+template <class U>
+[[nodiscard]] constexpr U damping_shape(DampingLaw law, const U& u) {
+    switch (law) {
+        case DampingLaw::constant:
+            return U(1);
+        case DampingLaw::contact_radius:
+            return u * u;
+        case DampingLaw::tsuji:
+            return u;
+    }
+    return U(0);
+}
+
 /// The scaled coefficient eta(u) of a damping law.
 template <class Real>
 [[nodiscard]] Polynomial<Real> damping_polynomial(DampingLaw law, Real number) {
-    const auto u = Polynomial<Real>::identity();
-    switch (law) {
-        case DampingLaw::constant:
-            return number;
-        case DampingLaw::contact_radius:
-            return number * (u * u);
-        case DampingLaw::tsuji:
-            return number * u;
-    }
-    return {};
+    return number * damping_shape(law, Polynomial<Real>::identity());
 }
 
 /// The equation of motion on one branch delta(u), F(u); touch, equilibrium and end remain to be set.

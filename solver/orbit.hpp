@@ -10,7 +10,8 @@ template <class Real>
 struct Orbit {
     Outcome outcome = Outcome::capture;
     bool turned = false;     ///< false: so damped that it only creeps towards equilibrium
-    MotionState<Real> turn;  ///< at greatest overlap; where it never turns, the last state before equilibrium
+    MotionState<Real> turn;  ///< at greatest overlap; where it never turns, at rest where it creeps to, but
+                             ///< at the time of end
     MotionState<Real> end;   ///< at detachment, or where capture was certain
     Real maximum_overlap{};  ///< greatest overlap, or its supremum
     int steps = 0;
@@ -36,8 +37,8 @@ class CaptureTest {
     Real end_overlap_{};
     Real end_potential_{};
     Real equilibrium_overlap_{};
-    Real equilibrium_slope_{};  ///< dF/d(delta) at equilibrium
-    Real least_damping_{};      ///< smallest eta(q) beyond equilibrium
+    Polynomial<Real> force_slope_;  ///< dF/dq
+    Real least_damping_{};          ///< smallest eta(q) beyond equilibrium
 };
 
 enum class ApproachEnd {

@@ -22,7 +22,7 @@ CaptureTest<Real>::CaptureTest(const Motion<Real>& motion)
     end_overlap_ = by_place_ ? motion.overlap(*motion.end) : Real(0);
     end_potential_ = by_place_ ? motion.potential(*motion.end) : Real(0);
     equilibrium_overlap_ = motion.overlap(q);
-    equilibrium_slope_ = q > Real(0) ? motion.force.derivative()(q) / motion.slope(q) : Real(0);
+    force_slope_ = motion.force.derivative();
     least_damping_ = motion.damping(q);
 }
 
@@ -53,7 +53,10 @@ bool CaptureTest<Real>::creeping_up(const MotionState<Real>& state) const {
     // A spiral so tight that it turns beneath rounding only looks like this one.
     const Real rounding = 64 * std::numeric_limits<Real>::epsilon() * equilibrium_overlap_;
     if (std::abs(way) <= rounding && state.velocity <= damping * rounding) return true;
-    return damping * damping >= Real(4) * equilibrium_slope_ && state.velocity <= damping / Real(2) * way;
+    if (state.velocity > damping / Real(2) * way) return false;
+    // Below the line v = (eta/2)(delta_eq - delta) it stays where dF/d(delta) <= eta^2/4 all the way.
+    const Polynomial<Real> excess = force_slope_ - damping * damping / Real(4) * motion_.slope;
+    return excess.upper_bound(state.position, motion_.equilibrium) <= Real(0);
 }
 
 /// Pseudo-time within [0, limit] at which @p event falls through zero, or none; it must be positive at first.
@@ -76,6 +79,18 @@ template <class Real>
                                                       const MotionState<Real>& state, int& steps) {
     if (++steps > most_steps) throw ConvergenceError("impact did not end within the step limit");
     return stepper.expand(state);
+}
+
+/// The state that a creeping approach tends to: damping takes all the energy there is above equilibrium.
+template <class Real>
+[[nodiscard]] MotionState<Real> at_rest_in_equilibrium(const Motion<Real>& motion,
+                                                       const MotionState<Real>& state) {
+    const Real excess = state.velocity * state.velocity / Real(2) + motion.potential(state.position) -
+                        motion.potential(motion.equilibrium);
+    return {.position = motion.equilibrium,
+            .velocity = Real(0),
+            .time = state.time,
+            .dissipation = state.dissipation + excess};
 }
 
 template <class Real, class Observer>
@@ -102,7 +117,8 @@ ApproachEnd approach(const Motion<Real>& motion, MotionState<Real>& state,
         }
         const bool leaves_first = leave_at && *leave_at < motion.equilibrium;
         if (!leaves_first && capture.creeping_up(state)) {
-            orbit.turn = orbit.end = state;
+            orbit.end = state;
+            orbit.turn = at_rest_in_equilibrium(motion, state);
             orbit.maximum_overlap = motion.overlap(motion.equilibrium);
             return ApproachEnd::creeping;
         }

@@ -65,6 +65,9 @@ class PlasticCapture {
         const Extended released =
             unloading.motion.potential(*unloading.motion.end) - motion_.touch_potential();
         CriticalVelocity result;
+        if (const auto after = unloading.arrival->time_after)
+            result.contact_time =
+                static_cast<double>(*after - unloading.turn->time - state.time) * scale_.time();
         result.value =
             static_cast<double>(std::sqrt(2 * (dissipated + plastic_work + released))) * scale_.velocity;
         result.maximum_overlap = static_cast<double>(loading.overlap(loading.coordinate(u))) * scale_.length;
@@ -117,6 +120,31 @@ std::vector<double> critical_contacts(PlasticCapture& capture, double farthest) 
     return contacts;
 }
 
+bool captured_at(const CriticalVelocityProblem& problem, double velocity) {
+    const Impact impact{problem.law, problem.detachment, problem.damping, problem.contact, velocity};
+    return scaled_restitution<Extended>(impact, Scale::of(problem.contact, velocity)) == 0;
+}
+
+/// The crossing as impacts on both sides have it. Damping so strong that hardly any speed is left draws
+/// orbits together, so that one followed backward loses the digits that impacts followed forward keep.
+double confirmed(const CriticalVelocityProblem& problem, double velocity) {
+    double margin = 1e-11;
+    const auto parts = [&](double lower, double upper) {
+        return captured_at(problem, lower) != captured_at(problem, upper);
+    };
+    while (margin < 0.03 && !parts(velocity * (1 - margin), velocity * (1 + margin))) margin *= 10;
+    if (margin == 1e-11 || margin >= 0.03) return velocity;
+    double lower = velocity * (1 - margin);
+    double upper = velocity * (1 + margin);
+    const bool captured = captured_at(problem, lower);
+    while (upper - lower > 1e-15 * upper) {
+        const double middle = lower + (upper - lower) / 2;
+        if (middle <= lower || middle >= upper) break;
+        (captured_at(problem, middle) == captured ? lower : upper) = middle;
+    }
+    return upper;
+}
+
 }  // namespace
 
 CriticalVelocity plastic_critical_velocity(const CriticalVelocityProblem& problem) {
@@ -132,7 +160,9 @@ CriticalVelocity plastic_critical_velocity(const CriticalVelocityProblem& proble
         return {.verdict = captured ? CaptureVerdict::always_captured : CaptureVerdict::never_captured};
     }
     CriticalVelocity result = capture.impact_through(contacts.front());
-    for (const double u : contacts) result.crossings.push_back(*capture.impact_through(u).value);
+    for (const double u : contacts)
+        result.crossings.push_back(confirmed(problem, *capture.impact_through(u).value));
+    result.value = result.crossings.front();
     result.steps = capture.steps;
     return result;
 }

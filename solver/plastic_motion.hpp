@@ -25,7 +25,8 @@ class PlasticMotion {
     [[nodiscard]] Real yield() const { return std::max(yield_, elastic_touch()); }
     /// The contact yields by adhesion alone, at first touch.
     [[nodiscard]] bool yields_at_touch() const { return yield_ < elastic_touch(); }
-    /// Potential at a state u of the loading branch; continuous with the elastic one at yield.
+    /// Potential at a state u of the loading branch; continuous with the elastic one at yield. Where adhesion
+    /// alone yields it is that of the sphere flattened by the touch, so that plastic work counts from there.
     [[nodiscard]] Real loading_potential(Real u) const {
         return loading_.potential(loading_.coordinate(u)) + offset_;
     }
@@ -60,7 +61,8 @@ template <class Real>
 struct PlasticOrbit {
     Orbit<Real> orbit;
     bool yielded = false;
-    Motion<Real> last;    ///< branch of the rebound
+    Motion<Real> last;    ///< branch of the rebound, or of the rest that a creeping approach tends to
+    Motion<Real> path;    ///< branch of orbit.end
     Real plastic_work{};  ///< spent in yielding
 };
 
@@ -74,7 +76,7 @@ template <class Real, class Observer>
     const Motion<Real>& loading = motion.loading();
     MotionState<Real> state{.position = elastic.touch, .velocity = velocity};
     if (!motion.yields_at_touch()) {
-        result.last = elastic;
+        result.last = result.path = elastic;
         const std::optional<Real> yield = elastic.coordinate(motion.yield());
         const ApproachEnd end = approach<Real>(elastic, state, yield, orbit, observe);
         if (end == ApproachEnd::turned) rebound(elastic, state, orbit, observe);
@@ -83,12 +85,12 @@ template <class Real, class Observer>
     result.yielded = true;
     state.position = loading.coordinate(motion.yield());
     const ApproachEnd end = approach<Real>(loading, state, std::nullopt, orbit, observe);
-    const Real greatest = loading.root_radius(state.position);
+    const Real greatest = loading.root_radius(orbit.turn.position);
     result.last = motion.unloading(greatest);
-    state.position = result.last.coordinate(greatest);
-    result.plastic_work = motion.loading_potential(greatest) - result.last.potential(state.position);
-    orbit.turn = orbit.end = state;
-    if (end == ApproachEnd::turned) rebound(result.last, state, orbit, observe);
+    orbit.turn.position = result.last.coordinate(greatest);
+    result.plastic_work = motion.loading_potential(greatest) - result.last.potential(orbit.turn.position);
+    result.path = end == ApproachEnd::turned ? result.last : loading;
+    if (end == ApproachEnd::turned) rebound(result.last, orbit.turn, orbit, observe);
     return result;
 }
 
@@ -104,8 +106,8 @@ PlasticMotion<Real>::PlasticMotion(const YieldedContact<Real>& contact, DampingL
     loading_ = branch_motion<Real>(contact.plastic_overlap(u), contact.plastic_force(u), damping_);
     loading_.touch = loading_.coordinate(yield());
     loading_.equilibrium = loading_.coordinate(loading_equilibrium());
-    offset_ =
-        elastic_.potential(elastic_.coordinate(yield_)) - loading_.potential(loading_.coordinate(yield_));
+    const Motion<Real> start = yields_at_touch() ? unloading(yield()) : elastic_;
+    offset_ = start.potential(start.coordinate(yield())) - loading_.potential(loading_.coordinate(yield()));
 }
 
 template <class Real>

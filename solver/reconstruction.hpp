@@ -26,9 +26,25 @@ struct PublishedDamping {
 
 /// The point of the measured curve e_n(v_in) that a published fit implies at restitution @p e: the velocity
 /// at which an impact with eta(e) gives e back [m/s]. Reconstructed, not measured: label it so.
+/// A restitution has one velocity, but not the other way round; see least_rebound().
 [[nodiscard]] double reconstructed_velocity(const PublishedDamping& published, double e);
 
-/// The same curve at a given velocity [m/s]: restitution, or 0 where the curve has none that high [1].
+/// A point of a reconstructed curve.
+struct CurvePoint {
+    double velocity;     ///< [m/s]
+    double restitution;  ///< [1]
+};
+
+/// The rebound of least velocity on the curve: where its rising branch begins. For adhesive laws the curve
+/// folds there. eta falls with e, so that v_c does, in proportion to e, while rebounds of eta held fixed
+/// need more than v_c only by a share of order e^2: from (v_c, 0) the curve first runs back to lower
+/// velocities (Brach-Dunn, 88 um: by 0.85 %), which makes e two-valued, and rises from the fold on. Below the
+/// fold e falls with velocity, as no measurement does. Hertz needs a share of order e^(2/3) and has no fold:
+/// its rising branch begins at v_c with e = 0.
+[[nodiscard]] CurvePoint least_rebound(const PublishedDamping& published);
+
+/// The curve at a given velocity [m/s]: restitution on the rising branch, the least one at or above
+/// least_rebound()'s; 0 below its velocity [1].
 [[nodiscard]] double reconstructed_restitution(const PublishedDamping& published, double velocity);
 
 }  // namespace ashimpact

@@ -2,34 +2,60 @@
 
 #include "solver/contact/pair.hpp"
 #include "solver/damping/damping.hpp"
+#include "solver/numeric/power.hpp"
+
+#include <cmath>
 
 namespace ashimpact {
 
 /// Units of the scaled impact problem, in which mass and Hertz stiffness are 1: choose a velocity, the rest
 /// follows from L = (m V^2/k)^(2/5).
-struct Scale {
-    double mass;           ///< [kg]
-    double stiffness;      ///< k [N/m^(3/2)]
-    double velocity;       ///< V [m/s]
-    double length;         ///< L [m]
-    double radius_length;  ///< sqrt(R* L), unit of the contact radius [m]
+template <class Real>
+struct BasicScale {
+    Real mass;           ///< [kg]
+    Real stiffness;      ///< k [N/m^(3/2)]
+    Real velocity;       ///< V [m/s]
+    Real length;         ///< L [m]
+    Real radius_length;  ///< sqrt(R* L), unit of the contact radius [m]
 
     /// @param velocity V > 0 [m/s]
-    [[nodiscard]] static Scale of(const ContactPair& pair, double velocity);
+    [[nodiscard]] static BasicScale of(const BasicContactPair<Real>& pair, const Real& velocity) {
+        const Real stiffness = hertz_stiffness(pair);
+        const Real length = two_fifths_power(pair.mass * velocity * velocity / stiffness);
+        return {.mass = pair.mass,
+                .stiffness = stiffness,
+                .velocity = velocity,
+                .length = length,
+                .radius_length = root<2>(pair.effective_radius * length)};
+    }
 
-    [[nodiscard]] double time() const { return length / velocity; }             ///< [s]
-    [[nodiscard]] double energy() const { return mass * velocity * velocity; }  ///< [J]
-    [[nodiscard]] double force() const { return energy() / length; }            ///< [N]
-    [[nodiscard]] double momentum() const { return mass * velocity; }           ///< [N s]
+    [[nodiscard]] Real time() const { return length / velocity; }             ///< [s]
+    [[nodiscard]] Real energy() const { return mass * velocity * velocity; }  ///< [J]
+    [[nodiscard]] Real force() const { return energy() / length; }            ///< [N]
+    [[nodiscard]] Real momentum() const { return mass * velocity; }           ///< [N s]
 
     /// The scaled coefficient of a damping law [1]; beta = eta m^(-3/5) k^(-2/5) V^(-1/5) for constant
     /// damping.
-    [[nodiscard]] double damping_number(const Damping& damping) const;
+    [[nodiscard]] Real damping_number(const Damping& damping) const {
+        return Real(damping.coefficient) / damping_unit(damping.law);
+    }
     /// The coefficient [unit of the law] that has this scaled value; inverse of damping_number.
-    [[nodiscard]] double damping_coefficient(DampingLaw law, double number) const;
-
-  private:
-    [[nodiscard]] double damping_unit(DampingLaw law) const;
+    [[nodiscard]] Real damping_coefficient(DampingLaw law, const Real& number) const {
+        return number * damping_unit(law);
+    }
+    /// What the coefficient of a damping law is measured in [unit of the law].
+    [[nodiscard]] Real damping_unit(DampingLaw law) const {
+        switch (law) {
+            case DampingLaw::constant:
+                return momentum() / length;
+            case DampingLaw::contact_radius:
+                return momentum() / (length * radius_length);
+            case DampingLaw::tsuji:
+                return Real(1);  // sqrt(m k) L^(1/4) is the unit of damping itself
+        }
+        return Real(0);
+    }
 };
+using Scale = BasicScale<double>;
 
 }  // namespace ashimpact

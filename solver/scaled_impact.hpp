@@ -35,15 +35,20 @@ template <class Real>
             impact.detachment};
 }
 
+/// Follows an impact in its own scale, whatever its law; @p observe as in follow().
+template <class Real, class Observer>
+[[nodiscard]] Orbit<Real> scaled_orbit(const Impact& impact, const Scale& scale, Observer&& observe) {
+    return can_yield(impact.law, impact.contact)
+               ? follow_plastic(scaled_plastic_motion<Real>(impact, scale), Real(1), observe).orbit
+               : follow(scaled_motion<Real>(impact, scale), Real(1), observe);
+}
+
 /// Restitution of an impact in its own scale, without validation or results beside it [1].
 template <class Real>
-[[nodiscard]] double scaled_restitution(const Impact& impact, const Scale& scale) {
+[[nodiscard]] Real scaled_restitution(const Impact& impact, const Scale& scale) {
     constexpr auto unobserved = [](const Motion<Real>&, const MotionExpansion<Real>&, Real) {};
-    const Orbit<Real> orbit =
-        can_yield(impact.law, impact.contact)
-            ? follow_plastic(scaled_plastic_motion<Real>(impact, scale), Real(1), unobserved).orbit
-            : follow<Real>(scaled_motion<Real>(impact, scale), Real(1));
-    return orbit.outcome == Outcome::rebound ? static_cast<double>(std::abs(orbit.end.velocity)) : 0.0;
+    const Orbit<Real> orbit = scaled_orbit<Real>(impact, scale, unobserved);
+    return orbit.outcome == Outcome::rebound ? std::abs(orbit.end.velocity) : Real(0);
 }
 
 }  // namespace ashimpact

@@ -54,7 +54,7 @@ Recorder recorded(const Impact& impact, const Scale& scale, std::size_t most) {
     Recorder record;
     if (can_yield(impact.law, impact.contact)) {
         const auto followed = follow_plastic(scaled_plastic_motion<Extended>(impact, scale), 1.0L, record);
-        if (followed.orbit.outcome == Outcome::capture) ring(followed.last, followed.orbit.end, most, record);
+        if (followed.orbit.outcome == Outcome::capture) ring(followed.path, followed.orbit.end, most, record);
         return record;
     }
     const auto motion = scaled_motion<Extended>(impact, scale);

@@ -23,16 +23,16 @@ struct Value {
 
 struct Block {
     std::string name;
-    std::size_t line = 0;
-    std::optional<Value> weight{};  ///< GEWICHT; nothing if the block has no such line
-    std::optional<double> density{};
+    std::optional<Value> weight{};    ///< GEWICHT; nothing if the block has no such line
+    std::optional<double> density{};  ///< [kg/m3]
     bool has_positions = false;
 };
 
 struct Contents {
     std::string sample;
     std::vector<Block> blocks;
-    std::map<std::string, Value> goals;  ///< Q-goals, without the Q
+    std::map<std::string, std::size_t, std::less<>> first_lines;  ///< of the blocks, by phase
+    std::map<std::string, Value> goals;                           ///< Q-goals, without the Q
 };
 
 Value read_value(std::string_view text, std::size_t line) {
@@ -61,19 +61,23 @@ void read_member(Block& block, std::string_view key, std::string_view value, std
         block.weight = read_weight(value, line);
     } else if (key == "XrayDensity") {
         const Value density = read_value(value, line);
+        if (density.number && !(density.number->value > 0))
+            throw InputError("XrayDensity is " + shortest(density.number->value),
+                             "a positive density [g/cm3]")
+                .at(at_line(line));
         if (density.number) block.density = density.number->value * 1000;  // g/cm3
     }
 }
 
 void start_block(Contents& contents, std::string_view name, std::size_t line) {
     if (name.empty()) throw InputError("the heading has no phase name", "a phase name").at(at_line(line));
-    for (const Block& block : contents.blocks)
-        if (block.name == name)
-            throw InputError("the phase " + in_quotes(name) + " is there twice, first in line " +
-                                 std::to_string(block.line),
-                             "each phase once")
-                .at(at_line(line));
-    contents.blocks.push_back({.name = std::string(name), .line = line});
+    const auto [first, is_new] = contents.first_lines.emplace(name, line);
+    if (!is_new)
+        throw InputError("the phase " + in_quotes(name) + " is there twice, first in line " +
+                             std::to_string(first->second),
+                         "each phase once")
+            .at(at_line(line));
+    contents.blocks.push_back({.name = std::string(name)});
 }
 
 Contents scan(const TextLines& file) {
@@ -116,10 +120,7 @@ void require_complete(const Contents& contents, const TextLines& file) {
     std::string missing;
     for (const auto& [name, goal] : contents.goals) {
         if (!goal.number) continue;
-        const bool has_block = std::any_of(
-            contents.blocks.begin(), contents.blocks.end(),
-            [wanted = std::string_view(name)](const Block& block) { return block.name == wanted; });
-        if (has_block)
+        if (contents.first_lines.contains(name))
             present += goal.number->value;
         else if (goal.number->value > 0 && missing.empty())
             missing = name;
@@ -130,6 +131,23 @@ void require_complete(const Contents& contents, const TextLines& file) {
     if (contents.goals.empty() && std::any_of(contents.blocks.begin(), contents.blocks.end(), positions) &&
         !contents.blocks.back().has_positions)
         cut_off("the last block has no atomic positions", file);
+}
+
+/// A number that ends with the file may lack digits; only a goal that agrees shows that it does not.
+void require_whole_number(const XrdSample& sample, const Contents& contents, const TextLines& file) {
+    const Block& last = contents.blocks.back();
+    const char end = file.text().back();
+    if (end == '\n' || end == '\r' || last.weight->line != file.last_line()) return;
+    constexpr double rounding = 0.00051;
+    const auto goal = contents.goals.find(last.name);
+    bool agrees = last.weight->number && goal != contents.goals.end() && goal->second.number;
+    if (agrees) {
+        const PhaseFraction& read = sample.analysis.phases.back();
+        const PrintedNumber& expected = *goal->second.number;
+        agrees = std::abs(expected.value - read.fraction) < rounding &&
+                 (read.standard_uncertainty || !expected.standard_uncertainty);
+    }
+    if (!agrees) cut_off("the last line is a GEWICHT without an end", file);
 }
 
 void compare_with_goal(const PhaseFraction& phase, const Contents& contents,
@@ -174,7 +192,8 @@ XrdResult read_bgmn(const TextLines& file) {
         sample.analysis.phases.push_back({.name = block.name,
                                           .fraction = weight.value,
                                           .standard_uncertainty = weight.standard_uncertainty,
-                                          .density = block.density});
+                                          .density = block.density,
+                                          .place = at_line(block.weight->line)});
         total += weight.value;
     }
     if (!(total > 0))
@@ -184,6 +203,7 @@ XrdResult read_bgmn(const TextLines& file) {
         if (phase.standard_uncertainty) *phase.standard_uncertainty /= total;
         compare_with_goal(phase, contents, sample.warnings);
     }
+    require_whole_number(sample, contents, file);
     return {.format = XrdFormat::bgmn_lst, .samples = {std::move(sample)}};
 }
 

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "materials/text.hpp"
 #include "materials/xrd/number.hpp"
@@ -19,7 +21,7 @@ bool is_weight_line(std::string_view text) {
 }
 
 /// "LABEL : VALUE, sig VALUE"
-PrintedNumber read_weight(std::string_view text, std::size_t line) {
+PrintedNumber weight_in(std::string_view text, std::size_t line) {
     std::string_view rest = text.substr(text.find(weight_label) + weight_label.size());
     rest = trimmed(rest.substr(std::min(rest.find(':') + 1, rest.size())));
     const auto comma = rest.find(',');
@@ -46,12 +48,12 @@ struct Scan {
     std::string described_phase{};              ///< under "Result for phase"
     std::map<std::string, double> densities{};  ///< [kg/m3]
     std::vector<XrdSample> samples{};
+    std::map<std::string, std::size_t> places{};                  ///< of the samples, by histogram
+    std::set<std::pair<std::string, std::string>> known_pairs{};  ///< histogram and phase
 
     XrdSample& sample() {
-        const auto found = std::find_if(samples.begin(), samples.end(),
-                                        [&](const XrdSample& s) { return s.name == histogram; });
-        if (found != samples.end()) return *found;
-        return samples.emplace_back(XrdSample{.name = histogram});
+        const auto [place, is_new] = places.emplace(histogram, samples.size());
+        return is_new ? samples.emplace_back(XrdSample{.name = histogram}) : samples[place->second];
     }
 };
 
@@ -70,16 +72,16 @@ void read_weight_line(Scan& scan, std::string_view text, std::size_t line) {
         throw InputError("a weight fraction stands before any phase heading",
                          "\"Phase: NAME in histogram: NAME\"")
             .at(at_line(line));
-    const PrintedNumber weight = read_weight(text, line);
-    auto& phases = scan.sample().analysis.phases;
-    for (const PhaseFraction& phase : phases)
-        if (phase.name == scan.phase)
-            throw InputError(
-                "the phase " + in_quotes(scan.phase) + " is there twice in " + in_quotes(scan.histogram),
-                "each phase once")
-                .at(at_line(line));
-    phases.push_back(
-        {.name = scan.phase, .fraction = weight.value, .standard_uncertainty = weight.standard_uncertainty});
+    const PrintedNumber weight = weight_in(text, line);
+    if (!scan.known_pairs.emplace(scan.histogram, scan.phase).second)
+        throw InputError(
+            "the phase " + in_quotes(scan.phase) + " is there twice in " + in_quotes(scan.histogram),
+            "each phase once")
+            .at(at_line(line));
+    scan.sample().analysis.phases.push_back({.name = scan.phase,
+                                             .fraction = weight.value,
+                                             .standard_uncertainty = weight.standard_uncertainty,
+                                             .place = at_line(line)});
 }
 
 void read_density(Scan& scan, std::string_view text, std::size_t line) {

@@ -148,6 +148,11 @@ Heading read_heading(std::string_view text) {
     heading.role = role_of(key.empty() ? "\u2400" : without_per_cent(key));
     if (heading.role == Role::weight && unit.starts_with("v")) heading.role = Role::volume;
     if (says_per_cent(key) || says_per_cent(unit)) heading.scale = Scale::per_cent;
+    if (heading.role == Role::other && heading.text.ends_with('%')) {  // "Quartz wt%": a phase with its unit
+        const auto blank = heading.text.find_last_of(' ');
+        heading.text.resize(blank == std::string::npos ? heading.text.size() - 1 : blank);
+        heading.text = std::string(trimmed(heading.text));
+    }
     if (key.ends_with("fraction") && heading.scale == Scale::not_stated) heading.scale = Scale::fraction;
     if (unit == "1" || unit == "gg" || unit == "kgkg" || unit == "m3m3") heading.scale = Scale::fraction;
     return heading;

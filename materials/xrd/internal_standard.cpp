@@ -7,7 +7,8 @@
 
 namespace ashimpact {
 
-XrdSample with_internal_standard(const XrdSample& sample, std::string_view standard, double added_fraction) {
+XrdSample with_internal_standard(const XrdSample& sample, std::string_view standard, double added_fraction,
+                                 std::optional<double> added_uncertainty) {
     if (!(added_fraction > 0 && added_fraction < 1))
         throw InputError("the weight fraction of the internal standard is " + shortest(added_fraction),
                          "above 0, below 1 (weight of the standard over that of the mixture)");
@@ -38,8 +39,11 @@ XrdSample with_internal_standard(const XrdSample& sample, std::string_view stand
                              " % of the sample are crystalline",
                          "100 % or less: is the added weight right?");
     AmorphousRemainder remainder{.scale = scale};
-    if (measured.standard_uncertainty)
-        remainder.standard_uncertainty = scale * *measured.standard_uncertainty / measured.fraction;
+    // d ln p = d ln w_s + d w_s/(1 - w_s) - d ln c_s
+    if (measured.standard_uncertainty || added_uncertainty)
+        remainder.standard_uncertainty =
+            scale * std::hypot(measured.standard_uncertainty.value_or(0) / measured.fraction,
+                               added_uncertainty.value_or(0) / (added_fraction * (1 - added_fraction)));
     result.analysis.amorphous = remainder;
     return result;
 }

@@ -1,9 +1,11 @@
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "materials/json_input.hpp"
 #include "materials/quantity.hpp"
 #include "materials/text.hpp"
+#include "materials/xrd/json_lines.hpp"
 #include "materials/xrd/readers.hpp"
 
 namespace ashimpact::xrd {
@@ -78,17 +80,27 @@ PeakIntensity read_peak(const Json& node) {
             .ratio_uncertainty = ratio.standard_uncertainty};
 }
 
+/// Where a phase of a sample stands; the reader of the samples puts their number in front.
+std::string place_in(const char* list, std::size_t index) {
+    return "/" + std::string(list) + "/" + std::to_string(index);
+}
+
+void refuse_repeated(const std::vector<PhaseFraction>& phases) {
+    std::set<std::string> keys;
+    for (const PhaseFraction& phase : phases)
+        if (!keys.insert(phase_key(phase.name)).second)
+            throw InputError("the phase " + in_quotes(phase.name) + " is there twice", "each phase once")
+                .at(phase.place);
+}
+
 void read_phases(const Json& list, Analysis& analysis) {
     for (std::size_t i = 0; i < as_array(list).size(); ++i) {
         at_place("/" + std::to_string(i), [&] {
             JsonPhase phase = read_phase(list[i]);
             if (i > 0 && phase.basis != analysis.basis)
                 throw InputError("fractions by weight and by volume in one sample", "one of the two");
-            for (const PhaseFraction& earlier : analysis.phases)
-                if (phase_key(earlier.name) == phase_key(phase.phase.name))
-                    throw InputError("the phase " + in_quotes(phase.phase.name) + " is there twice",
-                                     "each phase once");
             analysis.basis = phase.basis;
+            phase.phase.place = place_in("phases", i);
             analysis.phases.push_back(std::move(phase.phase));
         });
     }
@@ -99,6 +111,7 @@ void read_peaks(const Json& list, Analysis& analysis) {
     for (std::size_t i = 0; i < as_array(list).size(); ++i)
         peaks.push_back(at_place("/" + std::to_string(i), [&] { return read_peak(list[i]); }));
     analysis.phases = adiabatic_fractions(peaks);
+    for (std::size_t i = 0; i < peaks.size(); ++i) analysis.phases[i].place = place_in("peaks", i);
 }
 
 XrdSample read_sample(const Json& node) {
@@ -108,6 +121,7 @@ XrdSample read_sample(const Json& node) {
         throw InputError("not exactly one result", "phases or peaks");
     optional_member(node, "phases", [&](const Json& n) { return read_phases(n, sample.analysis), true; });
     optional_member(node, "peaks", [&](const Json& n) { return read_peaks(n, sample.analysis), true; });
+    refuse_repeated(sample.analysis.phases);
     double total = 0;
     for (const PhaseFraction& phase : sample.analysis.phases) total += phase.fraction;
     if (total > 1 + default_closure_tolerance)
@@ -123,9 +137,32 @@ XrdSample read_sample(const Json& node) {
         if (node.contains("amorphous"))
             throw InputError("an internal standard gives the amorphous part, which is stated too",
                              "one of the two");
-        return with_internal_standard(sample, required_member(standard, "phase", as_string),
-                                      required_member(standard, "weight_fraction", read_fraction).value);
+        const Quantity added = required_member(standard, "weight_fraction", read_fraction);
+        return with_internal_standard(sample, required_member(standard, "phase", as_string), added.value,
+                                      added.standard_uncertainty);
     });
+}
+
+XrdResult read_samples(const Json& root) {
+    if (!root.is_object()) throw InputError("not an object", "an object with the key samples").at("/");
+    require_keys(root, {"samples"});
+    XrdResult result{.format = XrdFormat::json, .samples = {}};
+    const Json& samples = required(root, "samples");
+    at_place("/samples", [&] {
+        if (as_array(samples).empty()) throw InputError("no samples", "at least one");
+        std::set<std::string> names;
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const std::string place = "/" + std::to_string(i);
+            XrdSample sample = at_place(place, [&] { return read_sample(samples[i]); });
+            if (!names.insert(sample.name).second)
+                throw InputError("the sample " + in_quotes(sample.name) + " is there twice",
+                                 "each sample once")
+                    .at(place);
+            for (PhaseFraction& phase : sample.analysis.phases) phase.place.insert(0, "/samples" + place);
+            result.samples.push_back(std::move(sample));
+        }
+    });
+    return result;
 }
 
 }  // namespace
@@ -137,23 +174,17 @@ bool looks_like_json(const TextLines& file) {
 
 XrdResult read_json(const TextLines& file) {
     const Json root = parse_json(file.text());
-    if (!root.is_object()) throw InputError("not an object", "an object with the key samples").at("/");
-    require_keys(root, {"samples"});
-    XrdResult result{.format = XrdFormat::json, .samples = {}};
-    const Json& samples = required(root, "samples");
-    at_place("/samples", [&] {
-        if (as_array(samples).empty()) throw InputError("no samples", "at least one");
-        for (std::size_t i = 0; i < samples.size(); ++i) {
-            XrdSample sample = at_place("/" + std::to_string(i), [&] { return read_sample(samples[i]); });
-            for (const XrdSample& earlier : result.samples)
-                if (earlier.name == sample.name)
-                    throw InputError("the sample " + in_quotes(sample.name) + " is there twice",
-                                     "each sample once")
-                        .at("/" + std::to_string(i));
-            result.samples.push_back(std::move(sample));
-        }
-    });
-    return result;
+    const JsonLines lines(file.text());
+    const auto with_line = [&](const std::string& pointer) { return at_line(lines.line_of(pointer)); };
+    try {
+        XrdResult result = read_samples(root);
+        for (XrdSample& sample : result.samples)
+            for (PhaseFraction& phase : sample.analysis.phases)
+                phase.place = with_line(phase.place) + ": " + phase.place;
+        return result;
+    } catch (const InputError& error) {
+        throw error.at(with_line(error.place()));
+    }
 }
 
 }  // namespace ashimpact::xrd

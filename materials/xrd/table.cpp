@@ -43,14 +43,26 @@ struct Group {
 
 std::vector<Group> groups_of(std::vector<Entry> entries) {
     std::vector<Group> groups;
+    std::map<std::string, std::size_t> places;
     for (Entry& entry : entries) {
-        auto group = std::find_if(groups.begin(), groups.end(),
-                                  [&](const Group& g) { return g.sample == entry.sample; });
-        if (group == groups.end())
-            group = groups.insert(groups.end(), Group{.sample = entry.sample, .entries = {}});
-        group->entries.push_back(std::move(entry));
+        const auto [place, is_new] = places.emplace(entry.sample, groups.size());
+        if (is_new) groups.push_back({.sample = entry.sample, .entries = {}});
+        groups[place->second].entries.push_back(std::move(entry));
     }
     return groups;
+}
+
+/// A file of one sample need not name it.
+std::string called(const std::string& sample) {
+    return "the sample" + (sample.empty() ? "" : " " + in_quotes(sample));
+}
+
+/// A table has no end mark; one that stops behind a separator, where an amount must stand, is cut off.
+void require_complete(const TextLines& file, const Table& table, const Entry& last) {
+    if (!last.amount && file.text().back() == table.separator)
+        throw InputError("the last line stops before its amount: the file seems to be cut off",
+                         "a complete table")
+            .at(at_line(last.line));
 }
 
 void refuse_repeated(const std::vector<Entry>& entries) {
@@ -58,9 +70,8 @@ void refuse_repeated(const std::vector<Entry>& entries) {
     for (const Entry& entry : entries) {
         const auto [earlier, is_new] = first.emplace(phase_key(entry.phase), entry.line);
         if (!is_new)
-            throw InputError("the phase " + in_quotes(entry.phase) + " is there twice in sample " +
-                                 in_quotes(entry.sample) + ", first in line " +
-                                 std::to_string(earlier->second),
+            throw InputError("the phase " + in_quotes(entry.phase) + " is there twice in " +
+                                 called(entry.sample) + ", first in line " + std::to_string(earlier->second),
                              "each phase once in a sample")
                 .at(at_line(entry.line));
     }
@@ -106,18 +117,18 @@ XrdSample sample_of_fractions(const Group& group, double scale) {
         }
         sum += fraction;
         if (sum > 1 + default_closure_tolerance)
-            throw InputError("the fractions of sample " + in_quotes(group.sample) + " add up to " +
-                                 per_cent(sum) + " or more",
-                             "100 % or less")
+            throw InputError(
+                "the fractions of " + called(group.sample) + " add up to " + per_cent(sum) + " or more",
+                "100 % or less")
                 .at(at_line(entry.line));
         sample.analysis.phases.push_back({.name = entry.phase,
                                           .fraction = fraction,
                                           .standard_uncertainty = uncertainty,
-                                          .density = entry.density});
+                                          .density = entry.density,
+                                          .place = at_line(entry.line)});
     }
     if (sample.analysis.phases.empty())
-        throw InputError("the sample " + in_quotes(group.sample) + " has no phase with an amount",
-                         "at least one")
+        throw InputError(called(group.sample) + " has no phase with an amount", "at least one")
             .at(at_line(group.entries.front().line));
     return sample;
 }
@@ -143,8 +154,10 @@ XrdSample sample_of_peaks(const Group& group) {
     try {
         XrdSample sample{.name = group.sample};
         sample.analysis.phases = adiabatic_fractions(peaks);
-        for (std::size_t i = 0; i < peaks.size(); ++i)
+        for (std::size_t i = 0; i < peaks.size(); ++i) {
             sample.analysis.phases[i].density = group.entries[i].density;
+            sample.analysis.phases[i].place = at_line(group.entries[i].line);
+        }
         return sample;
     } catch (const InputError& error) {
         throw error.at(at_line(group.entries.front().line));
@@ -168,8 +181,11 @@ XrdSample standardised(const XrdSample& sample, const Group& group, const Table&
                           table.headings[*table.column(Role::standard)].scale == Scale::per_cent ||
                           standard->standard->value > 1;
     try {
-        return with_internal_standard(sample, standard->phase,
-                                      standard->standard->value * (per_cent ? 0.01 : 1));
+        const double scale = per_cent ? 0.01 : 1;
+        auto uncertainty = standard->standard->standard_uncertainty;
+        if (uncertainty) *uncertainty *= scale;
+        return with_internal_standard(sample, standard->phase, standard->standard->value * scale,
+                                      uncertainty);
     } catch (const InputError& error) {
         throw error.at(at_line(standard->line));
     }
@@ -200,6 +216,7 @@ XrdResult read_table(const TextLines& file) {
     const Layout layout = layout_of(table);
     XrdResult result{.format = XrdFormat::table, .samples = {}, .warnings = table.warnings};
     std::vector<Entry> entries = entries_of(table, layout);
+    if (layout == Layout::fractions) require_complete(file, table, entries.back());
     const double scale = layout == Layout::peaks ? 1 : scale_of(table, entries, result.warnings);
     warn_of_ignored(table, layout, result.warnings);
     for (const Group& group : groups_of(std::move(entries))) {

@@ -15,6 +15,8 @@ constexpr std::string_view heading_help =
     "or sample "
     "and one column a phase, or phase and one column a sample";
 
+constexpr std::size_t most_cells = 500'000;
+
 std::vector<Heading> headings_of(const Row& row) {
     std::vector<Heading> headings;
     for (const std::string& cell : row.cells) headings.push_back(read_heading(cell));
@@ -172,8 +174,13 @@ Table parse_table(const TextLines& file) {
     if (*heading > 0)
         table.warnings.push_back("the " + std::to_string(*heading) +
                                  " lines above the heading were not read");
-    for (std::size_t i = *heading + 1; i < lines.size(); ++i)
+    for (std::size_t i = *heading + 1; i < lines.size(); ++i) {
         table.rows.push_back(checked_row(lines[i], table));
+        if (table.rows.size() * table.headings.size() > most_cells)
+            throw InputError("the table is too large for an XRD result",
+                             std::to_string(most_cells) + " cells or fewer")
+                .at(at_line(lines[i].number));
+    }
     if (table.rows.empty())
         throw InputError("there are no lines below the heading", "one line a phase or a sample")
             .at(at_line(file.last_line()));

@@ -4,39 +4,40 @@
 
 #include "materials/error.hpp"
 #include "materials/text.hpp"
+#include "materials/xrd/xrd.hpp"
 
 namespace ashimpact::xrd {
 
 namespace {
 
 constexpr std::size_t longest_line = std::size_t{1} << 20;
+constexpr std::size_t most_lines = 100'000;
 
 unsigned char byte(char c) {
     return static_cast<unsigned char>(c);
 }
 
-std::size_t line_number(std::string_view text, std::size_t position) {
-    const auto end = text.begin() + static_cast<std::ptrdiff_t>(position);
-    return 1 + static_cast<std::size_t>(std::count(text.begin(), end, '\n'));
-}
-
-/// Refuses what cannot be text before anything is copied.
+/// Refuses what cannot be a result before anything is copied.
 void check_bytes(std::string_view bytes) {
     if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
         throw InputError("this is UTF-16", "UTF-8, ASCII or Latin-1 text").at(at_line(1));
     std::size_t line_start = 0;
+    std::size_t line = 1;
     for (std::size_t i = 0; i < bytes.size(); ++i) {
         const unsigned char c = byte(bytes[i]);
         if (c == '\n' || c == '\r') {
             line_start = i + 1;
-            continue;
-        }
-        if (i - line_start > longest_line)
+            const bool crlf = c == '\r' && bytes.substr(i + 1).starts_with('\n');
+            line += crlf ? 0 : 1;
+        } else if (i - line_start > longest_line) {
             throw InputError("the line is longer than a megabyte", "a text file with lines")
-                .at(at_line(line_number(bytes, i)));
-        const bool control = c < 0x20 && c != '\t' && c != '\f' && c != 0x1a;
-        if (control || c == 0x7f)
-            throw InputError("this is a binary file", "a text file").at(at_line(line_number(bytes, i)));
+                .at(at_line(line));
+        } else if ((c < 0x20 && c != '\t' && c != '\f' && c != 0x1a) || c == 0x7f) {
+            throw InputError("this is a binary file", "a text file").at(at_line(line));
+        }
+        if (line > most_lines || i >= longest_xrd_file)
+            throw InputError("the file is too long for an XRD result", "100000 lines and 16 MB or less")
+                .at(at_line(line));
     }
     if (trimmed(bytes).empty()) throw InputError("the file is empty", "an XRD result").at(at_line(1));
 }

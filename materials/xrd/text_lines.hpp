@@ -16,8 +16,8 @@ struct Line {
 /// A text file made uniform: UTF-8 without byte-order mark, lines without CR.
 class TextLines {
   public:
-    /// Errors: InputError with a line number for an empty, blank or binary file, for UTF-16 and for a line of
-    /// more than a megabyte.
+    /// Errors: InputError with a line number for an empty, blank or binary file, for UTF-16, for a line of
+    /// more than a megabyte and for more than 100,000 lines or longest_xrd_file.
     explicit TextLines(std::string_view bytes);
 
     TextLines(const TextLines&) = delete;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -7,6 +9,9 @@
 #include "materials/composition.hpp"
 
 namespace ashimpact {
+
+/// No XRD result is longer [bytes]; what lies behind need not be read to refuse it.
+inline constexpr std::size_t longest_xrd_file = std::size_t{16} << 20;
 
 /// What a file was recognised as.
 enum class XrdFormat { bgmn_lst, gsas2_lst, table, json };
@@ -30,17 +35,19 @@ struct XrdResult {
 /// Reads an XRD result, told apart by content: BGMN/Profex .lst, GSAS-II .lst, a CSV or TSV table of
 /// fractions or of peak intensities with RIR values, or the project's JSON. docs/materials.md describes them.
 /// A byte-order mark, CRLF and Latin-1 are accepted.
-/// Errors: InputError "NAME: line N: problem; allowed: ..." (JSON pointer for the contents of JSON) for
+/// Errors: InputError "NAME: line N: problem; allowed: ..." (for JSON with its pointer behind the line) for
 /// anything that is empty, binary, cut off, malformed, has a phase twice or more than 100 %.
 [[nodiscard]] XrdResult read_xrd(std::string_view text, std::string_view name);
 
 /// Rescales a sample to which a known weight of a standard was added before the measurement: w_i = w_s
 /// c_i/c_s in the mixture, divided by 1 - w_s in the sample; the rest is amorphous. The standard is taken out
 /// of the phases. Source: Chung 1974, J. Appl. Cryst. 7:519 (matrix flushing). `added_fraction` is the weight
-/// of the standard over that of the mixture. Errors: InputError if the standard is not among the phases, has
-/// no fraction, or says that more than 100 % of the sample is crystalline.
+/// of the standard over that of the mixture [1], `added_uncertainty` that of the weighing [1]. Errors:
+/// InputError if the standard is not among the phases, has no fraction, or says that more than 100 % of the
+/// sample is crystalline.
 [[nodiscard]] XrdSample with_internal_standard(const XrdSample& sample, std::string_view standard,
-                                               double added_fraction);
+                                               double added_fraction,
+                                               std::optional<double> added_uncertainty = {});
 
 /// One phase of a powder pattern: the intensity of its strongest peak and its reference intensity ratio
 /// I/I_corundum.

@@ -15,6 +15,8 @@
 #include "pipeline/case/law_map.hpp"
 #include "solver/calibration.hpp"
 #include "solver/damping/damping.hpp"
+#include "solver/measurement/measurement.hpp"
+#include "solver/uncertainty/propagation.hpp"
 
 namespace ashimpact {
 
@@ -44,11 +46,10 @@ using Adhesion = std::variant<Stated, AdhesionFromSurfaces>;
 /// eta = a e^2 + b e + c, coefficients in [kg/s].
 using Quadratic = std::array<double, 3>;
 
-/// Restitution against incident velocity, as measured.
+/// Impacts as measured, binned and with the uncertainty of the camera where the case asks for that.
 struct MeasuredRestitution {
-    std::string source{};
-    std::vector<double> velocity{};     ///< [m/s]
-    std::vector<double> restitution{};  ///< [1], 0 for a capture
+    std::string source{};      ///< in words, with what was done to them
+    MeasurementSet impacts{};  ///< with the warnings of the file they were read from
 };
 
 /// Restitution data to be reconstructed from published fits eta(e); see reconstructed_velocity().
@@ -59,8 +60,9 @@ struct Reconstruction {
     double to = 0;            ///< largest restitution [1]
     int points = 0;           ///< evenly spaced between them
     std::string reference{};  ///< law whose points stand for laws without a fit of their own
+    std::optional<double> coefficient_uncertainty{};  ///< standard, of each coefficient: its rounding [kg/s]
 };
-using RestitutionData = std::variant<MeasuredRestitution, Reconstruction>;
+using RestitutionSource = std::variant<MeasuredRestitution, Reconstruction>;
 
 /// Published values of a sample: for comparison and calibration, never a result.
 struct PublishedSample {
@@ -73,6 +75,7 @@ struct PublishedSample {
     std::optional<Quantity> young_modulus{};
     std::vector<std::pair<std::string, Quantity>> volume_fractions{};
     LawMap<Quadratic> damping_fits{};
+    std::optional<double> damping_fit_uncertainty{};  ///< standard, of each coefficient [kg/s]
     LawMap<Quantity> critical_damping{};
     LawMap<Quantity> critical_velocity{};
     std::optional<Quantity> measured_critical_velocity{};
@@ -87,13 +90,14 @@ struct Sample {
     Analysis analysis{};
     std::string analysis_source{};
     std::optional<Porosity> porosity{};
+    bool porosity_from_density = false;       ///< the porosity's value follows from density and phases
     std::optional<Stated> poisson_ratio{};    ///< else mixed from the phases
     std::optional<Stated> density{};          ///< apparent; else that of the phases, less the pores
     std::optional<Stated> contact_modulus{};  ///< instead of Eq. 7 [Pa]
     std::optional<Stated> yield_pressure{};   ///< for laws that yield; else never [Pa]
     std::optional<Adhesion> work_of_adhesion{};
     std::optional<Stated> measured_critical_velocity{};
-    std::optional<RestitutionData> restitution{};
+    std::optional<RestitutionSource> restitution{};
     std::optional<PublishedSample> published{};
 };
 
@@ -107,6 +111,21 @@ struct HistoryOptions {
     double critical_excess = 1e-3;  ///< the history "at" v_c is taken at v_c (1 + this) [1]
 };
 
+/// How the damping is read from measured impacts and fitted; see docs/case.md.
+struct FitChoices {
+    int order = 2;         ///< of the extrapolated fit; the paper's is 2
+    int direct_order = 4;  ///< of the direct fit
+    bool robust = false;   ///< bisquare weights
+    double flatness = 0.25;
+    double outlier = 4.0;
+};
+
+/// How the uncertainty of what is known goes into v_c.
+struct UncertaintyChoices {
+    PropagationOptions propagation{};
+    bool reread = true;  ///< measured impacts fix v_r(v_in), so another contact reads another damping
+};
+
 /// A case, complete: every default filled in, every file it names read.
 struct Case {
     std::string name;
@@ -117,6 +136,8 @@ struct Case {
     std::vector<LawChoice> laws{};
     DampingLaw damping_law = DampingLaw::constant;
     HistoryOptions histories{};
+    FitChoices fit{};
+    UncertaintyChoices uncertainty{};
     std::vector<FreeConstant> calibration{};  ///< constants left to a calibration
 };
 

@@ -1,5 +1,6 @@
 #include "pipeline/case/case_json.hpp"
 
+#include "pipeline/json/measurement_json.hpp"
 #include "pipeline/json/quantity_json.hpp"
 
 namespace ashimpact {
@@ -94,27 +95,30 @@ Json analysis_json(const Analysis& analysis, const std::string& source) {
     return json;
 }
 
-Json porosity_json(const Porosity& porosity) {
-    Json json{{"law", porosity_law_name(porosity.law)},
-              {"value", fraction_json(porosity.value, porosity.standard_uncertainty)}};
+Json porosity_json(const Porosity& porosity, bool from_density) {
+    Json json{{"law", porosity_law_name(porosity.law)}};
+    if (!from_density) json["value"] = fraction_json(porosity.value, porosity.standard_uncertainty);
     if (porosity.coefficient) json["coefficient"] = *porosity.coefficient;
     return json;
 }
 
 struct RestitutionWriter {
     Json operator()(const MeasuredRestitution& data) const {
-        return {{"velocity", column_json(data.velocity, Dimension::velocity)},
-                {"restitution", column_json(data.restitution, Dimension::fraction)},
-                {"source", data.source}};
+        Json json = measurement_columns(data.impacts, true);
+        json["source"] = data.source;
+        return json;
     }
     Json operator()(const Reconstruction& plan) const {
-        return {{"reconstruct",
-                 {{"damping_fits", by_law(plan.damping_fits, quadratic_json)},
+        Json json{{"damping_fits", by_law(plan.damping_fits, quadratic_json)},
                   {"from", quantity_json(plan.from, Dimension::fraction)},
                   {"to", quantity_json(plan.to, Dimension::fraction)},
                   {"points", plan.points},
                   {"reference_law", plan.reference},
-                  {"source", plan.source}}}};
+                  {"source", plan.source}};
+        if (plan.coefficient_uncertainty)
+            json["coefficient_uncertainty"] =
+                quantity_json(*plan.coefficient_uncertainty, Dimension::damping);
+        return {{"reconstruct", json}};
     }
 };
 
@@ -125,7 +129,7 @@ Json sample_json(const Sample& sample) {
     const auto add = [&](const char* key, const std::optional<Stated>& value) {
         if (value) json[key] = stated_json(*value);
     };
-    if (sample.porosity) json["porosity"] = porosity_json(*sample.porosity);
+    if (sample.porosity) json["porosity"] = porosity_json(*sample.porosity, sample.porosity_from_density);
     add("poisson_ratio", sample.poisson_ratio);
     add("density", sample.density);
     add("contact_modulus", sample.contact_modulus);
@@ -168,6 +172,9 @@ Json published_json(const PublishedSample& published) {
         if (!values.empty()) json[key] = by_law(values, write);
     };
     add("damping_fits", published.damping_fits, quadratic_json);
+    if (published.damping_fit_uncertainty)
+        json["damping_fit_uncertainty"] =
+            quantity_json(*published.damping_fit_uncertainty, Dimension::damping);
     add("critical_damping", published.critical_damping, quantity);
     add("critical_velocity", published.critical_velocity, quantity);
     if (published.measured_critical_velocity)
@@ -190,6 +197,15 @@ Json case_json(const Case& data) {
     json["damping_law"] = name_of(data.damping_law);
     json["histories"] = {{"points", data.histories.points},
                          {"critical_excess", data.histories.critical_excess}};
+    json["fit"] = {{"order", data.fit.order},
+                   {"direct_order", data.fit.direct_order},
+                   {"robust", data.fit.robust},
+                   {"flatness", data.fit.flatness},
+                   {"outlier", data.fit.outlier}};
+    json["uncertainty"] = {{"samples", data.uncertainty.propagation.samples},
+                           {"replicates", data.uncertainty.propagation.replicates},
+                           {"seed", data.uncertainty.propagation.seed},
+                           {"damping", data.uncertainty.reread ? "reread" : "held"}};
     if (!data.calibration.empty()) json["calibration"] = calibration_json(data.calibration);
     for (const Phase& phase : data.phases) json["phases"].push_back(phase_json(phase));
     for (const Sample& sample : data.samples) json["samples"].push_back(sample_json(sample));

@@ -5,7 +5,7 @@
 #include "materials/checks.hpp"
 #include "materials/text.hpp"
 #include "materials/xrd/xrd.hpp"
-#include "pipeline/case/impact_table.hpp"
+#include "pipeline/case/measurement_parts.hpp"
 
 namespace ashimpact {
 
@@ -99,43 +99,18 @@ ReadAnalysis read_xrd_analysis(const View& node, InputFiles& files) {
     const std::string name = file.text();
     const XrdResult result = file.located([&] { return read_xrd(files.read(name), files.shown(name)); });
     XrdSample sample = chosen_sample(node, result);
+    for (PhaseFraction& phase : sample.analysis.phases)
+        if (!phase.place.empty()) phase.place.insert(0, files.shown(name) + ": ");
     if (const auto standard = node.find("internal_standard")) {
         sample = standard->located([&] {
-            return with_internal_standard(sample, standard->at("phase").text(),
-                                          standard->at("added_fraction").number(Dimension::fraction));
+            const Quantity added = standard->at("added_fraction").quantity(Dimension::fraction);
+            return with_internal_standard(sample, standard->at("phase").text(), added.value,
+                                          added.standard_uncertainty);
         });
     }
     ReadAnalysis read{.analysis = sample.analysis, .source = name, .warnings = result.warnings};
     read.warnings.insert(read.warnings.end(), sample.warnings.begin(), sample.warnings.end());
     return read;
-}
-
-MeasuredRestitution read_inline_restitution(const View& node) {
-    MeasuredRestitution data{.source = "the case file",
-                             .velocity = node.at("velocity").column(Dimension::velocity)};
-    const View second = node.at(node.has("restitution") ? "restitution" : "rebound_velocity");
-    const bool ratio = node.has("restitution");
-    data.restitution = second.column(ratio ? Dimension::fraction : Dimension::velocity);
-    if (data.restitution.size() != data.velocity.size())
-        second.fail("has " + std::to_string(data.restitution.size()) + " values, velocity has " +
-                        std::to_string(data.velocity.size()),
-                    "one value for each velocity");
-    for (std::size_t i = 0; !ratio && i < data.velocity.size(); ++i) data.restitution[i] /= data.velocity[i];
-    return data;
-}
-
-void check_restitution(const View& node, const MeasuredRestitution& data) {
-    node.located([&] {
-        for (std::size_t i = 0; i < data.velocity.size(); ++i) {
-            const auto place = "point " + std::to_string(i + 1);
-            at_place(place, [&] {
-                require_positive("velocity", data.velocity[i], Dimension::velocity);
-                if (!(data.restitution[i] >= 0 && data.restitution[i] < 1))
-                    throw InputError("restitution is " + shortest(data.restitution[i]),
-                                     "0 <= restitution < 1");
-            });
-        }
-    });
 }
 
 Reconstruction read_reconstruction(const View& node, const std::optional<PublishedSample>& published) {
@@ -148,11 +123,14 @@ Reconstruction read_reconstruction(const View& node, const std::optional<Publish
     if (const auto fits = node.find("damping_fits")) {
         plan.damping_fits = read_quadratics(*fits);
         plan.source = node.has("source") ? node.at("source").text() : "fits of the case file";
+        if (const auto u = node.find("coefficient_uncertainty"))
+            plan.coefficient_uncertainty = u->number(Dimension::damping);
     } else {
         if (!published || published->damping_fits.empty())
             node.fail("\"damping_fits\" is missing and nothing is published for this sample", "damping_fits");
         plan.damping_fits = published->damping_fits;
         plan.source = published->source;
+        plan.coefficient_uncertainty = published->damping_fit_uncertainty;
     }
     if (plan.damping_fits.find(Law::named(plan.reference)) == nullptr)
         node.at("reference_law").fail("the reference law " + in_quotes(plan.reference) + " has no fit");
@@ -169,9 +147,12 @@ class Printed {
     }
     [[nodiscard]] Quantity read(const View& node) const {
         Quantity quantity = node.quantity(dimension_);
-        if (!quantity.standard_uncertainty && digit_)
-            quantity.standard_uncertainty = *digit_ / std::sqrt(12.0);
+        if (!quantity.standard_uncertainty) quantity.standard_uncertainty = uncertainty();
         return quantity;
+    }
+    /// Standard uncertainty by the rounding alone.
+    [[nodiscard]] std::optional<double> uncertainty() const {
+        return digit_ ? std::optional(*digit_ / std::sqrt(12.0)) : std::nullopt;
     }
     [[nodiscard]] LawMap<Quantity> read_by_law(const View& parent, const char* key) const {
         LawMap<Quantity> values;
@@ -238,12 +219,15 @@ Adhesion read_adhesion(const View& node) {
 }
 
 Porosity read_porosity(const View& node) {
-    const Quantity value = node.at("value").quantity(Dimension::fraction);
-    Porosity porosity{.law = porosity_law(node.at("law").text()),
-                      .value = value.value,
-                      .standard_uncertainty = value.standard_uncertainty};
+    Porosity porosity{.law = porosity_law(node.at("law").text())};
+    if (const auto value = node.find("value")) {
+        const Quantity quantity = value->quantity(Dimension::fraction);
+        porosity.value = quantity.value;
+        porosity.standard_uncertainty = quantity.standard_uncertainty;
+    }
     if (const auto coefficient = node.find("coefficient"))
         porosity.coefficient = coefficient->number(Dimension::fraction);
+    node.located([&] { require_valid(porosity); });
     return porosity;
 }
 
@@ -269,28 +253,24 @@ ReadAnalysis read_analysis(const View& node, InputFiles& files) {
     return read;
 }
 
-RestitutionData read_restitution(const View& node, const std::optional<PublishedSample>& published,
-                                 InputFiles& files) {
+RestitutionSource read_restitution(const View& node, const std::optional<PublishedSample>& published,
+                                   InputFiles& files, const std::optional<Camera>& camera) {
     constexpr auto allowed = "velocity with restitution or rebound_velocity, or file, or reconstruct";
     const bool points = node.has("velocity") && count_of(node, {"restitution", "rebound_velocity"}) == 1;
-    const int ways = count_of(node, {"file", "reconstruct"}) +
-                     (count_of(node, {"velocity", "restitution", "rebound_velocity"}) > 0 ? 1 : 0);
-    if (ways != 1 || (count_of(node, {"file", "reconstruct"}) == 0 && !points))
+    const int others = count_of(node, {"file", "reconstruct"});
+    const bool columns = count_of(node, {"velocity", "restitution", "rebound_velocity"}) > 0;
+    if (others + (columns ? 1 : 0) != 1 || (columns && !points))
         node.fail("the restitution data are incomplete or given in more than one way", allowed);
-    if (const auto plan = node.find("reconstruct")) return read_reconstruction(*plan, published);
-
-    MeasuredRestitution data;
-    if (const auto file = node.find("file")) {
-        const std::string name = file->text();
-        data = file->located(
-            [&] { return in_file(files.shown(name), [&] { return read_impact_table(files.read(name)); }); });
-        data.source = name;
-    } else {
-        data = read_inline_restitution(node);
-    }
-    if (const auto source = node.find("source")) data.source = source->text();
-    check_restitution(node, data);
-    return data;
+    if (!columns)
+        for (const auto* key : {"velocity_uncertainty", "rebound_uncertainty", "restitution_uncertainty",
+                                "velocity_correlation", "impacts"})
+            if (const auto stray = node.find(key))
+                stray->fail("belongs to velocities of the case", "velocity");
+    const auto plan = node.find("reconstruct");
+    if (!plan) return read_measured(node, files, camera);
+    for (const auto* key : {"camera", "binning"})
+        if (const auto stray = node.find(key)) stray->fail("belongs to measured impacts", "file or velocity");
+    return read_reconstruction(*plan, published);
 }
 
 PublishedSample read_published(const View& node, const std::string& source,
@@ -307,6 +287,9 @@ PublishedSample read_published(const View& node, const std::string& source,
         for (const auto& [name, value] : fractions->members())
             published.volume_fractions.emplace_back(name, fraction.read(value));
     if (const auto fits = node.find("damping_fits")) published.damping_fits = read_quadratics(*fits);
+    published.damping_fit_uncertainty = Printed(Dimension::damping, rounding, "damping_fit").uncertainty();
+    if (const auto u = node.find("damping_fit_uncertainty"))
+        published.damping_fit_uncertainty = u->number(Dimension::damping);
     published.critical_damping = damping.read_by_law(node, "critical_damping");
     published.critical_velocity = velocity.read_by_law(node, "critical_velocity");
     if (const auto value = node.find("measured_critical_velocity"))

@@ -26,10 +26,11 @@ struct ReadAnalysis {
 };
 [[nodiscard]] ReadAnalysis read_analysis(const View& node, InputFiles& files);
 
-/// Restitution data; @p published serves a reconstruction that names no fits of its own.
-[[nodiscard]] RestitutionData read_restitution(const View& node,
-                                               const std::optional<PublishedSample>& published,
-                                               InputFiles& files);
+/// Restitution data; @p published serves a reconstruction that names no fits of its own, @p camera impacts
+/// whose uncertainty nothing says.
+[[nodiscard]] RestitutionSource read_restitution(const View& node,
+                                                 const std::optional<PublishedSample>& published,
+                                                 InputFiles& files, const std::optional<Camera>& camera);
 
 /// Published values; those without an uncertainty get that of the rounding of their last digit, u =
 /// d/sqrt(12).

@@ -7,6 +7,7 @@
 #include "materials/checks.hpp"
 #include "pipeline/case/case_parts.hpp"
 #include "pipeline/case/laws.hpp"
+#include "pipeline/case/measurement_parts.hpp"
 #include "pipeline/json/schema.hpp"
 #include "solver/impact.hpp"
 
@@ -19,6 +20,7 @@ struct Defaults {
     std::optional<View> particle;
     std::optional<Adhesion> work_of_adhesion;
     std::optional<PublishedSample> published;
+    std::optional<Camera> camera;
 };
 
 std::optional<View> own_or_default(const View& sample, const Defaults& defaults, const char* key) {
@@ -44,6 +46,10 @@ Sample read_sample(const View& node, const Defaults& defaults, InputFiles& files
     if (const auto nu = own_or_default(node, defaults, "poisson_ratio"))
         sample.poisson_ratio = read_poisson_ratio(*nu);
     sample.density = read_optional(own_or_default(node, defaults, "density"), "density", Dimension::density);
+    if (const auto porosity = node.find("porosity"); porosity && !porosity->has("value")) {
+        if (!sample.density) porosity->fail("the porosity has no value", "value, or density of the sample");
+        sample.porosity_from_density = true;
+    }
     sample.contact_modulus = read_optional(own_or_default(node, defaults, "contact_modulus"),
                                            "contact modulus", Dimension::pressure);
     sample.yield_pressure = read_optional(own_or_default(node, defaults, "yield_pressure"), "yield pressure",
@@ -56,7 +62,11 @@ Sample read_sample(const View& node, const Defaults& defaults, InputFiles& files
     if (const auto published = node.find("published"))
         sample.published = read_published(*published, "the case file", std::nullopt);
     if (const auto data = node.find("restitution"))
-        sample.restitution = read_restitution(*data, sample.published, files);
+        sample.restitution = read_restitution(*data, sample.published, files, defaults.camera);
+    if (const auto* measured =
+            sample.restitution ? std::get_if<MeasuredRestitution>(&*sample.restitution) : nullptr)
+        for (const std::string& warning : measured->impacts.warnings)
+            warnings.push_back(sample.name + ": " + warning);
     return sample;
 }
 
@@ -126,19 +136,31 @@ PhaseCatalogue catalogue_of(const View& document, const PhaseCatalogue& built_in
     return catalogue;
 }
 
+/// The artifact has no other sets and no groups: a phase must know every name under which it was found.
+void answer_to(Phase& phase, const std::string& name) {
+    const PhaseCatalogue alone({PhaseSet{.name = "case", .phases = {phase}}});
+    try {
+        static_cast<void>(alone.resolve(name));
+    } catch (const InputError&) {
+        phase.synonyms.push_back(name);
+    }
+}
+
 /// Every phase the samples need, once. @throws InputError where a composition is impossible
 std::vector<Phase> phases_of(const std::vector<Sample>& samples, const View& document,
-                             const PhaseCatalogue& catalogue) {
+                             const PhaseCatalogue& catalogue, std::vector<std::string>& warnings) {
     std::vector<Phase> phases;
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const View place = document.at("samples").elements()[i].at("composition");
         const Composition composition =
             place.located([&] { return compose(samples[i].analysis, catalogue); });
         for (const Component& component : composition.components) {
-            const Phase phase = catalogue.resolve(component.name).phase;
-            const bool known = std::any_of(phases.begin(), phases.end(),
-                                           [&](const Phase& p) { return p.name == phase.name; });
-            if (!known) phases.push_back(phase);
+            const auto [phase, note] = catalogue.resolve(component.name);
+            if (!note.empty()) warnings.push_back(samples[i].name + ": " + note);
+            auto known = std::find_if(phases.begin(), phases.end(),
+                                      [&name = phase.name](const Phase& p) { return p.name == name; });
+            if (known == phases.end()) known = phases.insert(phases.end(), phase);
+            answer_to(*known, component.name);
         }
     }
     return phases;
@@ -193,8 +215,10 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
     const PublishedSets published(document, files);
     if (const auto rule = document.find("mixture_rule")) data.mixture_rule = mixture_rule(rule->text());
     if (const auto wall = document.find("wall")) data.wall = read_wall(*wall);
-    Defaults defaults{.particle = document.find("particle"), .work_of_adhesion = {}, .published = {}};
+    Defaults defaults{
+        .particle = document.find("particle"), .work_of_adhesion = {}, .published = {}, .camera = {}};
     if (const auto w = document.find("work_of_adhesion")) defaults.work_of_adhesion = read_adhesion(*w);
+    if (const auto camera = document.find("camera")) defaults.camera = read_camera(*camera);
     for (const View& node : document.at("samples").elements()) {
         defaults.published = published.of(node.at("name").text());
         data.samples.push_back(read_sample(node, defaults, files, warnings));
@@ -202,8 +226,10 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
     data.laws = read_laws(document);
     if (const auto law = document.find("damping_law")) data.damping_law = damping_named(law->text());
     data.histories = read_histories(document);
+    data.fit = read_fit_choices(document.find("fit"));
+    data.uncertainty = read_uncertainty_choices(document.find("uncertainty"));
     data.calibration = read_calibration(document);
-    data.phases = phases_of(data.samples, document, catalogue);
+    data.phases = phases_of(data.samples, document, catalogue, warnings);
     check_whole(data, document);
     return data;
 }

@@ -3,6 +3,7 @@
 
 #include "pipeline/cli/commands.hpp"
 #include "pipeline/commands/calibrate.hpp"
+#include "pipeline/commands/cross_check.hpp"
 #include "pipeline/commands/documents.hpp"
 #include "pipeline/commands/modulus.hpp"
 #include "pipeline/commands/run.hpp"
@@ -36,22 +37,30 @@ void add_run(CLI::App& program, Action& action) {
 void add_modulus(CLI::App& program, Action& action) {
     auto* command =
         add_command(program, "modulus", "XRD result -> phase volumes -> Young's modulus with bounds",
-                    "ashimpact modulus ash.lst --amorphous-fraction 0.42");
+                    "ashimpact modulus ash.lst --amorphous-fraction '42 +- 2 %'\n"
+                    "  ashimpact modulus ash.lst --internal-standard corundum --added-fraction '10 %'");
     const auto options = std::make_shared<ModulusCommandOptions>();
     command->add_option("file", options->file, "XRD result: BGMN/Profex or GSAS-II .lst, CSV, TSV or JSON")
         ->required()
         ->type_name("FILE");
-    command
-        ->add_option("--amorphous-fraction", options->amorphous_fraction,
-                     "weight fraction of the whole that is amorphous; 0: none")
-        ->type_name("X");
-    command->add_option("--sample", options->sample, "of a file with several; default: all")
-        ->type_name("NAME");
-    command->add_option("--phase-set", options->phase_set, "phase set to look in first: literature, dong2013")
-        ->type_name("NAME");
-    command->add_option("--rule", options->rule, "mixture rule of the modulus")
-        ->capture_default_str()
-        ->type_name("NAME");
+    const auto add = [&](const char* name, std::string& value, const char* type, const char* purpose) {
+        return command->add_option(name, value, purpose)->type_name(type);
+    };
+    add("--amorphous-fraction", options->amorphous_fraction, "X",
+        "amorphous part of the whole, by weight (by volume where the file is); none; remainder: what is "
+        "missing to 100 %");
+    add("--crystalline-total", options->crystalline_total, "X", "the rest of the whole is amorphous");
+    add("--internal-standard", options->internal_standard, "PHASE",
+        "standard that was added and refined; the amorphous part follows");
+    add("--added-fraction", options->added_fraction, "X", "its weight over that of the mixture");
+    add("--sample", options->sample, "NAME", "of a file with several; default: all");
+    add("--phase-set", options->phase_set, "NAME", "phase set to look in first: literature, dong2013");
+    add("--phases", options->phases, "CASE.json", "case file whose own phases come before all others");
+    add("--rule", options->rule, "NAME", "mixture rule of the modulus")->capture_default_str();
+    add("--porosity-law", options->porosity_law, "NAME", "law by which pores soften; default: no pores");
+    add("--porosity", options->porosity, "X", "default: from --particle-density and the phases");
+    add("--porosity-coefficient", options->porosity_coefficient, "B", "b of the law spriggs");
+    add("--particle-density", options->particle_density, "RHO", "as measured, pores included");
     command->add_flag("--json", options->json, "print one JSON object, numbers with 17 significant digits");
     command->callback([options, &action] {
         action = [options](std::ostream& out) { run_modulus_command(*options, out); };
@@ -73,9 +82,27 @@ void add_calibrate(CLI::App& program, Action& action) {
             "one value a sample; default: what the case says")
         ->type_name("NAME[:each]")
         ->allow_extra_args(false);
+    command
+        ->add_flag("--compare", options->compare,
+                   "hypotheses beside one another: one modulus or those from XRD, one density or one a size, "
+                   "wall known or free")
+        ->excludes("--free");
     command->add_flag("--json", options->json, "print one JSON object, numbers with 17 significant digits");
     command->callback([options, &action] {
         action = [options](std::ostream& out) { run_calibrate_command(*options, out); };
+    });
+}
+
+void add_cross_check(CLI::App& program, Action& action) {
+    auto* command = add_command(program, "cross-check",
+                                "Whether published damping fits of several laws describe the same impacts",
+                                "ashimpact cross-check");
+    const auto options = std::make_shared<CrossCheckOptions>();
+    command->add_option("case", options->case_file, "case file; default: the built-in case, Dong et al. 2013")
+        ->type_name("CASE.json");
+    command->add_flag("--json", options->json, "print one JSON object, numbers with 17 significant digits");
+    command->callback([options, &action] {
+        action = [options](std::ostream& out) { run_cross_check_command(*options, out); };
     });
 }
 
@@ -98,6 +125,7 @@ void add_case_commands(CLI::App& program, Action& action) {
 
 void add_document_commands(CLI::App& program, Action& action) {
     add_calibrate(program, action);
+    add_cross_check(program, action);
     add_document_command(add_command(program, "inspect", "An artifact as tables, with its provenance",
                                      "ashimpact inspect results/comparison.json"),
                          action, "artifact", "ARTIFACT.json", "file of a run's folder", true,

@@ -93,15 +93,25 @@ void add_damping(CLI::App& program, Action& action) {
     auto* command = add_command(program, "damping", "The damping that gives back a measured restitution",
                                 "ashimpact damping --law dmt --radius \"44 um\" --density \"2600 kg/m3\" "
                                 "--contact-modulus \"90 GPa\" --work-of-adhesion \"0.3 J/m2\" "
-                                "--velocity \"2 m/s\" --restitution 0.2");
+                                "--velocity \"2 m/s\" --restitution 0.2\n"
+                                "  (the same with --impacts impacts.csv instead of the last two)");
     const auto options = std::make_shared<DampingOptions>();
     add_contact_options(*command, options->contact);
-    command->add_option("--velocity", options->velocity, "at first touch, \"2 m/s\"")
-        ->required()
-        ->type_name("Q");
+    command->add_option("--velocity", options->velocity, "at first touch, \"2 m/s\"")->type_name("Q");
     command->add_option("--restitution", options->restitution, "e_n; 0: the smallest damping that captures")
-        ->required()
         ->type_name("X");
+    command
+        ->add_option("--impacts", options->impacts,
+                     "instead of one impact a CSV table of many, with a heading such as \"v_in [m/s], v_r "
+                     "[m/s]\": damping of each, fits, critical velocity with its interval")
+        ->type_name("FILE");
+    command->add_option("--frame-rate", options->frame_rate, "of the camera, frames per second")
+        ->type_name("X");
+    command->add_option("--pixel-size", options->pixel_size, "of the camera, in the object, \"2 um\"")
+        ->type_name("Q");
+    command->add_option("--bin", options->bin, "rebounds to be put into one point")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1'000'000));
     command->add_flag("--json", options->json, json_help);
     command->callback([options, &action] {
         action = [options](std::ostream& out) { run_damping_command(*options, out); };

@@ -5,7 +5,9 @@
 #include <ostream>
 
 #include "materials/text.hpp"
+#include "pipeline/commands/calibration_hypotheses.hpp"
 #include "pipeline/json/quantity_json.hpp"
+#include "pipeline/json/statistics_json.hpp"
 #include "pipeline/json/writer.hpp"
 #include "pipeline/run.hpp"
 #include "pipeline/stages/contact.hpp"
@@ -13,6 +15,7 @@
 #include "pipeline/stages/read_case_artifact.hpp"
 #include "pipeline/text/readable.hpp"
 #include "pipeline/text/table.hpp"
+#include "solver/calibration_profile.hpp"
 
 namespace ashimpact {
 
@@ -42,7 +45,7 @@ FreeConstant read_free(const std::string& text) {
 CalibrationSample start_of(const Case& data, const Sample& sample, const SampleModulus& modulus,
                            const SampleContact& contact) {
     CalibrationSample start{.diameter = sample.diameter.value(),
-                            .density = contact.density,
+                            .density = contact.density.value,
                             .work_of_adhesion = contact.pair.work_of_adhesion,
                             .particle = {.young_modulus = modulus.young_modulus.value},
                             .wall = {},
@@ -80,7 +83,8 @@ void add_observations(const PublishedSample& published, std::size_t index, Calib
              .velocity_uncertainty = time.velocity.standard_uncertainty.value_or(0),
              .value = time.contact_time.value,
              .standard_uncertainty =
-                 time.contact_time.standard_uncertainty.value_or(1e-3 * time.contact_time.value)});
+                 time.contact_time.standard_uncertainty.value_or(1e-3 * time.contact_time.value),
+             .damping_fit_uncertainty = published.damping_fit_uncertainty.value_or(0)});
     }
 }
 
@@ -114,9 +118,28 @@ Json rows_json(const std::vector<Row>& rows) {
     return list;
 }
 
-Json constants_json(const Case& data, const CalibrationSummary& summary) {
+/// "density of 88 um", "work_of_adhesion".
+std::string name_of(const Case& data, const CalibratedConstant& constant) {
+    const std::string name(entry_of(constant.quantity).name);
+    return constant.sample ? fmt::format("{} of {}", name, data.samples[*constant.sample].name) : name;
+}
+
+Json profile_json(const Case& data, const CalibrationSummary& summary, const ConstantProfile& profile,
+                  std::string_view unit) {
+    Json traded = Json::array();
+    for (const std::size_t other : profile.traded_with)
+        traded.push_back(name_of(data, summary.constants[other]));
+    return {{"interval", interval_json(profile.interval, unit)},
+            {"identifiable", profile.identifiable},
+            {"traded_with", traded},
+            {"statement", profile.statement}};
+}
+
+Json constants_json(const Case& data, const CalibrationSummary& summary,
+                    const std::vector<ConstantProfile>& profiles) {
     Json list = Json::array();
-    for (const CalibratedConstant& constant : summary.constants) {
+    for (std::size_t i = 0; i < summary.constants.size(); ++i) {
+        const CalibratedConstant& constant = summary.constants[i];
         const CalibrationQuantityName& entry = entry_of(constant.quantity);
         Json value = quantity_json(constant.value, entry.unit);
         value["standard_uncertainty"] = constant.standard_uncertainty;
@@ -125,30 +148,47 @@ Json constants_json(const Case& data, const CalibrationSummary& summary) {
              {"sample", constant.sample ? Json(data.samples[*constant.sample].name) : Json(nullptr)},
              {"value", value},
              {"interval_95",
-              {quantity_json(constant.lower, entry.unit), quantity_json(constant.upper, entry.unit)}}});
+              {quantity_json(constant.lower, entry.unit), quantity_json(constant.upper, entry.unit)}},
+             {"profile", profile_json(data, summary, profiles[i], entry.unit)}});
     }
     return list;
 }
 
-Json matrix_json(const Eigen::MatrixXd& matrix) {
-    Json rows = Json::array();
-    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-        Json row = Json::array();
-        for (Eigen::Index j = 0; j < matrix.cols(); ++j) row.push_back(matrix(i, j));
-        rows.push_back(std::move(row));
+std::string profile_text(const Interval& interval, std::string_view unit) {
+    const auto end = [&](const std::optional<double>& value) {
+        return value ? readable(*value, unit) : std::string("open");
+    };
+    if (!interval.lower && !interval.upper) return "not identifiable";
+    return fmt::format("{} to {}", end(interval.lower), end(interval.upper));
+}
+
+/// Correlations of the constants with those before them, and what the data do not fix.
+std::string identification_text(const Case& data, const CalibrationSummary& summary,
+                                const std::vector<ConstantProfile>& profiles) {
+    std::string text;
+    for (std::size_t i = 0; i < profiles.size(); ++i) {
+        const std::string name = name_of(data, summary.constants[i]);
+        for (std::size_t j = 0; j < i; ++j)
+            text +=
+                fmt::format("correlation of {} with {}: {:+.3f}\n", name, name_of(data, summary.constants[j]),
+                            summary.correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+        if (!profiles[i].statement.empty()) text += fmt::format("{}: {}\n", name, profiles[i].statement);
     }
-    return rows;
+    return text;
 }
 
 std::string calibration_text(const Case& data, const CalibrationSummary& summary,
-                             const std::vector<Row>& velocities, const std::vector<Row>& times) {
-    TextTable constants({"constant", "sample", "value", "95 % interval"});
-    for (const CalibratedConstant& constant : summary.constants) {
+                             const std::vector<ConstantProfile>& profiles, const std::vector<Row>& velocities,
+                             const std::vector<Row>& times) {
+    TextTable constants({"constant", "sample", "value", "95 % interval", "by profile likelihood"});
+    for (std::size_t i = 0; i < summary.constants.size(); ++i) {
+        const CalibratedConstant& constant = summary.constants[i];
         const CalibrationQuantityName& entry = entry_of(constant.quantity);
         constants.add({std::string(entry.name), constant.sample ? data.samples[*constant.sample].name : "all",
                        readable(constant.value, entry.unit),
                        fmt::format("{} to {}", readable(constant.lower, entry.unit),
-                                   readable(constant.upper, entry.unit))});
+                                   readable(constant.upper, entry.unit)),
+                       profile_text(profiles[i].interval, entry.unit)});
     }
     TextTable residuals({"sample", "law", "published", "calibrated", "difference", "in u"});
     for (const auto* rows : {&velocities, &times})
@@ -158,7 +198,7 @@ std::string calibration_text(const Case& data, const CalibrationSummary& summary
                            fmt::format("{:+.2f} %", 100 * row.residual.relative_difference()),
                            fmt::format("{:+.1f}", row.residual.relative_difference() /
                                                       row.residual.relative_uncertainty)});
-    return constants.text() + "\n" + residuals.text() +
+    return constants.text() + "\n" + identification_text(data, summary, profiles) + "\n" + residuals.text() +
            fmt::format("\nchi^2 {} with {} degrees of freedom, probability {}; AIC {}\n",
                        readable_number(summary.chi_squared), summary.degrees_of_freedom,
                        readable_number(summary.probability, 2), readable_number(summary.akaike));
@@ -193,21 +233,43 @@ void run_calibrate_command(const CalibrateOptions& options, std::ostream& out) {
     const Artifacts artifacts = compute_artifacts(file, "contact");
     Case data = read_case_artifact(artifacts);
     if (!options.free.empty()) data.calibration.clear();
-    for (const std::string& text : options.free) data.calibration.push_back(read_free(text));
+    for (const std::string& text : options.free) {
+        const FreeConstant free = read_free(text);
+        for (const FreeConstant& other : data.calibration)
+            if (other.quantity == free.quantity)
+                throw InputError(in_quotes(text.substr(0, text.find(':'))) + " is given twice",
+                                 "each constant once")
+                    .at("--free");
+        data.calibration.push_back(free);
+    }
 
     in_file(options.case_file.empty() ? "built-in case" : options.case_file, [&] {
+        if (options.compare) {
+            const bool elastic = data.wall && std::holds_alternative<ElasticWall>(*data.wall);
+            data.calibration.clear();
+            const CalibrationProblem problem = calibration_problem(data, artifacts);
+            if (problem.critical_velocities.empty() && problem.contact_times.empty())
+                throw InputError("nothing is published for these samples that constants could be found from",
+                                 "critical velocities with their damping, contact times")
+                    .at("/samples");
+            const auto hypotheses = compare_hypotheses(problem, elastic);
+            out << (options.json ? write_json(hypotheses_json(hypotheses), Digits::seventeen)
+                                 : hypotheses_text(hypotheses));
+            return;
+        }
         if (data.calibration.empty())
             throw InputError("nothing is free", "calibration.free in the case, or --free").at("/calibration");
         const auto problem = calibration_problem(data, artifacts);
         const CalibrationSummary summary = calibrate(problem);
+        const auto profiles = profile_constants(problem, summary);
         const auto velocities =
             rows_of(data, problem.critical_velocities, summary.critical_velocities, Dimension::velocity);
         const auto times = rows_of(data, problem.contact_times, summary.contact_times, Dimension::time);
         if (!options.json) {
-            out << calibration_text(data, summary, velocities, times);
+            out << calibration_text(data, summary, profiles, velocities, times);
             return;
         }
-        out << write_json({{"constants", constants_json(data, summary)},
+        out << write_json({{"constants", constants_json(data, summary, profiles)},
                            {"correlation", matrix_json(summary.correlation)},
                            {"critical_velocities", rows_json(velocities)},
                            {"contact_times", rows_json(times)},

@@ -14,6 +14,7 @@ namespace ashimpact {
 struct CalibrateOptions {
     std::string case_file;          ///< empty: the built-in case
     std::vector<std::string> free;  ///< "density" or "density:each"; empty: what the case says
+    bool compare = false;           ///< hypotheses beside one another instead of one calibration
     bool json = false;
 };
 

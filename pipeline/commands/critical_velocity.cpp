@@ -4,6 +4,7 @@
 
 #include <ostream>
 
+#include "pipeline/commands/impact.hpp"
 #include "pipeline/json/writer.hpp"
 #include "pipeline/stages/critical_velocity.hpp"
 #include "pipeline/text/readable.hpp"
@@ -33,9 +34,10 @@ std::string critical_velocity_text(const CriticalVelocityProblem& problem, const
                          name_of(problem.damping.law)));
     list.add("critical velocity", verdict_text(result));
     if (result.verdict == CaptureVerdict::finite) {
-        list.add("contact time", result.contact_time
-                                     ? readable(*result.contact_time, "s")
-                                     : "not computed for this end of contact");
+        list.add("contact time",
+                 result.contact_time
+                     ? readable(*result.contact_time, "s")
+                     : "none: the particle comes to rest ever more slowly, contact never ends");
         if (result.maximum_overlap) list.add("maximum overlap", readable(*result.maximum_overlap, "m"));
         list.add("energy", fmt::format("{} dissipated, {} spent in yielding, {} to break the contact",
                                        readable(result.dissipated, "J"), readable(result.plastic, "J"),
@@ -44,6 +46,16 @@ std::string critical_velocity_text(const CriticalVelocityProblem& problem, const
             if (crossing != *result.value) list.add("another crossing", readable(crossing, "m/s"));
     }
     return list.text(0);
+}
+
+/// The regime of the impact at v_c.
+Regime regime_at(const CriticalVelocityProblem& problem, const CriticalVelocity& result) {
+    return regime_of({.law = problem.law,
+                      .detachment = problem.detachment,
+                      .damping = problem.damping,
+                      .contact = problem.contact,
+                      .velocity = *result.value},
+                     result.maximum_overlap.value_or(0));
 }
 
 }  // namespace
@@ -55,8 +67,13 @@ void run_critical_velocity_command(const CriticalVelocityOptions& options, std::
                                           .damping = read_damping(options.contact),
                                           .contact = choice.contact};
     const CriticalVelocity result = critical_velocity(problem);
+    std::string regime;
+    if (result.value) {
+        warn_of_regime(regime_at(problem, result));
+        regime = regime_text(regime_at(problem, result));
+    }
     out << (options.json ? write_json(critical_velocity_json(problem, result), Digits::seventeen)
-                         : critical_velocity_text(problem, result));
+                         : critical_velocity_text(problem, result) + regime);
 }
 
 }  // namespace ashimpact

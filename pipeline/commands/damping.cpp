@@ -2,7 +2,9 @@
 
 #include <ostream>
 
+#include "materials/error.hpp"
 #include "pipeline/commands/impact.hpp"
+#include "pipeline/commands/measured_damping.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/json/writer.hpp"
 #include "solver/damping_inversion.hpp"
@@ -20,6 +22,16 @@ Json damping_json(const Impact& impact, const DampingInversion& inversion) {
 }  // namespace
 
 void run_damping_command(const DampingOptions& options, std::ostream& out) {
+    if (!options.impacts.empty()) {
+        if (!options.velocity.empty() || !options.restitution.empty())
+            throw InputError("a table of impacts and a single one are both given", "one of the two")
+                .at("--impacts");
+        run_measured_damping_command(options, out);
+        return;
+    }
+    if (!options.frame_rate.empty() || !options.pixel_size.empty() || options.bin > 0)
+        throw InputError("belong to a table of impacts", "--impacts FILE")
+            .at("--frame-rate, --pixel-size, --bin");
     const ContactChoice choice = read_contact(options.contact);
     const DampingProblem problem{
         .law = choice.law,
@@ -34,6 +46,7 @@ void run_damping_command(const DampingOptions& options, std::ostream& out) {
                         .damping = inversion.damping,
                         .contact = problem.contact,
                         .velocity = problem.velocity};
+    warn_of_regime(regime_of(impact, inversion.impact.maximum_overlap));
     out << (options.json ? write_json(damping_json(impact, inversion), Digits::seventeen)
                          : impact_text(impact, inversion.impact));
 }

@@ -10,10 +10,15 @@ struct DampingOptions {
     ContactOptions contact;  ///< its damping is what is asked for, so not given
     std::string velocity;
     std::string restitution;
+    std::string impacts;     ///< table of measured impacts, instead of one velocity and restitution
+    std::string frame_rate;  ///< of the camera they were seen with [frames/s]
+    std::string pixel_size;
+    int bin = 0;  ///< rebounds to a bin; 0: none
     bool json = false;
 };
 
-/// `ashimpact damping`: prints the damping that gives back a measured restitution.
+/// `ashimpact damping`: prints the damping that gives back a measured restitution, or what a table of impacts
+/// says.
 void run_damping_command(const DampingOptions& options, std::ostream& out);
 
 }  // namespace ashimpact

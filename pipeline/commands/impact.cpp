@@ -10,6 +10,7 @@
 #include "pipeline/files/file.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/json/writer.hpp"
+#include "pipeline/stages/regime_json.hpp"
 #include "pipeline/text/readable.hpp"
 #include "pipeline/text/table.hpp"
 #include "solver/explicit_scheme.hpp"
@@ -48,6 +49,20 @@ std::string energy_text(const EnergyLedger& energy) {
                        readable(energy.dissipated, "J"), readable(energy.remaining, "J"));
 }
 
+std::string_view adhesion_words(AdhesionRegime regime) {
+    switch (regime) {
+        case AdhesionRegime::dmt:
+            return "hard contact, the limit of DMT";
+        case AdhesionRegime::jkr:
+            return "soft contact, the limit of JKR";
+        case AdhesionRegime::between:
+            return "between the limits of DMT and JKR";
+        case AdhesionRegime::none:
+            break;
+    }
+    return "no adhesion";
+}
+
 }  // namespace
 
 Json impact_json(const Impact& impact, const ImpactResult& result) {
@@ -61,7 +76,28 @@ Json impact_json(const Impact& impact, const ImpactResult& result) {
             {"approach_time", quantity_json(result.approach_time, Dimension::time)},
             {"maximum_overlap", quantity_json(result.maximum_overlap, Dimension::length)},
             {"rebound_velocity", quantity_json(result.rebound_velocity, Dimension::velocity)},
-            {"energy", energy_json(result.energy)}};
+            {"energy", energy_json(result.energy)},
+            {"regime", regime_json(regime_of(impact, result.maximum_overlap))}};
+}
+
+std::string regime_text(const Regime& regime) {
+    const auto velocity = [](const std::optional<double>& value) {
+        return value ? readable(*value, "m/s") : std::string("no yield pressure given");
+    };
+    TextList list;
+    list.add("damping number", fmt::format("beta = {}", readable_number(regime.damping_number)));
+    list.add("Tabor parameter", regime.tabor_parameter > 0
+                                    ? fmt::format("{} ({})", readable_number(regime.tabor_parameter),
+                                                  adhesion_words(regime.adhesion))
+                                    : "none: no adhesion");
+    list.add("yield velocity", velocity(regime.yield_velocity));
+    list.add("contact radius", fmt::format("at most {}, {} of R*", readable(regime.contact_radius, "m"),
+                                           readable_number(regime.relative_contact_radius)));
+    return list.text(0);
+}
+
+void warn_of_regime(const Regime& regime) {
+    for (const std::string& warning : regime.warnings) spdlog::warn("warning: {}", warning);
 }
 
 std::string impact_text(const Impact& impact, const ImpactResult& result) {
@@ -81,7 +117,7 @@ std::string impact_text(const Impact& impact, const ImpactResult& result) {
     list.add("approach time", time(result.approach_time, "none: the approach never turns"));
     list.add("maximum overlap", readable(result.maximum_overlap, "m"));
     list.add("energy", energy_text(result.energy));
-    return list.text(0);
+    return list.text(0) + regime_text(regime_of(impact, result.maximum_overlap));
 }
 
 namespace {
@@ -121,6 +157,7 @@ void run_impact_command(const ImpactOptions& options, std::ostream& out) {
                         .contact = choice.contact,
                         .velocity = read_option("--velocity", options.velocity, Dimension::velocity)};
     const auto [result, time_step] = solve(options, impact);
+    warn_of_regime(regime_of(impact, result.maximum_overlap));
     if (!options.trajectory.empty()) {
         const auto points = trajectory(impact, options.points);
         write_file(options.trajectory, trajectory_csv(points));

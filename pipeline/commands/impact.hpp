@@ -5,6 +5,7 @@
 #include "pipeline/commands/contact_options.hpp"
 #include "pipeline/json/document.hpp"
 #include "solver/impact.hpp"
+#include "solver/regime.hpp"
 
 namespace ashimpact {
 
@@ -26,5 +27,11 @@ void run_impact_command(const ImpactOptions& options, std::ostream& out);
 
 /// The lines a reader gets of it.
 [[nodiscard]] std::string impact_text(const Impact& impact, const ImpactResult& result);
+
+/// The lines on the regime of an impact.
+[[nodiscard]] std::string regime_text(const Regime& regime);
+
+/// Puts the warnings of a regime on standard error.
+void warn_of_regime(const Regime& regime);
 
 }  // namespace ashimpact

@@ -7,9 +7,9 @@
 
 #include "materials/text.hpp"
 #include "materials/xrd/xrd.hpp"
-#include "pipeline/case/case_reader.hpp"
-#include "pipeline/commands/contact_options.hpp"
+#include "pipeline/commands/modulus_options.hpp"
 #include "pipeline/files/file.hpp"
+#include "pipeline/json/quantity_json.hpp"
 #include "pipeline/json/writer.hpp"
 #include "pipeline/stages/modulus.hpp"
 #include "pipeline/text/readable.hpp"
@@ -23,17 +23,10 @@ struct SampleEstimate {
     std::string name;
     Composition composition;
     ModulusEstimate estimate;
+    std::optional<Porosity> porosity;
+    ParticleDensity density;
+    std::vector<std::string> warnings;  ///< of the reader, the composition and the estimate
 };
-
-void state_amorphous_part(Analysis& analysis, const std::string& text) {
-    if (text.empty()) return;
-    const double fraction = read_option("--amorphous-fraction", text, Dimension::fraction);
-    if (fraction == 0)
-        analysis.amorphous = AmorphousNone{};
-    else
-        analysis.amorphous =
-            AmorphousFraction{.value = fraction, .standard_uncertainty = {}, .basis = analysis.basis};
-}
 
 std::vector<XrdSample> chosen(const XrdResult& result, const std::string& name) {
     std::vector<XrdSample> samples;
@@ -51,57 +44,118 @@ std::string percent(double fraction) {
     return fmt::format("{:.2f}", 100 * fraction);
 }
 
-std::string estimate_text(const SampleEstimate& sample, const ModulusCommandOptions& options) {
+std::string phases_text(const Composition& composition) {
     TextTable phases({"phase", "weight %", "volume %", "density", "E"});
-    for (const Component& c : sample.composition.components)
+    for (const Component& c : composition.components)
         phases.add({c.name, percent(c.weight_fraction), percent(c.volume_fraction),
                     readable(c.phase.density.value, "kg/m3"), readable(c.phase.young_modulus.value, "Pa")});
-    const ModulusEstimate& estimate = sample.estimate;
-    TextList list;
+    return phases.text();
+}
+
+std::string with_uncertainty(double value, double uncertainty, Dimension dimension) {
+    if (uncertainty == 0) return readable(value, si_unit(dimension));
+    return readable(make_quantity(value, dimension, uncertainty));
+}
+
+/// What a rule is, beside its value.
+std::string_view standing_of(MixtureRule rule) {
+    switch (rule) {
+        case MixtureRule::parallel:
+            return "  Eq. 1, no bound";
+        case MixtureRule::voigt:
+            return "  upper bound";
+        case MixtureRule::reuss:
+        case MixtureRule::series:
+            return "  lower bound";
+        case MixtureRule::hashin_shtrikman_lower:
+            return "  lower bound, isotropic";
+        case MixtureRule::hashin_shtrikman_upper:
+            return "  upper bound, isotropic";
+        case MixtureRule::hill:
+        case MixtureRule::voigt_reuss_hill:
+            return "";
+    }
+    return "";
+}
+
+void list_density(const SampleEstimate& sample, const ModulusCommandOptions& options, TextList& list) {
+    const ParticleDensity& density = sample.density;
     list.add(
-        fmt::format("Young's modulus ({})", options.rule),
-        readable(make_quantity(estimate.young_modulus, Dimension::pressure, estimate.standard_uncertainty)));
+        "density of the phases",
+        with_uncertainty(sample.estimate.density, sample.estimate.density_uncertainty, Dimension::density));
+    if (density.porosity == 0) return;
+    list.add("density of the particle", readable(density.apparent_density, "kg/m3") +
+                                            (options.particle_density.empty() ? "" : " (measured)"));
+    list.add("porosity", readable_number(density.porosity));
+}
+
+std::string estimate_text(const SampleEstimate& sample, const ModulusCommandOptions& options) {
+    const ModulusEstimate& estimate = sample.estimate;
+    const std::string pores = sample.porosity ? ", pores by " + options.porosity_law : "";
+    TextList list;
+    list.add(fmt::format("Young's modulus ({}{})", options.rule, pores),
+             with_uncertainty(estimate.young_modulus, estimate.standard_uncertainty, Dimension::pressure));
     for (const RuleResult& rule : estimate.rules)
-        list.add("  " + std::string(mixture_rule_name(rule.rule)), readable(rule.young_modulus, "Pa"));
+        list.add("  " + std::string(mixture_rule_name(rule.rule)) + (sample.porosity ? ", dense" : ""),
+                 with_uncertainty(rule.young_modulus, rule.standard_uncertainty, Dimension::pressure) +
+                     std::string(standing_of(rule.rule)));
     if (estimate.poisson_ratio)
         list.add("Poisson's ratio", readable_number(*estimate.poisson_ratio) +
                                         (estimate.poisson_ratio_assumed ? " (of some phases assumed)" : ""));
-    list.add("density of the phases", readable(estimate.density, "kg/m3"));
+    list_density(sample, options, list);
     const std::string title = sample.name.empty() ? "" : sample.name + "\n";
-    return title + phases.text() + "\n" + list.text(0);
+    return title + phases_text(sample.composition) + "\n" + list.text(0);
 }
 
 Json sample_json(const SampleEstimate& sample, MixtureRule rule) {
     Json json{{"name", sample.name}};
     json.update(modulus_json(sample.composition, sample.estimate, rule));
-    Json notes = Json::array();
-    for (const auto& source : {sample.composition.notes, sample.estimate.notes})
-        for (const std::string& note : source) notes.push_back(note);
-    json["warnings"] = notes;
+    json["particle_density"] = quantity_json(sample.density.apparent_density, Dimension::density);
+    json["porosity"] = sample.density.porosity;
+    if (sample.porosity) json["porosity_law"] = porosity_law_name(sample.porosity->law);
+    json["warnings"] = sample.warnings;
     return json;
+}
+
+SampleEstimate estimated(const XrdSample& sample, const PhaseCatalogue& catalogue,
+                         const ModulusCommandOptions& options, MixtureRule rule) {
+    SampleEstimate result{.name = sample.name,
+                          .composition = composed(sample, catalogue),
+                          .estimate = {},
+                          .porosity = {},
+                          .density = {},
+                          .warnings = sample.warnings};
+    std::string note;
+    result.porosity = porosity_of(options, result.composition.density, note);
+    result.estimate = estimate_modulus(result.composition, {.rule = rule, .porosity = result.porosity});
+    const auto stated =
+        result.porosity && !options.porosity.empty() ? std::optional(result.porosity->value) : std::nullopt;
+    result.density = at_place("--particle-density", [&] {
+        return particle_density(result.composition.density, stated, measured_density(options));
+    });
+    for (const auto& notes : {result.composition.notes, result.estimate.notes, result.density.notes})
+        result.warnings.insert(result.warnings.end(), notes.begin(), notes.end());
+    if (!note.empty()) result.warnings.push_back(note);
+    return result;
 }
 
 }  // namespace
 
 void run_modulus_command(const ModulusCommandOptions& options, std::ostream& out) {
     const MixtureRule rule = at_place("--rule", [&] { return mixture_rule(options.rule); });
-    PhaseCatalogue catalogue = built_in_phases();
-    if (!options.phase_set.empty())
-        catalogue = at_place("--phase-set", [&] { return catalogue.preferring(options.phase_set); });
-    const XrdResult result = read_xrd(read_file(options.file), options.file);
+    const PhaseCatalogue catalogue = catalogue_of(options);
+    const XrdResult result = read_xrd(read_file(options.file, longest_xrd_file + 1), options.file);
     for (const std::string& warning : result.warnings) spdlog::warn("warning: {}: {}", options.file, warning);
 
     std::vector<SampleEstimate> estimates;
-    for (XrdSample& sample : chosen(result, options.sample)) {
-        state_amorphous_part(sample.analysis, options.amorphous_fraction);
-        estimates.push_back(in_file(options.file, [&] {
-            Composition composition = compose(sample.analysis, catalogue);
-            ModulusEstimate estimate = estimate_modulus(composition, {.rule = rule, .porosity = {}});
-            return SampleEstimate{sample.name, std::move(composition), std::move(estimate)};
-        }));
-        for (const auto& notes :
-             {sample.warnings, estimates.back().composition.notes, estimates.back().estimate.notes})
-            for (const std::string& note : notes) spdlog::warn("warning: {}: {}", options.file, note);
+    for (const XrdSample& sample : chosen(result, options.sample)) {
+        const XrdSample whole = completed(sample, options);
+        SampleEstimate estimate =
+            in_file(options.file, [&] { return estimated(whole, catalogue, options, rule); });
+        for (const std::string& warning : estimate.warnings)
+            spdlog::warn("warning: {}: {}", options.file, warning);
+        estimate.warnings.insert(estimate.warnings.begin(), result.warnings.begin(), result.warnings.end());
+        estimates.push_back(std::move(estimate));
     }
 
     if (!options.json) {

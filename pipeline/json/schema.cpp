@@ -18,7 +18,7 @@ namespace ashimpact {
 
 namespace {
 
-constexpr std::string_view folder = "schemas/";
+constexpr std::string_view schema_folder = "schemas/";
 constexpr std::string_view suffix = ".json";
 
 using Names = std::vector<std::string>;
@@ -64,7 +64,7 @@ Names listed(const std::string& placeholder) {
 }
 
 Json schema_file(const std::string& name) {
-    const auto text = embedded_file(std::string(folder) + name + std::string(suffix));
+    const auto text = embedded_file(std::string(schema_folder) + name + std::string(suffix));
     if (!text) throw std::logic_error("no schema file " + name);
     return parse_json(*text);
 }
@@ -158,8 +158,9 @@ const Json* child_schema(const Json& schema, const Json& node, const std::string
 
 std::vector<std::string> schema_names() {
     std::vector<std::string> names;
-    for (const std::string_view path : embedded_files(folder)) {
-        const std::string name(path.substr(folder.size(), path.size() - folder.size() - suffix.size()));
+    for (const std::string_view path : embedded_files(schema_folder)) {
+        const std::string name(
+            path.substr(schema_folder.size(), path.size() - schema_folder.size() - suffix.size()));
         if (name != "common") names.push_back(name);
     }
     return names;

@@ -18,12 +18,12 @@ Json analytic_json(const SampleContact& sample) {
                                   .effective_radius = sample.pair.effective_radius,
                                   .contact_modulus = sample.pair.contact_modulus};
     Json json{{"name", sample.name}};
-    json.update(pair_json(separation_energy(contact), separation_velocity(contact, sample.density)));
+    json.update(pair_json(separation_energy(contact), separation_velocity(contact, sample.density.value)));
     json["load_controlled"] =
         pair_json(separation_energy(contact, Separation::load_controlled),
-                  separation_velocity(contact, sample.density, Separation::load_controlled));
+                  separation_velocity(contact, sample.density.value, Separation::load_controlled));
     json["with_printed_constants"] = pair_json(dong2013::separation_energy(contact),
-                                               dong2013::separation_velocity(contact, sample.density));
+                                               dong2013::separation_velocity(contact, sample.density.value));
     return json;
 }
 

@@ -40,8 +40,9 @@ struct Gap {
 
     void take(const LawCriticalVelocity& dynamic, double analytic) {
         if (!dynamic.value || !(analytic > 0)) return;
-        least_ratio = std::min(least_ratio, *dynamic.value / analytic);
-        greatest_ratio = std::max(greatest_ratio, *dynamic.value / analytic);
+        const double ratio = dynamic.value->value / analytic;
+        least_ratio = std::min(least_ratio, ratio);
+        greatest_ratio = std::max(greatest_ratio, ratio);
         const double share = dynamic.dissipated / (dynamic.dissipated + dynamic.plastic +
                                                    std::max(0.0, dynamic.detachment_energy));
         least_share = std::min(least_share, share);
@@ -101,8 +102,9 @@ Json published_beside_json(const PublishedSample& published, const SampleResults
             return std::optional(fit.critical_damping);
         }));
     add("critical_velocity",
-        beside_by_law(published.critical_velocity, of.velocities,
-                      [](const LawCriticalVelocity& velocity) { return velocity.value; }));
+        beside_by_law(published.critical_velocity, of.velocities, [](const LawCriticalVelocity& velocity) {
+            return velocity.value ? std::optional(velocity.value->value) : std::nullopt;
+        }));
     add("critical_contact_times", beside_by_law(published.critical_contact_times, of.velocities,
                                                 [](const LawCriticalVelocity& v) { return v.contact_time; }));
     for (const auto& printed : published.contact_times)
@@ -127,16 +129,38 @@ std::vector<std::pair<std::string, double>> read_volume_fractions(const View& re
     return fractions;
 }
 
-Json dynamic_json(const SampleResults& of, const std::vector<LawChoice>& laws, Json& verdicts) {
-    Json velocities = Json::object();
+/// The dynamic critical velocities with what belongs to each.
+struct DynamicColumns {
+    Json velocity = Json::object();
+    Json interval = Json::object();
+    Json verdict = Json::object();
+    Json check = Json::object();
+};
+
+DynamicColumns dynamic_columns(const SampleResults& of, const std::vector<LawChoice>& laws) {
+    DynamicColumns columns;
     for (const LawChoice& choice : laws) {
         const LawCriticalVelocity* velocity = of.velocities.find(choice.law);
         const std::string name(choice.law.name());
-        velocities[name] =
-            velocity == nullptr ? Json(nullptr) : quantity_json(velocity->value, Dimension::velocity);
-        verdicts[name] = velocity == nullptr ? "no damping data" : velocity->verdict;
+        const bool finite = velocity != nullptr && velocity->value;
+        columns.velocity[name] = finite ? Json(*velocity->value) : Json(nullptr);
+        columns.interval[name] = finite ? velocity->interval : Json(nullptr);
+        columns.check[name] = finite ? velocity->check : Json(nullptr);
+        columns.verdict[name] = velocity != nullptr     ? velocity->verdict
+                                : of.sample.restitution ? "no fit"
+                                                        : "no damping data";
     }
-    return velocities;
+    return columns;
+}
+
+/// The measured critical velocity: reported, or else as the outcomes of the impacts show it.
+Json measured_json(const Sample& sample, const Json& measured) {
+    if (sample.measured_critical_velocity) return stated_json(*sample.measured_critical_velocity);
+    if (measured.is_null() || measured.at("critical_velocity").is_null()) return nullptr;
+    Json json = measured.at("critical_velocity");
+    json["origin"] = "measured";
+    json["source"] = measured.at("note");
+    return json;
 }
 
 }  // namespace
@@ -152,6 +176,7 @@ StageOutput comparison_stage(const Artifacts& before) {
     const auto histories = before.read("8-histories.json", read_histories);
 
     StageOutput output{.citations = {"dong2013, Tables 1, 3 and 4, Eq. 30"}};
+    output.result["case"] = data.name;
     output.result["samples"] = Json::array();
     Gap gap;
     for (const Sample& sample : data.samples) {
@@ -166,18 +191,20 @@ StageOutput comparison_stage(const Artifacts& before) {
         const SampleAnalytic& simple = entry_named(analytic, sample.name, before, "3-analytic.json");
         const SampleContact& contact = entry_named(contacts, sample.name, before, "2-contact.json");
         for (const auto& [law, velocity] : of.velocities) gap.take(velocity, simple.critical_velocity);
-        Json verdicts = Json::object();
+        const DynamicColumns dynamic = dynamic_columns(of, data.laws);
+        const Json& measured =
+            entry_named(velocities, sample.name, before, "7-critical-velocity.json").measured;
         Json json{
             {"name", sample.name},
             {"young_modulus", of.modulus.young_modulus},
             {"contact_modulus", quantity_json(contact.pair.contact_modulus, Dimension::pressure)},
             {"separation_energy", quantity_json(simple.separation_energy, Dimension::energy)},
             {"analytic_critical_velocity", quantity_json(simple.critical_velocity, Dimension::velocity)},
-            {"dynamic_critical_velocity", dynamic_json(of, data.laws, verdicts)},
-            {"verdict", verdicts},
-            {"measured_critical_velocity", sample.measured_critical_velocity
-                                               ? stated_json(*sample.measured_critical_velocity)
-                                               : Json(nullptr)}};
+            {"dynamic_critical_velocity", dynamic.velocity},
+            {"interval", dynamic.interval},
+            {"verdict", dynamic.verdict},
+            {"measured_critical_velocity", measured_json(sample, measured)},
+            {"check", dynamic.check}};
         if (sample.published) json["published"] = published_beside_json(*sample.published, of);
         output.result["samples"].push_back(std::move(json));
     }

@@ -46,11 +46,20 @@ bool needs_poisson_ratio(const Sample& sample, const std::optional<Wall>& wall) 
     return !sample.contact_modulus && !std::holds_alternative<Stated>(*wall);
 }
 
+/// Density that follows from the phases and the stated porosity [kg/m3].
+double density_from_phases(const Sample& sample, const SampleModulus& modulus) {
+    const bool stated = sample.porosity && !sample.porosity_from_density;
+    return modulus.density * (1 - (stated ? sample.porosity->value : 0));
+}
+
 Stated density_of(const Sample& sample, const SampleModulus& modulus, std::vector<std::string>& warnings) {
-    const double porosity = sample.porosity ? sample.porosity->value : 0;
-    const double from_phases = modulus.density * (1 - porosity);
-    if (!sample.density) return computed(from_phases, Dimension::density, "phases, less the pores");
+    if (!sample.density)
+        return computed(density_from_phases(sample, modulus), Dimension::density, "phases, less the pores");
     const double ratio = sample.density->value() / modulus.density;
+    if (ratio <= 1 && sample.porosity && !sample.porosity_from_density)
+        for (const std::string& note :
+             particle_density(modulus.density, sample.porosity->value, sample.density->value()).notes)
+            warnings.push_back(sample.name + ": " + note);
     if (ratio > 1)
         warnings.push_back(sample.name +
                            ": the stated density is above that of the dense phases, by a factor " +
@@ -71,14 +80,18 @@ Json contact_json(const Sample& sample, const std::optional<Wall>& wall, const S
                   std::vector<std::string>& warnings) {
     std::optional<Stated> poisson_ratio;
     if (needs_poisson_ratio(sample, wall)) poisson_ratio = poisson_ratio_of(sample, modulus);
-    const double radius = sample.diameter.value() / 2;
+    Quantity radius = sample.diameter.quantity;
+    radius.value /= 2;
+    if (radius.standard_uncertainty) *radius.standard_uncertainty /= 2;
     const Stated density = density_of(sample, modulus, warnings);
-    Json json{{"name", sample.name},
-              {"contact_modulus", stated_json(contact_modulus_of(sample, wall, modulus, poisson_ratio))},
-              {"effective_radius", quantity_json(radius, Dimension::length)},
-              {"mass", quantity_json(sphere_mass(radius, density.value()), Dimension::mass)},
-              {"density", stated_json(density)},
-              {"work_of_adhesion", stated_json(adhesion_of(sample))}};
+    Json json{
+        {"name", sample.name},
+        {"contact_modulus", stated_json(contact_modulus_of(sample, wall, modulus, poisson_ratio))},
+        {"effective_radius", radius},
+        {"mass", quantity_json(sphere_mass(radius.value, density.value()), Dimension::mass)},
+        {"density", stated_json(density)},
+        {"density_from_phases", quantity_json(density_from_phases(sample, modulus), Dimension::density)},
+        {"work_of_adhesion", stated_json(adhesion_of(sample))}};
     if (poisson_ratio) json["poisson_ratio"] = stated_json(*poisson_ratio);
     if (sample.yield_pressure) json["yield_pressure"] = stated_json(*sample.yield_pressure);
     return json;
@@ -102,13 +115,22 @@ StageOutput contact_stage(const Artifacts& before) {
 std::vector<SampleContact> read_contacts(const View& result) {
     std::vector<SampleContact> samples;
     for (const View& sample : result.at("samples").elements()) {
-        SampleContact contact{
-            .name = sample.at("name").text(),
-            .pair = {.mass = sample.at("mass").number(Dimension::mass),
-                     .effective_radius = sample.at("effective_radius").number(Dimension::length),
-                     .contact_modulus = sample.at("contact_modulus").number(Dimension::pressure),
-                     .work_of_adhesion = sample.at("work_of_adhesion").number(Dimension::energy_per_area)},
-            .density = sample.at("density").number(Dimension::density)};
+        const auto quantity = [&](const char* key, Dimension dimension) {
+            return sample.at(key).quantity(dimension);
+        };
+        SampleContact contact{.name = sample.at("name").text(),
+                              .pair = {},
+                              .density = quantity("density", Dimension::density),
+                              .effective_radius = quantity("effective_radius", Dimension::length),
+                              .contact_modulus = quantity("contact_modulus", Dimension::pressure),
+                              .work_of_adhesion = quantity("work_of_adhesion", Dimension::energy_per_area),
+                              .poisson_ratio = {}};
+        contact.pair = {.mass = sample.at("mass").number(Dimension::mass),
+                        .effective_radius = contact.effective_radius.value,
+                        .contact_modulus = contact.contact_modulus.value,
+                        .work_of_adhesion = contact.work_of_adhesion.value};
+        if (sample.has("poisson_ratio"))
+            contact.poisson_ratio = quantity("poisson_ratio", Dimension::fraction);
         if (const auto pressure = sample.find("yield_pressure"))
             contact.pair.yield_pressure = pressure->number(Dimension::pressure);
         sample.located([&] { validate(contact.pair); });

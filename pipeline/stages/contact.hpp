@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "materials/quantity.hpp"
 #include "pipeline/stages/stage.hpp"
 #include "solver/contact/pair.hpp"
 
@@ -12,7 +14,11 @@ namespace ashimpact {
 struct SampleContact {
     std::string name;
     ContactPair pair;
-    double density;  ///< apparent [kg/m3]
+    Quantity density;           ///< apparent [kg/m3]
+    Quantity effective_radius;  ///< [m]
+    Quantity contact_modulus;   ///< [Pa]
+    Quantity work_of_adhesion;  ///< [J/m2]
+    std::optional<Quantity> poisson_ratio;
 };
 
 /// Contact modulus, effective radius, mass and work of adhesion; Dong et al. 2013, Eqs. 6, 7 and 11.

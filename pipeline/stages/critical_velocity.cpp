@@ -2,29 +2,104 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "pipeline/case/laws.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/contact.hpp"
 #include "pipeline/stages/fit.hpp"
+#include "pipeline/stages/in_parallel.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
+#include "pipeline/stages/regime_json.hpp"
+#include "pipeline/stages/restitution.hpp"
+#include "pipeline/stages/uncertain_contact.hpp"
+#include "pipeline/stages/uncertainty_json.hpp"
+#include "pipeline/stages/velocity_uncertainty.hpp"
+#include "solver/gsl/distribution.hpp"
 
 namespace ashimpact {
 
 namespace {
 
-Json law_json(const Case& data, const LawChoice& choice, double damping, const ContactPair& contact) {
-    const CriticalVelocityProblem problem{.law = choice.law,
-                                          .detachment = choice.detachment,
-                                          .damping = {data.damping_law, damping},
-                                          .contact = contact};
-    Json json = critical_velocity_json(problem, critical_velocity(problem));
-    json.erase("law");
+/// The critical velocity a case reports, or else the one that the outcomes of its impacts show.
+std::optional<MeasuredCriticalVelocity> measured_velocity(const Sample& sample,
+                                                          const RestitutionSeries* series) {
+    if (sample.measured_critical_velocity) {
+        const Quantity& reported = sample.measured_critical_velocity->quantity;
+        MeasuredCriticalVelocity measured;
+        measured.value = reported.value;
+        measured.note = "as reported in the case";
+        const double u = reported.standard_uncertainty.value_or(0);
+        measured.standard_uncertainty = u;
+        const double half = u * gsl::normal_quantile(0.5 + 0.5 * confidence);
+        if (u > 0) measured.lower = std::max(0.0, reported.value - half);
+        if (u > 0) measured.upper = reported.value + half;
+        return measured;
+    }
+    if (series == nullptr || series->origin != "measured") return std::nullopt;
+    return measured_critical_velocity(series->impacts);
+}
+
+/// The entry of one law, null where there is none, and remarks on it.
+struct LawEntry {
+    Json json = nullptr;
+    std::vector<std::string> notes{};
+};
+
+LawEntry law_entry(const VelocityTask& task) {
+    LawEntry entry;
+    if (task.fit.critical_damping < 0) {
+        entry.notes.emplace_back(
+            "the fit gives a negative critical damping, so the data do not say where capture begins");
+        return entry;
+    }
+    const CriticalVelocityProblem problem{.law = task.choice.law,
+                                          .detachment = task.choice.detachment,
+                                          .damping = {task.data.damping_law, task.fit.critical_damping},
+                                          .contact = task.contact.pair};
+    const CriticalVelocity result = critical_velocity(problem);
+    entry.json = critical_velocity_json(problem, result);
+    entry.json.erase("law");
+    if (result.value) entry.json.update(velocity_uncertainty_json(task, *result.value, entry.notes));
+    if (entry.json["regime"].is_object())
+        for (const Json& warning : entry.json["regime"]["warnings"])
+            entry.notes.push_back(warning.get<std::string>());
+    return entry;
+}
+
+Json sample_json(const Case& data, const Sample& sample, const SampleContact& contact,
+                 const SampleRestitution& restitution, const SampleFit& fits,
+                 std::vector<std::string>& warnings) {
+    Json json{{"name", sample.name}};
+    const RestitutionSeries* first = restitution.series.empty() ? nullptr : &restitution.series.front();
+    const auto measured = measured_velocity(sample, first);
+    json["measured"] = measured ? measured_velocity_json(*measured) : Json(nullptr);
+    const auto entries = in_parallel(data.laws, [&](const LawChoice& choice) -> LawEntry {
+        const LawFit* fit = fits.laws.find(choice.law);
+        if (fit == nullptr) return {};
+        const RandomContact uncertain = uncertain_contact(data, sample, contact);
+        return law_entry({data, choice, contact, uncertain, restitution.of(choice.law), *fit, measured});
+    });
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const std::string law(data.laws[i].law.name());
+        for (const std::string& note : entries[i].notes)
+            warnings.push_back(fmt::format("{}, {}: {}", sample.name, law, note));
+        if (!entries[i].json.is_null()) json[law] = entries[i].json;
+    }
     return json;
 }
 
 }  // namespace
 
 Json critical_velocity_json(const CriticalVelocityProblem& problem, const CriticalVelocity& result) {
+    Json regime = nullptr;
+    if (result.value)
+        regime = regime_json(regime_of({.law = problem.law,
+                                        .detachment = problem.detachment,
+                                        .damping = problem.damping,
+                                        .contact = problem.contact,
+                                        .velocity = *result.value},
+                                       result.maximum_overlap.value_or(0)));
     return {{"law", problem.law.name()},
             {"detachment", name_of(problem.detachment)},
             {"damping_law", name_of(problem.damping.law)},
@@ -36,43 +111,39 @@ Json critical_velocity_json(const CriticalVelocityProblem& problem, const Critic
             {"crossings", column_json(result.crossings, Dimension::velocity)},
             {"dissipated", quantity_json(result.dissipated, Dimension::energy)},
             {"plastic", quantity_json(result.plastic, Dimension::energy)},
-            {"detachment_energy", quantity_json(result.detachment_energy, Dimension::energy)}};
+            {"detachment_energy", quantity_json(result.detachment_energy, Dimension::energy)},
+            {"regime", regime}};
 }
 
 StageOutput critical_velocity_stage(const Artifacts& before) {
     const Case data = read_case_artifact(before);
     const auto contacts = before.read("2-contact.json", read_contacts);
     StageOutput output{.citations = {"dong2013, section 4.3, Table 4"}};
-    output.options = {{"damping", "critical damping eta(0) of 6-fit.json"}};
+    const PropagationOptions& propagation = data.uncertainty.propagation;
+    output.options = {{"damping", "critical damping eta(0) of 6-fit.json"},
+                      {"samples", propagation.samples},
+                      {"replicates", propagation.replicates},
+                      {"seed", propagation.seed},
+                      {"inputs", "taken as independent"}};
     output.result["samples"] = Json::array();
     const auto read = [&](const View& result) { return read_fits(result, dimension_of(data.damping_law)); };
-    for (const SampleFit& sample : before.read("6-fit.json", read)) {
-        const SampleContact& contact = entry_named(contacts, sample.name, before, "2-contact.json");
-        Json json{{"name", sample.name}};
-        for (const LawChoice& choice : data.laws) {
-            const LawFit* fit = sample.laws.find(choice.law);
-            if (fit == nullptr) continue;
-            if (fit->critical_damping < 0) {
-                output.warnings.push_back(
-                    fmt::format("{}, {}: the fit gives a negative critical damping, so the data "
-                                "do not say where capture begins",
-                                sample.name, choice.law.name()));
-                continue;
-            }
-            json[std::string(choice.law.name())] =
-                law_json(data, choice, fit->critical_damping, contact.pair);
-        }
-        output.result["samples"].push_back(std::move(json));
-    }
+    const auto fits = before.read("6-fit.json", read);
+    const auto restitutions = before.read("4-restitution.json", read_restitutions);
+    for (const Sample& sample : data.samples)
+        output.result["samples"].push_back(
+            sample_json(data, sample, entry_named(contacts, sample.name, before, "2-contact.json"),
+                        entry_named(restitutions, sample.name, before, "4-restitution.json"),
+                        entry_named(fits, sample.name, before, "6-fit.json"), output.warnings));
     return output;
 }
 
 std::vector<SampleCriticalVelocity> read_critical_velocities(const View& result) {
     std::vector<SampleCriticalVelocity> samples;
     for (const View& sample : result.at("samples").elements()) {
-        SampleCriticalVelocity entry{.name = sample.at("name").text(), .laws = {}};
+        SampleCriticalVelocity entry{.name = sample.at("name").text(), .laws = {}, .measured = nullptr};
+        if (const auto measured = sample.find("measured")) entry.measured = measured->json();
         for (const auto& [name, node] : sample.members()) {
-            if (name == "name") continue;
+            if (name == "name" || name == "measured") continue;
             const Law law = node.located([&, &key = name] { return Law::named(key); });
             LawCriticalVelocity velocity{
                 .verdict = node.at("verdict").text(),
@@ -80,9 +151,11 @@ std::vector<SampleCriticalVelocity> read_critical_velocities(const View& result)
                 .contact_time = {},
                 .dissipated = node.at("dissipated").number(Dimension::energy),
                 .plastic = 0.0,
-                .detachment_energy = node.at("detachment_energy").number(Dimension::energy)};
+                .detachment_energy = node.at("detachment_energy").number(Dimension::energy),
+                .interval = node.has("interval") ? node.at("interval").json() : Json(nullptr),
+                .check = node.has("check") ? node.at("check").json() : Json(nullptr)};
             if (const auto value = node.find("critical_velocity"))
-                velocity.value = value->number(Dimension::velocity);
+                velocity.value = value->quantity(Dimension::velocity);
             if (const auto plastic = node.find("plastic"))
                 velocity.plastic = plastic->number(Dimension::energy);
             if (const auto time = node.find("contact_time"))

@@ -13,20 +13,24 @@ namespace ashimpact {
 /// Dynamic critical velocity by one law.
 struct LawCriticalVelocity {
     std::string verdict;
-    std::optional<double> value;         ///< where finite [m/s]
+    std::optional<Quantity> value;       ///< where finite [m/s]
     std::optional<double> contact_time;  ///< where finite [s]
     double dissipated;                   ///< work of damping at v_c [J]
     double plastic;                      ///< work spent in yielding at v_c [J]
     double detachment_energy;            ///< what the break itself costs [J]
+    Json interval;                       ///< of 95 %, null where nothing is known of it
+    Json check;                          ///< beside the measured one, null where there is none
 };
 
 /// What later stages need of 7-critical-velocity.json.
 struct SampleCriticalVelocity {
     std::string name;
     LawMap<LawCriticalVelocity> laws;
+    Json measured;  ///< the critical velocity that was measured; null: none was
 };
 
-/// The dynamic critical velocity at the critical damping; Dong et al. 2013, section 4.3, Table 4.
+/// The dynamic critical velocity at the critical damping (Dong et al. 2013, section 4.3, Table 4) with its
+/// interval, what dominates it, the regime of the impact, and the measured one beside it.
 [[nodiscard]] StageOutput critical_velocity_stage(const Artifacts& before);
 
 [[nodiscard]] std::vector<SampleCriticalVelocity> read_critical_velocities(const View& result);

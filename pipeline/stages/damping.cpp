@@ -2,63 +2,139 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "materials/error.hpp"
 #include "pipeline/case/laws.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/contact.hpp"
+#include "pipeline/stages/contact_models.hpp"
+#include "pipeline/stages/in_parallel.hpp"
+#include "pipeline/stages/inversion_json.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
 #include "pipeline/stages/restitution.hpp"
-#include "pipeline/text/readable.hpp"
 #include "solver/damping_inversion.hpp"
 
 namespace ashimpact {
 
 namespace {
 
-struct Inverted {
-    DampingSeries series{};
-    std::vector<double> captured_at{};  ///< velocities [m/s]
-    Json unreachable = Json::array();
+/// What one law reads from a series.
+struct Reading {
+    std::vector<InvertedImpact> impacts;
+    DampingParts parts;
+    Json rising;          ///< null where there is no rising branch
+    std::string note{};   ///< why
+    double accuracy = 0;  ///< of restitutions read from a map; 0: solved [1]
 };
 
-Inverted invert(const RestitutionSeries& data, const LawChoice& choice, DampingLaw damping_law,
-                const ContactPair& contact) {
-    Inverted inverted;
-    inverted.series.origin = data.origin;
-    for (std::size_t i = 0; i < data.velocity.size(); ++i) {
-        if (data.restitution[i] == 0) {
-            inverted.captured_at.push_back(data.velocity[i]);
-            continue;
-        }
-        try {
-            const DampingInversion inversion = damping_from_restitution({.law = choice.law,
-                                                                         .detachment = choice.detachment,
-                                                                         .damping_law = damping_law,
-                                                                         .contact = contact,
-                                                                         .velocity = data.velocity[i],
-                                                                         .restitution = data.restitution[i]});
-            inverted.series.velocity.push_back(data.velocity[i]);
-            inverted.series.restitution.push_back(data.restitution[i]);
-            inverted.series.damping.push_back(inversion.damping.coefficient);
-            inverted.series.contact_time.push_back(inversion.impact.contact_time.value());
-        } catch (const InputError& error) {
-            inverted.unreachable.push_back(
-                {{"velocity", quantity_json(data.velocity[i], Dimension::velocity)},
-                 {"restitution", quantity_json(data.restitution[i], Dimension::fraction)},
-                 {"reason", error.what()}});
-        }
+/// One impact by solving, for damping laws and contacts that have no map.
+InvertedImpact solved(const Measurement& point, std::size_t index, const DampingProblem& problem) {
+    InvertedImpact inverted{.index = index,
+                            .velocity = point.velocity,
+                            .restitution = problem.restitution,
+                            .greatest_restitution = 0,
+                            .damping = {},
+                            .standard_uncertainty = {},
+                            .by_restitution = 0,
+                            .by_velocity = 0,
+                            .contact_time = {}};
+    try {
+        const DampingInversion inversion = damping_from_restitution(problem);
+        inverted.greatest_restitution = inversion.greatest_restitution;
+        inverted.damping = inversion.damping.coefficient;
+        inverted.contact_time = inversion.impact.contact_time;
+    } catch (const InputError&) {  // beyond reach: listed, with what is within
+        inverted.greatest_restitution = restitution_of(
+            {problem.law, problem.detachment, {problem.damping_law, 0}, problem.contact, problem.velocity});
     }
     return inverted;
 }
 
-Json inverted_json(const Inverted& inverted, DampingLaw damping_law) {
-    const DampingSeries& series = inverted.series;
-    return {{"origin", series.origin},
-            {"velocity", column_json(series.velocity, Dimension::velocity)},
-            {"restitution", column_json(series.restitution, Dimension::fraction)},
-            {"damping", column_json(series.damping, dimension_of(damping_law))},
-            {"contact_time", column_json(series.contact_time, Dimension::time)},
-            {"captured_at", column_json(inverted.captured_at, Dimension::velocity)},
-            {"unreachable", inverted.unreachable}};
+std::vector<InvertedImpact> solved_all(const MeasurementSet& set, const LawChoice& choice,
+                                       DampingLaw damping_law, const ContactPair& contact) {
+    std::vector<InvertedImpact> impacts;
+    for (std::size_t i = 0; i < set.points.size(); ++i) {
+        const Measurement& point = set.points[i];
+        impacts.push_back(solved(point, i,
+                                 {.law = choice.law,
+                                  .detachment = choice.detachment,
+                                  .damping_law = damping_law,
+                                  .contact = contact,
+                                  .velocity = point.velocity,
+                                  .restitution = point.restitution()}));
+    }
+    return impacts;
+}
+
+/// The points up to the greatest restitution.
+Json branch_to_greatest(const MeasurementSet& set) {
+    const auto& points = set.points;
+    if (points.empty()) return nullptr;
+    const auto top = std::max_element(points.begin(), points.end(), [](const auto& a, const auto& b) {
+        return a.restitution() < b.restitution();
+    });
+    const bool beyond = std::any_of(points.begin(), points.end(),
+                                    [&](const auto& point) { return point.velocity > top->velocity; });
+    return rising_branch_json(top->velocity, beyond);
+}
+
+Reading read_by_solving(const RestitutionSeries& series, const LawChoice& choice, const Case& data,
+                        const ContactPair& contact) {
+    Reading reading{.impacts = solved_all(series.impacts, choice, data.damping_law, contact),
+                    .parts = {},
+                    .rising = branch_to_greatest(series.impacts)};
+    reading.parts = find_parts(DampingSmoothing::of(reading.impacts),
+                               {.flatness = data.fit.flatness, .outlier = data.fit.outlier});
+    return reading;
+}
+
+Reading read_through_model(const RestitutionSeries& series, const LawChoice& choice, const Case& data,
+                           const ContactPair& contact) {
+    const ContactModel model = contact_model_for(choice, contact, series.impacts);
+    Reading reading{.impacts = invert(model, series.impacts), .parts = {}, .rising = nullptr};
+    reading.accuracy = model.map().accuracy();
+    const auto smoothing = DampingSmoothing::of(reading.impacts);
+    reading.parts = find_parts(smoothing, {.flatness = data.fit.flatness, .outlier = data.fit.outlier});
+    try {
+        const RisingBranch branch = rising_branch(model, series.impacts, smoothing);
+        reading.rising = rising_branch_json(branch.upper, branch.falls_beyond);
+    } catch (const InputError& error) {
+        reading.note = error.problem();
+    }
+    return reading;
+}
+
+Reading read_series(const RestitutionSeries& series, const LawChoice& choice, const Case& data,
+                    const ContactPair& contact) {
+    const bool measured = series.origin == "measured";
+    return measured && has_contact_model(choice, data.damping_law, contact)
+               ? read_through_model(series, choice, data, contact)
+               : read_by_solving(series, choice, data, contact);
+}
+
+Json reading_json(const Reading& reading, const std::string& origin, DampingLaw damping_law) {
+    Json json{{"origin", origin}};
+    json.update(inversion_json(reading.impacts, damping_law));
+    json.update(parts_json(reading.parts, reading.impacts));
+    json["rising_branch"] = reading.rising;
+    if (!reading.note.empty()) json["rising_branch_note"] = reading.note;
+    json["map_accuracy"] = reading.accuracy;
+    return json;
+}
+
+void warn(const std::string& where, const Json& json, std::size_t points,
+          std::vector<std::string>& warnings) {
+    if (!json["unreachable"].empty())
+        warnings.push_back(fmt::format("{}: {} of {} restitutions cannot be reached by any damping", where,
+                                       json["unreachable"].size(), points));
+    if (!json["outliers"].empty())
+        warnings.push_back(fmt::format("{}: {} outliers of {} impacts, flagged and left in", where,
+                                       json["outliers"].size(), points));
+    if (json.contains("rising_branch_note"))
+        warnings.push_back(where + ": " + json["rising_branch_note"].get<std::string>());
+    if (json["velocity"]["values"].empty())
+        warnings.push_back(where + ": no rebound, so no damping can be read");
 }
 
 }  // namespace
@@ -67,22 +143,28 @@ StageOutput damping_stage(const Artifacts& before) {
     const Case data = read_case_artifact(before);
     const auto contacts = before.read("2-contact.json", read_contacts);
     StageOutput output{.citations = {"dong2013, section 4.2"}};
-    output.options = {{"damping_law", name_of(data.damping_law)}, {"detachments", Json::object()}};
+    output.options = {{"damping_law", name_of(data.damping_law)},
+                      {"flatness", data.fit.flatness},
+                      {"outlier", data.fit.outlier},
+                      {"detachments", Json::object()}};
     for (const LawChoice& choice : data.laws)
         output.options["detachments"][std::string(choice.law.name())] = name_of(choice.detachment);
     output.result["samples"] = Json::array();
     for (const SampleRestitution& sample : before.read("4-restitution.json", read_restitutions)) {
         const SampleContact& contact = entry_named(contacts, sample.name, before, "2-contact.json");
         Json json{{"name", sample.name}};
-        for (const LawChoice& choice : data.laws) {
+        const auto entries = in_parallel(data.laws, [&](const LawChoice& choice) -> Json {
             const RestitutionSeries* series = sample.of(choice.law);
-            if (series == nullptr) continue;
-            const Inverted inverted = invert(*series, choice, data.damping_law, contact.pair);
-            if (!inverted.unreachable.empty())
-                output.warnings.push_back(
-                    fmt::format("{}, {}: {} of {} restitutions cannot be reached by any damping", sample.name,
-                                choice.law.name(), inverted.unreachable.size(), series->velocity.size()));
-            json[std::string(choice.law.name())] = inverted_json(inverted, data.damping_law);
+            if (series == nullptr) return nullptr;
+            return reading_json(read_series(*series, choice, data, contact.pair), series->origin,
+                                data.damping_law);
+        });
+        for (std::size_t i = 0; i < entries.size(); ++i) {
+            if (entries[i].is_null()) continue;
+            const Law law = data.laws[i].law;
+            warn(fmt::format("{}, {}", sample.name, law.name()), entries[i],
+                 sample.of(law)->impacts.points.size(), output.warnings);
+            json[std::string(law.name())] = entries[i];
         }
         output.result["samples"].push_back(std::move(json));
     }
@@ -104,6 +186,8 @@ std::vector<SampleDamping> read_dampings(const View& result, Dimension dimension
             if (series.velocity.size() != series.restitution.size() ||
                 series.velocity.size() != series.damping.size())
                 node.fail("the columns differ in length", "columns of one length");
+            if (const auto rising = node.find("rising_branch"))
+                series.rising_to = rising->at("to").number(Dimension::velocity);
             entry.laws.set(law, std::move(series));
         }
         samples.push_back(std::move(entry));

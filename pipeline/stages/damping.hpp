@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ struct DampingSeries {
     std::vector<double> restitution{};   ///< above 0 [1]
     std::vector<double> damping{};       ///< [unit of the damping law]
     std::vector<double> contact_time{};  ///< [s]
+    std::optional<double>
+        rising_to{};  ///< velocity at the end of the rising branch; none: there is none [m/s]
 };
 
 /// What later stages need of 5-damping.json.
@@ -23,8 +26,9 @@ struct SampleDamping {
     LawMap<DampingSeries> laws;
 };
 
-/// The damping that gives back each restitution; Dong et al. 2013, section 4.2. Captures (restitution 0)
-/// bound the damping but do not fix it: they are listed apart.
+/// The damping that gives back each restitution, with its uncertainty and the reachable range, the parts of
+/// eta(v_in) and the rising branch; Dong et al. 2013, section 4.2. Captures (restitution 0) bound the damping
+/// but do not fix it: they are listed apart.
 [[nodiscard]] StageOutput damping_stage(const Artifacts& before);
 
 /// @param dimension of the coefficient of the damping law

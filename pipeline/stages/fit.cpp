@@ -3,66 +3,181 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
 #include "pipeline/case/laws.hpp"
 #include "pipeline/json/quantity_json.hpp"
+#include "pipeline/json/statistics_json.hpp"
+#include "pipeline/stages/attempt.hpp"
+#include "pipeline/stages/contact.hpp"
+#include "pipeline/stages/contact_models.hpp"
 #include "pipeline/stages/damping.hpp"
+#include "pipeline/stages/damping_fit_json.hpp"
+#include "pipeline/stages/in_parallel.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
+#include "pipeline/stages/restitution.hpp"
+#include "solver/damping_fit.hpp"
+#include "solver/uncertainty/rebound_check.hpp"
 
 namespace ashimpact {
 
 namespace {
 
-/// The points up to the greatest restitution, where e rises with v: beyond it plastic deformation takes over.
-std::vector<DampingPoint> rising_branch(const DampingSeries& series) {
+/// The law and impacts of one fit.
+struct FitTask {
+    const Case& data;
+    const LawChoice& choice;
+    const ContactPair& contact;
+    const RestitutionSeries& measured;
+    const DampingSeries& inverted;
+    double rising_to;  ///< end of the rising branch [m/s]
+};
+
+/// What a fit leaves, or why there is none.
+struct Fitted {
+    Json json = nullptr;
+    std::vector<std::string> notes{};
+};
+
+std::vector<DampingPoint> rising_points(const FitTask& task) {
+    const DampingSeries& series = task.inverted;
     std::vector<DampingPoint> points;
-    if (series.restitution.empty()) return points;
-    const auto top =
-        std::max_element(series.restitution.begin(), series.restitution.end()) - series.restitution.begin();
-    const double last = series.velocity[static_cast<std::size_t>(top)];
     for (std::size_t i = 0; i < series.velocity.size(); ++i)
-        if (series.velocity[i] <= last)
+        if (series.velocity[i] <= task.rising_to)
             points.push_back({.restitution = series.restitution[i],
                               .damping = series.damping[i],
                               .standard_uncertainty = 0});
     return points;
 }
 
-bool can_be_fitted(const std::vector<DampingPoint>& points) {
-    std::set<double> distinct;
-    for (const DampingPoint& point : points) distinct.insert(point.restitution);
-    return distinct.size() >= 3;
-}
-
-Json covariance_json(const DampingFit& fit, const std::string& unit) {
-    return {
-        {"parameters", {"a", "b", "c"}}, {"values", fit.covariance}, {"unit", fmt::format("({})2", unit)}};
-}
-
-Json fit_json(const DampingFit& fit, const std::vector<DampingPoint>& points, const DampingSeries& series,
-              DampingLaw damping_law) {
-    const std::string unit(unit_of(damping_law));
-    const auto coefficient = [&](double value, std::size_t i) {
-        Json json = quantity_json(value, unit);
-        json["standard_uncertainty"] = std::sqrt(std::max(0.0, fit.covariance[i][i]));
+/// {"a", "b", "c"} with the covariance in that order.
+Json quadratic_fit_json(const std::array<double, 3>& values, const Eigen::Matrix3d& covariance,
+                        double critical_damping_uncertainty, const std::string& unit) {
+    const auto coefficient = [&](Eigen::Index i) {
+        Json json = quantity_json(values.at(static_cast<std::size_t>(i)), unit);
+        json["standard_uncertainty"] = std::sqrt(std::max(0.0, covariance(i, i)));
         return json;
     };
-    const auto [least, greatest] =
-        std::minmax_element(points.begin(), points.end(),
-                            [](const auto& p, const auto& q) { return p.restitution < q.restitution; });
-    return {{"a", coefficient(fit.a, 0)},
-            {"b", coefficient(fit.b, 1)},
-            {"c", coefficient(fit.c, 2)},
-            {"critical_damping", coefficient(fit.critical_damping(), 2)},
-            {"covariance", covariance_json(fit, unit)},
-            {"residual_deviation", quantity_json(fit.residual_deviation, unit)},
-            {"degrees_of_freedom", fit.degrees_of_freedom},
-            {"points", points.size()},
-            {"points_beyond_rising_branch", series.velocity.size() - points.size()},
-            {"restitution_range", {least->restitution, greatest->restitution}},
-            {"origin", series.origin}};
+    Json critical = quantity_json(values[2], unit);
+    critical["standard_uncertainty"] = critical_damping_uncertainty;
+    return {{"a", coefficient(0)},
+            {"b", coefficient(1)},
+            {"c", coefficient(2)},
+            {"critical_damping", critical},
+            {"covariance",
+             {{"parameters", {"a", "b", "c"}},
+              {"values", matrix_json(covariance)},
+              {"unit", fmt::format("({})2", unit)}}}};
+}
+
+/// By least squares of the damping on the restitution.
+Fitted fit_by_least_squares(const FitTask& task) {
+    const auto points = rising_points(task);
+    std::set<double> distinct;
+    for (const DampingPoint& point : points) distinct.insert(point.restitution);
+    if (distinct.size() < 3)
+        return {nullptr, {"a quadratic needs three different restitutions on the rising branch"}};
+    const DampingFit fit = fit_damping(points);
+    const std::string unit(unit_of(task.data.damping_law));
+    Eigen::Matrix3d covariance;
+    for (Eigen::Index i = 0; i < 3; ++i)
+        for (Eigen::Index j = 0; j < 3; ++j)
+            covariance(i, j) = fit.covariance[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+    const double rounding = task.measured.coefficient_uncertainty.value_or(0);
+    Json json = quadratic_fit_json({fit.a, fit.b, fit.c}, covariance,
+                                   std::hypot(std::sqrt(std::max(0.0, covariance(2, 2))), rounding), unit);
+    json["method"] = "least-squares";
+    json["residual_deviation"] = quantity_json(fit.residual_deviation, unit);
+    json["degrees_of_freedom"] = fit.degrees_of_freedom;
+    json["points"] = points.size();
+    json["points_beyond_rising_branch"] = task.inverted.velocity.size() - points.size();
+    json["restitution_range"] = {*distinct.begin(), *distinct.rbegin()};
+    json["origin"] = task.inverted.origin;
+    return {json};
+}
+
+/// The impacts of the rising branch with their numbers in the series, from 1 on.
+struct RisingImpacts {
+    MeasurementSet set;
+    std::vector<std::size_t> numbers;
+    std::size_t beyond = 0;
+};
+
+RisingImpacts rising_impacts(const FitTask& task) {
+    const MeasurementSet& all = task.measured.impacts;
+    RisingImpacts rising{.set = {all.source, {}, {}}, .numbers = {}};
+    for (std::size_t i = 0; i < all.points.size(); ++i) {
+        if (all.points[i].velocity > task.rising_to) {
+            ++rising.beyond;
+            continue;
+        }
+        rising.set.points.push_back(all.points[i]);
+        rising.numbers.push_back(i + 1);
+    }
+    return rising;
+}
+
+/// a, b, c with their covariance: the coefficients of the second, first and zeroth power.
+Json quadratic_part(const DampingCurveFit& fit) {
+    std::array<double, 3> values{};
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    const Eigen::Index order = fit.damping.order();
+    for (Eigen::Index i = 0; i <= std::min<Eigen::Index>(2, order); ++i) {
+        values.at(static_cast<std::size_t>(2 - i)) = fit.damping.coefficients[i];
+        for (Eigen::Index j = 0; j <= std::min<Eigen::Index>(2, order); ++j)
+            covariance(2 - i, 2 - j) = fit.covariance(i, j);
+    }
+    return quadratic_fit_json(values, covariance, fit.critical_damping.standard_uncertainty, "kg/s");
+}
+
+/// Through the dynamic model, in the plane of the two measured velocities.
+Fitted fit_through_model(const FitTask& task) {
+    const RisingImpacts rising = rising_impacts(task);
+    const ContactModel model = contact_model_for(task.choice, task.contact, task.measured.impacts);
+    const FitChoices& choices = task.data.fit;
+    const DampingCurveOptions extrapolated{
+        .order = choices.order, .captures = false, .robust = choices.robust};
+    const DampingCurveOptions direct{
+        .order = choices.direct_order, .captures = true, .robust = choices.robust};
+    Fitted fitted;
+    const OrderComparison orders = compare_orders(model, rising.set, {1, 2, 3, 4}, extrapolated);
+    const auto checked = [&](DampingCurveFit fit) {
+        require_rebounds_above(fit, rising.set);
+        return fit;
+    };
+    const auto by_extrapolation = attempt("extrapolated fit", fitted.notes, [&] {
+        for (const DampingCurveFit& fit : orders.fits)
+            if (fit.options.order == choices.order) return checked(fit);
+        return checked(fit_damping_curve(model, rising.set, extrapolated));
+    });
+    const auto directly = attempt("direct fit", fitted.notes,
+                                  [&] { return checked(fit_damping_curve(model, rising.set, direct)); });
+    if (!by_extrapolation) return fitted;
+    fitted.json = quadratic_part(*by_extrapolation);
+    fitted.json["method"] = "likelihood";
+    fitted.json["degrees_of_freedom"] = by_extrapolation->degrees_of_freedom;
+    fitted.json["points"] = by_extrapolation->rebounds.size();
+    fitted.json["points_beyond_rising_branch"] = rising.beyond;
+    fitted.json["restitution_range"] = {by_extrapolation->restitutions[0], by_extrapolation->restitutions[1]};
+    fitted.json["origin"] = task.inverted.origin;
+    fitted.json["extrapolated"] = damping_fit_json(*by_extrapolation, rising.numbers);
+    if (directly) {
+        fitted.json["direct"] = damping_fit_json(*directly, rising.numbers);
+        const FitComparison comparison = compare(*by_extrapolation, *directly);
+        fitted.json["comparison"] = comparison_json(comparison);
+        if (comparison.exclude_one_another) fitted.notes.push_back(comparison.statement);
+    }
+    fitted.json["orders"] = orders_json(orders);
+    return fitted;
+}
+
+Fitted fit_law(const FitTask& task) {
+    const bool measured = task.inverted.origin == "measured";
+    return measured && has_contact_model(task.choice, task.data.damping_law, task.contact)
+               ? fit_through_model(task)
+               : fit_by_least_squares(task);
 }
 
 }  // namespace
@@ -70,22 +185,33 @@ Json fit_json(const DampingFit& fit, const std::vector<DampingPoint>& points, co
 StageOutput fit_stage(const Artifacts& before) {
     const Case data = read_case_artifact(before);
     StageOutput output{.citations = {"dong2013, section 4.3, Tables 2 and 3"}};
-    output.options = {{"order", 2}, {"weights", "equal"}, {"branch", "up to the greatest restitution"}};
+    output.options = {{"order", data.fit.order},
+                      {"direct_order", data.fit.direct_order},
+                      {"robust", data.fit.robust},
+                      {"measured", "likelihood in the plane of both velocities, by their uncertainty"},
+                      {"reconstructed", "least squares, quadratic, equal weights"}};
     output.result["samples"] = Json::array();
     const auto read = [&](const View& result) {
         return read_dampings(result, dimension_of(data.damping_law));
     };
+    const auto contacts = before.read("2-contact.json", read_contacts);
+    const auto restitutions = before.read("4-restitution.json", read_restitutions);
     for (const SampleDamping& sample : before.read("5-damping.json", read)) {
+        const SampleContact& contact = entry_named(contacts, sample.name, before, "2-contact.json");
+        const SampleRestitution& series =
+            entry_named(restitutions, sample.name, before, "4-restitution.json");
         Json json{{"name", sample.name}};
-        for (const auto& [law, series] : sample.laws) {
-            const auto points = rising_branch(series);
-            if (!can_be_fitted(points)) {
-                output.warnings.push_back(
-                    fmt::format("{}, {}: a quadratic needs three different restitutions on the rising branch",
-                                sample.name, law.name()));
-                continue;
-            }
-            json[std::string(law.name())] = fit_json(fit_damping(points), points, series, data.damping_law);
+        const auto fits = in_parallel(data.laws, [&](const LawChoice& choice) -> Fitted {
+            const DampingSeries* inverted = sample.laws.find(choice.law);
+            const RestitutionSeries* measured = series.of(choice.law);
+            if (inverted == nullptr || measured == nullptr || !inverted->rising_to) return {};
+            return fit_law({data, choice, contact.pair, *measured, *inverted, *inverted->rising_to});
+        });
+        for (std::size_t i = 0; i < fits.size(); ++i) {
+            const std::string law(data.laws[i].law.name());
+            for (const std::string& note : fits[i].notes)
+                output.warnings.push_back(fmt::format("{}, {}: {}", sample.name, law, note));
+            if (!fits[i].json.is_null()) json[law] = fits[i].json;
         }
         output.result["samples"].push_back(std::move(json));
     }
@@ -100,7 +226,12 @@ std::vector<SampleFit> read_fits(const View& result, Dimension dimension) {
             if (name == "name") continue;
             const Law law = node.located([&, &key = name] { return Law::named(key); });
             const auto value = [&, &node = node](const char* key) { return node.at(key).number(dimension); };
-            entry.laws.set(law, {value("a"), value("b"), value("c"), value("critical_damping")});
+            LawFit fit{value("a"), value("b"), value("c"), value("critical_damping")};
+            fit.critical_damping_uncertainty =
+                node.at("critical_damping").quantity(dimension).standard_uncertainty;
+            if (const auto curve = node.find("extrapolated")) fit.extrapolated = read_damping_fit(*curve);
+            if (const auto curve = node.find("direct")) fit.direct = read_damping_fit(*curve);
+            entry.laws.set(law, std::move(fit));
         }
         samples.push_back(std::move(entry));
     }

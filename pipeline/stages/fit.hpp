@@ -1,11 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "pipeline/case/law_map.hpp"
 #include "pipeline/stages/stage.hpp"
-#include "solver/damping_fit.hpp"
+#include "solver/uncertainty/damping_curve_fit.hpp"
 
 namespace ashimpact {
 
@@ -14,7 +15,10 @@ struct LawFit {
     double a;
     double b;
     double c;
-    double critical_damping;  ///< eta(0) [unit of the damping law]
+    double critical_damping;                               ///< eta(0) [unit of the damping law]
+    std::optional<double> critical_damping_uncertainty{};  ///< standard [unit of the damping law]
+    std::optional<DampingCurveFit> extrapolated{};         ///< of measured impacts, as far as v_c needs it
+    std::optional<DampingCurveFit> direct{};               ///< the same from captures, too
 };
 
 /// What later stages need of 6-fit.json.
@@ -23,8 +27,9 @@ struct SampleFit {
     LawMap<LawFit> laws;
 };
 
-/// The quadratic eta(e) over the rising branch of e(v) and the critical damping eta(0); Dong et al. 2013,
-/// section 4.3, Tables 2 and 3.
+/// eta(e) over the rising branch of e(v), quadratic by default, and the critical damping eta(0); Dong et al.
+/// 2013, section 4.3, Tables 2 and 3. Measured impacts are fitted in the plane of their two velocities, the
+/// paper's way and directly with captures; reconstructed ones by least squares.
 [[nodiscard]] StageOutput fit_stage(const Artifacts& before);
 
 /// @param dimension of the coefficient of the damping law

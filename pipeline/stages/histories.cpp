@@ -8,6 +8,7 @@
 #include "pipeline/stages/critical_velocity.hpp"
 #include "pipeline/stages/damping.hpp"
 #include "pipeline/stages/fit.hpp"
+#include "pipeline/stages/in_parallel.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
 #include "solver/momentum_balance.hpp"
 #include "solver/reconstruction.hpp"
@@ -37,7 +38,7 @@ Json stage_json(const StageMomentum& stage) {
 Json momentum_json(const MomentumBalance& balance) {
     return {{"approach", stage_json(balance.approach)},
             {"rebound", stage_json(balance.rebound)},
-            {"mean_force_ratio", balance.rebound.mean_force / balance.approach.mean_force},
+            {"mean_force_ratio", balance.mean_force_ratio()},
             {"equation_44",
              {{"damping_impulse", quantity_json(balance.damping_impulse, Dimension::impulse)},
               {"momentum_lost", quantity_json(balance.momentum_lost, Dimension::impulse)},
@@ -45,7 +46,8 @@ Json momentum_json(const MomentumBalance& balance) {
             {"equation_45",
              {{"approach_time", quantity_json(balance.approach.duration, Dimension::time)},
               {"rebound_time", quantity_json(balance.rebound.duration, Dimension::time)},
-              {"holds", balance.rebound_is_longer()}}}};
+              {"holds", balance.rebound_is_longer()}}},
+            {"verdict", verdict_of(balance)}};
 }
 
 Json trajectory_json(const std::vector<TrajectoryPoint>& points) {
@@ -90,7 +92,7 @@ Json law_json(const Case& data, const LawChoice& choice, const SampleInputs& in)
     const LawFit* fit = in.fits.find(choice.law);
     if (critical != nullptr && critical->value && fit != nullptr) {
         impact.damping.coefficient = fit->critical_damping;
-        impact.velocity = *critical->value * (1 + data.histories.critical_excess);
+        impact.velocity = critical->value->value * (1 + data.histories.critical_excess);
         histories.push_back(history_json("critical", impact, data.histories.points));
     }
     const DampingSeries* series = in.dampings.find(choice.law);
@@ -145,8 +147,10 @@ StageOutput histories_stage(const Artifacts& before) {
                               entry_named(fits, sample.name, before, "6-fit.json").laws,
                               entry_named(velocities, sample.name, before, "7-critical-velocity.json").laws};
         Json json{{"name", sample.name}, {"contact_times", contact_times_json(data, in)}};
-        for (const LawChoice& choice : data.laws)
-            json[std::string(choice.law.name())] = law_json(data, choice, in);
+        const auto histories =
+            in_parallel(data.laws, [&](const LawChoice& choice) { return law_json(data, choice, in); });
+        for (std::size_t i = 0; i < histories.size(); ++i)
+            json[std::string(data.laws[i].law.name())] = histories[i];
         output.result["samples"].push_back(std::move(json));
     }
     return output;

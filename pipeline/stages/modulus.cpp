@@ -4,6 +4,7 @@
 
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
+#include "pipeline/text/readable.hpp"
 
 namespace ashimpact {
 
@@ -28,13 +29,19 @@ Json rule_json(const RuleResult& result) {
 
 /// Reuss and Voigt on (K, G), which hold for any arrangement of the phases; without every Poisson ratio the
 /// series and parallel models on E stand for them.
-Json bounds_json(const ModulusEstimate& estimate) {
+/// Pores soften them as they soften the chosen rule, by a factor of the porosity and Poisson's ratio alone.
+Json bounds_json(const ModulusEstimate& estimate, MixtureRule chosen) {
+    const double softening = estimate.young_modulus / estimate.by(chosen).value().young_modulus;
     const auto pick = [&](MixtureRule first, MixtureRule second) {
         const auto result = estimate.by(first);
         return result ? *result : estimate.by(second).value();
     };
-    const RuleResult lower = pick(MixtureRule::reuss, MixtureRule::series);
-    const RuleResult upper = pick(MixtureRule::voigt, MixtureRule::parallel);
+    RuleResult lower = pick(MixtureRule::reuss, MixtureRule::series);
+    RuleResult upper = pick(MixtureRule::voigt, MixtureRule::parallel);
+    for (RuleResult* bound : {&lower, &upper}) {
+        bound->young_modulus *= softening;
+        bound->standard_uncertainty *= softening;
+    }
     return {{"lower", rule_json(lower)},
             {"upper", rule_json(upper)},
             {"lower_rule", mixture_rule_name(lower.rule)},
@@ -54,7 +61,25 @@ void add_citations(const Composition& composition, std::vector<std::string>& cit
     }
 }
 
+/// The porosity of a sample; where the case gives none, from its density and that of the phases.
+std::optional<Porosity> porosity_of(const Sample& sample, const Composition& composition,
+                                    std::vector<std::string>& warnings) {
+    if (!sample.porosity_from_density) return sample.porosity;
+    const PorosityFromDensity found = at_place("the sample " + sample.name, [&] {
+        return porosity_from_density(*sample.porosity, sample.density->quantity, composition.density);
+    });
+    warnings.push_back(sample.name + ": " + found.note);
+    return found.porosity;
+}
+
 }  // namespace
+
+PorosityFromDensity porosity_from_density(Porosity porosity, const Quantity& apparent, double true_density) {
+    porosity.value = porosity_from_densities(apparent.value, true_density);
+    if (apparent.standard_uncertainty)
+        porosity.standard_uncertainty = *apparent.standard_uncertainty / true_density;
+    return {porosity, "a porosity of " + readable_number(porosity.value) + " follows from the density"};
+}
 
 Json modulus_json(const Composition& composition, const ModulusEstimate& estimate, MixtureRule rule) {
     Json rules = Json::object();
@@ -67,7 +92,7 @@ Json modulus_json(const Composition& composition, const ModulusEstimate& estimat
             {"rule", mixture_rule_name(rule)},
             {"young_modulus",
              make_quantity(estimate.young_modulus, Dimension::pressure, estimate.standard_uncertainty)},
-            {"bounds", bounds_json(estimate)},
+            {"bounds", bounds_json(estimate, rule)},
             {"rules", rules},
             {"density", make_quantity(estimate.density, Dimension::density, estimate.density_uncertainty)},
             {"poisson_ratio", quantity_json(estimate.poisson_ratio, Dimension::fraction)},
@@ -83,8 +108,9 @@ StageOutput modulus_stage(const Artifacts& before) {
     output.result["samples"] = Json::array();
     for (const Sample& sample : data.samples) {
         const Composition composition = compose(sample.analysis, catalogue);
+        const auto porosity = porosity_of(sample, composition, output.warnings);
         const ModulusEstimate estimate =
-            estimate_modulus(composition, {.rule = data.mixture_rule, .porosity = sample.porosity});
+            estimate_modulus(composition, {.rule = data.mixture_rule, .porosity = porosity});
         Json json{{"name", sample.name}, {"diameter", sample.diameter.quantity}};
         json.update(modulus_json(composition, estimate, data.mixture_rule));
         output.result["samples"].push_back(std::move(json));

@@ -22,6 +22,17 @@ struct SampleModulus {
 
 [[nodiscard]] std::vector<SampleModulus> read_moduli(const View& result);
 
+/// A porosity law with the porosity that an apparent density implies.
+struct PorosityFromDensity {
+    Porosity porosity;
+    std::string note;
+};
+
+/// Completes a law with P = 1 - apparent/true [kg/m3]; the uncertainty is that of the apparent density.
+/// Errors: InputError for an apparent density above the true one.
+[[nodiscard]] PorosityFromDensity porosity_from_density(Porosity law, const Quantity& apparent,
+                                                        double true_density);
+
 /// Composition and modulus of one sample, with the keys of `ashimpact modulus --json`.
 [[nodiscard]] Json modulus_json(const Composition& composition, const ModulusEstimate& estimate,
                                 MixtureRule rule);

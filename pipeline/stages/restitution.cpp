@@ -4,8 +4,10 @@
 
 #include <algorithm>
 
+#include "pipeline/json/measurement_json.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/contact.hpp"
+#include "pipeline/stages/in_parallel.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
 #include "pipeline/text/readable.hpp"
 #include "solver/reconstruction.hpp"
@@ -28,18 +30,20 @@ RestitutionSeries reconstruct(const PublishedDamping& published, const Reconstru
                               const std::string& sample, std::vector<std::string>& warnings) {
     RestitutionSeries series{.origin = "reconstructed"};
     series.source = fmt::format("damping fit of {} in {}", published.law.name(), plan.source);
+    series.coefficient_uncertainty = plan.coefficient_uncertainty;
     for (int i = 0; i < plan.points; ++i) {
         const double e = plan.from + (plan.to - plan.from) * i / (plan.points - 1);
         try {
             const double velocity = reconstructed_velocity(published, e);
-            series.velocity.push_back(velocity);
-            series.restitution.push_back(e);
+            series.impacts.points.push_back({.velocity = velocity, .rebound = e * velocity});
         } catch (const InputError& error) {
             warnings.push_back(fmt::format("{}, {}: no point at restitution {}: {}", sample,
                                            published.law.name(), readable_number(e), error.problem()));
         }
     }
-    if (!std::is_sorted(series.velocity.begin(), series.velocity.end()))
+    const auto& points = series.impacts.points;
+    if (!std::is_sorted(points.begin(), points.end(),
+                        [](const auto& a, const auto& b) { return a.velocity < b.velocity; }))
         warnings.push_back(
             fmt::format("{}, {}: the velocity does not rise with restitution over the whole range, so "
                         "this fit is not one of a rising branch there",
@@ -53,8 +57,7 @@ std::vector<RestitutionSeries> series_of(const Case& data, const Sample& sample,
     if (const auto* measured = std::get_if<MeasuredRestitution>(&*sample.restitution)) {
         RestitutionSeries series{.origin = "measured", .source = measured->source};
         for (const LawChoice& choice : data.laws) series.laws.push_back(choice.law);
-        series.velocity = measured->velocity;
-        series.restitution = measured->restitution;
+        series.impacts = measured->impacts;
         all.push_back(std::move(series));
         return all;
     }
@@ -75,11 +78,11 @@ std::vector<RestitutionSeries> series_of(const Case& data, const Sample& sample,
 Json series_json(const RestitutionSeries& series) {
     Json laws = Json::array();
     for (const Law law : series.laws) laws.push_back(law.name());
-    return {{"laws", laws},
-            {"origin", series.origin},
-            {"source", series.source},
-            {"velocity", column_json(series.velocity, Dimension::velocity)},
-            {"restitution", column_json(series.restitution, Dimension::fraction)}};
+    Json json{{"laws", laws}, {"origin", series.origin}, {"source", series.source}};
+    json.update(measurement_columns(series.impacts));
+    if (series.coefficient_uncertainty)
+        json["coefficient_uncertainty"] = quantity_json(*series.coefficient_uncertainty, Dimension::damping);
+    return json;
 }
 
 }  // namespace
@@ -95,17 +98,25 @@ StageOutput restitution_stage(const Artifacts& before) {
     const auto contacts = before.read("2-contact.json", read_contacts);
     StageOutput output{.citations = {"dong2013, Eqs. 2 and 31, Table 2"}};
     output.result["samples"] = Json::array();
-    for (const Sample& sample : data.samples) {
-        Json json{{"name", sample.name}, {"series", Json::array()}};
-        if (sample.restitution) {
-            const SampleContact& contact = entry_named(contacts, sample.name, before, "2-contact.json");
-            for (const auto& series : series_of(data, sample, contact, output.warnings))
-                json["series"].push_back(series_json(series));
-        } else {
-            output.warnings.push_back(sample.name +
-                                      ": no restitution data, so no damping and no dynamic velocity");
+    struct Entry {
+        Json json = nullptr;
+        std::vector<std::string> warnings{};
+    };
+    const auto entries = in_parallel(data.samples, [&](const Sample& sample) {
+        Entry entry{.json = {{"name", sample.name}, {"series", Json::array()}}};
+        if (!sample.restitution) {
+            entry.warnings.push_back(sample.name +
+                                     ": no restitution data, so no damping and no dynamic velocity");
+            return entry;
         }
-        output.result["samples"].push_back(std::move(json));
+        const SampleContact& contact = entry_named(contacts, sample.name, before, "2-contact.json");
+        for (const auto& series : series_of(data, sample, contact, entry.warnings))
+            entry.json["series"].push_back(series_json(series));
+        return entry;
+    });
+    for (const Entry& entry : entries) {
+        output.result["samples"].push_back(entry.json);
+        output.warnings.insert(output.warnings.end(), entry.warnings.begin(), entry.warnings.end());
     }
     return output;
 }
@@ -117,10 +128,11 @@ std::vector<SampleRestitution> read_restitutions(const View& result) {
         for (const View& node : sample.at("series").elements()) {
             RestitutionSeries series{.origin = node.at("origin").text(), .source = node.at("source").text()};
             for (const View& law : node.at("laws").elements()) series.laws.push_back(Law::named(law.text()));
-            series.velocity = node.at("velocity").column(Dimension::velocity);
-            series.restitution = node.at("restitution").column(Dimension::fraction);
-            if (series.velocity.size() != series.restitution.size())
-                node.fail("velocity and restitution differ in length", "one restitution for each velocity");
+            series.impacts = read_measurement_columns(node);
+            series.impacts.source = series.source;
+            if (!series.impacts.points.empty()) node.located([&] { check_impacts(series.impacts); });
+            if (const auto u = node.find("coefficient_uncertainty"))
+                series.coefficient_uncertainty = u->number(Dimension::damping);
             entry.series.push_back(std::move(series));
         }
         samples.push_back(std::move(entry));

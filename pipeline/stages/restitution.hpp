@@ -6,6 +6,7 @@
 
 #include "pipeline/stages/stage.hpp"
 #include "solver/contact/registry.hpp"
+#include "solver/measurement/measurement.hpp"
 
 namespace ashimpact {
 
@@ -14,8 +15,9 @@ struct RestitutionSeries {
     std::vector<Law> laws{};
     std::string origin{};  ///< "measured" or "reconstructed"
     std::string source{};
-    std::vector<double> velocity{};     ///< [m/s]
-    std::vector<double> restitution{};  ///< [1], 0 for a capture
+    MeasurementSet impacts{};  ///< in their order; reconstructed ones without noise
+    /// Of a reconstructed series: standard uncertainty of each coefficient behind it, its rounding [kg/s].
+    std::optional<double> coefficient_uncertainty{};
 };
 
 /// What later stages need of 4-restitution.json.

@@ -1,9 +1,10 @@
 #include "pipeline/sweep/impact_columns.hpp"
 
-#include <limits>
+#include <Eigen/Core>
 
 #include "materials/error.hpp"
 #include "materials/text.hpp"
+#include "solver/batch/impact_batch.hpp"
 
 namespace ashimpact {
 
@@ -39,36 +40,51 @@ std::string command_of(const Impact& impact) {
     return command;
 }
 
-void solve_into(const Impact& impact, const WantedResults& wanted, std::size_t i, ResultColumns& results) {
-    if (!wanted.contact_time && !wanted.maximum_overlap) {
-        results.restitution[i] = restitution_of(impact);
-        return;
+ImpactBatch batch_of(const ContactModel& model, const ImpactColumns& impacts) {
+    const auto column = [](const std::vector<double>& values) {
+        return Eigen::Map<const Eigen::ArrayXd>(values.data(), std::ssize(values));
+    };
+    return {model.law,
+            model.detachment,
+            model.damping_law,
+            {column(impacts.mass), column(impacts.effective_radius), column(impacts.contact_modulus),
+             column(impacts.work_of_adhesion), column(impacts.yield_pressure)},
+            column(impacts.damping),
+            column(impacts.velocity)};
+}
+
+/// The first impact that does not converge, as an error that says how to compute it alone.
+[[nodiscard]] ConvergenceError named(const ConvergenceError& error, const ContactModel& model,
+                                     const ImpactColumns& impacts) {
+    for (std::size_t i = 0; i < impacts.velocity.size(); ++i) {
+        const Impact impact = impact_at(model, impacts, i);
+        try {
+            static_cast<void>(solve_impact(impact));
+        } catch (const ConvergenceError& own) {
+            return ConvergenceError(std::string(own.what()) + "; the impact: " + command_of(impact));
+        }
     }
-    const ImpactResult result = solve_impact(impact);
-    results.restitution[i] = result.restitution;
-    if (wanted.contact_time)
-        results.contact_time[i] = result.contact_time.value_or(std::numeric_limits<double>::quiet_NaN());
-    if (wanted.maximum_overlap) results.maximum_overlap[i] = result.maximum_overlap;
+    return error;
 }
 
 }  // namespace
 
-ResultColumns solve_one_by_one(const ContactModel& model, const ImpactColumns& impacts,
-                               const WantedResults& wanted) {
-    const std::size_t count = impacts.velocity.size();
-    ResultColumns results;
-    results.restitution.resize(count);
-    if (wanted.contact_time) results.contact_time.resize(count);
-    if (wanted.maximum_overlap) results.maximum_overlap.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const Impact impact = impact_at(model, impacts, i);
-        try {
-            solve_into(impact, wanted, i, results);
-        } catch (const ConvergenceError& error) {
-            throw ConvergenceError(std::string(error.what()) + "; the impact: " + command_of(impact));
-        }
+ResultColumns solve_in_batch(const ContactModel& model, const ImpactColumns& impacts,
+                             const WantedResults& wanted) {
+    const auto values = [](const Eigen::ArrayXd& column) {
+        return std::vector<double>(column.begin(), column.end());
+    };
+    try {
+        const ImpactBatchResult solved =
+            solve_impacts(batch_of(model, impacts), {.turning_point = wanted.maximum_overlap});
+        ResultColumns results;
+        results.restitution = values(solved.restitution);
+        if (wanted.contact_time) results.contact_time = values(solved.contact_time);
+        if (wanted.maximum_overlap) results.maximum_overlap = values(solved.maximum_overlap);
+        return results;
+    } catch (const ConvergenceError& error) {
+        throw named(error, model, impacts);
     }
-    return results;
 }
 
 }  // namespace ashimpact

@@ -43,8 +43,8 @@ struct ResultColumns {
 using ImpactSolver =
     std::function<ResultColumns(const ContactModel&, const ImpactColumns&, const WantedResults&)>;
 
-/// The scalar solver, one impact after the other. @throws ConvergenceError naming the impact
-[[nodiscard]] ResultColumns solve_one_by_one(const ContactModel& model, const ImpactColumns& impacts,
-                                             const WantedResults& wanted);
+/// The batch solver, on the calling thread. @throws ConvergenceError naming the impact
+[[nodiscard]] ResultColumns solve_in_batch(const ContactModel& model, const ImpactColumns& impacts,
+                                           const WantedResults& wanted);
 
 }  // namespace ashimpact

@@ -8,7 +8,7 @@ int main(int argc, char** argv) {
     ashimpact::MpiSession session;
     const int status =
         ashimpact::run_program(argc, argv, [&](const ashimpact::SweepOptions& options, std::ostream& out) {
-            ashimpact::run_sweep_command(options, session, ashimpact::solve_one_by_one, out);
+            ashimpact::run_sweep_command(options, session, ashimpact::solve_in_batch, out);
         });
     return session.leave(status);
 }

@@ -111,6 +111,25 @@ std::string title_of(const Json& element, std::size_t index) {
     return "#" + std::to_string(index + 1);
 }
 
+std::string block_text(const Json& value, std::size_t indent);
+
+/// A list under its name: rows of a table, rows of a matrix, or one block an element.
+std::string list_text(const std::string& name, const Json& list, std::size_t indent) {
+    const std::string margin(indent, ' ');
+    if (is_table(list)) return margin + name + "\n" + rows_text(list, indent + indent_width);
+    std::string text;
+    if (list.front().is_array()) {
+        text = margin + name + "\n";
+        for (const Json& row : list) text += fmt::format("{}  {}\n", margin, short_text(row));
+        return text;
+    }
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        text += fmt::format("{}{} {}\n", margin, name, title_of(list[i], i));
+        text += block_text(list[i], indent + indent_width);
+    }
+    return text;
+}
+
 std::string block_text(const Json& value, std::size_t indent) {
     TextList scalars;
     std::string nested;
@@ -121,23 +140,10 @@ std::string block_text(const Json& value, std::size_t indent) {
         if (!text.empty()) {
             scalars.add(key, text);
             any = true;
-            continue;
-        }
-        if (member.is_object()) {
+        } else if (member.is_array()) {
+            nested += list_text(key, member, indent);
+        } else {
             nested += std::string(indent, ' ') + key + "\n" + block_text(member, indent + indent_width);
-            continue;
-        }
-        if (is_table(member)) {
-            nested += std::string(indent, ' ') + key + "\n" + rows_text(member, indent + indent_width);
-            continue;
-        }
-        for (std::size_t i = 0; i < member.size(); ++i) {
-            const std::string title =
-                member[i].is_structured() && member[i].is_object() ? title_of(member[i], i) : "";
-            nested += fmt::format("{}{} {}\n", std::string(indent, ' '), key, title);
-            nested += member[i].is_object()
-                          ? block_text(member[i], indent + indent_width)
-                          : std::string(indent + indent_width, ' ') + short_text(member[i]) + "\n";
         }
     }
     return (any ? scalars.text(indent) : std::string{}) + columns_text(value, indent) + nested;

@@ -21,24 +21,24 @@ struct BrachDunn {
     Real adhesion;  ///< 2 pi f sqrt(R*) / (k L), f = (6 w^2 R* E* / pi)^(1/3) [1]
 
     /// Line tension f = (6 w^2 R* E*/pi)^(1/3) [N/m]; Eq. 14.
-    [[nodiscard]] static double line_tension(const ContactPair& pair) {
-        const double w = pair.work_of_adhesion;
-        return std::cbrt(6.0 * w * w * pair.effective_radius * pair.contact_modulus / std::numbers::pi);
+    [[nodiscard]] static Real line_tension(const BasicContactPair<Real>& pair) {
+        const Real w = pair.work_of_adhesion;
+        return root<3>(Real(6.0 / std::numbers::pi) * w * w * pair.effective_radius * pair.contact_modulus);
     }
     /// Adhesion number of the law for lengths in @p length [m].
-    [[nodiscard]] static double adhesion_number(const ContactPair& pair, double length) {
-        return 2.0 * std::numbers::pi * line_tension(pair) * std::sqrt(pair.effective_radius) /
+    [[nodiscard]] static Real adhesion_number(const BasicContactPair<Real>& pair, const Real& length) {
+        return Real(2.0 * std::numbers::pi) * line_tension(pair) * root<2>(pair.effective_radius) /
                (hertz_stiffness(pair) * length);
     }
 
     /// Overlap, positive in contact [L].
     template <class U>
-    [[nodiscard]] U overlap(const U& u) const {
+    [[nodiscard]] constexpr U overlap(const U& u) const {
         return power<4>(u);
     }
     /// Total static force, positive where repulsive [k L^(3/2)].
     template <class U>
-    [[nodiscard]] U force(const U& u) const {
+    [[nodiscard]] constexpr U force(const U& u) const {
         return power<6>(u) - adhesion * power<2>(u);
     }
     /// Attractive part of the force, never positive [k L^(3/2)]; Eq. 13.

@@ -22,19 +22,19 @@ struct Dmt {
     Real adhesion;  ///< 2 pi w R* / (k L^(3/2)) [1]
 
     /// Adhesion number of the law for lengths in @p length [m].
-    [[nodiscard]] static double adhesion_number(const ContactPair& pair, double length) {
-        return 2.0 * std::numbers::pi * pair.work_of_adhesion * pair.effective_radius /
-               (hertz_stiffness(pair) * length * std::sqrt(length));
+    [[nodiscard]] static Real adhesion_number(const BasicContactPair<Real>& pair, const Real& length) {
+        return Real(2.0 * std::numbers::pi) * pair.work_of_adhesion * pair.effective_radius /
+               (hertz_stiffness(pair) * length * root<2>(length));
     }
 
     /// Overlap, positive in contact [L].
     template <class U>
-    [[nodiscard]] U overlap(const U& u) const {
+    [[nodiscard]] constexpr U overlap(const U& u) const {
         return power<4>(u);
     }
     /// Total static force, positive where repulsive [k L^(3/2)].
     template <class U>
-    [[nodiscard]] U force(const U& u) const {
+    [[nodiscard]] constexpr U force(const U& u) const {
         return power<6>(u) - adhesion;
     }
     /// Attractive part of the force, never positive [k L^(3/2)]; Eq. 11.

@@ -22,16 +22,18 @@ struct Hertz {
     Real adhesion{};  ///< unused: the law has no attraction
 
     /// Adhesion number of the law for lengths in @p length [m]: none [1].
-    [[nodiscard]] static double adhesion_number(const ContactPair&, double /*length*/) { return 0.0; }
+    [[nodiscard]] static Real adhesion_number(const BasicContactPair<Real>&, const Real& /*length*/) {
+        return Real(0);
+    }
 
     /// Overlap, positive in contact [L].
     template <class U>
-    [[nodiscard]] U overlap(const U& u) const {
+    [[nodiscard]] constexpr U overlap(const U& u) const {
         return power<4>(u);
     }
     /// Total static force, positive where repulsive [k L^(3/2)]; Eq. 9.
     template <class U>
-    [[nodiscard]] U force(const U& u) const {
+    [[nodiscard]] constexpr U force(const U& u) const {
         return power<6>(u);
     }
     /// Attractive part of the force, never positive [k L^(3/2)].

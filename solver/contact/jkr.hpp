@@ -24,19 +24,19 @@ struct Jkr {
     Real adhesion;  ///< sqrt(2 pi w/E*) R*^(1/4) L^(-3/4) [1]
 
     /// Adhesion number of the law for lengths in @p length [m].
-    [[nodiscard]] static double adhesion_number(const ContactPair& pair, double length) {
-        return std::sqrt(2.0 * std::numbers::pi * pair.work_of_adhesion / pair.contact_modulus) *
-               std::pow(pair.effective_radius, 0.25) / std::pow(length, 0.75);
+    [[nodiscard]] static Real adhesion_number(const BasicContactPair<Real>& pair, const Real& length) {
+        return root<2>(Real(2.0 * std::numbers::pi) * pair.work_of_adhesion / pair.contact_modulus) *
+               root<4>(pair.effective_radius) / power<3>(root<4>(length));
     }
 
     /// Overlap, positive in contact, negative on the neck before it breaks [L].
     template <class U>
-    [[nodiscard]] U overlap(const U& u) const {
+    [[nodiscard]] constexpr U overlap(const U& u) const {
         return power<4>(u) - adhesion * u;
     }
     /// Total static force, positive where repulsive [k L^(3/2)].
     template <class U>
-    [[nodiscard]] U force(const U& u) const {
+    [[nodiscard]] constexpr U force(const U& u) const {
         return power<6>(u) - (adhesion * Real(1.5)) * power<3>(u);
     }
     /// Attractive part of the force: the tensile rim of Eq. 18, all of the force where the contact is tensile

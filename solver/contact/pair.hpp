@@ -6,18 +6,24 @@
 
 namespace ashimpact {
 
-/// What a contact law needs to know of the two bodies; for a sphere on a flat wall R* = r1 and m* = m1.
-struct ContactPair {
-    double mass;              ///< effective mass m* [kg]
-    double effective_radius;  ///< R* [m], Eq. 6
-    double contact_modulus;   ///< E* [Pa], Eq. 7
-    double work_of_adhesion;  ///< w [J/m2], energy to separate unit area (not a surface energy)
-    double yield_pressure = std::numeric_limits<double>::infinity();  ///< p_y [Pa]; infinite: never yields
+/// What a contact law needs to know of the two bodies; for a sphere on a flat wall R* = r1 and m* = m1. A
+/// template so that laws take the lanes of a vector register too.
+template <class Real>
+struct BasicContactPair {
+    Real mass;              ///< effective mass m* [kg]
+    Real effective_radius;  ///< R* [m], Eq. 6
+    Real contact_modulus;   ///< E* [Pa], Eq. 7
+    Real work_of_adhesion;  ///< w [J/m2], energy to separate unit area (not a surface energy)
+    Real yield_pressure =
+        Real(std::numeric_limits<double>::infinity());  ///< p_y [Pa]; infinite: never yields
 };
+using ContactPair = BasicContactPair<double>;
 
 /// Hertz stiffness k = (4/3) E* sqrt(R*) of F = k delta^(3/2) [N/m^(3/2)]; Dong et al. 2013, Eq. 9.
-[[nodiscard]] inline double hertz_stiffness(const ContactPair& pair) {
-    return 4.0 / 3.0 * pair.contact_modulus * std::sqrt(pair.effective_radius);
+template <class Real>
+[[nodiscard]] Real hertz_stiffness(const BasicContactPair<Real>& pair) {
+    using std::sqrt;
+    return Real(4.0 / 3.0) * pair.contact_modulus * sqrt(pair.effective_radius);
 }
 
 /// Pull-off force of the JKR theory F_c = (3/2) pi w R* [N], as a magnitude.

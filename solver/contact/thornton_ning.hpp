@@ -29,8 +29,8 @@ struct ThorntonNing {
     Real adhesion;  ///< as in Jkr [1]
 
     /// Adhesion number of the law for lengths in @p length [m].
-    [[nodiscard]] static double adhesion_number(const ContactPair& pair, double length) {
-        return Jkr<double>::adhesion_number(pair, length);
+    [[nodiscard]] static Real adhesion_number(const BasicContactPair<Real>& pair, const Real& length) {
+        return Jkr<Real>::adhesion_number(pair, length);
     }
     /// Yield number (contact radius at which a Hertz contact yields)/sqrt(R* L) = pi R* p_y/(2 E* sqrt(R* L))
     /// [1].
@@ -41,12 +41,12 @@ struct ThorntonNing {
 
     /// Overlap, positive in contact [L].
     template <class U>
-    [[nodiscard]] U overlap(const U& u) const {
+    [[nodiscard]] constexpr U overlap(const U& u) const {
         return Jkr<Real>{adhesion}.overlap(u);
     }
     /// Total static force, positive where repulsive [k L^(3/2)].
     template <class U>
-    [[nodiscard]] U force(const U& u) const {
+    [[nodiscard]] constexpr U force(const U& u) const {
         return Jkr<Real>{adhesion}.force(u);
     }
     /// Attractive part of the force, never positive [k L^(3/2)].

@@ -1,6 +1,7 @@
 #include "solver/measurement/contact_model.hpp"
 
 #include "materials/error.hpp"
+#include "solver/critical_velocity.hpp"
 #include "solver/impact.hpp"
 #include "solver/scaled_impact.hpp"
 #include "solver/velocity_scales.hpp"
@@ -84,6 +85,15 @@ std::optional<VelocityAt> ContactModel::velocity(double restitution, double damp
 std::optional<double> ContactModel::critical_velocity(double damping) const {
     const auto at = velocity(0.0, damping);
     return at ? std::optional(at->value) : std::nullopt;
+}
+
+std::optional<double> ContactModel::critical_velocity_anywhere(double damping) const {
+    if (!(damping > 0.0)) return std::nullopt;
+    if (const auto read = critical_velocity(damping)) return read;
+    const ScaledImpacts& impacts = map_->impacts();
+    return ashimpact::critical_velocity(
+               {impacts.law(), impacts.detachment(), {DampingLaw::constant, damping}, contact_})
+        .value;
 }
 
 double ContactModel::restitution(double velocity, double damping) const {

@@ -55,6 +55,8 @@ class ContactModel {
                                                      std::optional<double> guess = std::nullopt) const;
     /// The velocity up to which impacts are captured; none where it lies outside range() [m/s].
     [[nodiscard]] std::optional<double> critical_velocity(double damping) const;
+    /// The same anywhere: outside range() it is solved; none where there is no finite one, or no damping.
+    [[nodiscard]] std::optional<double> critical_velocity_anywhere(double damping) const;
     /// Restitution of an impact, 0 for a capture [1]. @param velocity within range() [m/s]
     [[nodiscard]] double restitution(double velocity, double damping) const;
     /// Contact time of a rebound [s].

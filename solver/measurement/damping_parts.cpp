@@ -48,6 +48,41 @@ std::optional<PartBoundary> boundary_of(const DampingSmoothing& smooth, const st
     return PartBoundary{grid[i], grid[i] * here.elasticity_uncertainty / std::max(bend, 1e-3)};
 }
 
+[[noreturn]] void refuse_falling(const MeasurementSet& set, double from) {
+    throw InputError(
+        "there is no rising branch: restitution falls with velocity from " + shortest(from) + " m/s on",
+        "impacts from below the velocity of greatest restitution")
+        .in_file(set.source);
+}
+
+/// Whether the restitution of few rebounds falls with velocity: in every pair of three or more, or in so many
+/// that chance has a probability below 5 % (Kendall's rank test; Mann 1945).
+bool falls(const std::vector<Measurement>& rebounds) {
+    const auto n = static_cast<double>(rebounds.size());
+    if (n < 3.0) return false;
+    double score = 0.0;
+    for (std::size_t i = 0; i < rebounds.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            const double product = (rebounds[i].velocity - rebounds[j].velocity) *
+                                   (rebounds[i].restitution() - rebounds[j].restitution());
+            score += product > 0.0 ? 1.0 : product < 0.0 ? -1.0 : 0.0;
+        }
+    }
+    if (score <= -0.5 * n * (n - 1.0)) return true;
+    constexpr double one_sided = 1.645;
+    return score + 1.0 < -one_sided * std::sqrt(n * (n - 1.0) * (2.0 * n + 5.0) / 18.0);
+}
+
+/// The rising branch of a series too short to be smoothed is all of it, unless it falls.
+void refuse_short_falling(const MeasurementSet& set) {
+    std::vector<Measurement> rebounds;
+    for (const Measurement& point : set.points)
+        if (!point.captured()) rebounds.push_back(point);
+    if (!falls(rebounds)) return;
+    const auto slower = [](const Measurement& a, const Measurement& b) { return a.velocity < b.velocity; };
+    refuse_falling(set, std::min_element(rebounds.begin(), rebounds.end(), slower)->velocity);
+}
+
 }  // namespace
 
 std::string_view name_of(DampingPart part) {
@@ -62,9 +97,8 @@ std::string_view name_of(DampingPart part) {
     return {};
 }
 
-DampingParts find_parts(const std::vector<InvertedImpact>& inverted, const PartOptions& options) {
+DampingParts find_parts(const std::optional<DampingSmoothing>& smooth, const PartOptions& options) {
     DampingParts result;
-    const auto smooth = DampingSmoothing::of(inverted);
     if (!smooth) {
         result.note = "fewer than " + std::to_string(least_smoothed) +
                       " rebounds within reach, or too few velocities, for parts to be told apart";
@@ -87,11 +121,12 @@ DampingParts find_parts(const std::vector<InvertedImpact>& inverted, const PartO
     return result;
 }
 
-RisingBranch rising_branch(const ContactModel& model, const MeasurementSet& set) {
+RisingBranch rising_branch(const ContactModel& model, const MeasurementSet& set,
+                           const std::optional<DampingSmoothing>& smooth) {
     RisingBranch branch{
         .set = {set.source, {}, set.warnings}, .indices = {}, .upper = 0.0, .falls_beyond = false};
     for (const Measurement& point : set.points) branch.upper = std::max(branch.upper, point.velocity);
-    if (const auto smooth = DampingSmoothing::of(invert(model, set))) {
+    if (smooth) {
         const std::vector<double> grid = grid_of(*smooth);
         std::vector<double> restitution;
         for (const double v : grid) restitution.push_back(model.restitution(v, smooth->at(v).damping));
@@ -105,11 +140,9 @@ RisingBranch rising_branch(const ContactModel& model, const MeasurementSet& set)
         branch.falls_beyond =
             *top - *lowest > 2.0 * std::hypot(uncertainty(v_top, *top), uncertainty(v_low, *lowest));
         if (branch.falls_beyond) branch.upper = v_top;
-        if (branch.falls_beyond && top == restitution.begin())
-            throw InputError("there is no rising branch: restitution falls with velocity from " +
-                                 shortest(smooth->slowest()) + " m/s on",
-                             "impacts from below the velocity of greatest restitution")
-                .in_file(set.source);
+        if (branch.falls_beyond && top == restitution.begin()) refuse_falling(set, smooth->slowest());
+    } else {
+        refuse_short_falling(set);
     }
     for (std::size_t i = 0; i < set.points.size(); ++i) {
         if (set.points[i].velocity > branch.upper) continue;

@@ -38,7 +38,7 @@ struct PartOptions {
 
 /// Finds the parts: from the least smoothed damping outwards, flat up to where |d ln eta/d ln v| first
 /// exceeds the flatness. A falling or rising part must change eta by more than two standard uncertainties.
-[[nodiscard]] DampingParts find_parts(const std::vector<InvertedImpact>& inverted,
+[[nodiscard]] DampingParts find_parts(const std::optional<DampingSmoothing>& smoothing,
                                       const PartOptions& options = {});
 
 /// The part of a measurement series in which restitution rises with velocity, captures included.
@@ -50,8 +50,11 @@ struct RisingBranch {
 };
 
 /// Everything up to the velocity of greatest smoothed restitution; the whole series where it never falls by
-/// more than two standard uncertainties, or is too short to be smoothed.
+/// more than two standard uncertainties. A series too short to be smoothed is taken whole, unless a rank test
+/// (Kendall) finds that it falls.
+/// @param smoothing of the damping that @p model gives for @p set
 /// @throws InputError where restitution falls with velocity from the slowest rebound on
-[[nodiscard]] RisingBranch rising_branch(const ContactModel& model, const MeasurementSet& set);
+[[nodiscard]] RisingBranch rising_branch(const ContactModel& model, const MeasurementSet& set,
+                                         const std::optional<DampingSmoothing>& smoothing);
 
 }  // namespace ashimpact

@@ -17,7 +17,7 @@ namespace ashimpact {
 namespace {
 
 constexpr std::size_t rows_per_interval = 8;
-constexpr std::size_t most_rows = 300;  ///< more rebounds are averaged in groups for the choice of the curve
+constexpr std::size_t most_rows = 200;  ///< more rebounds are averaged in groups for the choice of the curve
 
 }  // namespace
 
@@ -76,6 +76,7 @@ std::optional<DampingSmoothing> DampingSmoothing::with_intervals(const Rows& row
     } catch (const ConvergenceError&) {
         return std::nullopt;  // too many knots for the data
     }
+    result.intervals_ = intervals;
     result.coefficients_ = fit.parameters;
     result.covariance_ = fit.covariance;
     const auto n = static_cast<double>(count);
@@ -87,7 +88,8 @@ std::optional<DampingSmoothing> DampingSmoothing::with_intervals(const Rows& row
     return result;
 }
 
-std::optional<DampingSmoothing> DampingSmoothing::of(const std::vector<InvertedImpact>& inverted) {
+std::optional<DampingSmoothing> DampingSmoothing::of(const std::vector<InvertedImpact>& inverted,
+                                                     std::optional<int> intervals) {
     std::vector<const InvertedImpact*> ordered;
     std::set<double> velocities;
     for (const InvertedImpact& impact : inverted) {
@@ -107,12 +109,9 @@ std::optional<DampingSmoothing> DampingSmoothing::of(const std::vector<InvertedI
     std::optional<DampingSmoothing> best;
     const auto most =
         static_cast<int>(std::clamp<std::size_t>(averaged.position.size() / rows_per_interval, 1, 40));
-    int worse = 0;
-    for (int intervals = 1; intervals <= most && worse < 3; intervals += 1 + intervals / 3) {
-        auto candidate = with_intervals(averaged, intervals);
-        const bool better = candidate && (!best || candidate->criterion_ < best->criterion_);
-        worse = better ? 0 : worse + 1;
-        if (better) best = std::move(candidate);
+    for (int tried = intervals.value_or(1); tried <= intervals.value_or(most); tried += 1 + tried / 3) {
+        auto candidate = with_intervals(averaged, tried);
+        if (candidate && (!best || candidate->criterion_ < best->criterion_)) best = std::move(candidate);
     }
     if (!best) return std::nullopt;
     best->first_ = averaged.position.front();

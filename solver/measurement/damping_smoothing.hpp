@@ -18,7 +18,9 @@ inline constexpr std::size_t least_smoothed = 8;
 class DampingSmoothing {
   public:
     /// None for fewer than least_smoothed rebounds within reach, or fewer than four distinct velocities.
-    [[nodiscard]] static std::optional<DampingSmoothing> of(const std::vector<InvertedImpact>& inverted);
+    /// @param intervals between knots; none: chosen
+    [[nodiscard]] static std::optional<DampingSmoothing> of(const std::vector<InvertedImpact>& inverted,
+                                                            std::optional<int> intervals = std::nullopt);
 
     struct Value {
         double damping;                 ///< [kg/s]
@@ -36,7 +38,7 @@ class DampingSmoothing {
         double value;
     };
     [[nodiscard]] const std::vector<Residual>& residuals() const { return residuals_; }
-    [[nodiscard]] Eigen::Index coefficients() const { return coefficients_.size(); }
+    [[nodiscard]] int intervals() const { return intervals_; }
 
   private:
     explicit DampingSmoothing(gsl::BSpline splines) : splines_(std::move(splines)) {}
@@ -47,6 +49,7 @@ class DampingSmoothing {
     std::vector<Residual> residuals_;
     double first_ = 0.0;  ///< ln v
     double last_ = 0.0;
+    int intervals_ = 1;
     double criterion_ = 0.0;
 
     struct Rows;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstddef>
@@ -60,6 +61,21 @@ struct Polynomial {
             for (int j = degree - 1; j >= i; --j) result[j] = result[j] + offset * result[j + 1];
         }
         return result;
+    }
+
+    /// An upper bound of the values between @p a and @p b: the largest Bernstein coefficient there.
+    [[nodiscard]] Real upper_bound(const Real& a, const Real& b) const {
+        std::array<Real, capacity> c = shifted(a).coefficient;
+        Real scale = Real(1);
+        for (int i = 1; i <= degree; ++i) {  // of t^i/binomial(degree, i) on 0 <= t <= 1
+            scale = scale * (b - a) * Real(i) / Real(degree - i + 1);
+            c[static_cast<std::size_t>(i)] = c[static_cast<std::size_t>(i)] * scale;
+        }
+        for (int i = 1; i <= degree; ++i) {  // sums over binomial(j, i), by Pascal's triangle
+            for (auto j = static_cast<std::size_t>(degree); j >= static_cast<std::size_t>(i); --j)
+                c[j] += c[j - 1];
+        }
+        return *std::max_element(c.begin(), c.begin() + degree + 1);
     }
 
     /// Whether only even powers appear, so that it is a polynomial of x^2.

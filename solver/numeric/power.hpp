@@ -30,4 +30,10 @@ template <int degree, class Real>
     if constexpr (degree == 6) return cbrt(sqrt(x));
 }
 
+/// x^(2/5) of a positive floating-point number.
+template <class Real>
+[[nodiscard]] Real two_fifths_power(const Real& x) {
+    return std::pow(x, Real(0.4));
+}
+
 }  // namespace ashimpact

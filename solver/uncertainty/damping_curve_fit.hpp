@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,12 +21,15 @@ struct DampingCurveOptions {
     int order = 2;          ///< of the polynomial; the paper's is 2
     bool captures = false;  ///< use which impacts stuck, where the data have captures
     bool robust = false;    ///< bisquare weights take back what lies far from the curve
+    /// Where the likelihood has no maximum of that order, the next lower one down to the quadratic is taken;
+    /// the fit's own options say which.
+    bool lower_if_needed = false;
 };
 
 /// The paper's way: quadratic in e_n, rebounds only, v_c by extrapolation to e_n = 0.
 inline constexpr DampingCurveOptions extrapolated_fit{.order = 2, .captures = false};
 /// Directly: captures included, and two orders more, so that v_c does not hang on eta being quadratic.
-inline constexpr DampingCurveOptions direct_fit{.order = 4, .captures = true};
+inline constexpr DampingCurveOptions direct_fit{.order = 4, .captures = true, .lower_if_needed = true};
 
 /// One rebound in a fit.
 struct FittedRebound {
@@ -56,27 +60,32 @@ struct DampingCurveFit {
     double probability;  ///< of a chi^2 at least this large; 1 where the noise is not known
     double scatter;    ///< factor by which the noise was enlarged (or, unknown, estimated) to fit [1 or m/s]
     bool noise_known;  ///< from the measurements
-    double akaike;     ///< chi^2 + 2 p, corrected for few points
+    double akaike;     ///< -2 ln L + 2 p, corrected for few points; to compare orders
     double prediction_error;             ///< root mean square of the deleted distances
     std::array<double, 2> restitutions;  ///< least and greatest measured
     double extrapolation;                ///< distance of e = 0 from the data over their width [1]
 };
 
-/// Fits eta(e_n) by orthogonal distances in the plane (v_in, v_r); see RestitutionLikelihood.
+/// Fits eta(e_n) in the plane (v_in, v_r) by maximum likelihood; see ImpactLikelihood.
 ///
 /// Noise that is not known is taken as equal in both velocities and estimated from the scatter; noise that
-/// explains the scatter with less than 1 % probability is enlarged to fit. Intervals: profile likelihood, for
-/// more than 400 impacts curvature.
+/// explains the scatter with less than 1 % probability is enlarged to fit. Where it is negligible, the
+/// closest curve is the fit, and captures say no more. Intervals: profile likelihood, for more than 400
+/// impacts curvature.
 /// @param set the impacts to use, all of the rising branch
 /// @throws InputError for too few rebounds or distinct restitutions, saying what is there; ConvergenceError
 [[nodiscard]] DampingCurveFit fit_damping_curve(const ContactModel& model, const MeasurementSet& set,
                                                 const DampingCurveOptions& options = extrapolated_fit);
 
-/// The same for each order of @p orders that the data allow, to choose from.
-[[nodiscard]] std::vector<DampingCurveFit> compare_orders(const ContactModel& model,
-                                                          const MeasurementSet& set,
-                                                          const std::vector<int>& orders,
-                                                          DampingCurveOptions options = extrapolated_fit);
+/// The same data fitted by polynomials of several orders, to choose from.
+struct OrderComparison {
+    std::vector<DampingCurveFit> fits;  ///< by order
+    std::optional<int> best;            ///< order of the least akaike
+    std::vector<std::string> notes;     ///< why an order is missing
+};
+[[nodiscard]] OrderComparison compare_orders(const ContactModel& model, const MeasurementSet& set,
+                                             const std::vector<int>& orders,
+                                             DampingCurveOptions options = extrapolated_fit);
 
 /// What an extrapolated fit and a direct one of the same impacts say of one another.
 struct FitComparison {

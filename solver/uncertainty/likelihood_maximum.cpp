@@ -1,14 +1,15 @@
 #include "solver/uncertainty/likelihood_maximum.hpp"
 
 #include "materials/error.hpp"
+#include "solver/gsl/minimum.hpp"
 #include "solver/gsl/nonlinear_fit.hpp"
 #include "solver/gsl/robust.hpp"
 #include "solver/uncertainty/profile.hpp"
-#include "solver/uncertainty/rebound_selection.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace ashimpact {
 
@@ -16,131 +17,177 @@ namespace {
 
 /// Turns values of eta at restitutions spread over the curve, the first at e = 0, into coefficients. The
 /// values are all of one size, the coefficients of high powers are not.
-Eigen::MatrixXd coefficients_from_values(const RestitutionLikelihood& likelihood, Eigen::Index count) {
+Eigen::MatrixXd coefficients_from_values(double greatest_restitution, Eigen::Index count) {
     Eigen::MatrixXd powers(count, count);
     for (Eigen::Index i = 0; i < count; ++i) {
         const double share = count > 1 ? static_cast<double>(i) / static_cast<double>(count - 1) : 0.0;
-        powers.row(i) = DampingPolynomial::powers(share * likelihood.data().greatest_restitution,
-                                                  static_cast<int>(count) - 1)
-                            .transpose();
+        powers.row(i) =
+            DampingPolynomial::powers(share * greatest_restitution, static_cast<int>(count) - 1).transpose();
     }
     return powers.inverse();
 }
 
-Eigen::VectorXd prepended(double first, const Eigen::VectorXd& rest) {
-    Eigen::VectorXd all(rest.size() + 1);
-    all << first, rest;
-    return all;
+/// Coefficients as a linear function of variables in which -ln L has a curvature near one.
+struct Chart {
+    Eigen::VectorXd center;
+    Eigen::MatrixXd scales;
+
+    [[nodiscard]] Eigen::VectorXd coefficients(const Eigen::VectorXd& z) const { return center + scales * z; }
+};
+
+gsl::SmoothFunction in_chart(const ImpactLikelihood& likelihood, const Chart& chart) {
+    return {[&likelihood, &chart](const Eigen::VectorXd& z) -> gsl::SmoothFunction::Value {
+        const auto at = likelihood.at(chart.coefficients(z));
+        if (!at) return {std::numeric_limits<double>::infinity(), Eigen::VectorXd::Zero(z.size())};
+        return {at->value, chart.scales.transpose() * at->gradient};
+    }};
 }
 
-/// -2 ln L with the first value, eta(0), held.
-double least_with(const RestitutionLikelihood& likelihood, const Eigen::MatrixXd& to_coefficients,
-                  const Eigen::VectorXd& start) {
-    if (start.size() == 1) return likelihood.rows(to_coefficients * start).residuals.squaredNorm();
-    const auto coefficients = [&](const Eigen::VectorXd& others) -> Eigen::VectorXd {
-        return to_coefficients * prepended(start[0], others);
-    };
-    const Eigen::MatrixXd by_others = to_coefficients.rightCols(start.size() - 1);
-    return gsl::fit_nonlinear(
-               {.residuals =
-                    [&](const Eigen::VectorXd& x) { return likelihood.rows(coefficients(x)).residuals; },
-                .jacobian = [&](const Eigen::VectorXd& x) -> Eigen::MatrixXd {
-                    return likelihood.rows(coefficients(x)).jacobian * by_others;
-                }},
-               start.tail(start.size() - 1), {.parameter_tolerance = 1e-4, .gradient_tolerance = 1e-9})
-        .chi_squared;
+/// Curvature of -ln L at the centre of a chart, by differences of the gradient; none at the edge of where
+/// there is a curve.
+std::optional<Eigen::MatrixXd> curvature_of(const ImpactLikelihood& likelihood, const Chart& chart,
+                                            double step) {
+    const gsl::SmoothFunction function = in_chart(likelihood, chart);
+    const Eigen::Index size = chart.scales.cols();
+    Eigen::MatrixXd curvature(size, size);
+    for (Eigen::Index i = 0; i < size; ++i) {
+        const Eigen::VectorXd shift = step * Eigen::VectorXd::Unit(size, i);
+        const auto above = function.evaluate(shift);
+        const auto below = function.evaluate(-shift);
+        if (!std::isfinite(above.value) || !std::isfinite(below.value)) return std::nullopt;
+        curvature.col(i) = (above.gradient - below.gradient) / (2.0 * step);
+    }
+    return 0.5 * (curvature + curvature.transpose());
+}
+
+/// Scales of variables in which that curvature is one; directions that bend the wrong way or hardly at all
+/// are taken as hardly bent.
+Eigen::MatrixXd scales_of(const Eigen::MatrixXd& curvature) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(curvature);
+    const double least = 1e-6 * eigen.eigenvalues().cwiseAbs().maxCoeff();
+    const Eigen::VectorXd size = eigen.eigenvalues().cwiseAbs().cwiseMax(least).cwiseSqrt();
+    return eigen.eigenvectors() * size.cwiseInverse().asDiagonal();
+}
+
+/// Scales of all coefficients but the first, given the first.
+Eigen::MatrixXd scales_without_first(const Eigen::MatrixXd& covariance) {
+    const Eigen::Index others = covariance.rows() - 1;
+    Eigen::MatrixXd scales = Eigen::MatrixXd::Zero(others + 1, others);
+    if (others == 0) return scales;
+    const Eigen::VectorXd along = covariance.col(0).tail(others) / covariance(0, 0);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(covariance.bottomRightCorner(others, others) -
+                                                               covariance(0, 0) * along * along.transpose());
+    scales.bottomRows(others) =
+        eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+    return scales;
+}
+
+/// A chart around a start, by the curvature there.
+Chart chart_around(const ImpactLikelihood& likelihood, const Eigen::VectorXd& start) {
+    const double small = 2e-4 * std::abs(start[0]);
+    Chart values{start,
+                 small * coefficients_from_values(likelihood.data().greatest_restitution, start.size())};
+    const auto curvature = curvature_of(likelihood, values, 1.0);
+    if (curvature) values.scales *= scales_of(*curvature);
+    return values;
+}
+
+/// Least -ln L within a chart, which is centred there; none where the search ends elsewhere.
+/// @param next the chart to go on with from the centre reached
+template <class NextChart>
+std::optional<double> descend(ImpactLikelihood& likelihood, Chart& chart, NextChart&& next) {
+    constexpr int rounds = 4;
+    for (int i = 0; i < rounds; ++i) {
+        likelihood.move_to(chart.center);
+        chart = next();
+        const gsl::Minimum minimum =
+            gsl::minimise(in_chart(likelihood, chart), Eigen::VectorXd::Zero(chart.scales.cols()),
+                          {.first_step = 0.3, .most_iterations = 30});
+        chart.center = chart.coefficients(minimum.place);
+        if (minimum.converged) return minimum.value;
+    }
+    return std::nullopt;
 }
 
 }  // namespace
 
-Eigen::VectorXd maximise(const RestitutionLikelihood& likelihood, const Eigen::VectorXd& start) {
-    const Eigen::MatrixXd to_coefficients = coefficients_from_values(likelihood, start.size());
+Eigen::VectorXd closest(const ContactModel& model, const RestitutionData& data,
+                        const Eigen::VectorXd& start) {
+    const RestitutionDistances distances(model, data);
+    const Eigen::MatrixXd to_coefficients = coefficients_from_values(data.greatest_restitution, start.size());
     const Eigen::VectorXd values = to_coefficients.partialPivLu().solve(start);
     const gsl::NonlinearFit fit = gsl::fit_nonlinear(
-        {.residuals =
-             [&](const Eigen::VectorXd& x) { return likelihood.rows(to_coefficients * x).residuals; },
+        {.residuals = [&](const Eigen::VectorXd& x) { return distances.rows(to_coefficients * x).residuals; },
          .jacobian = [&](const Eigen::VectorXd& x) -> Eigen::MatrixXd {
-             return likelihood.rows(to_coefficients * x).jacobian * to_coefficients;
+             return distances.rows(to_coefficients * x).jacobian * to_coefficients;
          }},
-        values, {.parameter_tolerance = 1e-5, .gradient_tolerance = 1e-9});
+        values, {.parameter_tolerance = 1e-8, .gradient_tolerance = 1e-12});
     return to_coefficients * fit.parameters;
 }
 
-Eigen::VectorXd maximise_from(const RestitutionLikelihood& likelihood,
-                              const std::vector<Eigen::VectorXd>& starts) {
-    Eigen::VectorXd best;
-    double least = std::numeric_limits<double>::infinity();
-    for (const Eigen::VectorXd& start : starts) {
-        Eigen::VectorXd found;
-        try {
-            found = maximise(likelihood, start);
-        } catch (const ConvergenceError&) {
-            continue;  // another start may do
-        }
-        const double reached = likelihood.rows(found).residuals.squaredNorm();
-        if (reached < least) {
-            least = reached;
-            best = found;
-        }
-    }
-    if (best.size() == 0) throw ConvergenceError("the fit of the damping curve did not converge");
-    return best;
-}
-
-Eigen::VectorXd raised(const Eigen::VectorXd& coefficients, int order) {
-    Eigen::VectorXd result = Eigen::VectorXd::Zero(order + 1);
-    result.head(coefficients.size()) = coefficients;
-    return result;
-}
-
-Eigen::VectorXd maximise_upwards(const RestitutionLikelihood& likelihood, int order) {
-    constexpr int direct = 2;
-    const Eigen::VectorXd start = order <= direct
-                                      ? starting_coefficients(likelihood.model(), likelihood.data(), order)
-                                      : raised(maximise_upwards(likelihood, order - 1), order);
-    return maximise(likelihood, start);
-}
-
-Eigen::VectorXd maximise_robustly(const ContactModel& model, RestitutionData& data, Eigen::VectorXd start) {
-    const std::vector<double> ones(data.rebounds.size(), 1.0);
+Eigen::VectorXd closest_robustly(const ContactModel& model, RestitutionData& data, Eigen::VectorXd start) {
+    RestitutionData plain = data;
     for (int i = 0; i < 50; ++i) {
-        const RestitutionLikelihood plain(model, {data.rebounds, ones, {}, data.greatest_restitution});
-        const Eigen::VectorXd weights =
-            gsl::bisquare_weights(plain.rows(start).residuals, static_cast<int>(start.size()));
+        const Eigen::VectorXd weights = gsl::bisquare_weights(
+            RestitutionDistances(model, plain).rows(start).residuals, static_cast<int>(start.size()));
         double change = 0.0;
-        for (std::size_t j = 0; j < ones.size(); ++j) {
+        for (std::size_t j = 0; j < data.weights.size(); ++j) {
             const double weight = weights[static_cast<Eigen::Index>(j)];
             change = std::max(change, std::abs(weight - data.weights[j]));
             data.weights[j] = weight;
         }
         if (change < 1e-4) break;
-        start = maximise(RestitutionLikelihood(model, data), start);
+        start = closest(model, data, start);
     }
     return start;
 }
 
-Interval profile_critical_damping(const RestitutionLikelihood& likelihood, const Eigen::VectorXd& best,
+LikelihoodMaximum maximise(ImpactLikelihood& likelihood, const Eigen::VectorXd& start) {
+    Chart chart{start, {}};
+    const auto value = descend(likelihood, chart, [&] { return chart_around(likelihood, chart.center); });
+    if (!value) throw ConvergenceError("the likelihood of the damping curve has no maximum");
+    likelihood.move_to(chart.center);
+    const auto curvature = curvature_of(likelihood, chart, 0.02);
+    if (!curvature)
+        throw ConvergenceError("the most likely damping curve is at the edge of what is possible");
+    const Eigen::MatrixXd deviations = chart.scales * scales_of(*curvature);
+    return {chart.center, *value, deviations * deviations.transpose()};
+}
+
+LikelihoodMaximum maximise_from(ImpactLikelihood& likelihood, const std::vector<Eigen::VectorXd>& starts) {
+    std::optional<LikelihoodMaximum> best;
+    std::string reason;
+    for (const Eigen::VectorXd& start : starts) {
+        try {
+            LikelihoodMaximum found = maximise(likelihood, start);
+            if (!best || found.value < best->value) best = std::move(found);
+        } catch (const ConvergenceError& error) {
+            reason = error.what();  // another start may do
+        }
+    }
+    if (!best) throw ConvergenceError(reason);
+    return *best;
+}
+
+Interval profile_critical_damping(ImpactLikelihood& likelihood, const LikelihoodMaximum& best,
                                   double quantile) {
-    const auto information = likelihood.information(best);
-    const Eigen::MatrixXd covariance = information.covariance();
-    const RestitutionLikelihood::Information same{information.curvature, information.curvature};
-    const Eigen::MatrixXd of_curvature = same.covariance();
-    // Evidence that is counted twice makes the likelihood too narrow; its rise is taken by as much higher.
-    const double correction = std::max(1.0, covariance(0, 0) / of_curvature(0, 0));
-    const Eigen::VectorXd along = of_curvature.col(0) / of_curvature(0, 0);
-    const double least = likelihood.rows(best).residuals.squaredNorm();
-    const Eigen::MatrixXd to_coefficients = coefficients_from_values(likelihood, best.size());
-    const Eigen::MatrixXd to_values = to_coefficients.inverse();
-    const auto profile = [&](double value) {
-        const Eigen::VectorXd start = best + (value - best[0]) * along;
-        return least_with(likelihood, to_coefficients, to_values * start) - least;
+    const Eigen::VectorXd along = best.covariance.col(0) / best.covariance(0, 0);
+    const Eigen::MatrixXd scales = scales_without_first(best.covariance);
+    const auto profile = [&](double critical_damping) {
+        Chart chart{best.coefficients + (critical_damping - best.coefficients[0]) * along, scales};
+        if (!RestitutionCurve::of(likelihood.model(), {chart.center}, likelihood.data().greatest_restitution))
+            return std::numeric_limits<double>::max();
+        if (scales.cols() == 0) return 2.0 * (likelihood.at(chart.center)->value - best.value);
+        const auto value = descend(likelihood, chart, [&] { return chart; });
+        if (!value) throw ConvergenceError("the profile likelihood of the damping did not converge");
+        return 2.0 * (*value - best.value);
     };
-    return profile_interval(profile, {.best = best[0],
-                                      .deviation = std::sqrt(covariance(0, 0)),
-                                      .rise = quantile * quantile * correction,
+    return profile_interval(profile, {.best = best.coefficients[0],
+                                      .deviation = std::sqrt(best.covariance(0, 0)),
+                                      .rise = quantile * quantile,
                                       .quantile = quantile,
-                                      .least = 1e-3 * best[0],
-                                      .greatest = 1e3 * best[0]});
+                                      .least = 1e-3 * best.coefficients[0],
+                                      .greatest = 1e3 * best.coefficients[0]});
 }
 
 }  // namespace ashimpact

@@ -2,6 +2,7 @@
 
 #include "materials/error.hpp"
 #include "solver/gsl/linear_fit.hpp"
+#include "solver/uncertainty/restitution_curve.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -79,13 +80,20 @@ Eigen::VectorXd starting_coefficients(const ContactModel& model, const Restituti
     throw ConvergenceError("no damping curve through the measurements could be started");
 }
 
-std::vector<ImpactOutcome> outcomes_of(const MeasurementSet& set, double scatter) {
-    std::vector<ImpactOutcome> outcomes;
+std::vector<CapturedImpact> captures_of(const MeasurementSet& set) {
+    std::vector<CapturedImpact> captures;
     for (const Measurement& point : set.points) {
-        const double u = scatter * (point.noise ? std::sqrt(point.noise->incident) : 1.0);
-        outcomes.push_back({point.velocity, u, point.captured()});
+        if (point.captured())
+            captures.push_back({point.velocity, point.noise ? std::sqrt(point.noise->incident) : 1.0});
     }
-    return outcomes;
+    return captures;
+}
+
+RestitutionData RestitutionData::with_noise_scaled(double factor) const {
+    RestitutionData result = *this;
+    for (Measurement& point : result.rebounds) point.noise = point.noise->scaled(factor);
+    for (CapturedImpact& capture : result.captures) capture.standard_uncertainty *= std::sqrt(factor);
+    return result;
 }
 
 }  // namespace ashimpact

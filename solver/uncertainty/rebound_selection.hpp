@@ -1,6 +1,9 @@
 #pragma once
 
-#include "solver/uncertainty/restitution_likelihood.hpp"
+#include "solver/measurement/contact_model.hpp"
+#include "solver/uncertainty/restitution_data.hpp"
+
+#include <Eigen/Dense>
 
 #include <cstddef>
 #include <vector>
@@ -19,7 +22,7 @@ struct ExcludedRebound {
 
 /// The rebounds of a set that a fit can use, and where they stand in it.
 struct ReboundSelection {
-    RestitutionData data;  ///< without outcomes; noise that is not known is 1 m/s
+    RestitutionData data;  ///< without captures; noise that is not known is 1 m/s
     std::vector<std::size_t> indices;
     std::vector<ExcludedRebound> excluded;
     bool noise_known;
@@ -35,7 +38,7 @@ void require_enough(const ReboundSelection& selection, const MeasurementSet& set
 [[nodiscard]] Eigen::VectorXd starting_coefficients(const ContactModel& model, const RestitutionData& data,
                                                     int order);
 
-/// What the outcomes of all impacts say, with the noise enlarged by @p scatter.
-[[nodiscard]] std::vector<ImpactOutcome> outcomes_of(const MeasurementSet& set, double scatter);
+/// The captures of a set; noise that is not known is 1 m/s.
+[[nodiscard]] std::vector<CapturedImpact> captures_of(const MeasurementSet& set);
 
 }  // namespace ashimpact

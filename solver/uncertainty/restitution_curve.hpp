@@ -2,6 +2,7 @@
 
 #include "solver/measurement/contact_model.hpp"
 #include "solver/measurement/measurement.hpp"
+#include "solver/numeric/chebyshev.hpp"
 #include "solver/uncertainty/damping_polynomial.hpp"
 
 #include <Eigen/Dense>
@@ -31,6 +32,11 @@ class RestitutionCurve {
     [[nodiscard]] Place at(double e) const;
     [[nodiscard]] const DampingPolynomial& damping() const { return damping_; }
     [[nodiscard]] double greatest_restitution() const { return greatest_; }
+
+    /// Axis of the cube root of e, in which the curve is a Chebyshev series.
+    [[nodiscard]] static ChebyshevAxis axis(double greatest_restitution);
+    /// The series of ln v and of ln dv/d(eta).
+    [[nodiscard]] const auto& series() const { return coefficients_; }
 
     /// The point of the curve nearest to a measurement, in units of its noise.
     struct Projection {

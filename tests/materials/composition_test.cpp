@@ -85,6 +85,26 @@ TEST_CASE("four ways to state it give the same sample") {
     CHECK(relative_difference(none.components[1].weight_fraction, 0.8) < 1e-15);
 }
 
+TEST_CASE("a remainder of nothing is noted: the fractions may be those of the crystalline part") {
+    const Composition all = paper({.phases = crystalline, .amorphous = AmorphousRemainder{}});
+    CHECK(holds(all.notes.back(), "the phases leave 0 % for the amorphous part: are the fractions of the"));
+    const Composition half = paper({.phases = crystalline, .amorphous = AmorphousRemainder{.scale = 0.5}});
+    for (const std::string& note : half.notes) CHECK(!holds(note, "the phases leave"));
+}
+
+TEST_CASE("errors about phases name their place in the file") {
+    const auto analysis = [](const char* second) {
+        return Analysis{.phases = {{.name = "quartz", .fraction = 0.5, .place = "line 4"},
+                                   {.name = second, .fraction = 0.5, .place = "line 7"}},
+                        .amorphous = AmorphousNone{}};
+    };
+    CHECK(refused(analysis("SiO2")) ==
+          "line 7: \"quartz\" and \"SiO2\" are the same phase, quartz; allowed: each phase once");
+    CHECK(holds(refused(analysis("mulite")), "line 7: no phase is called \"mulite\" (nearest: mullite, "));
+    Analysis many{.phases = std::vector<PhaseFraction>(1001, {.name = "quartz", .place = "line 9"})};
+    CHECK(refused(many) == "line 9: the sample has 1001 phases; allowed: 1000 or fewer");
+}
+
 TEST_CASE("fractions by volume go the other way") {
     const Composition composition =
         paper({.phases = crystalline, .basis = FractionBasis::volume, .amorphous = AmorphousNone{}});
@@ -151,7 +171,7 @@ TEST_CASE("what does not close or makes no sense is refused in one line") {
                 "120 % of the sample"));
     CHECK(holds(refused({.phases = {{.name = "quartz", .fraction = 0.5}, {.name = "SiO2", .fraction = 0.5}},
                          .amorphous = AmorphousNone{}}),
-                "\"SiO2\" and \"quartz\" are the same phase, quartz"));
+                "\"quartz\" and \"SiO2\" are the same phase, quartz"));
     CHECK(holds(refused({.phases = {{.name = "quartz", .fraction = 0.5}, {.name = "glass", .fraction = 0.5}},
                          .amorphous = AmorphousFraction{.value = 0.5}}),
                 "listed among the phases and stated again"));

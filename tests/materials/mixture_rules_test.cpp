@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <cmath>
 #include <random>
 #include <vector>
 
@@ -91,6 +92,63 @@ TEST_CASE("a single phase keeps its moduli under every rule, and an absent one c
     const std::array e{1e9, 224.9e9};
     CHECK(parallel_young_modulus(v, e) == 224.9e9);
     CHECK(relative_difference(series_young_modulus(v, e), 224.9e9) < 1e-15);
+}
+
+TEST_CASE(
+    "pores are a phase without stiffness: nothing is left of the lower bound, the upper one is finite") {
+    const std::array v{0.8, 0.2};
+    const std::array phases{isotropic_moduli(90e9, 0.2), IsotropicModuli{}};
+    for (const auto& softest : {hashin_shtrikman_lower(v, phases), reuss_moduli(v, phases)}) {
+        CHECK(softest.bulk == 0);
+        CHECK(softest.shear == 0);
+        CHECK(young_modulus(softest) == 0);
+    }
+    // K0 = 50 GPa, G0 = 37.5 GPa = 3K0/4: K = G0 4/3 0.8/(1 + 0.2) = 100/3, and G falls by the same factor
+    // 2/3
+    CHECK(relative_difference(hashin_shtrikman_upper(v, phases).bulk, 100e9 / 3) < 1e-14);
+    CHECK(relative_difference(hashin_shtrikman_upper(v, phases).shear, 25e9) < 1e-14);
+    // a liquid has no shear modulus, but its bulk modulus counts
+    const std::array wet{isotropic_moduli(90e9, 0.2), IsotropicModuli{.bulk = 2.2e9, .shear = 0}};
+    const IsotropicModuli lower = hashin_shtrikman_lower(v, wet);
+    CHECK(relative_difference(lower.bulk, 1e9 / (0.8 / 50 + 0.2 / 2.2)) < 1e-14);
+    CHECK(lower.shear == 0);
+}
+
+TEST_CASE("Walpole's form is Hashin and Shtrikman's own (1963, Eqs. 4.1 to 4.4) for two phases") {
+    const IsotropicModuli soft{.bulk = 37.8e9, .shear = 44.3e9};    // quartz
+    const IsotropicModuli stiff{.bulk = 170.9e9, .shear = 87.8e9};  // mullite
+    for (const double f : {0.01, 0.3, 0.77}) {
+        const std::array v{1 - f, f};
+        const std::array phases{soft, stiff};
+        const auto bound = [&](const IsotropicModuli& a, const IsotropicModuli& b, double vb) {
+            const double va = 1 - vb;
+            return IsotropicModuli{
+                .bulk = a.bulk + vb / (1 / (b.bulk - a.bulk) + 3 * va / (3 * a.bulk + 4 * a.shear)),
+                .shear = a.shear +
+                         vb / (1 / (b.shear - a.shear) +
+                               6 * va * (a.bulk + 2 * a.shear) / (5 * a.shear * (3 * a.bulk + 4 * a.shear)))};
+        };
+        const IsotropicModuli lower = bound(soft, stiff, f);
+        const IsotropicModuli upper = bound(stiff, soft, 1 - f);
+        CHECK(relative_difference(hashin_shtrikman_lower(v, phases).bulk, lower.bulk) < 1e-14);
+        CHECK(relative_difference(hashin_shtrikman_lower(v, phases).shear, lower.shear) < 1e-14);
+        CHECK(relative_difference(hashin_shtrikman_upper(v, phases).bulk, upper.bulk) < 1e-14);
+        CHECK(relative_difference(hashin_shtrikman_upper(v, phases).shear, upper.shear) < 1e-14);
+    }
+}
+
+TEST_CASE(
+    "phases that are not well ordered, with a liquid: Mavko, Mukerji & Dvorkin, The Rock Physics Handbook, "
+    "4.1") {
+    // quartz, calcite, water at a porosity of 27 %; the book prints K 26.9 and 7.1, G 24.6 and 0 GPa
+    const std::array v{0.584, 0.146, 0.27};
+    const std::array phases{IsotropicModuli{.bulk = 36e9, .shear = 45e9},
+                            IsotropicModuli{.bulk = 75e9, .shear = 31e9},
+                            IsotropicModuli{.bulk = 2.2e9, .shear = 0}};
+    CHECK(std::abs(hashin_shtrikman_upper(v, phases).bulk - 26.9e9) < 0.05e9);
+    CHECK(std::abs(hashin_shtrikman_upper(v, phases).shear - 24.6e9) < 0.05e9);
+    CHECK(std::abs(hashin_shtrikman_lower(v, phases).bulk - 7.1e9) < 0.05e9);
+    CHECK(hashin_shtrikman_lower(v, phases).shear == 0);
 }
 
 TEST_CASE("10,000 random compositions: the order of the rules") {

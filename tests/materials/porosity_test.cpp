@@ -12,10 +12,11 @@ namespace ashimpact::test {
 
 namespace {
 
-constexpr PorousModuli ash{.young_modulus = 148.126e9, .poisson_ratio = 0.23};
+constexpr PorousModuli dense_ash{.young_modulus = 148.126e9, .poisson_ratio = 0.23};
 
 double ratio(PorosityLaw law, double p, std::optional<double> b = {}) {
-    return porous_moduli(ash, {.law = law, .value = p, .coefficient = b}).young_modulus / ash.young_modulus;
+    return porous_moduli(dense_ash, {.law = law, .value = p, .coefficient = b}).young_modulus /
+           dense_ash.young_modulus;
 }
 
 }  // namespace
@@ -30,7 +31,8 @@ TEST_CASE("each law by hand at a porosity of 0.2") {
     const double g0 = 148.126e9 / 2.46;
     const double k = k0 * 0.8 / (1 + 0.15 * k0 / g0);
     const double g = g0 * 0.8 / (1 + 1.2 * (k0 + 2 * g0) / (9 * k0 + 8 * g0));
-    const PorousModuli porous = porous_moduli(ash, {.law = PorosityLaw::hashin_shtrikman, .value = 0.2});
+    const PorousModuli porous =
+        porous_moduli(dense_ash, {.law = PorosityLaw::hashin_shtrikman, .value = 0.2});
     CHECK(relative_difference(porous.young_modulus, 9 * k * g / (3 * k + g)) < 1e-13);
     CHECK(relative_difference(*porous.poisson_ratio, (3 * k - 2 * g) / (6 * k + 2 * g)) < 1e-13);
 }
@@ -61,7 +63,7 @@ TEST_CASE("outside of its validity a law warns, outside of reason it refuses") {
           "the porosity 0.6 is outside the validity of the law coble-kingery, 0 to 0.5");
     CHECK(holds(porosity_warning({.law = PorosityLaw::gibson_ashby, .value = 0.3}), "0.7 to 1"));
     const auto refused = [](const Porosity& porosity) {
-        return refusal([&] { return porous_moduli(ash, porosity); });
+        return refusal([&] { return porous_moduli(dense_ash, porosity); });
     };
     CHECK(refused({.value = 1}) == "porosity is 1; allowed: 0 <= porosity < 1");
     CHECK(refused({.value = -0.1}) == "porosity is -0.1; allowed: 0 <= porosity < 1");

@@ -14,7 +14,7 @@ namespace ashimpact::test {
 
 namespace {
 
-std::string message(const char* text, Dimension dimension) {
+std::string json_message(const char* text, Dimension dimension) {
     try {
         static_cast<void>(read_quantity(json::parse(text), dimension));
     } catch (const InputError& error) {
@@ -51,17 +51,20 @@ TEST_CASE("what is written is read back to the bit") {
 }
 
 TEST_CASE("a wrong quantity is refused with a pointer to the wrong part") {
-    CHECK(message("true", Dimension::length).find("allowed: a number in m") != std::string::npos);
-    CHECK(message("[1]", Dimension::length).find("not a quantity") != std::string::npos);
-    CHECK(message(R"({"value": 1})", Dimension::length).find("\"unit\" is missing") != std::string::npos);
-    CHECK(message(R"({"unit": "m"})", Dimension::length).find("\"value\" is missing") != std::string::npos);
-    CHECK(message(R"({"value": "1", "unit": "m"})", Dimension::length).starts_with("/value: not a number"));
-    CHECK(message(R"({"value": 1, "unit": 3})", Dimension::length).starts_with("/unit: not a string"));
-    CHECK(message(R"({"value": 1, "unit": "kg"})", Dimension::length).find("not one of length") !=
+    CHECK(json_message("true", Dimension::length).find("allowed: a number in m") != std::string::npos);
+    CHECK(json_message("[1]", Dimension::length).find("not a quantity") != std::string::npos);
+    CHECK(json_message(R"({"value": 1})", Dimension::length).find("\"unit\" is missing") !=
           std::string::npos);
-    CHECK(message(R"({"value": 1, "unit": "m", "unc": 3})", Dimension::length)
+    CHECK(json_message(R"({"unit": "m"})", Dimension::length).find("\"value\" is missing") !=
+          std::string::npos);
+    CHECK(json_message(R"({"value": "1", "unit": "m"})", Dimension::length)
+              .starts_with("/value: not a number"));
+    CHECK(json_message(R"({"value": 1, "unit": 3})", Dimension::length).starts_with("/unit: not a string"));
+    CHECK(json_message(R"({"value": 1, "unit": "kg"})", Dimension::length).find("not one of length") !=
+          std::string::npos);
+    CHECK(json_message(R"({"value": 1, "unit": "m", "unc": 3})", Dimension::length)
               .starts_with("/unc: unknown key"));
-    CHECK(message(R"({"value": 1, "unit": "m", "standard_uncertainty": -3})", Dimension::length)
+    CHECK(json_message(R"({"value": 1, "unit": "m", "standard_uncertainty": -3})", Dimension::length)
               .starts_with("/standard_uncertainty: "));
 }
 

@@ -1,6 +1,5 @@
 #include <doctest/doctest.h>
 
-#include <chrono>
 #include <random>
 #include <string>
 #include <vector>
@@ -26,13 +25,12 @@ std::string refused(const std::string& text) {
     return refusal([&] { return read_xrd(text, "ash.lst"); });
 }
 
-/// One line, with the file and a line number or JSON pointer.
+/// One line, with the file and a line number.
 bool well_formed(const std::string& message) {
     constexpr std::string_view file = "ash.lst: ";
     if (!message.starts_with(file) || message.find('\n') != std::string::npos || message.size() > 600)
         return false;
     std::string_view rest = std::string_view(message).substr(file.size());
-    if (rest.starts_with('/')) return rest.find(": ") != std::string_view::npos;
     if (!rest.starts_with("line ")) return false;
     rest.remove_prefix(5);
     return rest.front() >= '1' && rest.front() <= '9' && rest.find(": ") != std::string_view::npos;
@@ -64,15 +62,32 @@ TEST_CASE("empty, blank, binary and unknown files") {
     CHECK(holds(refused("10.00 512\n10.02 498\n10.04 530\n"), "allowed: a BGMN/Profex .lst, a GSAS-II .lst"));
 }
 
-TEST_CASE("100 MB of one line is refused at once") {
+TEST_CASE("100 MB of one line is refused, wherever it stands") {
     std::string text = "phase,weight\n";
     text.resize(100'000'000, 'x');
-    const auto start = std::chrono::steady_clock::now();
-    CHECK(refused(text) ==
-          "ash.lst: line 2: the line is longer than a megabyte; allowed: a text file with lines");
-    CHECK(refused("{" + text) ==
-          "ash.lst: line 2: the line is longer than a megabyte; allowed: a text file with lines");
-    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(5));
+    const std::string too_long =
+        "ash.lst: line 2: the line is longer than a megabyte; allowed: a text file with lines";
+    CHECK(refused(text) == too_long);
+    CHECK(refused("{" + text) == too_long);
+}
+
+TEST_CASE("a file of too many lines, bytes or cells is refused where it becomes too long") {
+    const auto repeated = [](const std::string& line, int count) {
+        std::string text;
+        for (int i = 0; i < count; ++i) text += line;
+        return text;
+    };
+    const std::string too_long =
+        "the file is too long for an XRD result; allowed: 100000 lines and 16 MB or less";
+    CHECK(refused("phase,wt%\n" + repeated("Quartz,1\n", 100'000)) == "ash.lst: line 100001: " + too_long);
+    CHECK(refused(repeated("x=1\r\n", 100'001)) == "ash.lst: line 100001: " + too_long);
+    CHECK(refused(repeated("x=1\r", 100'001)) == "ash.lst: line 100001: " + too_long);
+    std::string long_line(900'000, 'x');
+    long_line.back() = '\n';
+    CHECK(refused(repeated(long_line, 20)) == "ash.lst: line 19: " + too_long);
+    const std::string row = repeated(",0", 100'000) + "\n";
+    CHECK(holds(refused("sample" + repeated(",Quartz", 100'000) + "\n" + repeated("s" + row, 6)),
+                "line 6: the table is too large for an XRD result; allowed: 500000 cells or fewer"));
 }
 
 TEST_CASE("malformed BGMN lists") {
@@ -94,6 +109,17 @@ TEST_CASE("malformed BGMN lists") {
                 "line 2: there is no block of a phase: the file seems to be cut off"));
     CHECK(holds(refused(block("Quartz", "GEWICHT=UNDEF")), "no phase has a weight"));
     CHECK(holds(refused(block("Quartz", "GEWICHT=0")), "no phase has a weight"));
+    CHECK(holds(refused(with(list, "XrayDensity=2.648", "XrayDensity=0")), "line 24: XrayDensity is 0"));
+    const std::string two = block("Quartz", "GEWICHT=0.6") + block("Mullite", "GEWICHT=0.4015");
+    CHECK(refused(two).empty());
+    const std::string goals = "Global parameters and GOALs\nQQuartz=0.6+-0.01\nQMullite=0.4+-0.01\n\n" +
+                              block("Quartz", "GEWICHT=0.6") + block("Mullite", "GEWICHT=");
+    const std::string open_end = goals.substr(0, goals.size() - 2);
+    CHECK(holds(refused(open_end), "a GEWICHT without an end"));
+    CHECK(holds(refused(open_end + "0.4"), "a GEWICHT without an end"));
+    CHECK(refused(open_end + "0.4+-0.01").empty());
+    CHECK(holds(refused(two.substr(0, two.size() - 4)),
+                "line 9: the last line is a GEWICHT without an end: the file seems to be cut off"));
     CHECK(holds(refused(block("", "GEWICHT=1")), "line 1: the heading has no phase name"));
 }
 
@@ -121,18 +147,21 @@ TEST_CASE("malformed GSAS-II lists") {
 TEST_CASE("malformed tables") {
     CHECK(holds(refused("phase,weight\n"), "line 1: there are no lines below the heading"));
     CHECK(holds(refused("phase,weight\nQuartz,0.5\nQuartz,0.5\n"),
-                "line 3: the phase \"Quartz\" is there twice in sample \"\", first in line 2"));
+                "line 3: the phase \"Quartz\" is there twice in the sample, first in line 2"));
     CHECK(holds(refused("phase,wt%\nQuartz,60\nMullite,50\n"),
-                "line 3: the fractions of sample \"\" add up to 110 % or more"));
+                "line 3: the fractions of the sample add up to 110 % or more"));
     CHECK(holds(refused("phase,wt%\nQuartz,160\n"), "line 2: the amount of \"Quartz\" is 160 %"));
     CHECK(holds(refused("phase,wt%\nQuartz,-3\n"), "line 2: the amount of \"Quartz\" is -3 %"));
     CHECK(holds(refused("phase,wt%\nQuartz,much\n"), "line 2: cannot read \"much\""));
+    CHECK(holds(refused("phase,wt%\nQuartz,60\nMullite,"), "line 3: the last line stops before its amount"));
+    CHECK(
+        holds(refused("sample,phase,wt%\na,Quartz,60\na,Quartz,4\n"), "is there twice in the sample \"a\""));
     CHECK(holds(refused("phase,wt%\nQuartz,inf\n"), "line 2: cannot read \"inf\""));
     CHECK(holds(refused("phase,wt%\nQuartz\n"), "line 2: the line has 1 cells, the heading has 2"));
     CHECK(holds(refused("phase,wt%\nQuartz,12,5\n"), "line 2: the line has 3 cells, the heading has 2"));
     CHECK(holds(refused("phase,wt%\n\"Quartz,12\n"), "line 2: a quote is not closed"));
     CHECK(holds(refused("phase,wt%\n,12\n"), "line 2: the line names no phase"));
-    CHECK(holds(refused("phase,wt%\nQuartz,n.d.\n"), "line 2: the sample \"\" has no phase with an amount"));
+    CHECK(holds(refused("phase,wt%\nQuartz,n.d.\n"), "line 2: the sample has no phase with an amount"));
     CHECK(holds(refused("phase,wt%\nQuartz,60\nGlass,40\nTotal,99\n"),
                 "line 4: the total is given as 99 %, the phases above add up to 100 %"));
     CHECK(holds(refused("phase,wt%,vol%\nQuartz,60,50\n"),
@@ -165,11 +194,14 @@ TEST_CASE("malformed JSON results") {
     };
     const std::string quartz = R"({"name": "Quartz", "weight_fraction": 0.6})";
     CHECK(holds(refused("{\"samples\": [\n"), "line 2"));
+    CHECK(holds(refused("{\n \"samples\": [ {\n \"name\": \"a]\\\"\", \"phases\": [\n\n"
+                        " {\"name\": \"Quartz\",\n \"weight_fraction\": 60}]}]}"),
+                "line 6: /samples/0/phases/0/weight_fraction: the fraction is 60"));
     CHECK(holds(refused(R"({"samples": []})"), "/samples: no samples"));
     CHECK(holds(refused(R"([1, 2])"), "/: not an object"));
     CHECK(holds(refused(R"({"samples": [], "x": 1})"), "/x: unknown key"));
     CHECK(holds(refused(phases(quartz + "," + quartz)),
-                "/samples/0/phases/1: the phase \"Quartz\" is there twice"));
+                "line 1: /samples/0/phases/1: the phase \"Quartz\" is there twice"));
     CHECK(holds(refused(phases(quartz + R"(,{"name": "Mullite", "weight_fraction": 0.7})")),
                 "/samples/0/phases: the fractions add up to 130 %"));
     CHECK(holds(refused(phases(R"({"name": "Quartz", "weight_fraction": 60})")),

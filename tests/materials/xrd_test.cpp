@@ -73,6 +73,31 @@ TEST_CASE("the internal standard turns it into fractions of the whole ash") {
                 "% of the sample are crystalline"));
 }
 
+TEST_CASE("the uncertainty of the weighing goes into the scale of an internal standard") {
+    const XrdSample mixture = read("fa07-corundum.lst").samples[0];
+    const auto scale_uncertainty = [&](std::optional<double> weighing) {
+        const XrdSample sample = with_internal_standard(mixture, "corundum", 0.1, weighing);
+        return *std::get<AmorphousRemainder>(sample.analysis.amorphous).standard_uncertainty;
+    };
+    // p = w/(c (1 - w)): u(w)/(w (1 - w)) = 0.001/0.09 beside u(c)/c = 0.0011/0.1187
+    CHECK(relative_difference(scale_uncertainty(0.001),
+                              0.842459983 * std::hypot(0.001 / 0.09, 0.0011 / 0.1187)) < 1e-8);
+    const std::string table = "phase,wt%,standard [%]\nQuartz,90,\nCorundum,10,5.0(1)\n";
+    const XrdSample read_sample = read_xrd(table, "t.csv").samples[0];
+    const auto& remainder = std::get<AmorphousRemainder>(read_sample.analysis.amorphous);
+    CHECK(relative_difference(*remainder.standard_uncertainty, 0.05 / (0.1 * 0.95) * 0.001 / (0.05 * 0.95)) <
+          1e-12);
+}
+
+TEST_CASE("phases keep the place at which their file has them") {
+    CHECK(read("fa07-corundum.lst").samples[0].analysis.phases[1].place == "line 50");
+    CHECK(read("fa07-gsas2.lst").samples[0].analysis.phases[1].place == "line 37");
+    CHECK(read("long-percent.csv").samples[0].analysis.phases[1].place == "line 4");
+    CHECK(read("peaks.csv").samples[0].analysis.phases[1].place == "line 4");
+    CHECK(read("samples.json").samples[0].analysis.phases[1].place == "line 7: /samples/0/phases/1");
+    CHECK(read("samples.json").samples[2].analysis.phases[1].place == "line 23: /samples/2/peaks/1");
+}
+
 TEST_CASE("a BGMN list with CRLF, UNDEF, ERROR, mean values and missing uncertainties") {
     const XrdResult result = read("fa12-crlf-undef.lst");
     REQUIRE(result.samples.size() == 1);

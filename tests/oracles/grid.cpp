@@ -4,7 +4,7 @@ namespace ashimpact::oracles {
 
 namespace {
 
-struct Row {
+struct GridPoint {
     Law law;
     double radius;            // [m]
     double density;           // [kg/m3]
@@ -14,7 +14,7 @@ struct Row {
     double velocity;          // [m/s]
 };
 
-constexpr Row rows[] = {
+constexpr GridPoint rows[] = {
     {Law::hertz, 4.4e-05, 2600, 9e+10, 0, 0, 2},         {Law::hertz, 4.4e-05, 2600, 9e+10, 0, 0.00538, 2},
     {Law::hertz, 4.4e-05, 2600, 9e+10, 0, 0.0161, 2},    {Law::hertz, 4.4e-05, 2600, 9e+10, 0, 0.00613, 0.3},
     {Law::hertz, 4.8e-05, 2300, 7.5e+10, 0, 0.0178, 10}, {Law::hertz, 5.2e-05, 2200, 1e+11, 0, 0.00374, 20},
@@ -44,7 +44,7 @@ constexpr Row rows[] = {
 
 std::vector<ImpactCase> grid() {
     std::vector<ImpactCase> impacts;
-    for (const Row& row : rows)
+    for (const GridPoint& row : rows)
         impacts.push_back(
             {.law = row.law,
              .detachment = row.law == Law::jkr ? Detachment::load_controlled : Detachment::zero_overlap,

@@ -100,11 +100,57 @@ const Spoiled spoiled_cases[]{
     {"no samples", [](Json& c) { c["samples"] = Json::array(); }, "/samples",
      "allowed: a list of at least one sample"},
     {"columns of different length", [](Json& c) { c["samples"][1]["restitution"]["restitution"] = {0.1}; },
-     "/samples/1/restitution/restitution", "has 1 values, velocity has 10"},
+     "/samples/1/restitution/restitution", "has 1 values, velocity has 20"},
     {"restitution above one", [](Json& c) { c["samples"][1]["restitution"]["restitution"][3] = 1.2; },
      "/samples/1/restitution", "point 4: restitution is 1.2; allowed: 0 <= restitution < 1"},
     {"negative velocity", [](Json& c) { c["samples"][1]["restitution"]["velocity"]["values"][0] = -1; },
      "/samples/1/restitution", "point 1: velocity is -1 m/s"},
+    {"rebound velocity faster than the impact, without uncertainty",
+     [](Json& c) {
+         c["samples"][1]["restitution"] = {{"velocity", {1.0, 2.0}}, {"rebound_velocity", {0.2, 2.5}}};
+     },
+     "/samples/1/restitution", "point 2: restitution is 1.25"},
+    {"uncertainty of one velocity only",
+     [](Json& c) { c["samples"][1]["restitution"]["velocity_uncertainty"] = std::vector<double>(20, 0.1); },
+     "/samples/1/restitution", "velocity_uncertainty with rebound_uncertainty"},
+    {"uncertainty of zero",
+     [](Json& c) {
+         c["samples"][1]["restitution"]["velocity_uncertainty"] = std::vector<double>(20, 0.0);
+         c["samples"][1]["restitution"]["rebound_uncertainty"] = std::vector<double>(20, 0.1);
+     },
+     "/samples/1/restitution", "an uncertainty is not a finite number > 0"},
+    {"restitution both ways",
+     [](Json& c) { c["samples"][1]["restitution"]["rebound_velocity"] = std::vector<double>(20, 0.1); },
+     "/samples/1/restitution", "given in more than one way"},
+    {"columns beside a file", [](Json& c) { c["samples"][0]["restitution"]["velocity_uncertainty"] = {0.1}; },
+     "/samples/0/restitution/velocity_uncertainty", "belongs to velocities of the case"},
+    {"camera of a reconstruction",
+     [](Json& c) {
+         c["samples"][0]["restitution"] = {
+             {"camera", {{"frame_rate", 80000}, {"pixel_size", "2 um"}}},
+             {"reconstruct", {{"from", 0.1}, {"to", 0.5}, {"points", 5}, {"reference_law", "dmt"}}}};
+     },
+     "/samples/0/restitution/camera", "belongs to measured impacts"},
+    {"camera without pixels",
+     [](Json& c) {
+         c["camera"] = {{"frame_rate", 80000}};
+     },
+     "/camera", "\"pixel_size\" is missing"},
+    {"camera with a pixel of no size",
+     [](Json& c) {
+         c["camera"] = {{"frame_rate", 80000}, {"pixel_size", 0}};
+     },
+     "/camera", "pixel size of the camera [m] is 0"},
+    {"bins of both kinds",
+     [](Json& c) {
+         c["samples"][0]["restitution"]["binning"] = {{"impacts_per_bin", 3}, {"width", "0.1 m/s"}};
+     },
+     "/samples/0/restitution/binning", "binning by both or neither"},
+    {"order of a fit too high",
+     [](Json& c) {
+         c["fit"] = {{"order", 9}};
+     },
+     "/fit/order", "allowed: 1 to 6"},
     {"file that is not there", [](Json& c) { c["samples"][0]["restitution"]["file"] = "none.csv"; },
      "/samples/0/restitution/file", "none.csv: cannot be read: No such file"},
     {"XRD sample that is not there", [](Json& c) { c["samples"][0]["composition"]["xrd_sample"] = "x"; },
@@ -233,6 +279,16 @@ TEST_CASE("wrong options: exit 2, one line that names the option") {
                      contact,
                  "cannot treat law 'thornton-ning'"},
              Wrong{"damping --law dmt --velocity 2 --restitution 1.5" + contact, "1.5"},
+             Wrong{"damping --law dmt" + contact, "--velocity: is missing"},
+             Wrong{"damping --law dmt --velocity 2" + contact, "--restitution: is missing"},
+             Wrong{"damping --law dmt --velocity 2 --impacts x.csv" + contact,
+                   "--impacts: a table of impacts and a single one are both given"},
+             Wrong{"damping --law dmt --impacts x.csv" + contact, "x.csv: cannot be read"},
+             Wrong{"damping --law dmt --velocity 2 --restitution 0.1 --bin 3" + contact,
+                   "belong to a table of impacts"},
+             Wrong{"damping --law dmt --impacts x.csv --damping-law tsuji" + contact,
+                   "--damping-law: a series of impacts is read with constant damping"},
+             Wrong{"cross-check none.json", "none.json: cannot be read"},
              Wrong{"thornton-ning", "unknown command"},
              Wrong{"impact --law thornton-ning --velocity 2" + contact, "--yield-pressure: is missing"},
              Wrong{"run --from fitt",
@@ -242,6 +298,9 @@ TEST_CASE("wrong options: exit 2, one line that names the option") {
              Wrong{"modulus none.csv", "none.csv: cannot be read"},
              Wrong{"inspect none.json", "none.json: cannot be read"},
              Wrong{"schema cases", "no schema is called \"cases\""},
+             Wrong{"calibrate --free density --free density:each", "--free: \"density\" is given twice"},
+             Wrong{"impact --law dmt --velocity 1e308" + contact, "allowed: 1e-40 to 1e40"},
+             Wrong{"critical-velocity --law dmt --damping 1e300" + contact, "allowed: 0, or 1e-40 to 1e40"},
              Wrong{"calibrate --free speed", "--free: unknown constant \"speed\"; allowed: density"},
          }) {
         CAPTURE(wrong.arguments);

@@ -4,7 +4,6 @@
 
 #include "pipeline/case/case_json.hpp"
 #include "pipeline/case/case_reader.hpp"
-#include "pipeline/case/impact_table.hpp"
 #include "pipeline/case/laws.hpp"
 #include "pipeline/json/schema.hpp"
 #include "tests/pipeline/sandbox.hpp"
@@ -28,15 +27,6 @@ Json normalised_again(const Json& normalised) {
     validate_document(normalised, "case");
     InputFiles none = InputFiles::beside({});
     return case_json(read_case(View(normalised), PhaseCatalogue({}), none));
-}
-
-std::string table_message(const char* text) {
-    try {
-        static_cast<void>(read_impact_table(text));
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return {};
 }
 
 }  // namespace
@@ -151,25 +141,75 @@ TEST_CASE("published values come from a file of the user as well") {
     CHECK(read.inputs.size() == 4);  // case, paper.json, ash.csv, impacts.csv
 }
 
-TEST_CASE("tables of impacts: units in the heading, any separator, ratio or rebound velocity") {
-    const auto data = read_impact_table("v_in (cm/s); e_n\n200; 0,25\n# a remark\n\n400;0.5\n");
-    CHECK(data.velocity == std::vector<double>{2.0, 4.0});
-    CHECK(data.restitution == std::vector<double>{0.25, 0.5});
-    const auto rebound =
-        read_impact_table("nr,velocity [m/s],rebound_velocity [mm/s]\r\n1,2,500\r\n2,4,0\r\n");
-    CHECK(rebound.restitution == std::vector<double>{0.25, 0.0});
-    CHECK(read_impact_table("velocity\trestitution\n1\t0.1\n").velocity == std::vector<double>{1.0});
+TEST_CASE("measured impacts come from a table, with its warnings and its mistakes by line") {
+    const Sandbox sandbox;
+    test::write_example(sandbox, test::example_case());
+    sandbox.write("impacts.csv", "nr;v_in [cm/s];v_r [mm/s]\n1;200;500\n2;400;0\n");
+    const LoadedCase read = load_case(sandbox.path("case.json"));
+    const auto& data = std::get<MeasuredRestitution>(read.data.samples[0].restitution.value());
+    CHECK(data.source.find("80000 frames/s") != std::string::npos);
+    REQUIRE(data.impacts.points.size() == 2);
+    CHECK(data.impacts.points[0].velocity == 2.0);
+    CHECK(data.impacts.points[0].restitution() == 0.25);
+    CHECK(data.impacts.points[1].captured());
+    CHECK(read.warnings.size() == 1);  // the column nr is left out
+
+    sandbox.write("impacts.csv", "v_in [m/s],v_r [m/s]\n2,0.5\n4,x\n");
+    try {
+        static_cast<void>(load_case(sandbox.path("case.json")));
+        FAIL("a table with a word for a number was taken");
+    } catch (const InputError& error) {
+        const std::string expected = sandbox.path("case.json") +
+                                     ": /samples/0/restitution/file: " + sandbox.path("impacts.csv") +
+                                     ": line 3: ";
+        CHECK_MESSAGE(std::string(error.what()).starts_with(expected), error.what());
+    }
 }
 
-TEST_CASE("a table that is no table of impacts says the line") {
-    CHECK(table_message("velocity [m/s],restitution\n1,0.1\n2,x\n")
-              .starts_with("line 3: \"x\" is not a number"));
-    CHECK(table_message("velocity [m/s],restitution\n1,0.1\n2\n")
-              .starts_with("line 3: the line has too few columns"));
-    CHECK(table_message("speed,e\n1,2\n").starts_with("line 1: the heading lacks a column"));
-    CHECK(table_message("velocity [kg],restitution\n1,0.1\n").starts_with("line 2: the unit \"kg\""));
-    CHECK(table_message("velocity [m/s],restitution\n").find("nothing under it") != std::string::npos);
-    CHECK(table_message("velocity\n1\n").starts_with("line 1: the heading has one column"));
+TEST_CASE("the camera of the case gives an uncertainty to impacts that have none; bins make it smaller") {
+    const Sandbox sandbox;
+    Json document = test::example_case();
+    document["camera"] = {{"frame_rate", 80000}, {"pixel_size", "2 um"}, {"frames", 3}};
+    document["samples"][1]["restitution"]["binning"] = {{"impacts_per_bin", 6}};
+    test::write_example(sandbox, document);
+    const LoadedCase read = load_case(sandbox.path("case.json"));
+    const auto& fine = std::get<MeasuredRestitution>(read.data.samples[0].restitution.value());
+    // slope of a line through three positions, 1/sqrt(12) pixel each: 2e-6/sqrt(12) 8e4 sqrt(12/24)
+    const double u = 2e-6 * 8e4 / std::sqrt(24.0);
+    REQUIRE(fine.impacts.has_noise());
+    CHECK(relative_difference(std::sqrt(fine.impacts.points[0].noise->incident), u) < 1e-5);
+    const auto& coarse = std::get<MeasuredRestitution>(read.data.samples[1].restitution.value());
+    REQUIRE(coarse.impacts.points.size() == 5);  // two captures and 18 rebounds in sixes
+    CHECK(coarse.impacts.captures() == 2);
+    CHECK(coarse.impacts.points[2].count == 6);
+    CHECK(relative_difference(std::sqrt(coarse.impacts.points[2].noise->rebound), u / std::sqrt(6.0)) < 1e-5);
+}
+
+TEST_CASE("the complete case reads back as the same impacts, with their uncertainties") {
+    const Sandbox sandbox;
+    Json document = test::example_case();
+    document.erase("camera");
+    Json& data = document["samples"][1]["restitution"];
+    data["velocity_uncertainty"] = std::vector<double>(20, 0.02);
+    data["restitution_uncertainty"] = std::vector<double>(20, 0.01);
+    test::write_example(sandbox, document);
+    const Case first = load_case(sandbox.path("case.json")).data;
+    sandbox.write("again.json", case_json(first).dump());
+    const Case second = load_case(sandbox.path("again.json")).data;
+    for (std::size_t s = 0; s < 2; ++s) {
+        const auto& a = std::get<MeasuredRestitution>(first.samples[s].restitution.value()).impacts;
+        const auto& b = std::get<MeasuredRestitution>(second.samples[s].restitution.value()).impacts;
+        REQUIRE(a.points.size() == b.points.size());
+        CHECK(a.has_noise() == b.has_noise());
+        CHECK(a.has_noise() == (s == 1));
+        for (std::size_t i = 0; i < a.points.size(); ++i) {
+            CHECK(a.points[i].velocity == b.points[i].velocity);
+            CHECK(a.points[i].rebound == b.points[i].rebound);
+            if (!a.has_noise()) continue;
+            CHECK(relative_difference(a.points[i].noise->rebound, b.points[i].noise->rebound) < 1e-13);
+            CHECK(std::abs(a.points[i].noise->covariance - b.points[i].noise->covariance) < 1e-17);
+        }
+    }
 }
 
 TEST_CASE("laws know whether they attract and whether they yield") {

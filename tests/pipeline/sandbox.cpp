@@ -78,4 +78,10 @@ void write_example(const Sandbox& sandbox, const Json& document) {
         sandbox.write(name, std::string(embedded_file(std::string("cases/example/") + name).value()));
 }
 
+Artifacts computed_from(const Json& document, std::string_view last) {
+    const Sandbox sandbox;
+    write_example(sandbox, document);
+    return compute_artifacts(sandbox.path("case.json"), last);
+}
+
 }  // namespace ashimpact::test

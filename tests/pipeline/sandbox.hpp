@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pipeline/json/document.hpp"
+#include "pipeline/run.hpp"
 
 namespace ashimpact::test {
 
@@ -50,5 +51,8 @@ struct Finished {
 
 /// Puts the example's case and the files it names into the sandbox.
 void write_example(const Sandbox& sandbox, const Json& document);
+
+/// The artifacts of that case, with the example's files beside it.
+[[nodiscard]] Artifacts computed_from(const Json& document, std::string_view last = "comparison");
 
 }  // namespace ashimpact::test

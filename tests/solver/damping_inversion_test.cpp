@@ -111,6 +111,47 @@ TEST_CASE("the greatest restitution belongs to no damping, and inverts to it") {
     }
 }
 
+TEST_CASE("just below the greatest restitution there is just a little damping") {
+    for (const ContactCase& c : contact_cases()) {
+        const double greatest = damping_from_restitution(problem_of(c, 0.3, 2.0, 0.5)).greatest_restitution;
+        CAPTURE(name_of(c));
+        const auto damping_at = [&](double loss) {
+            return damping_from_restitution(problem_of(c, 0.3, 2.0, greatest - loss)).damping.coefficient;
+        };
+        const double ulp = greatest - std::nextafter(greatest, 0.0);
+        // Restitution falls in proportion to so little damping; the greatest one is itself rounded by half an
+        // ulp.
+        const double slope = damping_at(std::ldexp(ulp, 26)) / std::ldexp(ulp, 26);
+        for (const int bits : {0, 1, 4, 10, 20}) {
+            const double loss = std::ldexp(ulp, bits);
+            CAPTURE(bits);
+            CHECK(std::abs(damping_at(loss) / slope - loss) <= 0.51 * ulp + 1e-6 * loss);
+        }
+    }
+}
+
+TEST_CASE("however small the restitution, no damping is nearer than a few numbers") {
+    for (const ContactCase& c : contact_cases()) {
+        CAPTURE(name_of(c));
+        for (const double e : {1e-3, 1e-6, 1e-9}) {
+            // Without end by capture restitution falls for ever; its powers of damping are not the point
+            // here.
+            if (!has_capturing_damping(c)) continue;
+            // Hertz with Tsuji's damping: see above.
+            if (c.law == Law::of<Hertz>() && c.damping_law == DampingLaw::tsuji && e < 1e-6) continue;
+            CAPTURE(e);
+            const DampingProblem problem = problem_of(c, 0.3, 2.0, e);
+            const double found = damping_from_restitution(problem).damping.coefficient;
+            const double little = 8 * std::numeric_limits<double>::epsilon();
+            const auto restitution_at = [&](double damping) {
+                return solve_impact(impact_with(problem, damping)).restitution;
+            };
+            CHECK(restitution_at(found * (1.0 + little)) <= e);
+            CHECK(restitution_at(found * (1.0 - little)) >= e);
+        }
+    }
+}
+
 TEST_CASE("an unreachable restitution is refused with the reachable range") {
     const auto message = [](const DampingProblem& problem) {
         return input_error_of([&] { static_cast<void>(damping_from_restitution(problem)); });

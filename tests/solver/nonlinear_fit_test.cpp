@@ -4,56 +4,87 @@
 
 #include <array>
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "materials/error.hpp"
 #include "tests/relative_difference.hpp"
+#include "tests/support/data_file.hpp"
 
 using namespace ashimpact;
-using ashimpact::test::relative_difference;
+using namespace ashimpact::test;
 
 namespace {
 
-/// NIST StRD nonlinear regression, Misra1a (D. Misra 1978, dental research in monomolecular adsorption):
-/// volume y over pressure x, y = b1 (1 - exp(-b2 x)).
-/// https://www.itl.nist.gov/div898/strd/nls/data/misra1a.shtml
-constexpr std::array<double, 14> volume{10.07, 14.73, 17.94, 23.93, 29.61, 35.18, 40.02,
-                                        44.82, 50.76, 55.05, 61.01, 66.40, 75.47, 81.78};
-constexpr std::array<double, 14> pressure{77.6,  114.9, 141.1, 190.8, 239.9, 289.0, 332.8,
-                                          378.4, 434.8, 477.3, 536.8, 593.1, 689.1, 760.0};
+using Model = double (*)(const Eigen::VectorXd& b, double x);
 
+double misra1a(const Eigen::VectorXd& b, double x) {
+    return b[0] * (1.0 - std::exp(-b[1] * x));
+}
+
+double thurber(const Eigen::VectorXd& b, double x) {
+    return (b[0] + x * (b[1] + x * (b[2] + x * b[3]))) / (1.0 + x * (b[4] + x * (b[5] + x * b[6])));
+}
+
+double mgh09(const Eigen::VectorXd& b, double x) {
+    return b[0] * (x * x + x * b[1]) / (x * x + x * b[2] + b[3]);
+}
+
+Eigen::VectorXd vector_of(const nlohmann::json& column) {
+    const auto values = column.get<std::vector<double>>();
+    return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+/// A problem of NIST's Statistical Reference Datasets, tests/data/nist.
 struct Certified {
-    double value;
-    double standard_deviation;
-};
-constexpr Certified certified_b1{2.3894212918e+02, 2.7070075241e+00};
-constexpr Certified certified_b2{5.5015643181e-04, 7.2668688436e-06};
-constexpr double certified_sum_of_squares = 1.2455138894e-01;
-constexpr double certified_deviation = 1.0187876330e-01;
+    Model model;
+    nlohmann::json data;
+    Eigen::VectorXd x = vector_of(data["x"]);
+    Eigen::VectorXd y = vector_of(data["y"]);
 
-Eigen::VectorXd misra(const Eigen::VectorXd& b) {
-    Eigen::VectorXd residuals(static_cast<Eigen::Index>(volume.size()));
-    for (std::size_t i = 0; i < volume.size(); ++i) {
-        residuals[static_cast<Eigen::Index>(i)] = b[0] * (1.0 - std::exp(-b[1] * pressure[i])) - volume[i];
+    [[nodiscard]] Eigen::VectorXd residuals(const Eigen::VectorXd& b) const {
+        Eigen::VectorXd r(x.size());
+        for (Eigen::Index i = 0; i < x.size(); ++i) r[i] = model(b, x[i]) - y[i];
+        return r;
     }
-    return residuals;
+    [[nodiscard]] double number(const char* key) const { return data[key].get<double>(); }
+};
+
+Certified misra_problem() {
+    return {&misra1a, data_file("nist/misra1a.json")};
+}
+
+/// Six digits in everything that is certified, from one published start.
+void check_certified(const Certified& problem, const Eigen::VectorXd& start) {
+    const gsl::NonlinearFit fit = gsl::fit_nonlinear(
+        [&](const Eigen::VectorXd& b) { return problem.residuals(b); }, start, {.most_iterations = 2000});
+    const Eigen::VectorXd parameters = vector_of(problem.data["parameters"]);
+    const Eigen::VectorXd deviations = vector_of(problem.data["standard_deviations"]);
+    const double deviation = std::sqrt(fit.chi_squared / problem.number("degrees_of_freedom"));
+    CHECK(relative_difference(fit.chi_squared, problem.number("residual_sum_of_squares")) < 1e-9);
+    CHECK(relative_difference(deviation, problem.number("residual_standard_deviation")) < 1e-9);
+    for (Eigen::Index i = 0; i < parameters.size(); ++i) {
+        CAPTURE(i);
+        CHECK(relative_difference(fit.parameters[i], parameters[i]) < 1e-6);
+        CHECK(relative_difference(deviation * std::sqrt(fit.covariance(i, i)), deviations[i]) < 1e-6);
+    }
+    CHECK(relative_difference(fit.residuals.squaredNorm(), fit.chi_squared) < 1e-14);
 }
 
 }  // namespace
 
-TEST_CASE("NIST Misra1a: certified parameters, sum of squares and standard deviations, from both starts") {
-    for (const Eigen::Vector2d& start : {Eigen::Vector2d(500.0, 1e-4), Eigen::Vector2d(250.0, 5e-4)}) {
-        const gsl::NonlinearFit fit = gsl::fit_nonlinear(misra, start);
-        CHECK(relative_difference(fit.parameters[0], certified_b1.value) < 1e-8);
-        CHECK(relative_difference(fit.parameters[1], certified_b2.value) < 1e-8);
-        CHECK(relative_difference(fit.chi_squared, certified_sum_of_squares) < 1e-9);
-        const double deviation = std::sqrt(fit.chi_squared / 12.0);
-        CHECK(relative_difference(deviation, certified_deviation) < 1e-9);
-        CHECK(relative_difference(deviation * std::sqrt(fit.covariance(0, 0)),
-                                  certified_b1.standard_deviation) < 1e-6);
-        CHECK(relative_difference(deviation * std::sqrt(fit.covariance(1, 1)),
-                                  certified_b2.standard_deviation) < 1e-6);
-        CHECK(relative_difference(fit.residuals.squaredNorm(), fit.chi_squared) < 1e-14);
-        CHECK(fit.iterations > 1);
+TEST_CASE("NIST StRD: certified values to six digits from both published starts") {
+    const std::array<Certified, 3> problems{misra_problem(),
+                                            Certified{&thurber, data_file("nist/thurber.json")},
+                                            Certified{&mgh09, data_file("nist/mgh09.json")}};
+    for (const Certified& problem : problems) {
+        CAPTURE(problem.data["model"].get<std::string>());
+        REQUIRE(problem.data["starts"].size() == 2);
+        for (const nlohmann::json& start : problem.data["starts"]) {
+            CAPTURE(start.dump());
+            check_certified(problem, vector_of(start));
+        }
     }
 }
 
@@ -74,15 +105,18 @@ TEST_CASE("an exact model is recovered at any scale") {
 }
 
 TEST_CASE("too few iterations are a failure, not an answer") {
+    const Certified misra = misra_problem();
     CHECK_THROWS_AS(
-        static_cast<void>(gsl::fit_nonlinear(misra, Eigen::Vector2d(500.0, 1e-4), {.most_iterations = 1})),
+        static_cast<void>(gsl::fit_nonlinear([&](const Eigen::VectorXd& b) { return misra.residuals(b); },
+                                             Eigen::Vector2d(500.0, 1e-4), {.most_iterations = 1})),
         ConvergenceError);
 }
 
 TEST_CASE("what the residuals throw comes out of GSL unchanged") {
-    const auto throwing = [](const Eigen::VectorXd& b) -> Eigen::VectorXd {
+    const Certified misra = misra_problem();
+    const auto throwing = [&](const Eigen::VectorXd& b) -> Eigen::VectorXd {
         if (b[0] != 500.0) throw InputError("no such parameter");
-        return misra(b);
+        return misra.residuals(b);
     };
     CHECK_THROWS_WITH_AS(static_cast<void>(gsl::fit_nonlinear(throwing, Eigen::Vector2d(500.0, 1e-4))),
                          "no such parameter", InputError);

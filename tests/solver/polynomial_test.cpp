@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "solver/numeric/power.hpp"
@@ -87,4 +88,20 @@ TEST_CASE("powers by multiplication and their roots") {
     CHECK(relative_difference(root<3>(power<3>(x)), x) < 1e-15);
     CHECK(relative_difference(root<4>(power<4>(x)), x) < 1e-15);
     CHECK(relative_difference(root<6>(power<6>(x)), x) < 1e-15);
+}
+
+TEST_CASE("an upper bound between two points is above every value there, and close on a short stretch") {
+    for (const Polynomial<double>& p :
+         {cubic, quadratic, polynomial({0.3}), polynomial({-1.0, 0.0, 0.0, 0.0, 2.0})}) {
+        for (const double a : points) {
+            for (const double width : {3.0, 0.2, 1e-4}) {
+                double greatest = p(a);
+                for (int i = 0; i <= 100; ++i) greatest = std::max(greatest, p(a + width * i / 100.0));
+                const double bound = p.upper_bound(a, a + width);
+                CHECK(bound >= greatest - 1e-13 * std::abs(greatest));
+                CHECK(bound - greatest <= 40.0 * width * width + 1e-13 * std::abs(greatest));
+            }
+        }
+    }
+    CHECK(quadratic.upper_bound(1.0, 2.0) == quadratic(2.0));  // reached at an end
 }

@@ -9,6 +9,7 @@
 
 #include "materials/contact_properties.hpp"
 #include "solver/critical_velocity.hpp"
+#include "solver/scale.hpp"
 #include "solver/trajectory.hpp"
 #include "solver/velocity_scales.hpp"
 #include "tests/relative_difference.hpp"
@@ -101,17 +102,34 @@ struct Branches {
         const double elastic = yield > touch ? integral(power, touch, yield, size) : 0.0;
         return elastic + (a > yield ? integral(power, yield, a, size) : 0.0);
     }
+    /// Radius R_p of the sphere flattened by loading to a [m].
+    [[nodiscard]] double flattened_radius(double a) const { return stiffness() * a * a * a / hertz_part(a); }
     /// Work given back on unloading from a to the fold of the flattened sphere [J].
     [[nodiscard]] double unloading_work(double a, double size) const {
-        const double flattened = stiffness() * a * a * a / hertz_part(a);  // R_p
+        const double flattened = flattened_radius(a);
         const double fold = std::cbrt(pi * pair.work_of_adhesion * flattened * flattened / stiffness() / 6.0);
+        return unloading_work(a, fold, size);
+    }
+    /// The same from a to the contact radius @p to [J]; the potential where that is none.
+    [[nodiscard]] double unloading_work(double a, double to, double size) const {
+        const double flattened = flattened_radius(a);
         return integral(
             [&](double x) {
                 const double rate = 2.0 * x / flattened -
                                     std::sqrt(pi * pair.work_of_adhesion / (2.0 * pair.contact_modulus * x));
                 return (stiffness() * x * x * x / flattened - adhesive(x)) * rate;
             },
-            fold, a, size);
+            to, a, size);
+    }
+    /// Contact radius beyond yield and touch at which the loading branch carries no force.
+    [[nodiscard]] double loading_equilibrium() const {
+        double lower = std::max(touch_radius(), yield_radius());
+        double upper = 1e3 * lower;
+        for (int i = 0; i < 200; ++i) {
+            const double middle = (lower + upper) / 2.0;
+            (hertz_part(middle) < adhesive(middle) ? lower : upper) = middle;
+        }
+        return lower;
     }
     /// Contact radius of an overlap on the loading branches.
     [[nodiscard]] double radius_of(double target) const {
@@ -304,6 +322,125 @@ TEST_CASE("a trajectory goes through yield and turn without a jump") {
         CHECK(relative_difference(greatest, result.maximum_overlap) < 1e-6);
         CHECK(jump < 5e-3 * force_scale);
         CHECK(radius_jump < 2e-2 * std::sqrt(result.maximum_overlap * impact.contact.effective_radius));
+    }
+}
+
+TEST_CASE("so damped that it never turns, a yielding impact ends at rest on the loading branch") {
+    ContactPair by_adhesion = ammonium_fluorescein();
+    by_adhesion.yield_pressure = 25e6;  // yields at first touch
+    for (const ContactPair& pair : {ammonium_fluorescein(), by_adhesion}) {
+        const Branches branches{pair};
+        Impact impact = undamped(pair, 0.5);
+        impact.damping.coefficient = Scale::of(pair, 0.5).damping_coefficient(DampingLaw::constant, 20.0);
+        CAPTURE(describe(impact));
+        const ImpactResult result = solve_impact(impact);
+        const double a = branches.loading_equilibrium();
+        CHECK(result.outcome == Outcome::capture);
+        CHECK(result.yielded);
+        CHECK(!result.approach_time);
+        CHECK(relative_difference(result.maximum_overlap, branches.overlap(a)) < 1e-12);
+        const EnergyLedger& energy = result.energy;
+        const double size = energy.incident;
+        const double loaded = branches.loading_work(a, size);
+        const double potential = branches.unloading_work(a, 0.0, size);
+        CHECK(energy.remaining == 0.0);
+        CHECK(std::abs(energy.potential - potential) < 1e-12 * size);
+        CHECK(energy.potential == energy.minimum);
+        CHECK(std::abs(energy.dissipated - (energy.incident - loaded)) < 1e-12 * size);
+        CHECK(std::abs(energy.plastic - (loaded + energy.at_touch - potential)) < 1e-12 * size);
+        CHECK(std::abs(energy.residual) < 1e-15 * size);
+
+        double before = -1.0;
+        for (const TrajectoryPoint& point : trajectory(impact, 301)) {
+            CHECK(point.overlap > before);
+            CHECK(point.velocity > 0.0);
+            const double force =
+                branches.hertz_part(point.contact_radius) - branches.adhesive(point.contact_radius);
+            CHECK(std::abs(point.repulsive_force + point.attractive_force - force) <
+                  1e-9 * branches.adhesive(point.contact_radius));
+            before = point.overlap;
+        }
+        CHECK(before < result.maximum_overlap);
+        CHECK(before > 0.8 * result.maximum_overlap);
+    }
+}
+
+TEST_CASE("where adhesion alone yields the contact, plastic work counts from first touch") {
+    ContactPair pair = ammonium_fluorescein();
+    const double at_limit = pair.yield_pressure * 0.5 / 0.5788;  // u_y = touch
+    const auto yields_at_touch = [&](double p_y) {
+        pair.yield_pressure = p_y;
+        return Branches{pair}.yield_radius() < Branches{pair}.touch_radius();
+    };
+    double lower = 0.9 * at_limit;
+    double upper = 1.1 * at_limit;
+    REQUIRE(yields_at_touch(lower));
+    REQUIRE(!yields_at_touch(upper));
+    for (int i = 0; i < 60; ++i) {
+        const double middle = (lower + upper) / 2.0;
+        (yields_at_touch(middle) ? lower : upper) = middle;
+    }
+    // The ledger is the same on both sides of the limit ...
+    const auto ledger_at = [&](double p_y) {
+        pair.yield_pressure = p_y;
+        return solve_impact(undamped(pair, 3.0)).energy;
+    };
+    const EnergyLedger below = ledger_at(lower * (1.0 - 1e-9));
+    const EnergyLedger above = ledger_at(lower * (1.0 + 1e-9));
+    CHECK(relative_difference(below.at_touch, above.at_touch) < 1e-8);
+    CHECK(relative_difference(below.plastic, above.plastic) < 1e-7);
+    // ... and beyond it starts from the potential of the sphere flattened by the touch.
+    for (const double p_y : {0.95 * lower, 0.8 * lower, 0.5 * lower}) {
+        pair.yield_pressure = p_y;
+        const Branches branches{pair};
+        const EnergyLedger energy = solve_impact(undamped(pair, 3.0)).energy;
+        const double touch = branches.unloading_work(branches.touch_radius(), 0.0, energy.incident);
+        CHECK(std::abs(energy.at_touch - touch) < 1e-12 * energy.incident);
+        CHECK(std::abs(energy.residual) < 1e-15 * energy.incident);
+    }
+}
+
+TEST_CASE("the contact time at v_c is the limit of those just above it") {
+    for (const double p_y : {35.3e6, 50e6, 1e9}) {
+        ContactPair pair = ammonium_fluorescein();
+        pair.yield_pressure = p_y;
+        const CriticalVelocity critical = critical_velocity(
+            {Law::of<ThorntonNing>(), Detachment::pull_off, {DampingLaw::constant, 1e-7}, pair});
+        REQUIRE(critical.contact_time);
+        const auto time_above = [&](double excess) {
+            Impact above = undamped(pair, *critical.value * (1.0 + excess));
+            above.damping.coefficient = 1e-7;
+            return *solve_impact(above).contact_time;
+        };
+        const double coarse = 2.0 * time_above(1e-8) - time_above(4e-8);
+        const double fine = 2.0 * time_above(2.5e-9) - time_above(1e-8);
+        CHECK(relative_difference((4.0 * fine - coarse) / 3.0, *critical.contact_time) < 1e-6);
+    }
+}
+
+TEST_CASE("where damping leaves hardly any speed, impacts still tell the upper crossing") {
+    // Contact-radius damping just below the one that captures all: rebounds of 1e-6 of the velocity.
+    const ContactPair pair{.mass = 1.2082796645224796e-08,
+                           .effective_radius = 1.3172696785230338e-4,
+                           .contact_modulus = 769.715658657e9,
+                           .work_of_adhesion = 0.72974023005461952,
+                           .yield_pressure = 20.027470838169163e9};
+    const Damping damping{DampingLaw::contact_radius, 109487.54399202552};
+    const CriticalVelocity critical =
+        critical_velocity({Law::of<ThorntonNing>(), Detachment::load_controlled, damping, pair});
+    REQUIRE(critical.crossings.size() == 2);
+    CHECK(*critical.value == critical.crossings[0]);
+    bool rebounds = true;  // above the lower one
+    for (const double crossing : critical.crossings) {
+        CAPTURE(crossing);
+        const auto outcome_at = [&](double velocity) {
+            return solve_impact(
+                       {Law::of<ThorntonNing>(), Detachment::load_controlled, damping, pair, velocity})
+                .outcome;
+        };
+        CHECK((outcome_at(crossing * (1.0 + 1e-9)) == Outcome::rebound) == rebounds);
+        CHECK((outcome_at(crossing * (1.0 - 1e-9)) == Outcome::rebound) != rebounds);
+        rebounds = !rebounds;
     }
 }
 

@@ -9,7 +9,7 @@ namespace ashimpact::test {
 
 /// A JSON file of tests/data. @throws std::runtime_error where it cannot be read
 [[nodiscard]] inline nlohmann::json data_file(const std::string& name) {
-    const std::string path = std::string(ASHIMPACT_TEST_DATA) + "/" + name;
+    const std::string path = std::string(ASHIMPACT_TEST_DATA "/").append(name);
     std::ifstream file(path);
     if (!file) throw std::runtime_error("cannot read " + path);
     return nlohmann::json::parse(file);

@@ -1,0 +1,250 @@
+// ./dev bench: one table from one run. What is timed runs on one core, but for the scaling over threads.
+
+#include <benchmark/benchmark.h>
+#include <fmt/core.h>
+#include <CLI/CLI.hpp>
+
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <sstream>
+#include <thread>
+
+#include "bench/dem_rates.hpp"
+#include "bench/machine.hpp"
+#include "bench/measured.hpp"
+#include "bench/multiply_add.hpp"
+#include "bench/peers.hpp"
+#include "bench/population.hpp"
+#include "solver/batch/critical_batch.hpp"
+#include "solver/batch/instruction_set.hpp"
+#include "solver/batch/inversion_batch.hpp"
+
+namespace ashimpact::bench {
+
+namespace {
+
+struct Options {
+    int repetitions = 5;
+    double seconds = 0.3;
+};
+
+constexpr std::int64_t peak_rounds = 2'000'000;
+
+/// Solves one by one and keeps the restitutions.
+std::function<void()> one_by_one(const Population& population, double (*solver)(const Impact&),
+                                 std::vector<double>& out) {
+    return [&population, solver, &out] {
+        for (Eigen::Index i = 0; i < population.impacts.size(); ++i) {
+            out[static_cast<std::size_t>(i)] = solver(population.impacts.at(i));
+        }
+    };
+}
+
+double extended_restitution(const Impact& impact) {
+    return solve_impact(impact).restitution;
+}
+
+std::vector<double> values(const Eigen::ArrayXd& column) {
+    return {column.begin(), column.end()};
+}
+
+void print_row(const std::string& name, double rate, const Errors& errors, double unit) {
+    fmt::print("{:<44}{:>14.0f}{:>12.1e}{:>12.1e}{:>10.2f}\n", name, rate, errors.worst, errors.median,
+               rate / unit);
+}
+
+/// The table of methods: DMT with constant damping.
+void compare_methods(const Options& options) {
+    const Population many = population(Law::of<Dmt>(), Detachment::zero_overlap, DampingLaw::constant, 16384);
+    const Population few = population(Law::of<Dmt>(), Detachment::zero_overlap, DampingLaw::constant, 512);
+    struct Peer {
+        std::string name;
+        double (*solver)(const Impact&);
+        std::vector<double> found{};
+    };
+    std::vector<Peer> peers{{"ashimpact, scalar, extended precision", extended_restitution},
+                            {"ashimpact, scalar, double precision", restitution_of},
+                            {"GSL rk8pd 1e-10", gsl_rk8pd},
+                            {"Boost.odeint fehlberg78 1e-7", odeint_fehlberg78},
+                            {"Boost.odeint dopri5 1e-7", odeint_dopri5},
+                            {"velocity Verlet, 200 steps a contact", velocity_verlet}};
+    std::vector<Subject> subjects;
+    for (Peer& peer : peers) {
+        peer.found.resize(few.restitution.size());
+        subjects.push_back({peer.name, static_cast<double>(few.restitution.size()),
+                            one_by_one(few, peer.solver, peer.found)});
+    }
+    std::map<std::string, double> rates = rates_of(subjects, options.repetitions, options.seconds);
+    const double unit = rates.at("GSL rk8pd 1e-10");
+    fmt::print("\nDMT, constant damping, e >= 0.02{:>26}{:>12}{:>12}{:>10}\n", "impacts/s/core", "worst",
+               "median", "/ GSL");
+    const auto batch = many.impacts.batch();
+    ImpactBatchResult result;
+    for (const std::string_view set : instruction_sets()) {
+        use_instruction_set(set);
+        const std::string name = "ashimpact, batch, " + std::string(set);
+        const auto solve = [&] { solve_impacts(batch, result, {.turning_point = false}); };
+        const double rate = rates_of({{name, static_cast<double>(many.restitution.size()), solve}},
+                                     options.repetitions, options.seconds)
+                                .at(name);
+        print_row(name, rate, errors_of(values(result.restitution), many.restitution), unit);
+    }
+    use_instruction_set({});
+    for (const Peer& peer : peers)
+        print_row(peer.name, rates.at(peer.name), errors_of(peer.found, few.restitution), unit);
+    for (const DemRate& code : dem_rates(options.repetitions))
+        print_row(code.name, code.rate, code.errors, unit);
+}
+
+/// Counts of operations by "law damping-law", from the program that counts them.
+std::map<std::string, double> operation_counts() {
+    std::map<std::string, double> counts;
+    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(ASHIMPACT_OPERATIONS, "r"), pclose);
+    char line[128];
+    while (pipe && std::fgets(line, sizeof line, pipe.get())) {
+        std::istringstream words(line);
+        std::string law;
+        std::string damping;
+        double count = 0.0;
+        words >> law >> damping >> count;
+        counts[law + ' ' + damping] = count;
+    }
+    return counts;
+}
+
+/// Every law: impacts, what share of the core's peak they take, and the inverse problems.
+void compare_laws(const Options& options) {
+    const auto counts = operation_counts();
+    const double peak = rates_of({{"multiply-add", static_cast<double>(multiply_adds(peak_rounds)),
+                                   [] { multiply_adds(peak_rounds); }}},
+                                 options.repetitions, options.seconds)
+                            .at("multiply-add");
+    fmt::print("\npeak of the core, measured: {:.2f} G multiply-adds/s\n", peak / 1e9);
+    fmt::print("\n{:<30}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "batch, best instruction set", "impacts/s",
+               "with turn", "operations", "% of peak", "dampings/s", "v_c/s");
+    for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()}) {
+        for (const DampingName& damping : damping_names) {
+            const Population many = population(law, law.default_detachment(), damping.law, 16384);
+            const ImpactBatch batch = many.impacts.batch();
+            const Eigen::ArrayXd restitution =
+                Eigen::Map<const Eigen::ArrayXd>(many.restitution.data(), std::ssize(many.restitution));
+            const double count = static_cast<double>(many.restitution.size());
+            ImpactBatchResult result;
+            const std::vector<Subject> subjects{
+                {"impacts", count, [&] { solve_impacts(batch, result, {.turning_point = false}); }},
+                {"turn", count, [&] { solve_impacts(batch, result); }},
+                {"dampings", count,
+                 [&] {
+                     benchmark::DoNotOptimize(
+                         dampings_from_restitutions({batch.law, batch.detachment, batch.damping_law,
+                                                     batch.contact, batch.velocity, restitution}));
+                 }},
+                {"critical", count, [&] {
+                     benchmark::DoNotOptimize(critical_velocities(
+                         {batch.law, batch.detachment, batch.damping_law, batch.contact, batch.damping}));
+                 }}};
+            const auto rates = rates_of(subjects, options.repetitions, options.seconds);
+            const std::string name = std::string(law.name()) + ' ' + std::string(damping.name);
+            const double operations = counts.at(name);
+            fmt::print("{:<30}{:>12.0f}{:>12.0f}{:>12.0f}{:>12.1f}{:>12.0f}{:>12.0f}\n", name,
+                       rates.at("impacts"), rates.at("turn"), operations,
+                       100.0 * rates.at("impacts") * operations / peak, rates.at("dampings"),
+                       rates.at("critical"));
+        }
+    }
+}
+
+/// Median wall seconds of a call.
+double wall_seconds(const std::function<void()>& call, int repetitions) {
+    std::vector<double> seconds;
+    for (int i = 0; i < repetitions; ++i) {
+        const auto start = std::chrono::steady_clock::now();
+        call();
+        seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    }
+    std::ranges::sort(seconds);
+    return seconds[seconds.size() / 2];
+}
+
+void multiply_add_on(unsigned threads) {
+    std::vector<std::jthread> crew;
+    for (unsigned i = 0; i < threads; ++i) crew.emplace_back([] { multiply_adds(20 * peak_rounds); });
+}
+
+void compare_threads(const Options& options) {
+    unpin();
+    const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+    const Population many = population(Law::of<Dmt>(), Detachment::zero_overlap, DampingLaw::constant, 16384);
+    std::vector<Eigen::Index> places;
+    for (Eigen::Index i = 0; i < 64 * many.impacts.size(); ++i) places.push_back(i % many.impacts.size());
+    const test::Impacts more = many.impacts.picked(places);
+    const ImpactBatch batch = more.batch();
+    ImpactBatchResult result;
+    const auto solve = [&](int threads) {
+        return wall_seconds(
+            [&] { solve_impacts(batch, result, {.threads = threads, .turning_point = false}); },
+            options.repetitions);
+    };
+    const double ours = solve(1) / solve(static_cast<int>(cores));
+    const double pure = cores * wall_seconds([] { multiply_add_on(1); }, options.repetitions) /
+                        wall_seconds([&] { multiply_add_on(cores); }, options.repetitions);
+    fmt::print("\nscaling over {} threads: impacts {:.2f}, pure multiply-adds {:.2f}, ratio {:.2f}\n", cores,
+               ours, pure, ours / pure);
+}
+
+void measure_start_up(const Options& options) {
+    const std::vector<std::string> impact{ASHIMPACT_PROGRAM,
+                                          "impact",
+                                          "--law",
+                                          "dmt",
+                                          "--radius",
+                                          "44 um",
+                                          "--density",
+                                          "2600 kg/m3",
+                                          "--contact-modulus",
+                                          "90 GPa",
+                                          "--work-of-adhesion",
+                                          "0.3 J/m2",
+                                          "--damping",
+                                          "0.0141 kg/s",
+                                          "--velocity",
+                                          "2 m/s"};
+    const std::vector<std::string> run{ASHIMPACT_PROGRAM, "run", "-o", ASHIMPACT_BENCH_WORK "/run"};
+    fmt::print("start to end: ashimpact impact {:.1f} ms, ashimpact run {:.0f} ms\n",
+               1e3 * start_up_seconds(impact, 4 * options.repetitions + 1),
+               1e3 * start_up_seconds(run, options.repetitions));
+}
+
+void run(const Options& options) {
+    pin_to_one_core();
+    fmt::print("{}; medians of {} repetitions; seconds of CPU time, on one core\n", processor(),
+               options.repetitions);
+    compare_methods(options);
+    compare_laws(options);
+    measure_start_up(options);
+    compare_threads(options);
+}
+
+}  // namespace
+
+}  // namespace ashimpact::bench
+
+int main(int argc, char** argv) {
+    CLI::App app("Measures ashimpact and its peers in one run");
+    ashimpact::bench::Options options;
+    app.add_option("--repetitions", options.repetitions, "of every measurement; the median counts")
+        ->check(CLI::Range(2, 1000))
+        ->capture_default_str();
+    app.add_option("--seconds", options.seconds, "least length of a repetition")->capture_default_str();
+    CLI11_PARSE(app, argc, argv);
+    try {
+        ashimpact::bench::run(options);
+    } catch (const std::exception& error) {
+        std::cerr << "ashimpact_bench: " << error.what() << '\n';
+        return 1;
+    }
+}

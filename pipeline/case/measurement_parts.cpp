@@ -1,0 +1,86 @@
+#include "pipeline/case/measurement_parts.hpp"
+
+#include <fmt/format.h>
+
+#include "materials/checks.hpp"
+#include "pipeline/json/measurement_json.hpp"
+#include "pipeline/text/readable.hpp"
+#include "solver/measurement/binning.hpp"
+#include "solver/measurement/measurement_reader.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+void apply_camera(const Camera& camera, MeasuredRestitution& data) {
+    data.impacts = with_camera(std::move(data.impacts), camera);
+    data.source += fmt::format("; velocities of a camera with {} frames/s and {} a pixel, u = {}",
+                               readable_number(camera.frame_rate, 6), readable(camera.pixel_size, "m"),
+                               readable(camera.velocity_uncertainty(), "m/s"));
+}
+
+void apply_binning(const View& node, MeasuredRestitution& data) {
+    Binning binning;
+    if (const auto count = node.find("impacts_per_bin")) binning.impacts_per_bin = count->integer();
+    if (const auto width = node.find("width")) binning.width = width->number(Dimension::velocity);
+    const std::size_t before = data.impacts.rebounds();
+    data.impacts = node.located([&] { return binned(data.impacts, binning); });
+    data.source += fmt::format("; {} rebounds in {} bins", before, data.impacts.rebounds());
+}
+
+}  // namespace
+
+Camera read_camera(const View& node) {
+    Camera camera{.frame_rate = node.at("frame_rate").number(Dimension::fraction),
+                  .pixel_size = node.at("pixel_size").number(Dimension::length)};
+    if (const auto frames = node.find("frames")) camera.frames = frames->integer();
+    if (const auto position = node.find("position_in_pixels"))
+        camera.position_in_pixels = position->number(Dimension::fraction);
+    node.located([&] { static_cast<void>(camera.velocity_uncertainty()); });
+    return camera;
+}
+
+MeasuredRestitution read_measured(const View& node, InputFiles& files, const std::optional<Camera>& camera) {
+    MeasuredRestitution data{.source = "the case file"};
+    if (const auto file = node.find("file")) {
+        const std::string name = file->text();
+        data.source = name;
+        data.impacts = file->located([&] { return read_measurements(files.read(name), files.shown(name)); });
+    } else {
+        data.impacts = read_measurement_columns(node);
+    }
+    if (const auto source = node.find("source")) data.source = source->text();
+    if (const auto own = node.find("camera"))
+        apply_camera(read_camera(*own), data);
+    else if (camera && !data.impacts.has_noise())
+        apply_camera(*camera, data);
+    const auto place = node.find("file");
+    (place ? *place : node).located([&] { check_impacts(data.impacts); });
+    if (const auto binning = node.find("binning")) apply_binning(*binning, data);
+    return data;
+}
+
+FitChoices read_fit_choices(const std::optional<View>& node) {
+    FitChoices choices;
+    if (!node) return choices;
+    if (const auto order = node->find("order")) choices.order = order->integer();
+    if (const auto order = node->find("direct_order")) choices.direct_order = order->integer();
+    if (const auto robust = node->find("robust")) choices.robust = robust->truth();
+    if (const auto flatness = node->find("flatness"))
+        choices.flatness = flatness->number(Dimension::fraction);
+    if (const auto outlier = node->find("outlier")) choices.outlier = outlier->number(Dimension::fraction);
+    return choices;
+}
+
+UncertaintyChoices read_uncertainty_choices(const std::optional<View>& node) {
+    UncertaintyChoices choices;
+    if (!node) return choices;
+    if (const auto samples = node->find("samples")) choices.propagation.samples = samples->integer();
+    if (const auto count = node->find("replicates")) choices.propagation.replicates = count->integer();
+    if (const auto seed = node->find("seed"))
+        choices.propagation.seed = static_cast<unsigned long>(seed->integer());
+    if (const auto damping = node->find("damping")) choices.reread = damping->text() == "reread";
+    return choices;
+}
+
+}  // namespace ashimpact

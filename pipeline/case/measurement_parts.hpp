@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+
+#include "pipeline/case/case.hpp"
+#include "pipeline/case/input_files.hpp"
+#include "pipeline/json/view.hpp"
+
+namespace ashimpact {
+
+/// The camera that velocities were read from. @throws InputError with the JSON pointer
+[[nodiscard]] Camera read_camera(const View& node);
+
+/// Measured impacts, from columns in the case or a file; @p camera serves impacts whose uncertainty neither
+/// says. @throws InputError with the JSON pointer, or the file and line
+[[nodiscard]] MeasuredRestitution read_measured(const View& node, InputFiles& files,
+                                                const std::optional<Camera>& camera);
+
+/// How measured impacts are fitted, and how what is uncertain goes into v_c; what is absent has its default.
+[[nodiscard]] FitChoices read_fit_choices(const std::optional<View>& node);
+[[nodiscard]] UncertaintyChoices read_uncertainty_choices(const std::optional<View>& node);
+
+}  // namespace ashimpact

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "pipeline/json/view.hpp"
+#include "solver/measurement/measurement.hpp"
+
+namespace ashimpact {
+
+/// The impacts of a series as columns: velocity, restitution (or rebound_velocity, which reads back exactly)
+/// and, where there is something to say, velocity_uncertainty, rebound_uncertainty (standard, of v_in and
+/// v_r), velocity_correlation (of these two errors) and impacts (of which a point is the mean). Restitution 0
+/// is a capture.
+[[nodiscard]] Json measurement_columns(const MeasurementSet& set, bool as_rebound_velocity = false);
+
+/// Reads the same columns; rebound_velocity may stand for restitution, and restitution_uncertainty for
+/// rebound_uncertainty (the errors of v_in and e_n are then taken as independent).
+/// @throws InputError with the JSON pointer for columns that do not go together or impacts that are none
+[[nodiscard]] MeasurementSet read_measurement_columns(const View& node);
+
+/// Checks impacts that are about to be used. A rebound as fast as the impact, or faster, must be so
+/// within three standard uncertainties. @throws InputError naming the point, or its line
+void check_impacts(const MeasurementSet& set);
+
+}  // namespace ashimpact

@@ -1,0 +1,28 @@
+#include "solver/batch/columns.hpp"
+
+#include "materials/error.hpp"
+
+#include <string>
+
+namespace ashimpact {
+
+Eigen::Index common_size(const ContactColumns& contact, const std::vector<NamedColumn>& others) {
+    std::vector<NamedColumn> columns{{"mass", contact.mass.size()},
+                                     {"effective_radius", contact.effective_radius.size()},
+                                     {"contact_modulus", contact.contact_modulus.size()},
+                                     {"work_of_adhesion", contact.work_of_adhesion.size()},
+                                     {"yield_pressure", contact.yield_pressure.size()}};
+    columns.insert(columns.end(), others.begin(), others.end());
+    NamedColumn longest{{}, 1};
+    for (const NamedColumn& column : columns) {
+        if (column.size == 1) continue;
+        if (longest.name.empty()) longest = column;
+        if (column.size == longest.size) continue;
+        throw InputError(
+            "column " + std::string(column.name) + " has " + std::to_string(column.size) + " values",
+            "1, or " + std::to_string(longest.size) + " as column " + std::string(longest.name));
+    }
+    return longest.size;
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,86 @@
+#include "solver/batch/critical_batch.hpp"
+
+#include "materials/error.hpp"
+#include "solver/batch/critical_table.hpp"
+#include "solver/batch/parallel.hpp"
+#include "solver/batch/task.hpp"
+#include "solver/scale.hpp"
+#include "solver/scaled_impact.hpp"
+#include "solver/velocity_scales.hpp"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace ashimpact {
+
+namespace {
+
+constexpr std::size_t chunk_size = 2048;
+
+Damping damping_at(const CriticalVelocityBatch& batch, const batch::Inputs& in, std::size_t i) {
+    return {batch.damping_law, in.damping.at(i)};
+}
+
+/// Verdict and v_c where they take no integration, or none.
+std::optional<CriticalVelocity> quick(const CriticalVelocityBatch& batch, const ContactPair& contact,
+                                      const Damping& damping) {
+    const bool elastic = !can_yield(batch.law, contact);
+    if (!elastic || damping.coefficient == 0.0 || batch.detachment == Detachment::zero_force)
+        return std::nullopt;
+    const double adhesion = velocity_of_adhesion(batch.law, contact);
+    if (adhesion > 0.0) {
+        batch::CriticalTable& table =
+            batch::CriticalTable::of(batch.law, batch.detachment, batch.damping_law);
+        const auto entry = table.at(Scale::of(contact, adhesion).damping_number(damping));
+        if (!entry) return std::nullopt;
+        if (entry->verdict != CaptureVerdict::finite) return CriticalVelocity{.verdict = entry->verdict};
+        return CriticalVelocity{.value = entry->value * adhesion};
+    }
+    if (batch.law == Law::of<Hertz>() && damping.law == DampingLaw::constant) {
+        return CriticalVelocity{.value = hertz_critical_constant * velocity_of_damping(damping, contact)};
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+CriticalVelocityBatchResult critical_velocities(const CriticalVelocityBatch& batch, int threads) {
+    if (const auto reason = refusal(batch.law, batch.detachment)) {
+        throw InputError(*reason, admissible_detachments(batch.law));
+    }
+    const Eigen::Index count = common_size(batch.contact, {{"damping", batch.damping.size()}});
+    batch::Inputs inputs = batch::inputs_of(batch.contact);
+    inputs.damping = batch::input_of(batch.damping);
+    CriticalVelocityBatchResult result;
+    result.verdict.resize(count);
+    result.value.resize(count);
+    batch::FirstFault fault;
+    std::atomic<std::int64_t> scalar = 0;
+    const auto chunk = [&](std::size_t first, std::size_t size) {
+        if (!fault.check(inputs.from(first), first, size)) return;
+        std::int64_t alone = 0;
+        for (std::size_t i = first; i < first + size; ++i) {
+            const ContactPair contact = batch::pair_at(inputs, i);
+            const Damping damping = damping_at(batch, inputs, i);
+            auto critical = quick(batch, contact, damping);
+            if (!critical) {
+                critical = critical_velocity({batch.law, batch.detachment, damping, contact});
+                ++alone;
+            }
+            const auto place = static_cast<Eigen::Index>(i);
+            result.verdict[place] = critical->verdict;
+            result.value[place] = critical->value.value_or(std::numeric_limits<double>::quiet_NaN());
+        }
+        scalar += alone;
+    };
+    batch::for_chunks(static_cast<std::size_t>(count), chunk_size, threads, chunk);
+    result.scalar = scalar;
+    fault.raise([&](std::size_t i) {
+        validate(Impact{batch.law, batch.detachment, damping_at(batch, inputs, i), batch::pair_at(inputs, i),
+                        1.0});
+    });
+    return result;
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "solver/batch/columns.hpp"
+#include "solver/impact.hpp"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+
+namespace ashimpact {
+
+/// Many impacts of one law, one damping law and one detachment.
+struct ImpactBatch {
+    Law law;
+    Detachment detachment;
+    DampingLaw damping_law;
+    ContactColumns contact;
+    Column damping;   ///< coefficient of the damping law [unit of the law]
+    Column velocity;  ///< v_in > 0 [m/s]
+};
+
+struct BatchOptions {
+    int threads = 1;            ///< 0: as many as there are cores
+    bool turning_point = true;  ///< approach time and greatest overlap too; without them a sixth is saved,
+                                ///< and the last bits of the rest differ
+};
+
+/// What the impacts did; NaN where there is nothing: contact time of a capture, approach time of an approach
+/// that never turns, both columns of the turning point where they were not asked for.
+struct ImpactBatchResult {
+    Eigen::Array<Outcome, Eigen::Dynamic, 1> outcome{};
+    Eigen::ArrayXd restitution{};      ///< e_n, 0 for a capture [1]
+    Eigen::ArrayXd contact_time{};     ///< first touch to detachment [s]
+    Eigen::ArrayXd approach_time{};    ///< first touch to greatest overlap [s]
+    Eigen::ArrayXd maximum_overlap{};  ///< greatest overlap, or its supremum where it never turns [m]
+    std::int64_t scalar = 0;  ///< left to solve_impact(): too near capture for double precision, or plastic
+};
+
+/// Solves many impacts, several in each instruction, to |d(e^2)| <= 1e-12 (1 + |U_min|/(m v^2/2)) of
+/// solve_impact().
+///
+/// Every impact goes its own way: its result does not depend, in any bit, on the others, on their number or
+/// order, or on the number of threads. Instruction sets differ within that bound.
+/// @throws InputError for inadmissible input, naming the first impact it concerns
+[[nodiscard]] ImpactBatchResult solve_impacts(const ImpactBatch& batch, const BatchOptions& options = {});
+
+/// As above, into columns that exist already where they have the right length: nothing is allocated then.
+void solve_impacts(const ImpactBatch& batch, ImpactBatchResult& result, const BatchOptions& options = {});
+
+}  // namespace ashimpact

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "solver/batch/columns.hpp"
+#include "solver/damping_inversion.hpp"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+
+namespace ashimpact {
+
+/// Many impacts whose damping coefficient is asked for, of one law, one damping law and one detachment.
+struct DampingBatch {
+    Law law;
+    Detachment detachment;
+    DampingLaw damping_law;
+    ContactColumns contact;
+    Column velocity;     ///< v_in > 0 [m/s]
+    Column restitution;  ///< measured e_n, 0 <= e_n < 1 [1]
+};
+
+struct DampingBatchResult {
+    Eigen::ArrayXd damping{};  ///< coefficient; NaN where no damping gives the restitution [unit of the law]
+    Eigen::ArrayXd greatest_restitution{};  ///< reachable without damping [1]
+    std::int64_t scalar = 0;                ///< left to damping_from_restitution()
+};
+
+/// Dampings from restitutions on the batch solver; a result gives its restitution back within the batch
+/// solver's bound.
+/// @param threads 0: as many as there are cores; no bit of a result depends on it
+/// @throws InputError for inadmissible input, naming the first impact it concerns
+[[nodiscard]] DampingBatchResult dampings_from_restitutions(const DampingBatch& batch, int threads = 1);
+
+}  // namespace ashimpact

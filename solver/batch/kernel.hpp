@@ -1,0 +1,97 @@
+#pragma once
+
+#include "solver/contact/registry.hpp"
+#include "solver/damping/damping.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace ashimpact::batch {
+
+/// One column as the kernels read it.
+struct Input {
+    const double* values = nullptr;
+    bool single = false;  ///< one value for all
+
+    [[nodiscard]] double at(std::size_t i) const { return values[single ? 0 : i]; }
+    [[nodiscard]] Input from(std::size_t i) const {
+        return {single || values == nullptr ? values : values + i, single};
+    }
+};
+
+/// What the problems of a task are given; what its kind does not use stays empty.
+struct Inputs {
+    Input mass{};
+    Input effective_radius{};
+    Input contact_modulus{};
+    Input work_of_adhesion{};
+    Input yield_pressure{};
+    Input damping{};
+    Input velocity{};
+    Input restitution{};
+
+    [[nodiscard]] Inputs from(std::size_t i) const {
+        return {.mass = mass.from(i),
+                .effective_radius = effective_radius.from(i),
+                .contact_modulus = contact_modulus.from(i),
+                .work_of_adhesion = work_of_adhesion.from(i),
+                .yield_pressure = yield_pressure.from(i),
+                .damping = damping.from(i),
+                .velocity = velocity.from(i),
+                .restitution = restitution.from(i)};
+    }
+};
+
+/// What became of one lane.
+enum class LaneEnd : std::uint8_t {
+    rebound,
+    capture,
+    undecided,  ///< for the scalar solver
+};
+
+/// Impacts that one thread solves in one go.
+struct ImpactTask {
+    DampingLaw damping_law;
+    Detachment detachment;
+    bool turning_point;
+    std::size_t count;
+    Inputs inputs;
+    LaneEnd* end;
+    double* restitution;      ///< 0 where it is not a rebound [1]
+    double* contact_time;     ///< NaN where it is not a rebound [s]
+    double* approach_time;    ///< NaN without turning_point, or where it never turns [s]
+    double* maximum_overlap;  ///< NaN without turning_point [m]
+};
+
+/// Restitutions whose damping one thread searches in one go.
+struct InversionTask {
+    DampingLaw damping_law;
+    Detachment detachment;
+    std::size_t count;
+    Inputs inputs;        ///< damping: the single value 1
+    double* number_unit;  ///< damping coefficient of damping number 1 [unit of the law]
+    double* number;       ///< damping number found [1]
+    double* undamped;     ///< e_0, restitution without damping [1]
+    std::uint8_t* found;  ///< 1 where the number is good
+};
+
+/// Most impacts of a task.
+inline constexpr std::size_t most_impacts = 2048;
+
+using ImpactKernel = void (*)(const ImpactTask&);
+using InversionKernel = void (*)(const InversionTask&);
+
+/// The kernels of one contact law for the present instruction set.
+struct Kernels {
+    ImpactKernel impacts;
+    InversionKernel inversions;
+};
+
+/// The kernels of a law; those of a law with plastic history leave every impact to the scalar solver.
+[[nodiscard]] Kernels kernels_of(Law law);
+[[nodiscard]] Kernels hertz_kernels();
+[[nodiscard]] Kernels dmt_kernels();
+[[nodiscard]] Kernels brach_dunn_kernels();
+[[nodiscard]] Kernels jkr_kernels();
+
+}  // namespace ashimpact::batch

@@ -1,0 +1,69 @@
+#include "solver/batch/task.hpp"
+
+#include "materials/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace ashimpact::batch {
+
+namespace {
+
+bool positive(const Input& column, std::size_t i) {
+    return column.values == nullptr || (column.at(i) > 0.0 && std::isfinite(column.at(i)));
+}
+
+bool not_negative(const Input& column, std::size_t i) {
+    return column.values == nullptr || (column.at(i) >= 0.0 && std::isfinite(column.at(i)));
+}
+
+/// Infinite where it never yields.
+bool positive_or_infinite(const Input& column, std::size_t i) {
+    return column.values == nullptr || column.at(i) > 0.0;
+}
+
+void leave_undecided(const ImpactTask& task) {
+    std::fill_n(task.end, task.count, LaneEnd::undecided);
+}
+
+void leave_unsearched(const InversionTask& task) {
+    std::fill_n(task.found, task.count, std::uint8_t{0});
+}
+
+}  // namespace
+
+bool admissible(const Inputs& in, std::size_t i) {
+    return positive(in.mass, i) && positive(in.effective_radius, i) && positive(in.contact_modulus, i) &&
+           not_negative(in.work_of_adhesion, i) && positive_or_infinite(in.yield_pressure, i) &&
+           not_negative(in.damping, i) && positive(in.velocity, i) && not_negative(in.restitution, i);
+}
+
+bool FirstFault::check(const Inputs& chunk, std::size_t first, std::size_t count) {
+    std::size_t i = 0;
+    while (i < count && admissible(chunk, i)) ++i;
+    if (i == count) return true;
+    std::size_t known = place_;
+    while (first + i < known && !place_.compare_exchange_weak(known, first + i)) {
+    }
+    return false;
+}
+
+void FirstFault::raise(const std::function<void(std::size_t)>& refuse) const {
+    if (place_ == none) return;
+    try {
+        refuse(place_);
+    } catch (const InputError& error) {
+        throw error.at("impact " + std::to_string(place_));
+    }
+}
+
+Kernels kernels_of(Law law) {
+    if (law == Law::of<Hertz>()) return hertz_kernels();
+    if (law == Law::of<Dmt>()) return dmt_kernels();
+    if (law == Law::of<BrachDunn>()) return brach_dunn_kernels();
+    if (law == Law::of<Jkr>()) return jkr_kernels();
+    return {leave_undecided, leave_unsearched};
+}
+
+}  // namespace ashimpact::batch

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "solver/batch/columns.hpp"
+#include "solver/batch/kernel.hpp"
+#include "solver/impact.hpp"
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <limits>
+
+namespace ashimpact::batch {
+
+[[nodiscard]] inline Input input_of(const Column& column) {
+    return {column.data(), column.size() == 1};
+}
+
+/// Inputs with the contact pairs; the rest stays empty.
+[[nodiscard]] inline Inputs inputs_of(const ContactColumns& contact) {
+    return {.mass = input_of(contact.mass),
+            .effective_radius = input_of(contact.effective_radius),
+            .contact_modulus = input_of(contact.contact_modulus),
+            .work_of_adhesion = input_of(contact.work_of_adhesion),
+            .yield_pressure = input_of(contact.yield_pressure)};
+}
+
+[[nodiscard]] inline ContactPair pair_at(const Inputs& in, std::size_t i) {
+    return {.mass = in.mass.at(i),
+            .effective_radius = in.effective_radius.at(i),
+            .contact_modulus = in.contact_modulus.at(i),
+            .work_of_adhesion = in.work_of_adhesion.at(i),
+            .yield_pressure = in.yield_pressure.at(i)};
+}
+
+/// Whether all numbers that are given are finite, and positive or at least not negative as validate() asks
+/// for.
+[[nodiscard]] bool admissible(const Inputs& in, std::size_t i);
+
+/// The first problem of a batch that is not admissible, found by several threads.
+class FirstFault {
+  public:
+    /// Looks through a chunk. @return whether all of it is admissible
+    bool check(const Inputs& chunk, std::size_t first, std::size_t count);
+    /// Has @p refuse, which throws an InputError, say what is wrong with it, if there was one; adds the
+    /// place.
+    void raise(const std::function<void(std::size_t)>& refuse) const;
+
+  private:
+    static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+    std::atomic<std::size_t> place_{none};
+};
+
+}  // namespace ashimpact::batch

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "solver/uncertainty/restitution_curve.hpp"
+
+#include <Eigen/Dense>
+
+#include <vector>
+
+namespace ashimpact {
+
+/// Places along the curves of nearby dampings, for integrals over the velocity: the weight of a place is the
+/// range of velocities that it stands for. Gauss-Legendre panels in the cube root of e, in which the curve is
+/// smooth down to v_c, each shorter than the noise; above the curve's end they follow its tangent.
+class CurveNodes {
+  public:
+    /// @param curve one of them @param order of the dampings
+    /// @param resolution length of a panel in the plane (v_in, v_r) [m/s]
+    /// @param beyond length of the tangent [m/s]
+    CurveNodes(const RestitutionCurve& curve, int order, double resolution, double beyond);
+
+    /// Panels that a resolution asks for are more than there can be.
+    [[nodiscard]] static bool too_fine(const RestitutionCurve& curve, double resolution);
+
+    struct Values {
+        Eigen::VectorXd velocity;  ///< v [m/s]
+        Eigen::VectorXd rebound;   ///< e v [m/s]
+        Eigen::VectorXd weight;    ///< [m/s]
+        /// Change of the integral of f(v, e v) by each coefficient, per slope of f in its second place.
+        Eigen::MatrixXd by_coefficient;
+        Eigen::MatrixXd velocity_by_coefficient;  ///< [m/kg]
+        Eigen::VectorXd first_velocity;           ///< d v_c by each coefficient [m/kg]
+        double critical_velocity;                 ///< [m/s]
+    };
+    /// @param curve of the same order and greatest restitution
+    [[nodiscard]] Values on(const RestitutionCurve& curve) const;
+
+  private:
+    void add_panel(double lower, double upper);
+
+    int order_;
+    double top_;  ///< cube root of the greatest restitution
+    std::vector<double> roots_;
+    std::vector<double> weights_;
+    Eigen::MatrixXd values_;  ///< of the Chebyshev polynomials at roots_, those above top_ at top_
+    Eigen::MatrixXd slopes_;
+};
+
+}  // namespace ashimpact

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "solver/measurement/measurement.hpp"
+#include "solver/uncertainty/interval.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace ashimpact {
+
+/// The critical velocity as the outcomes alone show it, without any model of the contact.
+struct MeasuredCriticalVelocity {
+    std::optional<double> value;  ///< > 0; none where one outcome was seen or they give no threshold [m/s]
+    std::optional<double> standard_uncertainty;  ///< [m/s]
+    std::optional<double> lower;                 ///< of the 95 % interval; none: not bounded [m/s]
+    std::optional<double> upper;                 ///< [m/s]
+    std::optional<double> fastest_capture;       ///< [m/s]
+    std::optional<double> slowest_rebound;       ///< [m/s]
+    std::optional<double>
+        width;         ///< standard deviation of the transition: noise, or more where outcomes mix [m/s]
+    std::string note;  ///< in words
+};
+
+/// Maximum likelihood of P(capture at v) = Phi((v_c - v)/width). The width is the noise of v_in, or what the
+/// mixing of outcomes demands where that is more (particles differ). Without known noise and without mixing
+/// the interval is the gap between the fastest capture and the slowest rebound. Outcomes that contradict a
+/// threshold (captures faster than rebounds beyond their noise) give no value, and the note says so.
+/// @throws InputError for a set that is not valid
+[[nodiscard]] MeasuredCriticalVelocity measured_critical_velocity(const MeasurementSet& set);
+
+enum class CriticalVelocityVerdict { agrees, model_too_low, model_too_high, not_comparable };
+
+[[nodiscard]] std::string_view name_of(CriticalVelocityVerdict verdict);
+
+/// Whether a modelled v_c agrees with the measured one within their joint 95 % uncertainty.
+struct CriticalVelocityCheck {
+    CriticalVelocityVerdict verdict;
+    std::optional<double> deviation;  ///< model less measurement, in joint standard uncertainties
+};
+[[nodiscard]] CriticalVelocityCheck check(const Interval& model, const MeasuredCriticalVelocity& measured);
+
+}  // namespace ashimpact

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "solver/measurement/damping_parts.hpp"
+#include "solver/measurement/inversion.hpp"
+#include "solver/uncertainty/critical_velocity_uncertainty.hpp"
+#include "solver/uncertainty/damping_curve_fit.hpp"
+#include "solver/uncertainty/measured_critical_velocity.hpp"
+#include "solver/uncertainty/random_contact.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ashimpact {
+
+struct MeasuredDampingOptions {
+    PartOptions parts{};
+    DampingCurveOptions extrapolated = extrapolated_fit;
+    DampingCurveOptions direct = direct_fit;
+    std::vector<int> orders{1, 2, 3};  ///< compared beside; empty: none
+    bool propagate = true;             ///< also the contact's uncertainty, not only that of the impacts
+    DampingUnderChange change = DampingUnderChange::reread;
+    PropagationOptions propagation{};
+    /// A critical velocity reported beside the impacts; none: that of their outcomes [m/s].
+    std::optional<MeasuredCriticalVelocity> reported{};
+};
+
+/// A fit with what follows from it.
+struct DampingResult {
+    DampingCurveFit fit;
+    std::optional<Propagation> propagation;  ///< of v_c, everything uncertain; none: not asked for
+    CriticalVelocityCheck check;             ///< of v_c, propagated where that was asked for
+};
+
+/// What the impacts of one sample say under one law. Parts that the data do not give are missing, and the
+/// notes say why.
+struct MeasuredDamping {
+    Law law;
+    Detachment detachment;
+    ContactPair contact;
+    std::vector<InvertedImpact> impacts;        ///< in the order of the set
+    std::optional<DampingSmoothing> smoothing;  ///< eta(v_in) as a smooth curve
+    DampingParts parts;                         ///< with the flagged outliers
+    std::optional<RisingBranch> rising;         ///< what the fits use
+    std::optional<DampingResult> extrapolated;  ///< the paper's way
+    std::optional<DampingResult> direct;        ///< from captures, too
+    std::optional<FitComparison> comparison;    ///< of the two
+    OrderComparison orders;             ///< extrapolated fits, excluded rebounds and leave-one-out in each
+    MeasuredCriticalVelocity measured;  ///< reported, or from the outcomes
+    double accuracy;                    ///< of restitutions read from the law's map; 0: solved [1]
+    std::vector<std::string> notes;
+};
+
+/// Velocities that fits of a set may ask for: an extrapolated v_c and its interval lie below the data.
+/// @param set not empty
+[[nodiscard]] VelocityRange velocities_for_fits(Law law, Detachment detachment, const ContactPair& contact,
+                                                const MeasurementSet& set);
+
+/// The whole analysis of a series of impacts with constant damping: inversion, parts of eta(v_in), rising
+/// branch, fits, v_c with its interval beside the measured one.
+///
+/// A law with a history (a contact that yields) is inverted by solving impacts and not fitted.
+/// @param contact properties with what is known of their uncertainty
+/// @throws InputError for impacts that are none (no point, numbers not finite, v_in <= 0, v_r < 0) or an
+/// unphysical contact
+[[nodiscard]] MeasuredDamping analyse_impacts(Law law, Detachment detachment, const RandomContact& contact,
+                                              const MeasurementSet& set,
+                                              const MeasuredDampingOptions& options = {});
+
+}  // namespace ashimpact

@@ -1,0 +1,252 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/run.hpp"
+#include "pipeline/stages/contact.hpp"
+#include "solver/critical_velocity.hpp"
+#include "solver/impact.hpp"
+#include "solver/reconstruction.hpp"
+#include "tests/pipeline/sandbox.hpp"
+#include "tests/relative_difference.hpp"
+
+using namespace ashimpact;
+using test::computed_from;
+using test::relative_difference;
+using test::Sandbox;
+
+namespace {
+
+const Json& result(const Artifacts& artifacts, std::string_view file) {
+    return artifacts.at(file).document.at("result").at("samples")[0];
+}
+
+bool mentions(const Artifacts& artifacts, std::string_view file, const std::string& words) {
+    for (const Json& warning : artifacts.at(file).document.at("warnings"))
+        if (warning.get<std::string>().find(words) != std::string::npos) return true;
+    return false;
+}
+
+/// The example with one sample of known contact, under one law.
+Json one_sample(const std::string& law) {
+    Json document = test::example_case();
+    document["laws"] = {law};
+    document["samples"].erase(0);
+    document.erase("camera");
+    document["uncertainty"] = {{"samples", 64}, {"replicates", 4}};
+    document["samples"][0].erase("restitution");
+    document["samples"][0]["density"] = {{"value", 2300}, {"unit", "kg/m3"}, {"standard_uncertainty", 20}};
+    document["work_of_adhesion"] = {{"value", 0.3}, {"unit", "J/m2"}, {"standard_uncertainty", 0.01}};
+    return document;
+}
+
+/// A laboratory whose damping is eta = 0.005 e^2 - 0.0125 e + 0.0142 by DMT. Its rebounds are off by a fixed
+/// pattern of half an uncertainty and less, so that nothing depends on chance.
+struct Laboratory {
+    static constexpr double a = 0.005;
+    static constexpr double b = -0.0125;
+    static constexpr double c = 0.0142;
+    Json document = one_sample("dmt");
+    double critical_velocity = 0;
+
+    explicit Laboratory(double uncertainty) {
+        const Law dmt = Law::of<Dmt>();
+        const ContactPair contact =
+            computed_from(document, "contact").read("2-contact.json", read_contacts).front().pair;
+        critical_velocity =
+            *ashimpact::critical_velocity({dmt, dmt.default_detachment(), {DampingLaw::constant, c}, contact})
+                 .value;
+        std::vector<double> velocity{0.85 * critical_velocity, 0.95 * critical_velocity};
+        std::vector<double> rebound{0, 0};
+        for (int i = 0; i < 20; ++i) {
+            const double e = 0.04 + 0.02 * i;
+            velocity.push_back(reconstructed_velocity({dmt, dmt.default_detachment(), contact, a, b, c}, e));
+            rebound.push_back(e * velocity.back() + 0.1 * uncertainty * (i * 7 % 11 - 5));
+        }
+        Json& data = document["samples"][0]["restitution"];
+        data["velocity"] = velocity;
+        data["rebound_velocity"] = rebound;
+        if (uncertainty == 0) return;
+        data["velocity_uncertainty"] = std::vector<double>(velocity.size(), uncertainty);
+        data["rebound_uncertainty"] = std::vector<double>(velocity.size(), uncertainty);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a laboratory gets its damping and critical velocity back, within the intervals") {
+    const Laboratory laboratory(0.005);
+    const Artifacts artifacts = computed_from(laboratory.document);
+
+    const Json& damping = result(artifacts, "5-damping.json")["dmt"];
+    const auto& reach = damping["greatest_restitution"]["values"];
+    REQUIRE(damping["damping_uncertainty"]["values"].size() == 20);
+    REQUIRE(reach.size() == 20);
+    for (std::size_t i = 0; i < 20; ++i) {
+        const double e = damping["restitution"]["values"][i];
+        CHECK(reach[i].get<double>() > e);
+        CHECK(damping["damping_uncertainty"]["values"][i].get<double>() > 0);
+        const ImpactResult again =
+            solve_impact({Law::of<Dmt>(),
+                          Detachment::zero_overlap,
+                          {DampingLaw::constant, damping["damping"]["values"][i].get<double>()},
+                          artifacts.read("2-contact.json", read_contacts).front().pair,
+                          damping["velocity"]["values"][i].get<double>()});
+        CHECK(std::abs(again.restitution - e) < 1e-5);
+    }
+    CHECK(damping["capturing_damping"]["values"].size() == 2);
+    CHECK(damping["outliers"].empty());
+    CHECK(damping["rising_branch"]["falls_beyond"] == false);
+
+    const Json& fit = result(artifacts, "6-fit.json")["dmt"];
+    CHECK(fit["method"] == "likelihood");
+    CHECK(relative_difference(fit["c"]["value"].get<double>(), Laboratory::c) < 2e-2);
+    const Json& interval = fit["extrapolated"]["critical_damping_interval"];
+    CHECK(interval["lower"]["value"].get<double>() < Laboratory::c);
+    CHECK(interval["upper"]["value"].get<double>() > Laboratory::c);
+    CHECK(fit["extrapolated"]["residuals"]["deleted_distance"]["values"].size() == 20);
+    CHECK(fit["direct"]["captures"] == 2);
+    CHECK(fit["covariance"]["values"][2][2].get<double>() ==
+          fit["extrapolated"]["covariance"]["values"][0][0].get<double>());
+
+    const Json& velocity = result(artifacts, "7-critical-velocity.json")["dmt"];
+    CHECK(velocity["interval"]["lower"]["value"].get<double>() < laboratory.critical_velocity);
+    CHECK(velocity["interval"]["upper"]["value"].get<double>() > laboratory.critical_velocity);
+    CHECK(velocity["check"]["verdict"] == "agrees");
+    const auto& influences = velocity["uncertainty"]["influences"];
+    for (const char* factor : {"damping fit", "density", "work of adhesion"})
+        CHECK_MESSAGE(std::any_of(influences.begin(), influences.end(),
+                                  [&](const Json& one) { return one["factor"] == factor; }),
+                      factor);
+    CHECK(std::is_sorted(influences.begin(), influences.end(), [](const Json& x, const Json& y) {
+        return x["total"].get<double>() > y["total"].get<double>();
+    }));
+    CHECK(velocity["uncertainty"]["damping"] == "reread");
+    const auto& exact = velocity["uncertainty"]["taken_as_exact"];
+    CHECK(std::find(exact.begin(), exact.end(), "diameter") != exact.end());
+
+    const Json& measured = result(artifacts, "7-critical-velocity.json")["measured"];
+    CHECK(measured["fastest_capture"]["value"].get<double>() < laboratory.critical_velocity);
+    CHECK(measured["slowest_rebound"]["value"].get<double>() > laboratory.critical_velocity);
+    const Json& comparison = result(artifacts, "comparison.json");
+    CHECK(comparison["interval"]["dmt"] == velocity["interval"]);
+    CHECK(comparison["measured_critical_velocity"]["origin"] == "measured");
+}
+
+TEST_CASE("order and repetition of impacts change nothing but their places") {
+    Laboratory laboratory(0.005);
+    const Artifacts ordered = computed_from(laboratory.document, "critical-velocity");
+    Json& data = laboratory.document["samples"][0]["restitution"];
+    for (const char* key : {"velocity", "rebound_velocity"}) {
+        auto values = data[key].get<std::vector<double>>();
+        std::reverse(values.begin(), values.end());
+        data[key] = values;
+    }
+    const Artifacts reversed = computed_from(laboratory.document, "critical-velocity");
+    const auto critical = [](const Artifacts& artifacts) {
+        return result(artifacts, "7-critical-velocity.json")["dmt"]["critical_velocity"]["value"]
+            .get<double>();
+    };
+    CHECK(relative_difference(critical(ordered), critical(reversed)) < 1e-4);
+
+    const Json once = data;
+    for (const auto& [key, column] : once.items())
+        for (const Json& value : column) data[key].push_back(value);
+    const Artifacts doubled = computed_from(laboratory.document, "critical-velocity");
+    CHECK(relative_difference(critical(ordered), critical(doubled)) < 1e-3);
+    const auto deviation = [](const Artifacts& artifacts) {
+        return result(artifacts, "6-fit.json")["dmt"]["critical_damping"]["standard_uncertainty"]
+            .get<double>();
+    };
+    CHECK(relative_difference(deviation(ordered) / deviation(doubled), std::sqrt(2.0)) < 0.1);
+}
+
+TEST_CASE("data that show nothing get a reason and no number") {
+    struct Poor {
+        const char* what;
+        std::vector<double> velocity;
+        std::vector<double> rebound;
+        const char* file;
+        const char* says;
+    };
+    for (const Poor& poor : {
+             Poor{"all captured", {0.4, 0.5, 0.6}, {0, 0, 0}, "5-damping.json", "no rebound"},
+             Poor{"one rebound", {1.0}, {0.2}, "6-fit.json", "1 distinct rebounds"},
+             Poor{"one point many times",
+                  {1.0, 1.0, 1.0, 1.0, 1.0},
+                  {0.2, 0.2, 0.2, 0.2, 0.2},
+                  "6-fit.json",
+                  "1 distinct rebounds"},
+         }) {
+        CAPTURE(poor.what);
+        Json document = one_sample("dmt");
+        Json& data = document["samples"][0]["restitution"];
+        data["velocity"] = poor.velocity;
+        data["rebound_velocity"] = poor.rebound;
+        const Artifacts artifacts = computed_from(document);
+        CHECK(mentions(artifacts, poor.file, poor.says));
+        CHECK_FALSE(result(artifacts, "6-fit.json").contains("dmt"));
+        CHECK_FALSE(result(artifacts, "7-critical-velocity.json").contains("dmt"));
+        CHECK(result(artifacts, "comparison.json")["dynamic_critical_velocity"]["dmt"].is_null());
+    }
+}
+
+TEST_CASE("a restitution that falls from the first rebound on is no rising branch") {
+    Json document = one_sample("dmt");
+    Json& data = document["samples"][0]["restitution"];
+    for (int i = 0; i < 12; ++i) {
+        data["velocity"].push_back(2.0 + 0.5 * i);
+        data["restitution"].push_back(0.8 - 0.05 * i);
+    }
+    data["velocity_uncertainty"] = std::vector<double>(12, 0.01);
+    data["rebound_uncertainty"] = std::vector<double>(12, 0.01);
+    const Artifacts artifacts = computed_from(document);
+    CHECK(mentions(artifacts, "5-damping.json", "there is no rising branch"));
+    CHECK(result(artifacts, "5-damping.json")["dmt"]["rising_branch"].is_null());
+    CHECK_FALSE(result(artifacts, "6-fit.json").contains("dmt"));
+}
+
+TEST_CASE("a rebound faster than the impact is left out with a reason where uncertainties explain it") {
+    Laboratory laboratory(0.005);
+    Json& data = laboratory.document["samples"][0]["restitution"];
+    data["velocity"].push_back(3.0);
+    data["rebound_velocity"].push_back(3.01);
+    data["velocity_uncertainty"].push_back(0.005);
+    data["rebound_uncertainty"].push_back(0.005);
+    const Artifacts artifacts = computed_from(laboratory.document, "damping");
+    const Json& unreachable = result(artifacts, "5-damping.json")["dmt"]["unreachable"];
+    REQUIRE(unreachable.size() == 1);
+    CHECK(unreachable[0]["number"] == 23);
+    CHECK(unreachable[0]["reason"].get<std::string>().find("without any damping") != std::string::npos);
+}
+
+TEST_CASE("7-critical-velocity judges the regime, and a law out of its range is warned of") {
+    Json document = one_sample("dmt");
+    document["laws"] = {"dmt", "jkr"};
+    document["samples"][0]["restitution"] = {
+        {"reconstruct",
+         {{"from", 0.05},
+          {"to", 0.4},
+          {"points", 5},
+          {"reference_law", "dmt"},
+          {"damping_fits", {{"dmt", {{"a", Laboratory::a}, {"b", Laboratory::b}, {"c", Laboratory::c}}}}}}}};
+    const Artifacts hard = computed_from(document);
+    const Json& regime = result(hard, "7-critical-velocity.json")["dmt"]["regime"];
+    CHECK(regime["tabor_parameter"].get<double>() > 0.1);
+    CHECK(regime["adhesion"] == "between");
+    CHECK(regime["yield_velocity"].is_null());
+    const double eta = result(hard, "6-fit.json")["dmt"]["critical_damping"]["value"];
+    const double v = result(hard, "7-critical-velocity.json")["dmt"]["critical_velocity"]["value"];
+    const Json& contact = result(hard, "2-contact.json");
+    const double mass = contact["mass"]["value"];
+    const double k = 4.0 / 3.0 * contact["contact_modulus"]["value"].get<double>() *
+                     std::sqrt(contact["effective_radius"]["value"].get<double>());
+    CHECK(relative_difference(regime["damping_number"].get<double>(),
+                              eta * std::pow(mass, -0.6) * std::pow(k, -0.4) * std::pow(v, -0.2)) < 1e-12);
+
+    document["work_of_adhesion"] = "30 J/m2";  // of something very sticky
+    document["samples"][0]["restitution"]["reconstruct"]["to"] = 0.2;
+    const Artifacts soft = computed_from(document);
+    CHECK(mentions(soft, "7-critical-velocity.json", "dmt: Tabor parameter"));
+}

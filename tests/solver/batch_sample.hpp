@@ -1,0 +1,43 @@
+#pragma once
+
+#include "solver/batch/impact_batch.hpp"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace ashimpact::test {
+
+/// Columns of impacts that own their values.
+struct Impacts {
+    Law law = Law::of<Hertz>();
+    Detachment detachment = Detachment::zero_overlap;
+    DampingLaw damping_law = DampingLaw::constant;
+    Eigen::ArrayXd mass{};
+    Eigen::ArrayXd effective_radius{};
+    Eigen::ArrayXd contact_modulus{};
+    Eigen::ArrayXd work_of_adhesion{};
+    Eigen::ArrayXd damping{};
+    Eigen::ArrayXd velocity{};
+
+    [[nodiscard]] Eigen::Index size() const { return velocity.size(); }
+    [[nodiscard]] ImpactBatch batch() const;
+    [[nodiscard]] Impact at(Eigen::Index i) const;
+    /// Those at these places, in this order.
+    [[nodiscard]] Impacts picked(const std::vector<Eigen::Index>& places) const;
+};
+
+/// Every law with a batch kernel with every detachment admissible for it and every damping law, @p count
+/// impacts each: fly ash of 0.5 to 100 micrometres at 0.01 to 20 m/s, damping numbers evenly from 0 to @p
+/// most_damping.
+[[nodiscard]] std::vector<Impacts> random_impacts(Eigen::Index count, double most_damping,
+                                                  std::uint64_t seed);
+
+/// |e^2 - e_ref^2| / (1 + |U_min|/(m v^2/2)), the error in units of the problem's conditioning [1].
+[[nodiscard]] double conditioned_error(double restitution, const ImpactResult& reference);
+
+/// Whether two results are the same, bit by bit; NaN equals NaN.
+[[nodiscard]] bool identical(const ImpactBatchResult& a, const ImpactBatchResult& b);
+
+}  // namespace ashimpact::test

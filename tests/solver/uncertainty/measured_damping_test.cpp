@@ -1,0 +1,361 @@
+#include "solver/uncertainty/measured_damping.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "solver/gsl/statistics.hpp"
+#include "solver/uncertainty/rebound_check.hpp"
+#include "tests/relative_difference.hpp"
+#include "tests/solver/uncertainty/coverage.hpp"
+#include "tests/support/errors.hpp"
+
+using namespace ashimpact;
+using namespace ashimpact::test;
+
+namespace {
+
+/// The 96 um sample with what is known of it.
+RandomContact ash_contact() {
+    return random_contact({.diameter = {"diameter", 96e-6, 1e-6},
+                           .density = {"density", 2158.5, 5.0},
+                           .work_of_adhesion = {"work of adhesion", 0.2959, 0.0053},
+                           .contact_modulus = RandomInput{"contact modulus", 90e9, 2e9}});
+}
+
+MeasuredDampingOptions without_propagation() {
+    MeasuredDampingOptions options;
+    options.propagate = false;
+    return options;
+}
+
+MeasuredDamping analysed(const MeasurementSet& set, Law law = Law::of<BrachDunn>(),
+                         const MeasuredDampingOptions& options = without_propagation()) {
+    return analyse_impacts(law, law.default_detachment(), ash_contact(), set, options);
+}
+
+MeasurementSet impacts_of(const std::vector<std::pair<double, double>>& impacts) {
+    MeasurementSet set{.source = "lab", .points = {}};
+    for (const auto& [velocity, rebound] : impacts)
+        set.points.push_back({.velocity = velocity, .rebound = rebound});
+    return set;
+}
+
+/// What a laboratory of the 96 um sample measures, Brach-Dunn with its row of Table 2.
+MeasurementSet measured(int impacts, int frames = 20, unsigned long seed = 7) {
+    const ContactModel model = ash_model(Law::of<BrachDunn>());
+    SyntheticLaboratory laboratory = ash_laboratory(model, TrueDamping::quadratic);
+    laboratory.impacts = impacts;
+    laboratory.camera.frames = frames;
+    gsl::Random random(seed);
+    return laboratory.measure(random);
+}
+
+/// Within four standard uncertainties; intervals are the matter of the coverage tests.
+bool is_near(const Interval& interval, double truth) {
+    return std::abs(interval.value - truth) < 4.0 * interval.standard_uncertainty;
+}
+
+bool has_note(const MeasuredDamping& result, const std::string& part) {
+    return std::any_of(result.notes.begin(), result.notes.end(),
+                       [&](const std::string& note) { return contains(note, part); });
+}
+
+/// No number of a result may be anything but finite.
+void check_finite(const MeasuredDamping& result) {
+    for (const InvertedImpact& impact : result.impacts) {
+        CHECK(std::isfinite(impact.damping.value_or(0.0)));
+        CHECK(std::isfinite(impact.standard_uncertainty.value_or(0.0)));
+        CHECK(std::isfinite(impact.contact_time.value_or(0.0)));
+    }
+    for (const auto* fitted : {&result.extrapolated, &result.direct}) {
+        if (!*fitted) continue;
+        const DampingCurveFit& fit = (*fitted)->fit;
+        CHECK(fit.damping.coefficients.allFinite());
+        CHECK(fit.covariance.allFinite());
+        CHECK(std::isfinite(fit.chi_squared));
+        for (const Interval& interval : {fit.critical_damping, fit.critical_velocity}) {
+            CHECK(interval.value > 0.0);
+            CHECK(std::isfinite(interval.standard_uncertainty));
+            CHECK(interval.lower.value_or(0.0) <= interval.value);
+            CHECK(interval.upper.value_or(interval.value) >= interval.value);
+        }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("the whole analysis of a good series") {
+    MeasuredDampingOptions options;
+    options.propagation = {.samples = 32, .replicates = 4};
+    const MeasurementSet set = measured(80);
+    const MeasuredDamping result = analysed(set, Law::of<BrachDunn>(), options);
+    check_finite(result);
+    CHECK(result.impacts.size() == 80);
+    CHECK(result.accuracy < 1e-4);
+    REQUIRE(result.rising);
+    CHECK_FALSE(result.rising->falls_beyond);
+    REQUIRE(result.extrapolated);
+    REQUIRE(result.direct);
+    REQUIRE(result.comparison);
+    CHECK(result.comparison->consistent);
+    CHECK(is_near(result.extrapolated->fit.critical_damping, 0.0149));
+    CHECK(is_near(result.direct->fit.critical_damping, 0.0149));
+    CHECK(result.direct->fit.captures == set.captures());
+    CHECK(result.extrapolated->fit.captures == 0);
+    CHECK(result.orders.best);
+    CHECK(result.orders.fits.size() == 3);
+    REQUIRE(result.measured.value);
+    CHECK(std::abs(*result.measured.value - 1.27) < 0.05);
+    CHECK(result.direct->check.verdict == CriticalVelocityVerdict::agrees);
+    REQUIRE(result.direct->propagation);
+    CHECK(result.direct->propagation->influences.size() == 5);
+    CHECK(result.direct->propagation->interval.standard_uncertainty >
+          0.8 * result.direct->fit.critical_velocity.standard_uncertainty);
+
+    // The first part of eta(v_in) falls, with the boundary within the data.
+    REQUIRE_FALSE(result.parts.parts.empty());
+    CHECK(result.parts.parts.front() == DampingPart::falling);
+    for (const PartBoundary& boundary : result.parts.boundaries) {
+        CHECK(boundary.velocity > 1.2);
+        CHECK(boundary.velocity < 3.9);
+    }
+}
+
+TEST_CASE("uncertainties of inverted impacts are the scatter of repeated ones") {
+    const ContactModel model = ash_model(Law::of<BrachDunn>());
+    const Camera camera{.frame_rate = 80e3, .pixel_size = 8e-6, .frames = 20};
+    gsl::Random random(3);
+    const double u = camera.velocity_uncertainty();
+    MeasurementSet set{.source = "lab", .points = {}};
+    for (int i = 0; i < 2000; ++i)
+        set.points.push_back({.velocity = 2.5 + random.normal(u), .rebound = 0.9 + random.normal(u)});
+    set = with_camera(set, camera);
+    const std::vector<InvertedImpact> inverted = invert(model, set);
+    std::vector<double> damping;
+    for (const InvertedImpact& impact : inverted) damping.push_back(impact.damping.value());
+    CHECK(relative_difference(gsl::moments(damping).deviation, *inverted.front().standard_uncertainty) <
+          0.06);
+}
+
+TEST_CASE("the fit's leverage and influence are those of fits without a point") {
+    const ContactModel model = ash_model(Law::of<BrachDunn>());
+    const MeasurementSet set = measured(30);
+    const DampingCurveFit whole = fit_damping_curve(model, set);
+    double leverage = 0.0;
+    for (const FittedRebound& point : whole.rebounds) {
+        CHECK(point.leverage > 0.0);
+        CHECK(point.leverage < 1.0);
+        leverage += point.leverage;
+    }
+    CHECK(std::abs(leverage - 3.0) < 1e-6);
+    const auto strongest = std::max_element(
+        whole.rebounds.begin(), whole.rebounds.end(),
+        [](const auto& a, const auto& b) { return std::abs(a.influence) < std::abs(b.influence); });
+    MeasurementSet without = set;
+    without.points.erase(without.points.begin() + static_cast<std::ptrdiff_t>(strongest->index));
+    const DampingCurveFit other = fit_damping_curve(model, without);
+    const double change = other.critical_damping.value - whole.critical_damping.value;
+    CHECK(std::abs(change - strongest->influence) < 0.3 * std::abs(change));
+}
+
+TEST_CASE("one wild impact is flagged, stays in, and a robust fit takes it back") {
+    MeasurementSet set = measured(60);
+    auto& wild = *std::find_if(set.points.begin(), set.points.end(), [](const Measurement& m) {
+        return m.velocity > 2.4 && m.velocity < 2.8 && m.rebound > 0.0;
+    });
+    const auto index = static_cast<std::size_t>(&wild - set.points.data());
+    wild.rebound += 0.4;
+    const MeasuredDamping result = analysed(set);
+    CHECK(std::find(result.parts.outliers.begin(), result.parts.outliers.end(), index) !=
+          result.parts.outliers.end());
+    CHECK(has_note(result, "flagged and left in"));
+    CHECK(result.rising->set.points.size() == set.points.size());
+
+    const ContactModel model = ash_model(Law::of<BrachDunn>());
+    const DampingCurveFit robust = fit_damping_curve(model, set, {.order = 2, .robust = true});
+    const auto fitted = std::find_if(robust.rebounds.begin(), robust.rebounds.end(),
+                                     [&](const FittedRebound& point) { return point.index == index; });
+    REQUIRE(fitted != robust.rebounds.end());
+    CHECK(fitted->weight < 0.05);
+    CHECK(is_near(robust.critical_damping, 0.0149));
+}
+
+TEST_CASE("impacts without scatter give the damping behind them") {
+    const ContactModel model = ash_model(Law::of<Dmt>());
+    const SyntheticLaboratory laboratory = ash_laboratory(model, TrueDamping::quadratic);
+    MeasurementSet set{.source = "exact", .points = {}};
+    for (double v = 1.2; v < 3.0; v += 0.15)
+        set.points.push_back({.velocity = v, .rebound = v * laboratory.restitution(v)});
+    const MeasuredDamping result = analysed(set, Law::of<Dmt>());
+    REQUIRE(result.extrapolated);
+    const Eigen::VectorXd& c = result.extrapolated->fit.damping.coefficients;
+    CHECK(relative_difference(c[0], 0.0156) < 1e-5);
+    CHECK(relative_difference(c[1], -0.0235) < 1e-4);
+    CHECK(relative_difference(c[2], 0.0115) < 1e-3);
+    CHECK(result.extrapolated->fit.critical_damping.standard_uncertainty < 1e-5 * c[0]);
+}
+
+TEST_CASE("degenerate: every impact captured") {
+    const MeasuredDamping result = analysed(impacts_of({{0.2, 0.0}, {0.5, 0.0}, {0.8, 0.0}}));
+    check_finite(result);
+    CHECK_FALSE(result.extrapolated);
+    CHECK_FALSE(result.direct);
+    CHECK_FALSE(result.measured.value);
+    CHECK(result.measured.lower == 0.8);
+    CHECK_FALSE(result.measured.upper);
+    CHECK(has_note(result, "every impact was captured"));
+    CHECK(result.impacts[2].damping);  // the least that captures
+}
+
+TEST_CASE("degenerate: captured at velocities at which nothing can rebound") {
+    const MeasuredDamping result = analysed(impacts_of({{1e-4, 0.0}, {2e-4, 0.0}}), Law::of<Jkr>());
+    check_finite(result);
+    CHECK_FALSE(result.impacts[0].damping);
+    CHECK(has_note(result, "every impact was captured"));
+}
+
+TEST_CASE("degenerate: one point") {
+    const MeasuredDamping result = analysed(impacts_of({{2.0, 0.6}}));
+    check_finite(result);
+    REQUIRE(result.impacts.size() == 1);
+    CHECK(result.impacts[0].damping.value_or(0.0) > 0.0);
+    CHECK(result.impacts[0].contact_time);
+    CHECK_FALSE(result.extrapolated);
+    CHECK(has_note(result, "no extrapolated fit: 1 distinct rebounds"));
+    CHECK(contains(result.parts.note, "fewer than 8 rebounds"));
+    CHECK(result.measured.upper == 2.0);
+}
+
+TEST_CASE("degenerate: restitution falls from the first impact on") {
+    std::vector<std::pair<double, double>> impacts;
+    for (double v = 2.0; v < 6.0; v += 0.2) impacts.emplace_back(v, v * (0.6 - 0.06 * v));
+    const MeasuredDamping result = analysed(impacts_of(impacts));
+    check_finite(result);
+    CHECK_FALSE(result.rising);
+    CHECK_FALSE(result.extrapolated);
+    CHECK(has_note(result, "no rising branch"));
+}
+
+TEST_CASE("degenerate: restitution of few rebounds falls all along") {
+    const std::vector<std::pair<double, double>> impacts{{2.0, 1.0},  {3.0, 1.35}, {4.0, 1.6},
+                                                         {5.0, 1.75}, {6.0, 1.8},  {7.0, 1.75}};
+    for (const Law law : {Law::of<BrachDunn>(), Law::of<Hertz>(), Law::of<Dmt>()}) {
+        CAPTURE(law.name());
+        const MeasuredDamping result = analysed(impacts_of(impacts), law);
+        CHECK_FALSE(result.rising);
+        CHECK_FALSE(result.extrapolated);
+        CHECK_FALSE(result.direct);
+        CHECK(has_note(result, "there is no rising branch"));
+    }
+    // Two that scatter downwards in a series that rises do not make it fall.
+    const MeasuredDamping rises =
+        analysed(impacts_of({{1.5, 0.3}, {2.0, 0.6}, {2.5, 0.95}, {3.0, 1.1}, {3.5, 1.5}, {4.0, 1.7}}));
+    CHECK(rises.rising);
+}
+
+TEST_CASE("a fitted v_c above clear rebounds is refused, and which rebound contradicts it is said") {
+    const ContactModel model = ash_model(Law::of<BrachDunn>());
+    const MeasurementSet set = measured(40);
+    const DampingCurveFit fit = fit_damping_curve(model, set);
+    CHECK_NOTHROW(require_rebounds_above(fit, set));
+    MeasurementSet other = set;
+    other.points.push_back({.velocity = 0.4, .rebound = 0.3, .noise = set.points.front().noise});
+    const std::string problem = input_error_of([&] { require_rebounds_above(fit, other); });
+    CHECK(contains(problem, "lies above clear rebounds, the slowest at 0.4 m/s"));
+    // Within its noise such a rebound can be a capture.
+    other.points.back().rebound = 2.0 * std::sqrt(set.points.front().noise->rebound);
+    CHECK_NOTHROW(require_rebounds_above(fit, other));
+}
+
+TEST_CASE("degenerate: outcomes that contradict a threshold leave the analysis whole") {
+    MeasurementSet set = measured(40);
+    for (Measurement& point : set.points)
+        if (point.captured()) point.velocity += 8.0;
+    const MeasuredDamping result = analysed(set);
+    check_finite(result);
+    CHECK_FALSE(result.measured.value);
+    CHECK(contains(result.measured.note, "contradict a threshold"));
+    CHECK(result.extrapolated);
+}
+
+TEST_CASE("degenerate: restitution above one is set aside and counted") {
+    MeasurementSet set = measured(40);
+    for (Measurement& point : set.points) point.noise.reset();
+    set.points.push_back({.velocity = 2.0, .rebound = 2.4});
+    const MeasuredDamping result = analysed(set);
+    check_finite(result);
+    CHECK_FALSE(result.impacts.back().damping);
+    CHECK(has_note(result, "1 of"));
+    REQUIRE(result.extrapolated);
+    REQUIRE(result.extrapolated->fit.excluded.size() == 1);
+    CHECK(result.extrapolated->fit.excluded[0].index == set.points.size() - 1);
+}
+
+TEST_CASE("degenerate: order does not matter, duplicates count as what they are") {
+    const MeasurementSet set = measured(40);
+    MeasurementSet turned = set;
+    std::reverse(turned.points.begin(), turned.points.end());
+    const MeasuredDamping forward = analysed(set);
+    const MeasuredDamping backward = analysed(turned);
+    REQUIRE(forward.extrapolated);
+    REQUIRE(backward.extrapolated);
+    const Interval& a = forward.extrapolated->fit.critical_damping;
+    const Interval& b = backward.extrapolated->fit.critical_damping;
+    CHECK(std::abs(a.value - b.value) < 0.01 * a.standard_uncertainty);
+
+    MeasurementSet doubled = set;
+    doubled.points.insert(doubled.points.end(), set.points.begin(), set.points.end());
+    const MeasuredDamping twice = analysed(doubled);
+    REQUIRE(twice.extrapolated);
+    const Interval& c = twice.extrapolated->fit.critical_damping;
+    CHECK(std::abs(c.value - a.value) < 0.02 * a.standard_uncertainty);
+    CHECK(c.standard_uncertainty < 0.9 * a.standard_uncertainty);
+    check_finite(twice);
+
+    std::vector<std::pair<double, double>> same(20, {2.0, 0.7});
+    const MeasuredDamping single = analysed(impacts_of(same));
+    check_finite(single);
+    CHECK_FALSE(single.extrapolated);
+    CHECK(has_note(single, "1 distinct rebounds"));
+}
+
+TEST_CASE("degenerate: the same restitution at every velocity") {
+    std::vector<std::pair<double, double>> impacts;
+    for (double v = 1.5; v < 4.0; v += 0.2) impacts.emplace_back(v, 0.4 * v);
+    const MeasuredDamping result = analysed(impacts_of(impacts));
+    check_finite(result);
+}
+
+TEST_CASE("degenerate: numbers that are none are refused with their line") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    MeasurementSet set = impacts_of({{2.0, 0.5}, {nan, 0.5}});
+    set.points[1].line = 3;
+    CHECK(contains(input_error_of([&] { static_cast<void>(analysed(set)); }), "line 3: v_in is nan"));
+    set.points[1].velocity = 2.0;
+    set.points[1].rebound = nan;
+    CHECK(contains(input_error_of([&] { static_cast<void>(analysed(set)); }), "line 3: v_r is nan"));
+    set.points[1].rebound = -0.5;
+    CHECK(contains(input_error_of([&] { static_cast<void>(analysed(set)); }), "v_r is -0.5"));
+    CHECK(contains(input_error_of([&] { static_cast<void>(analysed(impacts_of({}))); }), "no measurement"));
+}
+
+TEST_CASE("a contact that yields is inverted and not fitted") {
+    SphereOnWall sphere{.diameter = {"diameter", 96e-6},
+                        .density = {"density", 2158.5},
+                        .work_of_adhesion = {"work of adhesion", 0.2959},
+                        .contact_modulus = RandomInput{"contact modulus", 90e9},
+                        .yield_pressure = 6e9};
+    const Law law = Law::of<ThorntonNing>();
+    const MeasuredDamping result =
+        analyse_impacts(law, law.default_detachment(), random_contact(sphere),
+                        impacts_of({{2.0, 0.7}, {3.0, 1.2}}), without_propagation());
+    check_finite(result);
+    CHECK(result.impacts[1].damping.value_or(0.0) > 0.0);
+    CHECK_FALSE(result.extrapolated);
+    CHECK(has_note(result, "a contact that yields has a history"));
+}

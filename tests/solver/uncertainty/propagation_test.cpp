@@ -1,0 +1,158 @@
+#include "solver/uncertainty/propagation.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "solver/critical_velocity.hpp"
+#include "solver/gsl/quasi_random.hpp"
+#include "solver/uncertainty/critical_velocity_uncertainty.hpp"
+#include "tests/relative_difference.hpp"
+#include "tests/solver/uncertainty/coverage.hpp"
+#include "tests/support/errors.hpp"
+
+using namespace ashimpact;
+using namespace ashimpact::test;
+
+namespace {
+
+const Influence& influence_of(const Propagation& propagation, const std::string& factor) {
+    for (const Influence& influence : propagation.influences)
+        if (influence.factor == factor) return influence;
+    throw std::runtime_error("no factor " + factor);
+}
+
+}  // namespace
+
+TEST_CASE("a linear model: standard deviation, quantiles and indices are known") {
+    const std::vector<RandomInput> inputs{{"a", 2.0, 0.3}, {"b", 1.0, 0.4}, {.name = "exact", .value = 5.0}};
+    const Propagation result =
+        propagate(inputs, [](std::span<const double> x) { return std::optional(x[0] + x[1] + x[2]); },
+                  {.samples = 512, .replicates = 8});
+    CHECK(result.interval.value == 8.0);
+    CHECK(relative_difference(result.interval.standard_uncertainty, 0.5) < 0.01);
+    CHECK(std::abs(*result.interval.lower - (8.0 - 0.98)) < 0.02);
+    CHECK(std::abs(*result.interval.upper - (8.0 + 0.98)) < 0.02);
+    CHECK(result.influences.size() == 2);
+    CHECK(result.influences.front().factor == "b");
+    CHECK(result.undefined == 0);
+    CHECK(result.sequence == "sobol");
+    for (const auto& [factor, share] : {std::pair{"a", 0.36}, std::pair{"b", 0.64}}) {
+        const Influence& influence = influence_of(result, factor);
+        CHECK(std::abs(influence.first.value - share) < 5.0 * influence.first.standard_error + 0.002);
+        CHECK(std::abs(influence.total.value - share) < 5.0 * influence.total.standard_error + 0.002);
+    }
+}
+
+TEST_CASE("Ishigami's function: first and total indices") {
+    // Ishigami & Homma 1990, a = 7, b = 0.1; S1 = 0.3139, S2 = 0.4424, S3 = 0, ST1 = 0.5576, ST3 = 0.2437.
+    const double u = std::numbers::pi / std::sqrt(3.0);
+    std::vector<RandomInput> inputs;
+    for (const char* name : {"x1", "x2", "x3"})
+        inputs.push_back(
+            {.name = name, .value = 0.0, .standard_uncertainty = u, .shape = InputShape::uniform});
+    const Propagation result = propagate(
+        inputs,
+        [](std::span<const double> x) {
+            const double s = std::sin(x[1]);
+            return std::optional(std::sin(x[0]) + 7.0 * s * s + 0.1 * std::pow(x[2], 4) * std::sin(x[0]));
+        },
+        {.samples = 1024, .replicates = 8});
+    const auto check_index = [](const SensitivityIndex& index, double truth) {
+        CHECK(index.standard_error < 0.01);
+        CHECK(std::abs(index.value - truth) < 4.0 * index.standard_error + 1e-3);
+    };
+    check_index(influence_of(result, "x1").first, 0.3139);
+    check_index(influence_of(result, "x2").first, 0.4424);
+    check_index(influence_of(result, "x3").first, 0.0);
+    check_index(influence_of(result, "x1").total, 0.5576);
+    check_index(influence_of(result, "x2").total, 0.4424);
+    check_index(influence_of(result, "x3").total, 0.2437);
+}
+
+TEST_CASE("inputs of one factor are ranked together; shapes have the stated uncertainty") {
+    const Propagation result =
+        propagate({{.name = "a", .value = 1.0, .standard_uncertainty = 0.1, .factor = "both"},
+                   {.name = "b",
+                    .value = 1.0,
+                    .standard_uncertainty = 0.1,
+                    .shape = InputShape::lognormal,
+                    .factor = "both"},
+                   {.name = "c", .value = 1.0, .standard_uncertainty = 0.2, .shape = InputShape::uniform}},
+                  [](std::span<const double> x) { return std::optional(x[0] + x[1] + x[2]); });
+    CHECK(result.influences.size() == 2);
+    CHECK(std::abs(influence_of(result, "c").total.value - 2.0 / 3.0) < 0.03);
+    CHECK(relative_difference(result.interval.standard_uncertainty, std::sqrt(0.06)) < 0.02);
+}
+
+TEST_CASE("samples without a result are counted, and refused where they are nearly all") {
+    const auto half = [](std::span<const double> x) {
+        return x[0] >= 0.0 ? std::optional(x[0]) : std::nullopt;
+    };
+    const Propagation result = propagate({{"a", 0.0, 1.0}}, half);
+    CHECK(result.undefined > 0);
+    CHECK(result.interval.lower.value() >= 0.0);
+    CHECK(contains(input_error_of([&] {
+                       static_cast<void>(propagate({{"a", -1.0, 1.0}}, half));
+                   }),
+                   "does not exist at the values"));
+    CHECK(contains(input_error_of([&] {
+                       static_cast<void>(propagate({{"a", 1.0, 0.0}}, half));
+                   }),
+                   "no input is uncertain"));
+    CHECK(contains(input_error_of([&] {
+                       static_cast<void>(propagate({{"a", 1.0, -2.0}}, half));
+                   }),
+                   "not finite or has a negative uncertainty"));
+}
+
+TEST_CASE("Hertz: v_c goes with eta^5/(m^3 k^2), so relative uncertainties are known") {
+    const RandomContact contact =
+        random_contact({.diameter = {"diameter", 96e-6},
+                        .density = {"density", 2158.5, 0.01 * 2158.5},
+                        .work_of_adhesion = {"work of adhesion", 0.2959},
+                        .contact_modulus = RandomInput{"contact modulus", 90e9, 1.8e9}});
+    const RandomInput damping{.name = "critical damping", .value = 0.0155, .standard_uncertainty = 0.000155};
+    const Propagation result =
+        propagate_critical_velocity(Law::of<Hertz>(), Detachment::zero_overlap, damping, contact);
+    // 5 x 1 %, 3 x 1 %, 2 x 2 %.
+    const double relative = std::sqrt(25.0 + 9.0 + 16.0) / 100.0;
+    CHECK(relative_difference(result.interval.standard_uncertainty / result.interval.value, relative) < 0.03);
+    CHECK(std::abs(influence_of(result, "critical damping").total.value - 0.5) < 0.03);
+    CHECK(std::abs(influence_of(result, "density").total.value - 0.18) < 0.03);
+    CHECK(std::abs(influence_of(result, "contact modulus").total.value - 0.32) < 0.03);
+}
+
+TEST_CASE("with the damping read again, errors of the contact cancel in v_c; held, they do not") {
+    const ContactModel model = ash_model(Law::of<BrachDunn>());
+    SyntheticLaboratory laboratory = ash_laboratory(model, TrueDamping::quadratic);
+    laboratory.camera.frames = 20;
+    gsl::Random random(7);
+    const DampingCurveFit fit = fit_damping_curve(model, laboratory.measure(random));
+    const RandomContact contact =
+        random_contact({.diameter = {"diameter", 96e-6},
+                        .density = {"density", 2158.5},
+                        .work_of_adhesion = {"work of adhesion", 0.2959},
+                        .contact_modulus = RandomInput{"contact modulus", 90e9, 9e9}});
+    const PropagationOptions few{.samples = 64, .replicates = 4};
+    const Propagation reread =
+        propagate_critical_velocity(fit, model, contact, DampingUnderChange::reread, few);
+    const Propagation held = propagate_critical_velocity(fit, model, contact, DampingUnderChange::held, few);
+    CHECK(reread.interval.standard_uncertainty < 0.3 * held.interval.standard_uncertainty);
+    CHECK(influence_of(held, "contact modulus").total.value > 0.8);
+    CHECK(influence_of(reread, fit_factor).total.value > 0.5);
+    CHECK(relative_difference(reread.interval.value, fit.critical_velocity.value) < 1e-3);
+}
+
+TEST_CASE("the quasi-random sequence fills the cube: means of a product to 1e-3 with 1024 points") {
+    gsl::QuasiRandom sequence(3);
+    std::vector<double> point(3);
+    double mean = 0.0;
+    for (int i = 0; i < 1024; ++i) {
+        sequence.next(point);
+        mean += point[0] * point[1] * point[2] / 1024.0;
+    }
+    CHECK(std::abs(mean - 0.125) < 1e-3);
+    CHECK(gsl::QuasiRandom(60).name() != sequence.name());
+}
