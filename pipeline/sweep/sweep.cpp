@@ -46,8 +46,7 @@ class Course {
                 save();
                 return false;
             }
-            if (std::chrono::duration<double>(Clock::now() - saved_).count() >= care_.checkpoint_interval)
-                save();
+            if (is_due()) save();
         }
         save();
         return true;

@@ -8,10 +8,10 @@ using test::Sandbox;
 
 namespace {
 
-const std::vector<std::string> sweep{ASHIMPACT_STAND_IN, "sweep", "spec.json", "-o", "out.json"};
+const std::vector<std::string> divided_sweep{ASHIMPACT_PROGRAM, "sweep", "spec.json", "-o", "out.json"};
 
 std::vector<std::string> with_threads(int threads) {
-    std::vector<std::string> command = sweep;
+    std::vector<std::string> command = divided_sweep;
     command.insert(command.end(), {"--threads", std::to_string(threads)});
     return command;
 }
@@ -40,20 +40,4 @@ TEST_CASE("any number of threads and ranks leaves the same bytes") {
         CAPTURE(ranks);
         CHECK(one == left_by(test::under_mpi(ranks, with_threads(ranks == 2 ? 2 : 1))));
     }
-}
-
-TEST_CASE("the real program under mpirun leaves the bytes it leaves without") {
-    const std::vector<std::string> command{ASHIMPACT_PROGRAM, "sweep", "spec.json", "-o", "out.json"};
-    std::vector<std::vector<std::pair<std::string, std::string>>> left;
-    for (const auto& each : {command, test::under_mpi(2, command)}) {
-        const Sandbox sandbox;
-        Json spec = test::full_spec(3'000);
-        for (const char* part : {"sensitivity", "table", "statistics"}) spec.erase(part);
-        sandbox.write("spec.json", spec.dump());
-        const test::Ended ended = test::run(sandbox, each);
-        CHECK(ended.status == 0);
-        CHECK(ended.err.empty());
-        left.push_back(sandbox.everything());
-    }
-    CHECK(left[0] == left[1]);
 }

@@ -14,19 +14,19 @@ using test::Sandbox;
 
 namespace {
 
-constexpr double samples = 60'000;  // 30 chunks
-const std::vector<std::string> sweep{ASHIMPACT_STAND_IN, "sweep", "spec.json", "-o", "out.json",
-                                     "--checkpoint",     "0",     "--threads", "1"};
+constexpr double sample_count = 60'000;  // 30 chunks
+const std::vector<std::string> watched_sweep{ASHIMPACT_STAND_IN, "sweep", "spec.json", "-o", "out.json",
+                                             "--checkpoint",     "0",     "--threads", "1"};
 const std::vector<std::string> slowly{"ASHIMPACT_PAUSE=0.02"};
 
 void write_spec(const Sandbox& sandbox) {
-    sandbox.write("spec.json", test::full_spec(samples).dump());
+    sandbox.write("spec.json", test::full_spec(sample_count).dump());
 }
 
 auto undisturbed() {
     const Sandbox sandbox;
     write_spec(sandbox);
-    CHECK(test::run(sandbox, sweep).status == 0);
+    CHECK(test::run(sandbox, watched_sweep).status == 0);
     return sandbox.everything();
 }
 
@@ -42,7 +42,7 @@ void await_checkpoint(const Sandbox& sandbox) {
 
 /// Ends what was left unfinished and compares.
 void check_goes_on(const Sandbox& sandbox) {
-    const Ended ended = test::run(sandbox, sweep);
+    const Ended ended = test::run(sandbox, watched_sweep);
     CAPTURE(ended.err);
     CHECK(ended.status == 0);
     CHECK(ended.err.find("out.json.checkpoint: going on from chunk ") != std::string::npos);
@@ -63,12 +63,12 @@ TEST_CASE("a sweep killed at random moments and run again leaves the bytes of an
         for (int status = -1; status != 0;) {
             const double after = moment(random);
             CAPTURE(after);
-            Process process(sandbox, sweep, slowly);
+            Process process(sandbox, watched_sweep, slowly);
             sleep_for(after);
             process.signal(SIGKILL);
             status = process.wait().status;
             CHECK((status == 0 || status == 128 + SIGKILL));
-            if (status != 0 && ++killed > 3) status = test::run(sandbox, sweep).status;
+            if (status != 0 && ++killed > 3) status = test::run(sandbox, watched_sweep).status;
         }
         CHECK(killed > 0);
         auto left = sandbox.everything();
@@ -83,7 +83,7 @@ TEST_CASE("a rank that dies ends the job with an error, and what is finished sta
         CAPTURE(rank_and_calls);
         const Sandbox sandbox;
         write_spec(sandbox);
-        const Ended ended = test::run(sandbox, test::under_mpi(3, sweep),
+        const Ended ended = test::run(sandbox, test::under_mpi(3, watched_sweep),
                                       {slowly.front(), std::string("ASHIMPACT_DIE=") + rank_and_calls});
         CHECK(ended.status != 0);
         CHECK_FALSE(sandbox.has("out.json"));
@@ -96,7 +96,7 @@ TEST_CASE("an interruption saves what is finished and ends the program as the si
     for (const int signal : {SIGINT, SIGTERM}) {
         const Sandbox sandbox;
         write_spec(sandbox);
-        std::vector<std::string> rarely = sweep;
+        std::vector<std::string> rarely = watched_sweep;
         rarely[6] = "1000";
         Process process(sandbox, rarely, slowly);
         sleep_for(0.5);
@@ -113,7 +113,7 @@ TEST_CASE("an impact that does not converge has status 3, and what is finished s
     for (const int ranks : {0, 2}) {
         CAPTURE(ranks);
         const Sandbox sandbox;
-        Json spec = test::full_spec(samples);
+        Json spec = test::full_spec(sample_count);
         spec["variables"]["velocity"] =
             Json::parse(R"({"grid": "linear", "from": 1, "to": 2, "points": 3000})");
         spec["variables"]["radius"] = Json::parse(
@@ -122,7 +122,8 @@ TEST_CASE("an impact that does not converge has status 3, and what is finished s
         spec.erase("sensitivity");
         sandbox.write("spec.json", spec.dump());
         const Ended ended =
-            test::run(sandbox, ranks == 0 ? sweep : test::under_mpi(ranks, sweep), {"ASHIMPACT_FAIL=1.9"});
+            test::run(sandbox, ranks == 0 ? watched_sweep : test::under_mpi(ranks, watched_sweep),
+                      {"ASHIMPACT_FAIL=1.9"});
         CHECK(ended.status == 3);
         CHECK(ended.err.find("not converged: the stand-in was told to fail") != std::string::npos);
         CHECK_FALSE(sandbox.has("out.json"));
@@ -133,7 +134,7 @@ TEST_CASE("an impact that does not converge has status 3, and what is finished s
 TEST_CASE("a checkpoint of another sweep, or a damaged one, is not touched unless asked") {
     const Sandbox sandbox;
     write_spec(sandbox);
-    Process process(sandbox, sweep, slowly);
+    Process process(sandbox, watched_sweep, slowly);
     await_checkpoint(sandbox);
     process.signal(SIGKILL);
     static_cast<void>(process.wait());
@@ -141,13 +142,13 @@ TEST_CASE("a checkpoint of another sweep, or a damaged one, is not touched unles
 
     const auto check_refused = [&](const char* says) {
         const auto before = sandbox.everything();
-        const Ended ended = test::run(sandbox, sweep);
+        const Ended ended = test::run(sandbox, watched_sweep);
         CHECK(ended.status == 2);
         CHECK(ended.err.find(says) != std::string::npos);
         CHECK(test::lines_of(ended.err).size() == 1);
         CHECK(sandbox.everything() == before);
     };
-    Json other = test::full_spec(samples);
+    Json other = test::full_spec(sample_count);
     other["sampling"]["seed"] = 4;
     sandbox.write("spec.json", other.dump());
     check_refused("out.json.checkpoint: is the checkpoint of another sweep; allowed: --restart");
@@ -162,7 +163,7 @@ TEST_CASE("a checkpoint of another sweep, or a damaged one, is not touched unles
     std::filesystem::resize_file(sandbox.path("out.json.rows"), 10);
     check_refused("out.json.rows: is shorter than its checkpoint says");
 
-    std::vector<std::string> anew = sweep;
+    std::vector<std::string> anew = watched_sweep;
     anew.emplace_back("--restart");
     CHECK(test::run(sandbox, anew).status == 0);
     auto left = sandbox.everything();
@@ -172,9 +173,9 @@ TEST_CASE("a checkpoint of another sweep, or a damaged one, is not touched unles
 TEST_CASE("two sweeps do not write one table") {
     const Sandbox sandbox;
     write_spec(sandbox);
-    Process first(sandbox, sweep, slowly);
+    Process first(sandbox, watched_sweep, slowly);
     await_checkpoint(sandbox);
-    const Ended second = test::run(sandbox, sweep);
+    const Ended second = test::run(sandbox, watched_sweep);
     CHECK(second.status == 2);
     CHECK(second.err.find("another sweep writes here") != std::string::npos);
     CHECK(first.wait().status == 0);

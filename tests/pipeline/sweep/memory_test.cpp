@@ -14,8 +14,8 @@ TEST_CASE("memory does not depend on the number of samples") {
         Json spec = test::full_spec(samples);
         for (const char* part : {"sensitivity", "table"}) spec.erase(part);
         sandbox.write("spec.json", spec.dump());
-        const test::Ended ended = test::run(
-            sandbox, {ASHIMPACT_STAND_IN, "sweep", "spec.json", "-o", "out.json", "--threads", "2"});
+        const test::Ended ended =
+            test::run(sandbox, {ASHIMPACT_PROGRAM, "sweep", "spec.json", "-o", "out.json", "--threads", "2"});
         CHECK(ended.status == 0);
         CHECK(ended.peak_memory < 100'000);
         if (fewer == 0) fewer = ended.peak_memory;

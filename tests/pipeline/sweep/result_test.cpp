@@ -124,7 +124,7 @@ TEST_CASE("what there is nothing of is null") {
 TEST_CASE("the program's own artifact is what its schema says, and inspect shows it") {
     const test::Sandbox sandbox;
     sandbox.write("spec.json", test::full_spec(3'000).dump());
-    REQUIRE(test::run(sandbox, {ASHIMPACT_STAND_IN, "sweep", "spec.json", "-o", "out.json"}).status == 0);
+    REQUIRE(test::run(sandbox, {ASHIMPACT_PROGRAM, "sweep", "spec.json", "-o", "out.json"}).status == 0);
     CHECK_NOTHROW(validate_document(sandbox.json("out.json"), "sweep-result"));
     const test::Ended inspected = test::run(sandbox, {ASHIMPACT_PROGRAM, "inspect", "out.json"});
     CHECK(inspected.status == 0);
@@ -140,7 +140,7 @@ TEST_CASE("the example of the help text is a sweep that runs") {
     REQUIRE(end != std::string::npos);
     sandbox.write("spec.json", help.substr(begin, end + 4 - begin));
     const test::Ended ended =
-        test::run(sandbox, {ASHIMPACT_STAND_IN, "sweep", "spec.json", "-o", "sweep.json"});
+        test::run(sandbox, {ASHIMPACT_PROGRAM, "sweep", "spec.json", "-o", "sweep.json"});
     CAPTURE(ended.err);
     CHECK(ended.status == 0);
 }
@@ -154,7 +154,7 @@ TEST_CASE("the examples of docs/sweep.md are sweeps that run") {
         const test::Sandbox sandbox;
         sandbox.write("spec.json", page.substr(begin, page.find("```", begin) - begin));
         const test::Ended ended =
-            test::run(sandbox, {ASHIMPACT_STAND_IN, "sweep", "spec.json", "-o", "sweep.json"});
+            test::run(sandbox, {ASHIMPACT_PROGRAM, "sweep", "spec.json", "-o", "sweep.json"});
         CAPTURE(ended.err);
         CHECK(ended.status == 0);
         ++examples;

@@ -30,7 +30,7 @@ struct Spoiled {
     const char* says;
 };
 
-const auto velocity = [](Json& spec) -> Json& { return spec["variables"]["velocity"]; };
+const auto velocity_in = [](Json& spec) -> Json& { return spec["variables"]["velocity"]; };
 
 const Spoiled spoiled_specs[]{
     {"missing part", [](Json& s) { s.erase("sampling"); }, "\"sampling\" is missing"},
@@ -65,25 +65,27 @@ const Spoiled spoiled_specs[]{
     {"no variable", [](Json& s) { s["variables"] = Json::object(); }, "/variables: "},
     {"unknown variable", [](Json& s) { s["variables"]["radus"] = Json::object(); },
      "/variables/radus: unknown key, did you mean \"radius\"?"},
-    {"no kind", [](Json& s) { velocity(s) = Json::object(); },
+    {"no kind", [](Json& s) { velocity_in(s) = Json::object(); },
      "/variables/velocity: does not say in one way how it varies"},
-    {"two kinds", [](Json& s) { velocity(s)["values"] = {1}; },
+    {"two kinds", [](Json& s) { velocity_in(s)["values"] = {1}; },
      "/variables/velocity: does not say in one way how it varies"},
-    {"key of another kind", [](Json& s) { velocity(s)["mode"] = 1; },
+    {"key of another kind", [](Json& s) { velocity_in(s)["mode"] = 1; },
      "/variables/velocity/mode: means nothing for \"uniform\""},
-    {"parameter missing", [](Json& s) { velocity(s).erase("to"); }, "/variables/velocity: \"to\" is missing"},
-    {"parameters out of order", [](Json& s) { velocity(s)["to"] = 0.1; },
+    {"parameter missing", [](Json& s) { velocity_in(s).erase("to"); },
+     "/variables/velocity: \"to\" is missing"},
+    {"parameters out of order", [](Json& s) { velocity_in(s)["to"] = 0.1; },
      "/variables/velocity: its numbers are not in order; allowed: from < to"},
-    {"below zero", [](Json& s) { velocity(s)["from"] = -1; }, "/variables/velocity: reaches down to -1 m/s"},
+    {"below zero", [](Json& s) { velocity_in(s)["from"] = -1; },
+     "/variables/velocity: reaches down to -1 m/s"},
     {"normal below zero",
      [](Json& s) {
-         velocity(s) = Json::parse(R"({"distribution": "normal", "mean": 2, "standard_deviation": 1})");
+         velocity_in(s) = Json::parse(R"({"distribution": "normal", "mean": 2, "standard_deviation": 1})");
      },
      "/variables/velocity: a normal distribution reaches below zero; allowed: a \"minimum\" that is "
      "positive"},
     {"nothing left",
      [](Json& s) {
-         velocity(s) =
+         velocity_in(s) =
              Json::parse(R"({"distribution": "normal", "mean": 2, "standard_deviation": 1, "minimum": 100})");
      },
      "/variables/velocity: minimum and maximum cut off all of it"},
