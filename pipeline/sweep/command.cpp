@@ -58,11 +58,7 @@ void remove(const SweepFiles& files) {
 
 Checkpoint begin(const SweepOptions& options, const SweepPlan& plan, const SweepFiles& files) {
     if (options.restart) remove(files);
-    auto checkpoint = load_checkpoint(files.checkpoint, plan);
-    if (!checkpoint) return {};
-    spdlog::info("{}: going on from chunk {} of {}", files.checkpoint.string(), checkpoint->tally.chunks(),
-                 plan.chunks());
-    return *std::move(checkpoint);
+    return load_checkpoint(files.checkpoint, plan).value_or(Checkpoint{});
 }
 
 /// One line a law: what was found.

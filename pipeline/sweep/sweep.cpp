@@ -1,5 +1,7 @@
 #include "pipeline/sweep/sweep.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <bit>
 #include <map>
@@ -34,6 +36,8 @@ class Course {
           progress_(plan.impacts(), impacts_done(), care.show_progress),
           next_(state.tally.chunks()) {
         if (!plan.spec().table.empty()) rows_.emplace(files.rows, state.row_bytes);
+        if (next_ > 0)
+            spdlog::info("{}: going on from chunk {} of {}", files.checkpoint.string(), next_, plan.chunks());
     }
 
     [[nodiscard]] bool run() {
