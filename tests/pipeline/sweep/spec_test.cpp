@@ -83,6 +83,12 @@ const Spoiled spoiled_specs[]{
      },
      "/variables/velocity: a normal distribution reaches below zero; allowed: a \"minimum\" that is "
      "positive"},
+    {"a value too small to compute with",
+     [](Json& s) { velocity_in(s) = Json::parse(R"({"values": [1, 1e-50]})"); },
+     "/variables/velocity: velocity is 1e-50 m/s; allowed: 1e-40 to 1e40"},
+    {"a value too great that hardly ever comes",
+     [](Json& s) { s["variables"]["radius"]["geometric_standard_deviation"] = 1e6; },
+     "/variables/radius: radius is "},
     {"nothing left",
      [](Json& s) {
          velocity_in(s) =
