@@ -4,14 +4,12 @@
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
 
-#include <chrono>
 #include <cstdio>
 #include <functional>
 #include <iostream>
 #include <map>
 #include <memory>
 #include <sstream>
-#include <thread>
 
 #include "bench/dem_rates.hpp"
 #include "bench/machine.hpp"
@@ -19,6 +17,7 @@
 #include "bench/multiply_add.hpp"
 #include "bench/peers.hpp"
 #include "bench/population.hpp"
+#include "bench/thread_table.hpp"
 #include "solver/batch/critical_batch.hpp"
 #include "solver/batch/instruction_set.hpp"
 #include "solver/batch/inversion_batch.hpp"
@@ -158,44 +157,6 @@ void compare_laws(const Options& options) {
     }
 }
 
-/// Median wall seconds of a call.
-double wall_seconds(const std::function<void()>& call, int repetitions) {
-    std::vector<double> seconds;
-    for (int i = 0; i < repetitions; ++i) {
-        const auto start = std::chrono::steady_clock::now();
-        call();
-        seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    }
-    std::ranges::sort(seconds);
-    return seconds[seconds.size() / 2];
-}
-
-void multiply_add_on(unsigned threads) {
-    std::vector<std::jthread> crew;
-    for (unsigned i = 0; i < threads; ++i) crew.emplace_back([] { multiply_adds(20 * peak_rounds); });
-}
-
-void compare_threads(const Options& options) {
-    unpin();
-    const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-    const Population many = population(Law::of<Dmt>(), Detachment::zero_overlap, DampingLaw::constant, 16384);
-    std::vector<Eigen::Index> places;
-    for (Eigen::Index i = 0; i < 64 * many.impacts.size(); ++i) places.push_back(i % many.impacts.size());
-    const test::Impacts more = many.impacts.picked(places);
-    const ImpactBatch batch = more.batch();
-    ImpactBatchResult result;
-    const auto solve = [&](int threads) {
-        return wall_seconds(
-            [&] { solve_impacts(batch, result, {.threads = threads, .turning_point = false}); },
-            options.repetitions);
-    };
-    const double ours = solve(1) / solve(static_cast<int>(cores));
-    const double pure = cores * wall_seconds([] { multiply_add_on(1); }, options.repetitions) /
-                        wall_seconds([&] { multiply_add_on(cores); }, options.repetitions);
-    fmt::print("\nscaling over {} threads: impacts {:.2f}, pure multiply-adds {:.2f}, ratio {:.2f}\n", cores,
-               ours, pure, ours / pure);
-}
-
 void measure_start_up(const Options& options) {
     const std::vector<std::string> impact{ASHIMPACT_PROGRAM,
                                           "impact",
@@ -226,7 +187,7 @@ void run(const Options& options) {
     compare_methods(options);
     compare_laws(options);
     measure_start_up(options);
-    compare_threads(options);
+    print_thread_table(options.repetitions);
 }
 
 }  // namespace

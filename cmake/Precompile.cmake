@@ -3,7 +3,8 @@
 #   ashimpact_precompile(<target> [doctest])
 #
 # lets a target take nlohmann/json (and doctest) from there. Sources still include what they use: the preset
-# `check` builds without precompiled headers and fails where an include is missing.
+# `check` builds without precompiled headers and fails where an include is missing. A precompiled header fixes how far
+# the compiler optimises: those of the program are for what ashimpact_cold_code compiles.
 function(ashimpact_precompile target)
   if(ARGN STREQUAL "doctest")
     set(pch ashimpact_pch_test)
@@ -22,7 +23,13 @@ function(ashimpact_precompile target)
     file(CONFIGURE OUTPUT "${empty}" CONTENT "// carries the precompiled headers\n")
     add_library(${pch} OBJECT "${empty}")
     target_link_libraries(${pch} PRIVATE ashimpact_options ${libraries})
+    if(NOT ARGN)
+      target_link_libraries(${pch} PRIVATE ashimpact_cold_code)
+    endif()
     target_precompile_headers(${pch} PRIVATE ${headers})
+  endif()
+  if(NOT ARGN)
+    target_link_libraries(${target} PRIVATE ashimpact_cold_code)
   endif()
   target_precompile_headers(${target} REUSE_FROM ${pch})
 endfunction()

@@ -89,31 +89,25 @@ double smallest_capturing(const DampingProblem& problem, RestitutionCurve& curve
     }
 }
 
+constexpr double spacing = 2 * std::numeric_limits<double>::epsilon();
+
 /// The root in a bracket to the spacing of numbers, restitution in extended precision: what is left to damp
 /// may be so little, or restitution so steep, that double precision does not see it.
 double solution_within(RestitutionCurve& curve, double target, double lower, double upper) {
     const auto miss = [&](double number) { return static_cast<double>(curve.at<Extended>(number) - target); };
-    constexpr double spacing = 2 * std::numeric_limits<double>::epsilon();
     return gsl::brent(miss, lower, upper, {.relative = spacing}).root;
 }
 
-/// A root of double precision with its last bits from extended precision: Newton, the slope a difference of
-/// doubles. None where restitution is so steep or so rough that this does not settle at once.
-std::optional<double> corrected(RestitutionCurve& curve, double target, double root) {
-    constexpr double part = 1e-6;
-    constexpr double spacing = std::numeric_limits<double>::epsilon();
-    constexpr int most_corrections = 3;
-    const double rise = curve.at<double>(root * (1 + part)) - curve.at<double>(root * (1 - part));
-    const double slope = rise / (2 * part * root);
-    if (!(slope < 0)) return std::nullopt;
-    double number = root;
-    for (int i = 0; i < most_corrections; ++i) {
-        const double step = static_cast<double>(curve.at<Extended>(number) - target) / slope;
-        if (std::abs(step) <= spacing * number) return number;
-        if (!(std::abs(step) < part * root)) return std::nullopt;
-        number -= step;
-    }
-    return std::nullopt;
+/// A root of double precision, mended to the spacing of numbers by one step of Newton's method in extended
+/// precision; none where that does not do, since restitution is too steep or too flat there.
+std::optional<double> mended(RestitutionCurve& curve, double target, double root) {
+    const double step = 1e-6 * root;
+    const double slope = (target - curve.at<double>(root - step)) / step;
+    if (!(slope < 0.0)) return std::nullopt;
+    const auto miss = [&](double number) { return static_cast<double>(curve.at<Extended>(number) - target); };
+    const double next = root - miss(root) / slope;
+    if (!(std::abs(miss(next)) <= -slope * spacing * next)) return std::nullopt;
+    return next;
 }
 
 double scaled_solution(const DampingProblem& problem, RestitutionCurve& curve) {
@@ -123,7 +117,7 @@ double scaled_solution(const DampingProblem& problem, RestitutionCurve& curve) {
     if (curve.at<double>(0.0) <= target) return solution_within(curve, target, 0.0, most);
     const auto miss = [&](double number) { return curve.at<double>(number) - target; };
     const double root = gsl::brent(miss, 0.0, most).root;
-    if (const auto exact = corrected(curve, target, root)) return *exact;
+    if (const auto solution = mended(curve, target, root)) return *solution;
     for (double margin = 1e-12; margin < 0.1; margin *= 100) {
         const double lower = root * (1 - margin);
         const double upper = root * (1 + margin);

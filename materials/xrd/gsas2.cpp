@@ -57,7 +57,7 @@ struct Scan {
     }
 };
 
-void read_heading(Scan& scan, std::string_view text) {
+void read_scan_heading(Scan& scan, std::string_view text) {
     const std::string_view rest = text.substr(std::string_view("Phase:").size());
     const auto split = rest.find(in_histogram);
     if (split == std::string_view::npos) return;
@@ -119,7 +119,7 @@ XrdResult read_gsas2(const TextLines& file) {
     for (const auto& [number, raw] : file.lines()) {
         const std::string_view text = trimmed(raw);
         if (text.starts_with("Phase:"))
-            read_heading(scan, text);
+            read_scan_heading(scan, text);
         else if (text.starts_with("Result for phase:"))
             scan.described_phase = trimmed(text.substr(std::string_view("Result for phase:").size()));
         else if (text.starts_with("Density:") && !scan.described_phase.empty())

@@ -50,17 +50,17 @@ Names adhesion_rules() {
 }
 
 /// What stands for "@..." in the schema files: lists that live in the code.
-Names listed(const std::string& placeholder) {
+Names listed(const std::string& mark) {
     const auto by_name = [](const auto& entry) { return entry.name; };
-    if (placeholder == "@laws")
+    if (mark == "@laws")
         return names_in(RegisteredLaws::names, [](std::string_view name) { return name; });
-    if (placeholder == "@detachments") return names_in(detachment_names, by_name);
-    if (placeholder == "@damping_laws") return names_in(damping_names, by_name);
-    if (placeholder == "@calibration_quantities") return names_in(calibration_quantity_names, by_name);
-    if (placeholder == "@mixture_rules") return mixture_rules();
-    if (placeholder == "@porosity_laws") return porosity_laws();
-    if (placeholder == "@adhesion_rules") return adhesion_rules();
-    throw std::logic_error("no list for " + placeholder);
+    if (mark == "@detachments") return names_in(detachment_names, by_name);
+    if (mark == "@damping_laws") return names_in(damping_names, by_name);
+    if (mark == "@calibration_quantities") return names_in(calibration_quantity_names, by_name);
+    if (mark == "@mixture_rules") return mixture_rules();
+    if (mark == "@porosity_laws") return porosity_laws();
+    if (mark == "@adhesion_rules") return adhesion_rules();
+    throw std::logic_error("no list for " + mark);
 }
 
 Json schema_file(const std::string& name) {

@@ -51,18 +51,29 @@ void check_output(const std::filesystem::path& output) {
         refuse("its folder does not exist", "a file in a folder that does; -o");
 }
 
+/// Removes what a sweep keeps while it goes on, and what it was writing when it was killed.
 void remove(const SweepFiles& files) {
     std::error_code ignored;
     for (const auto& file : {files.checkpoint, files.rows}) std::filesystem::remove(file, ignored);
+    const std::string own = "." + files.result.filename().string() + ".";
+    const auto folder = std::filesystem::absolute(files.result, ignored).parent_path();
+    std::vector<std::filesystem::path> left;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+        const std::string name = entry.path().filename().string();
+        if (name.starts_with(own) && name.ends_with(".tmp")) left.push_back(entry.path());
+    }
+    for (const auto& file : left) std::filesystem::remove(file, ignored);
+}
+
+/// Makes the full table of the packed rows, which no other sweep may write meanwhile.
+void make_table(const SweepFiles& files, const SweepPlan& plan, std::uint64_t row_bytes) {
+    const RowLog held(files.rows, row_bytes);
+    write_table(files.table, plan, files.rows);
 }
 
 Checkpoint begin(const SweepOptions& options, const SweepPlan& plan, const SweepFiles& files) {
     if (options.restart) remove(files);
-    auto checkpoint = load_checkpoint(files.checkpoint, plan);
-    if (!checkpoint) return {};
-    spdlog::info("{}: going on from chunk {} of {}", files.checkpoint.string(), checkpoint->tally.chunks(),
-                 plan.chunks());
-    return *std::move(checkpoint);
+    return load_checkpoint(files.checkpoint, plan).value_or(Checkpoint{});
 }
 
 /// One line a law: what was found.
@@ -86,7 +97,7 @@ bool lead(const SweepOptions& options, const SweepPlan& plan, const SpecFile& sp
                          .show_progress = options.progress || on_terminal(),
                          .interrupted = [] { return interrupting_signal != 0; }};
     if (!complete(state, plan, files, team, care)) return false;
-    if (!plan.spec().table.empty()) write_table(files.table, plan, files.rows);
+    if (!plan.spec().table.empty()) make_table(files, plan, state.row_bytes);
     const Json artifact = sweep_artifact(plan, state.tally, spec);
     write_file(files.result, write_json(artifact));
     remove(files);
@@ -109,7 +120,11 @@ void run_sweep_command(const SweepOptions& options, MpiSession& session, const I
     text = session.broadcast(text);
     const SweepPlan plan(text);
     const int threads = options.threads > 0 ? options.threads : default_threads(session.size_here());
-    Crew crew(threads, work_of(plan, solver));
+    const auto of_spec = [&](const ContactModel& model, const ImpactColumns& impacts,
+                             const WantedResults& wanted) {
+        return in_file(options.spec, [&] { return solver(model, impacts, wanted); });
+    };
+    Crew crew(threads, work_of(plan, of_spec));
     if (session.rank() != 0) {
         serve(crew, session);
         return;

@@ -13,20 +13,22 @@ struct InputEntry {
     Dimension dimension;  ///< of a damping: that of the constant law
 };
 
-constexpr std::array<InputEntry, impact_input_count> inputs{{{"radius", Dimension::length},
-                                                             {"density", Dimension::density},
-                                                             {"mass", Dimension::mass},
-                                                             {"contact_modulus", Dimension::pressure},
-                                                             {"work_of_adhesion", Dimension::energy_per_area},
-                                                             {"yield_pressure", Dimension::pressure},
-                                                             {"damping", Dimension::damping},
-                                                             {"velocity", Dimension::velocity}}};
+constexpr std::array<InputEntry, impact_input_count> input_entries{
+    {{"radius", Dimension::length},
+     {"density", Dimension::density},
+     {"mass", Dimension::mass},
+     {"contact_modulus", Dimension::pressure},
+     {"work_of_adhesion", Dimension::energy_per_area},
+     {"yield_pressure", Dimension::pressure},
+     {"damping", Dimension::damping},
+     {"velocity", Dimension::velocity}}};
 
-constexpr std::array<InputEntry, observable_count> observables{{{"captured", Dimension::fraction},
-                                                                {"restitution", Dimension::fraction},
-                                                                {"rebound_velocity", Dimension::velocity},
-                                                                {"contact_time", Dimension::time},
-                                                                {"maximum_overlap", Dimension::length}}};
+constexpr std::array<InputEntry, observable_count> observable_entries{
+    {{"captured", Dimension::fraction},
+     {"restitution", Dimension::fraction},
+     {"rebound_velocity", Dimension::velocity},
+     {"contact_time", Dimension::time},
+     {"maximum_overlap", Dimension::length}}};
 
 template <class Entries>
 std::size_t position_of(const Entries& entries, std::string_view name) {
@@ -38,16 +40,16 @@ std::size_t position_of(const Entries& entries, std::string_view name) {
 }  // namespace
 
 std::string_view name_of(ImpactInput input) {
-    return inputs[static_cast<std::size_t>(input)].name;
+    return input_entries[static_cast<std::size_t>(input)].name;
 }
 
 ImpactInput impact_input_named(std::string_view name) {
-    return static_cast<ImpactInput>(position_of(inputs, name));
+    return static_cast<ImpactInput>(position_of(input_entries, name));
 }
 
 Dimension dimension_of(ImpactInput input, DampingLaw law) {
     return input == ImpactInput::damping ? dimension_of(law)
-                                         : inputs[static_cast<std::size_t>(input)].dimension;
+                                         : input_entries[static_cast<std::size_t>(input)].dimension;
 }
 
 bool may_be_zero(ImpactInput input) {
@@ -55,15 +57,15 @@ bool may_be_zero(ImpactInput input) {
 }
 
 std::string_view name_of(Observable observable) {
-    return observables[static_cast<std::size_t>(observable)].name;
+    return observable_entries[static_cast<std::size_t>(observable)].name;
 }
 
 Observable observable_named(std::string_view name) {
-    return static_cast<Observable>(position_of(observables, name));
+    return static_cast<Observable>(position_of(observable_entries, name));
 }
 
 Dimension dimension_of(Observable observable) {
-    return observables[static_cast<std::size_t>(observable)].dimension;
+    return observable_entries[static_cast<std::size_t>(observable)].dimension;
 }
 
 bool captures_count(Observable observable) {

@@ -1,5 +1,7 @@
 #include "pipeline/sweep/sweep.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <bit>
 #include <map>
@@ -34,6 +36,8 @@ class Course {
           progress_(plan.impacts(), impacts_done(), care.show_progress),
           next_(state.tally.chunks()) {
         if (!plan.spec().table.empty()) rows_.emplace(files.rows, state.row_bytes);
+        if (next_ > 0)
+            spdlog::info("{}: going on from chunk {} of {}", files.checkpoint.string(), next_, plan.chunks());
     }
 
     [[nodiscard]] bool run() {
@@ -46,8 +50,7 @@ class Course {
                 save();
                 return false;
             }
-            if (std::chrono::duration<double>(Clock::now() - saved_).count() >= care_.checkpoint_interval)
-                save();
+            if (is_due()) save();
         }
         save();
         return true;
@@ -57,6 +60,7 @@ class Course {
         if (rows_) rows_->sync();
         save_checkpoint(files_.checkpoint, plan_, state_);
         saved_ = Clock::now();
+        saved_chunks_ = state_.tally.chunks();
     }
 
   private:
@@ -65,6 +69,11 @@ class Course {
         const std::uint64_t points =
             chunks == plan_.chunks() ? plan_.design().points() : plan_.first_point(chunks);
         return points * plan_.impacts_a_point() * plan_.spec().laws.size();
+    }
+
+    [[nodiscard]] bool is_due() const {
+        return state_.tally.chunks() > saved_chunks_ &&
+               std::chrono::duration<double>(Clock::now() - saved_).count() >= care_.checkpoint_interval;
     }
 
     /// Assigns blocks while someone has nothing to do, but never far ahead of what is merged: results that
@@ -131,6 +140,7 @@ class Course {
     std::map<std::uint64_t, FinishedBlock> waiting_;  ///< for blocks before them, by first chunk
     double seconds_a_chunk_ = 0;
     Clock::time_point saved_ = Clock::now();
+    std::uint64_t saved_chunks_ = 0;
 };
 
 }  // namespace

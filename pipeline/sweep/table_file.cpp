@@ -1,7 +1,6 @@
 #include "pipeline/sweep/table_file.hpp"
 
 #include <hdf5.h>
-#include <unistd.h>
 
 #include <array>
 #include <fstream>
@@ -157,8 +156,7 @@ void copy_rows(std::ifstream& rows, const SweepPlan& plan, TableFile& table) {
 
 void write_table(const std::filesystem::path& file, const SweepPlan& plan,
                  const std::filesystem::path& rows) {
-    const auto temporary =
-        file.parent_path() / ("." + file.filename().string() + "." + std::to_string(getpid()) + ".tmp");
+    const auto temporary = file.parent_path() / ("." + file.filename().string() + ".tmp");
     try {
         std::ifstream stream(rows, std::ios::binary);
         TableFile table(temporary, plan);

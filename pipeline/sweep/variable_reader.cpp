@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "materials/checks.hpp"
 #include "materials/text.hpp"
 
 namespace ashimpact {
@@ -145,19 +146,37 @@ class VariableReader {
     Dimension dimension_;
 };
 
-}  // namespace
+/// Refuses a variable that gives, however rarely, a value no impact may have.
+void check_values(const View& node, const Distribution& distribution, ImpactInput input,
+                  Dimension dimension) {
+    std::vector<double> values{0x1p-53, 1 - 0x1p-53};  // beyond, no point of a sweep is
+    to_quantiles(distribution, values);
+    if (const auto* choice = std::get_if<Choice>(&distribution)) values = choice->values;
+    node.located([&] {
+        for (const double value : values)
+            if (value != 0 || !may_be_zero(input)) require_positive(name_of(input), value, dimension);
+    });
+}
 
-Distribution read_variable(const View& node, ImpactInput input, DampingLaw damping_law) {
-    const Dimension dimension = dimension_of(input, damping_law);
-    Distribution distribution = VariableReader(node, dimension).read();
+void check_sign(const View& node, const Distribution& distribution, ImpactInput input, Dimension dimension) {
     const double lowest = support_of(distribution).lowest;
     const bool open = std::holds_alternative<LogNormal>(distribution);  // comes near zero, never there
-    if (lowest > 0 || (lowest == 0 && (open || may_be_zero(input)))) return distribution;
+    if (lowest > 0 || (lowest == 0 && (open || may_be_zero(input)))) return;
     const std::string sign = may_be_zero(input) ? "not negative" : "positive";
     if (std::isinf(lowest))
         node.fail("a normal distribution reaches below zero", "a \"minimum\" that is " + sign);
     node.fail("reaches down to " + shortest(lowest) + " " + std::string(si_unit(dimension)),
               "values that are " + sign);
+}
+
+}  // namespace
+
+Distribution read_variable(const View& node, ImpactInput input, DampingLaw damping_law) {
+    const Dimension dimension = dimension_of(input, damping_law);
+    Distribution distribution = VariableReader(node, dimension).read();
+    check_sign(node, distribution, input, dimension);
+    check_values(node, distribution, input, dimension);
+    return distribution;
 }
 
 }  // namespace ashimpact

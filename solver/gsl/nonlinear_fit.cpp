@@ -15,7 +15,7 @@ namespace ashimpact::gsl {
 namespace {
 
 /// Carries the problem through GSL's C interface; an exception is kept and thrown again outside it.
-struct Target {
+struct FitTarget {
     const NonlinearProblem& problem;
     std::exception_ptr error;
 };
@@ -38,7 +38,7 @@ Eigen::MatrixXd from_gsl(const gsl_matrix* m) {
 
 /// Calls @p action unless an earlier call threw; keeps what it throws.
 template <class Action>
-int guarded(Target& target, Action&& action) {
+int guarded(FitTarget& target, Action&& action) {
     if (target.error) return GSL_EFAILED;
     try {
         action();
@@ -69,7 +69,7 @@ bool is_stationary(const gsl_multifit_nlinear_workspace* workspace) {
 }
 
 int evaluate(const gsl_vector* x, void* parameters, gsl_vector* f) {
-    auto& target = *static_cast<Target*>(parameters);
+    auto& target = *static_cast<FitTarget*>(parameters);
     return guarded(target, [&] {
         const Eigen::VectorXd value = target.problem.residuals(from_gsl(x));
         for (std::size_t i = 0; i < f->size; ++i) gsl_vector_set(f, i, value[static_cast<Eigen::Index>(i)]);
@@ -77,7 +77,7 @@ int evaluate(const gsl_vector* x, void* parameters, gsl_vector* f) {
 }
 
 int differentiate(const gsl_vector* x, void* parameters, gsl_matrix* jacobian) {
-    auto& target = *static_cast<Target*>(parameters);
+    auto& target = *static_cast<FitTarget*>(parameters);
     return guarded(target, [&] {
         const Eigen::MatrixXd value = target.problem.jacobian(from_gsl(x));
         for (std::size_t i = 0; i < jacobian->size1; ++i) {
@@ -115,7 +115,7 @@ NonlinearFit fit_nonlinear(const NonlinearProblem& fitted, const Eigen::VectorXd
         gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &setup, count, size),
         &gsl_multifit_nlinear_free);
 
-    Target target{fitted, nullptr};
+    FitTarget target{fitted, nullptr};
     gsl_multifit_nlinear_fdf problem{};
     problem.f = &evaluate;
     if (fitted.jacobian) problem.df = &differentiate;

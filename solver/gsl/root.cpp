@@ -14,13 +14,13 @@ namespace ashimpact::gsl {
 namespace {
 
 /// Carries the function through GSL's C interface; an exception is kept and thrown again outside it.
-struct Target {
+struct RootTarget {
     const std::function<double(double)>& function;
     std::exception_ptr error;
 };
 
 double evaluate(double x, void* parameters) {
-    auto& target = *static_cast<Target*>(parameters);
+    auto& target = *static_cast<RootTarget*>(parameters);
     if (target.error) return 0.0;
     try {
         return target.function(x);
@@ -35,7 +35,7 @@ double evaluate(double x, void* parameters) {
 RootSummary brent(const std::function<double(double)>& function, double lower, double upper,
                   const RootOptions& options) {
     quiet();
-    Target target{function, nullptr};
+    RootTarget target{function, nullptr};
     gsl_function wrapped{&evaluate, &target};
     const std::unique_ptr<gsl_root_fsolver, decltype(&gsl_root_fsolver_free)> solver(
         gsl_root_fsolver_alloc(gsl_root_fsolver_brent), &gsl_root_fsolver_free);

@@ -1,0 +1,82 @@
+#include "pipeline/sweep/chunk.hpp"
+
+#include <doctest/doctest.h>
+
+#include "pipeline/sweep/bytes.hpp"
+#include "pipeline/sweep/tally.hpp"
+#include "tests/pipeline/sweep/specs.hpp"
+
+using namespace ashimpact;
+
+namespace {
+
+/// Restitutions with digits down to the last, so that any change of order shows.
+ResultColumns formula(const ContactModel& model, const ImpactColumns& impacts, const WantedResults& wanted) {
+    ResultColumns results;
+    for (std::size_t i = 0; i < impacts.velocity.size(); ++i) {
+        const double x = impacts.velocity[i] * impacts.effective_radius[i] * 1e4 /
+                         (1.0 + static_cast<double>(model.law.index()));
+        results.restitution.push_back(std::max(0.0, 1 - 1 / (0.7 + x)));
+        if (wanted.contact_time)
+            results.contact_time.push_back(results.restitution.back() > 0 ? x : std::nan(""));
+    }
+    return results;
+}
+
+std::string tallied(const SweepPlan& plan, const std::vector<unsigned>& levels) {
+    Tally tally;
+    std::string rows;
+    for (const unsigned level : levels) {
+        const Block block{tally.chunks(), level};
+        BlockResult result = compute_block(plan, formula, block);
+        rows += result.rows;
+        tally.add(block, std::move(result));
+    }
+    CHECK(tally.chunks() == plan.chunks());
+    ByteWriter writer;
+    writer(tally);
+    return std::move(writer).take() + rows;
+}
+
+}  // namespace
+
+TEST_CASE("blocks of any level give the same bytes as chunk by chunk") {
+    for (const char* method : {"random", "quasi-random"}) {
+        Json spec = test::full_spec(14'000);
+        spec["sampling"]["method"] = method;
+        const SweepPlan plan(spec.dump());
+        REQUIRE(plan.chunks() == 7);
+        const std::string whole = tallied(plan, {0, 0, 0, 0, 0, 0, 0});
+        CHECK(tallied(plan, {2, 1, 0}) == whole);
+        CHECK(tallied(plan, {1, 0, 0, 1, 0}) == whole);
+    }
+}
+
+TEST_CASE("a tally does not grow with the number of chunks, but for one node each time it doubles") {
+    Json spec = test::full_spec(600'000);
+    spec.erase("table");
+    const SweepPlan plan(spec.dump());
+    Tally tally;
+    std::size_t at_sixteen = 0;
+    while (tally.chunks() < 256) {
+        const Block block{tally.chunks(), 4};
+        tally.add(block, compute_block(plan, formula, block));
+        ByteWriter writer;
+        writer(tally);
+        const std::size_t size = std::move(writer).take().size();
+        if (at_sixteen == 0) at_sixteen = size;
+        CHECK(size < 5 * at_sixteen);
+    }
+}
+
+TEST_CASE("points are numbered through chunks; the last one has what is left") {
+    const SweepPlan plan(test::full_spec(14'000).dump());
+    CHECK(plan.impacts_a_point() == 4);
+    CHECK(plan.points_in(0) == 2048);
+    CHECK(plan.points_in(6) == 14'000 - 6 * 2048);
+    CHECK(plan.first_point(6) == 6 * 2048);
+    CHECK(plan.rows() == 56'000);
+    CHECK(plan.impacts() == 112'000);
+    CHECK(plan.wanted().contact_time);
+    CHECK_FALSE(plan.wanted().maximum_overlap);
+}

@@ -1,0 +1,183 @@
+#include <doctest/doctest.h>
+
+#include <csignal>
+#include <random>
+#include <thread>
+
+#include "tests/pipeline/sweep/process.hpp"
+#include "tests/pipeline/sweep/specs.hpp"
+
+using namespace ashimpact;
+using test::Ended;
+using test::Process;
+using test::Sandbox;
+
+namespace {
+
+constexpr double sample_count = 60'000;  // 30 chunks
+const std::vector<std::string> watched_sweep{ASHIMPACT_STAND_IN, "sweep", "spec.json", "-o", "out.json",
+                                             "--checkpoint",     "0",     "--threads", "1"};
+const std::vector<std::string> slowly{"ASHIMPACT_PAUSE=0.02"};
+
+void write_spec(const Sandbox& sandbox) {
+    sandbox.write("spec.json", test::full_spec(sample_count).dump());
+}
+
+auto undisturbed() {
+    const Sandbox sandbox;
+    write_spec(sandbox);
+    CHECK(test::run(sandbox, watched_sweep).status == 0);
+    return sandbox.everything();
+}
+
+void sleep_for(double seconds) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+}
+
+/// Waits until a sweep has something to go on from.
+void await_checkpoint(const Sandbox& sandbox) {
+    for (int i = 0; i < 2000 && !sandbox.has("out.json.checkpoint"); ++i) sleep_for(0.01);
+    REQUIRE(sandbox.has("out.json.checkpoint"));
+}
+
+/// Ends what was left unfinished and compares.
+void check_goes_on(const Sandbox& sandbox) {
+    const Ended ended = test::run(sandbox, watched_sweep);
+    CAPTURE(ended.err);
+    CHECK(ended.status == 0);
+    CHECK(ended.err.find("out.json.checkpoint: going on from chunk ") != std::string::npos);
+    CHECK(sandbox.everything() == undisturbed());
+}
+
+}  // namespace
+
+TEST_CASE("a sweep killed at random moments and run again leaves the bytes of an undisturbed one") {
+    const auto expected = undisturbed();
+    std::minstd_rand random(
+        static_cast<unsigned>(std::chrono::steady_clock::now().time_since_epoch().count()));
+    std::uniform_real_distribution<double> moment(0.0, 0.6);
+    for (int round = 0; round < 4; ++round) {
+        const Sandbox sandbox;
+        write_spec(sandbox);
+        int killed = 0;
+        for (int status = -1; status != 0;) {
+            const double after = moment(random);
+            CAPTURE(after);
+            Process process(sandbox, watched_sweep, slowly);
+            sleep_for(after);
+            process.signal(SIGKILL);
+            status = process.wait().status;
+            CHECK((status == 0 || status == 128 + SIGKILL));
+            if (status != 0 && ++killed > 3) status = test::run(sandbox, watched_sweep).status;
+        }
+        CHECK(killed > 0);
+        auto left = sandbox.everything();
+        std::erase_if(left,
+                      [](const auto& file) { return file.first.ends_with(".tmp"); });  // of a write cut short
+        CHECK(left == expected);
+    }
+}
+
+TEST_CASE("a rank that dies ends the job with an error, and what is finished stays") {
+    for (const char* rank_and_calls : {"1:5", "0:9", "2:3"}) {
+        CAPTURE(rank_and_calls);
+        const Sandbox sandbox;
+        write_spec(sandbox);
+        const Ended ended = test::run(sandbox, test::under_mpi(3, watched_sweep),
+                                      {slowly.front(), std::string("ASHIMPACT_DIE=") + rank_and_calls});
+        CHECK(ended.status != 0);
+        CHECK_FALSE(sandbox.has("out.json"));
+        REQUIRE(sandbox.has("out.json.checkpoint"));
+        check_goes_on(sandbox);
+    }
+}
+
+TEST_CASE("an interruption saves what is finished and ends the program as the signal would") {
+    for (const int signal : {SIGINT, SIGTERM}) {
+        const Sandbox sandbox;
+        write_spec(sandbox);
+        std::vector<std::string> rarely = watched_sweep;
+        rarely[6] = "1000";
+        Process process(sandbox, rarely, slowly);
+        sleep_for(0.5);
+        process.signal(signal);
+        const Ended ended = process.wait();
+        if (ended.status == 0) continue;  // a slow start: all was done before
+        CHECK(ended.status == 128 + signal);
+        CHECK_FALSE(sandbox.has("out.json"));
+        if (sandbox.has("out.json.checkpoint")) check_goes_on(sandbox);
+    }
+}
+
+TEST_CASE("an impact that does not converge has status 3, and what is finished stays") {
+    for (const int ranks : {0, 2}) {
+        CAPTURE(ranks);
+        const Sandbox sandbox;
+        Json spec = test::full_spec(sample_count);
+        spec["variables"]["velocity"] =
+            Json::parse(R"({"grid": "linear", "from": 1, "to": 2, "points": 3000})");
+        spec["variables"]["radius"] = Json::parse(
+            R"({"values": ["1 um", "2 um", "3 um", "4 um", "5 um", "6 um", "7 um", "8 um", "9 um", "10 um"]})");
+        spec["sampling"] = {{"method", "grid"}};
+        spec.erase("sensitivity");
+        sandbox.write("spec.json", spec.dump());
+        const Ended ended =
+            test::run(sandbox, ranks == 0 ? watched_sweep : test::under_mpi(ranks, watched_sweep),
+                      {"ASHIMPACT_FAIL=1.9"});
+        CHECK(ended.status == 3);
+        CHECK(ended.err.find("not converged: the stand-in was told to fail") != std::string::npos);
+        CHECK_FALSE(sandbox.has("out.json"));
+        CHECK(sandbox.has("out.json.checkpoint"));
+    }
+}
+
+TEST_CASE("a checkpoint of another sweep, or a damaged one, is not touched unless asked") {
+    const Sandbox sandbox;
+    write_spec(sandbox);
+    Process process(sandbox, watched_sweep, slowly);
+    await_checkpoint(sandbox);
+    process.signal(SIGKILL);
+    static_cast<void>(process.wait());
+    const std::string checkpoint = sandbox.read("out.json.checkpoint");
+
+    const auto check_refused = [&](const char* says) {
+        const auto before = sandbox.everything();
+        const Ended ended = test::run(sandbox, watched_sweep);
+        CHECK(ended.status == 2);
+        CHECK(ended.err.find(says) != std::string::npos);
+        CHECK(test::lines_of(ended.err).size() == 1);
+        CHECK(sandbox.everything() == before);
+    };
+    Json other = test::full_spec(sample_count);
+    other["sampling"]["seed"] = 4;
+    sandbox.write("spec.json", other.dump());
+    check_refused("out.json.checkpoint: is the checkpoint of another sweep; allowed: --restart");
+    write_spec(sandbox);
+    sandbox.write("out.json.checkpoint", checkpoint.substr(0, checkpoint.size() / 2));
+    check_refused("is no checkpoint, or damaged");
+    std::string flipped = checkpoint;
+    flipped[flipped.size() - 100] ^= 1;
+    sandbox.write("out.json.checkpoint", flipped);
+    check_refused("is no checkpoint, or damaged");
+    sandbox.write("out.json.checkpoint", checkpoint);
+    std::filesystem::resize_file(sandbox.path("out.json.rows"), 10);
+    check_refused("out.json.rows: is shorter than its checkpoint says");
+
+    std::vector<std::string> anew = watched_sweep;
+    anew.emplace_back("--restart");
+    CHECK(test::run(sandbox, anew).status == 0);
+    auto left = sandbox.everything();
+    CHECK(left == undisturbed());
+}
+
+TEST_CASE("two sweeps do not write one table") {
+    const Sandbox sandbox;
+    write_spec(sandbox);
+    Process first(sandbox, watched_sweep, slowly);
+    await_checkpoint(sandbox);
+    const Ended second = test::run(sandbox, watched_sweep);
+    CHECK(second.status == 2);
+    CHECK(second.err.find("another sweep writes here") != std::string::npos);
+    CHECK(first.wait().status == 0);
+    CHECK(sandbox.everything() == undisturbed());
+}
