@@ -114,7 +114,7 @@ SampleCheck check_sample(const Case& data, const Sample& sample, const Reconstru
         }
         const Quantity* printed = sample.published ? sample.published->critical_velocity.find(law) : nullptr;
         if (printed != nullptr) prediction.printed = printed->value;
-        check.others.push_back(std::move(prediction));
+        check.others.push_back(prediction);
     }
     return check;
 }
