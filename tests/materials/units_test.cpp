@@ -117,7 +117,7 @@ TEST_CASE("junk, wrong dimensions and numbers that are none are one-line errors 
           "the unit \"kg/m 3\" is not known; allowed: a density [kg/m3], e.g. 2160 kg/m3, 2.16 g/cm3");
     CHECK(
         message("3 J", Dimension::energy_per_area) ==
-        "the unit \"J\" is not one of energy per area; allowed: a energy per area [J/m2], e.g. 0.3 J/m2, 300 "
+        "the unit \"J\" is not one of energy per area; allowed: an energy per area [J/m2], e.g. 0.3 J/m2, 300 "
         "mJ/m2, 0.3 N/m");
     CHECK(message("5 1/s", Dimension::time).find("allowed") != std::string::npos);
     CHECK(message("1e308 GPa", Dimension::pressure).find("too large") != std::string::npos);
