@@ -60,11 +60,11 @@ void print_thread_table(int repetitions) {
                                    solve_impacts(batch, result, {.threads = threads, .turning_point = false});
                                }};
     const int rounds = 4 * repetitions + 1;
-    fmt::print("\n{:<36}{:>10}{:>26}{:>14}\n", fmt::format("{} threads, medians of {} rounds", cores, rounds),
+    fmt::print("\n{:<36}{:>10}{:>30}{:>14}\n", fmt::format("{} threads, medians of {} rounds", cores, rounds),
                "speed-up", "/ multiply-adds (quartiles)", "undisturbed");
     for (const Scaling& each :
          measure_scaling(multiply_adds_on_threads(), {impacts, sweep_on_threads()}, cores, rounds))
-        fmt::print("{:<36}{:>10.2f}{:>10.2f} ({:.2f} to {:.2f}){:>14.2f}\n", each.name, each.speedup.median,
+        fmt::print("{:<36}{:>10.2f}{:>14.2f} ({:.2f} to {:.2f}){:>14.2f}\n", each.name, each.speedup.median,
                    each.ratio.median, each.ratio.lower, each.ratio.upper, each.undisturbed);
 }
 

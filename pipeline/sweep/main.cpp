@@ -2,7 +2,7 @@
 #include "pipeline/sweep/command.hpp"
 #include "pipeline/sweep/mpi/session.hpp"
 
-/// ashimpact-sweep: ashimpact with MPI, HDF5 and oneTBB, whose libraries take longer to load than other
+/// ashimpact-sweep: ashimpact with MPI and HDF5, whose libraries take longer to load than other
 /// commands take to run. `ashimpact sweep` becomes this program.
 int main(int argc, char** argv) {
     ashimpact::MpiSession session;
