@@ -19,7 +19,7 @@ std::vector<std::string> with_threads(int threads) {
 /// Every byte a sweep left.
 auto left_by(const std::vector<std::string>& command) {
     const Sandbox sandbox;
-    sandbox.write("spec.json", test::full_spec(50'000).dump());
+    sandbox.write("spec.json", test::full_spec(test::many_samples).dump());
     const test::Ended ended = test::run(sandbox, command);
     CAPTURE(ended.err);
     CHECK(ended.status == 0);

@@ -6,6 +6,14 @@
 
 namespace ashimpact::test {
 
+/// How many samples the program itself is given where there should be many: a sanitized one takes a hundred
+/// times as long.
+#ifdef __SANITIZE_ADDRESS__
+inline constexpr double many_samples = 6'000;
+#else
+inline constexpr double many_samples = 200'000;
+#endif
+
 /// A sweep at fly-ash scale with everything a sweep can be asked for.
 [[nodiscard]] inline Json full_spec(double samples) {
     return Json::parse(R"({
