@@ -149,6 +149,12 @@ Fitted fit_through_model(const FitTask& task) {
     });
     const auto directly =
         attempt("direct fit", fitted.notes, [&] { return fit_damping_curve(model, rising.set, direct); });
+    const auto note_enlargement = [&](const char* name, const std::optional<DampingCurveFit>& fit) {
+        const auto note = fit ? enlargement_note(*fit) : std::nullopt;
+        if (note) fitted.notes.push_back(fmt::format("{}: {}", name, *note));
+    };
+    note_enlargement("extrapolated fit", by_extrapolation);
+    note_enlargement("direct fit", directly);
     if (!by_extrapolation) return fitted;
     fitted.json = quadratic_part(*by_extrapolation);
     fitted.json["method"] = "likelihood";

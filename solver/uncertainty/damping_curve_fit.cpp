@@ -124,6 +124,13 @@ DampingCurveFit fit_damping_curve(const ContactModel& model, const MeasurementSe
     return fit;
 }
 
+std::optional<std::string> enlargement_note(const DampingCurveFit& fit) {
+    if (!fit.noise_known || fit.scatter == 1.0) return std::nullopt;
+    return "the rebounds scatter " + shortest(std::round(100.0 * fit.scatter) / 100.0) +
+           " times their stated uncertainty about a damping of order " + std::to_string(fit.options.order) +
+           " in the restitution: uncertainties are enlarged by that";
+}
+
 OrderComparison compare_orders(const ContactModel& model, const MeasurementSet& set,
                                const std::vector<int>& orders, DampingCurveOptions options) {
     OrderComparison result;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace ashimpact {
@@ -103,6 +104,45 @@ FittedCurve closest_fit(const ContactModel& model, const RestitutionData& data, 
     return fit;
 }
 
+/// Coefficients from which the likelihood exists: those given, or drawn towards a constant damping, whose curve
+/// never folds, as far as it takes. A fold steeper than the noise takes the probability from rebounds next to it.
+Eigen::VectorXd unfolded(ImpactLikelihood& likelihood, const Eigen::VectorXd& near) {
+    constexpr int most_steps = 40;
+    const double middle = 0.5 * likelihood.data().greatest_restitution;
+    const Eigen::VectorXd constant = DampingPolynomial{near}(middle) * Eigen::VectorXd::Unit(near.size(), 0);
+    double share = 1.0;
+    for (int step = 0; step < most_steps; ++step, share *= 0.9) {
+        const Eigen::VectorXd drawn = constant + share * (near - constant);
+        try {
+            likelihood.move_to(drawn);
+            if (likelihood.at(drawn)) return drawn;
+        } catch (const ConvergenceError&) {  // not even a curve: further
+        }
+    }
+    return constant;
+}
+
+/// First with noise so large that a fold drowns in it, which is then lowered in steps to what it is.
+LikelihoodMaximum likeliest_by_lowering_noise(ImpactLikelihood& likelihood, Eigen::VectorXd near) {
+    for (const double louder : {16.0, 8.0, 4.0, 2.0, 1.4}) {
+        ImpactLikelihood smooth(likelihood.model(), likelihood.data().with_noise_scaled(louder * louder),
+                                unfolded(likelihood, near));
+        try {
+            near = maximise(smooth, unfolded(smooth, near)).coefficients;
+        } catch (const ConvergenceError&) {  // the next step may do from here
+        }
+    }
+    return maximise(likelihood, unfolded(likelihood, near));
+}
+
+[[noreturn]] void fail(const ImpactLikelihood& likelihood, int order) {
+    throw ConvergenceError(
+        "no damping of order " + std::to_string(order) + " in the restitution describes these " +
+        std::to_string(likelihood.data().rebounds.size()) +
+        " rebounds: the curves closest to them turn back towards smaller velocities near capture; try another "
+        "order or law, or leave out impacts that the law does not hold for, such as the fastest");
+}
+
 /// The most likely curve near a close one, or from simpler ones: a higher order begun on its own may fold
 /// back near v_c, where a curve that the likelihood cannot start from may lie, too.
 LikelihoodMaximum likeliest_from(ImpactLikelihood& likelihood, const Eigen::VectorXd& near) {
@@ -119,31 +159,52 @@ LikelihoodMaximum likeliest_from(ImpactLikelihood& likelihood, const Eigen::Vect
     }
     try {
         return maximise_from(likelihood, starts);
-    } catch (const ConvergenceError&) {
+    } catch (const ConvergenceError&) {  // other ways follow
+    }
+    try {
         return maximise_from(
             likelihood, {raised(least_squares(std::min(order, 1)), order), raised(least_squares(0), order)});
+    } catch (const ConvergenceError&) {
+    }
+    try {
+        return likeliest_by_lowering_noise(likelihood, starts.back());
+    } catch (const ConvergenceError&) {
+        fail(likelihood, order);
     }
 }
 
+/// The most likely curve of many impacts, from that of a few of them.
+LikelihoodMaximum refined(ImpactLikelihood& likelihood, const LikelihoodMaximum& few, double share) {
+    try {
+        return maximise(likelihood, few.coefficients, share * few.covariance);
+    } catch (const ConvergenceError&) {  // what is defined for few need not be for all
+        return likeliest_from(likelihood, few.coefficients);
+    }
+}
+
+/// With the noise of @p goodness, which depends, weakly, on the curve where it is estimated. Of many impacts a
+/// few hundred tell it, and where to start.
 FittedCurve likeliest_fit(const ContactModel& model, const RestitutionData& data, Goodness goodness,
                           Eigen::VectorXd near, bool noise_known) {
-    constexpr int most_passes = 4;  // noise that is estimated depends, weakly, on the curve
+    constexpr int most_passes = 4;
     FittedCurve fit{};
     std::optional<ImpactLikelihood> likelihood;
     for (int pass = 1; pass <= most_passes; ++pass) {
         fit.goodness = goodness;
         fit.data = data.with_noise_scaled(goodness.scatter * goodness.scatter);
-        if (pass == 1) {
-            ImpactLikelihood few(model, thinned(fit.data), near);
-            fit.maximum = likeliest_from(few, near);
-            near = fit.maximum.coefficients;
-        }
-        likelihood.emplace(model, fit.data, near);
-        const bool thin = fit.data.rebounds.size() > most_profiled;
-        if (pass > 1 || thin) fit.maximum = maximise(*likelihood, near);
+        likelihood.emplace(model, thinned(fit.data), near);
+        fit.maximum = pass == 1 ? likeliest_from(*likelihood, near) : maximise(*likelihood, near);
         near = fit.maximum.coefficients;
         goodness = goodness_of(model, data, near, noise_known);
         if (std::abs(goodness.scatter / fit.goodness.scatter - 1.0) < 0.01) break;
+    }
+    const std::size_t few = likelihood->data().rebounds.size();
+    if (few < data.rebounds.size()) {
+        likelihood.emplace(model, fit.data, near);
+        fit.maximum = refined(*likelihood, fit.maximum,
+                              static_cast<double>(few) / static_cast<double>(data.rebounds.size()));
+        near = fit.maximum.coefficients;
+        goodness = goodness_of(model, data, near, noise_known);
     }
     goodness.scatter = fit.goodness.scatter;
     fit.goodness = goodness;
@@ -151,6 +212,7 @@ FittedCurve likeliest_fit(const ContactModel& model, const RestitutionData& data
     fit.critical_damping = curvature_interval(near[0], std::sqrt(fit.maximum.covariance(0, 0)), quantile);
     if (data.rebounds.size() + data.captures.size() > most_profiled) return fit;
     try {
+        likelihood->move_to(near);
         fit.critical_damping = profile_critical_damping(*likelihood, fit.maximum, quantile);
         fit.profiled = true;
     } catch (const ConvergenceError&) {

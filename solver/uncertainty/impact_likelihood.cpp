@@ -11,8 +11,9 @@ namespace ashimpact {
 
 namespace {
 
-constexpr double far = 7.0;             ///< standard uncertainties beyond which noise does not reach
-constexpr double panel_of_noise = 2.0;  ///< length of a panel in the least noise
+constexpr double far = 6.5;             ///< standard uncertainties beyond which noise does not reach
+constexpr double panel_of_noise = 3.0;  ///< length of a panel in the least noise: errors of some 1e-6
+constexpr double finest_panel = 2.0;    ///< the same where the noise becomes negligible
 
 struct NoiseRange {
     double least = std::numeric_limits<double>::infinity();
@@ -178,7 +179,7 @@ void ImpactLikelihood::move_to(const Eigen::VectorXd& coefficients) {
 }
 
 bool ImpactLikelihood::noise_is_negligible(const RestitutionCurve& curve, const RestitutionData& data) {
-    return CurveNodes::too_fine(curve, panel_of_noise * noise_of(data).least);
+    return CurveNodes::too_fine(curve, finest_panel * noise_of(data).least);
 }
 
 std::optional<ImpactLikelihood::Value> ImpactLikelihood::at(const Eigen::VectorXd& coefficients) const {

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace ashimpact {
 
@@ -142,9 +143,16 @@ Eigen::VectorXd closest_robustly(const ContactModel& model, RestitutionData& dat
     return start;
 }
 
-LikelihoodMaximum maximise(ImpactLikelihood& likelihood, const Eigen::VectorXd& start) {
+LikelihoodMaximum maximise(ImpactLikelihood& likelihood, const Eigen::VectorXd& start,
+                           const std::optional<Eigen::MatrixXd>& covariance) {
     Chart chart{start, {}};
-    const auto value = descend(likelihood, chart, [&] { return chart_around(likelihood, chart.center); });
+    bool first = true;
+    const auto next = [&]() -> Chart {
+        const bool known = covariance && std::exchange(first, false);
+        return known ? Chart{chart.center, covariance->llt().matrixL()}
+                     : chart_around(likelihood, chart.center);
+    };
+    const auto value = descend(likelihood, chart, next);
     if (!value) throw ConvergenceError("the likelihood of the damping curve has no maximum");
     likelihood.move_to(chart.center);
     const auto curvature = curvature_of(likelihood, chart, 0.02);

@@ -68,6 +68,7 @@ class RisingBranchFits {
   private:
     DampingResult completed(DampingCurveFit fit, const std::string& name) {
         DampingResult result{std::move(fit), {}, {}};
+        if (const auto note = enlargement_note(result.fit)) result_.notes.push_back(name + " fit: " + *note);
         if (options_.propagate) {
             attempt(result_.notes, "propagation of the " + name + " fit", [&] {
                 result.propagation = propagate_critical_velocity(result.fit, model_, contact_,
