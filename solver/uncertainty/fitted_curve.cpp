@@ -173,12 +173,26 @@ LikelihoodMaximum likeliest_from(ImpactLikelihood& likelihood, const Eigen::Vect
     }
 }
 
-/// The most likely curve of many impacts, from that of a few of them.
+/// The most likely curve of many impacts, from that of a few of them. Where all have none close by, as where
+/// the best curve is next to one that folds, that of the few stands, with its own, wider covariance.
 LikelihoodMaximum refined(ImpactLikelihood& likelihood, const LikelihoodMaximum& few, double share) {
+    const Eigen::VectorXd start = unfolded(likelihood, few.coefficients);
     try {
-        return maximise(likelihood, few.coefficients, share * few.covariance);
-    } catch (const ConvergenceError&) {  // what is defined for few need not be for all
-        return likeliest_from(likelihood, few.coefficients);
+        return maximise(likelihood, start, share * few.covariance);
+    } catch (const ConvergenceError&) {
+        likelihood.move_to(start);
+        const auto at = likelihood.at(start);
+        if (!at) fail(likelihood, static_cast<int>(start.size()) - 1);
+        return {start, at->value, few.covariance};
+    }
+}
+
+/// The same with other noise.
+LikelihoodMaximum likeliest_again(ImpactLikelihood& likelihood, const Eigen::VectorXd& near) {
+    try {
+        return maximise(likelihood, near);
+    } catch (const ConvergenceError&) {
+        return likeliest_from(likelihood, near);
     }
 }
 
@@ -193,7 +207,7 @@ FittedCurve likeliest_fit(const ContactModel& model, const RestitutionData& data
         fit.goodness = goodness;
         fit.data = data.with_noise_scaled(goodness.scatter * goodness.scatter);
         likelihood.emplace(model, thinned(fit.data), near);
-        fit.maximum = pass == 1 ? likeliest_from(*likelihood, near) : maximise(*likelihood, near);
+        fit.maximum = pass == 1 ? likeliest_from(*likelihood, near) : likeliest_again(*likelihood, near);
         near = fit.maximum.coefficients;
         goodness = goodness_of(model, data, near, noise_known);
         if (std::abs(goodness.scatter / fit.goodness.scatter - 1.0) < 0.01) break;
