@@ -6,7 +6,8 @@
 
 namespace ashimpact {
 
-/// Throws InputError "<name> is <value> <unit>; allowed: a positive <dimension>" unless value > 0 and finite.
+/// Throws InputError "<name> is <value> <unit>; allowed: a positive <dimension>" unless value > 0 and finite,
+/// and so far from the ends of floating point, 1e-40 to 1e40 in SI, that products of powers remain numbers.
 void require_positive(std::string_view name, double value, Dimension dimension);
 
 /// As require_positive, but infinity is allowed: a flat or fixed wall.

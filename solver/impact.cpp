@@ -12,18 +12,26 @@ namespace ashimpact {
 
 namespace {
 
-void require_positive(double value, std::string_view quantity, std::string_view unit) {
-    if (std::isfinite(value) && value > 0.0) return;
+[[noreturn]] void refuse(double value, std::string_view quantity, std::string_view unit,
+                         const std::string& allowed) {
     std::ostringstream problem;
     problem << quantity << " is " << value << ' ' << unit;
-    throw InputError(problem.str(), "a finite number > 0 " + std::string(unit));
+    throw InputError(problem.str(), allowed + " " + std::string(unit));
+}
+
+/// Whether products of powers of such numbers are still numbers.
+bool computable(double value) {
+    return value >= 1e-40 && value <= 1e40;
+}
+
+void require_positive(double value, std::string_view quantity, std::string_view unit) {
+    if (!(value > 0.0) || std::isinf(value)) refuse(value, quantity, unit, "a finite number > 0");
+    if (!computable(value)) refuse(value, quantity, unit, "1e-40 to 1e40");
 }
 
 void require_not_negative(double value, std::string_view quantity, std::string_view unit) {
-    if (std::isfinite(value) && value >= 0.0) return;
-    std::ostringstream problem;
-    problem << quantity << " is " << value << ' ' << unit;
-    throw InputError(problem.str(), "a finite number >= 0 " + std::string(unit));
+    if (!(value >= 0.0) || std::isinf(value)) refuse(value, quantity, unit, "a finite number >= 0");
+    if (value > 0.0 && !computable(value)) refuse(value, quantity, unit, "0, or 1e-40 to 1e40");
 }
 
 /// One solved impact with what the ledger needs of its branches.

@@ -233,7 +233,15 @@ void run_calibrate_command(const CalibrateOptions& options, std::ostream& out) {
     const Artifacts artifacts = compute_artifacts(file, "contact");
     Case data = read_case_artifact(artifacts);
     if (!options.free.empty()) data.calibration.clear();
-    for (const std::string& text : options.free) data.calibration.push_back(read_free(text));
+    for (const std::string& text : options.free) {
+        const FreeConstant free = read_free(text);
+        for (const FreeConstant& other : data.calibration)
+            if (other.quantity == free.quantity)
+                throw InputError(in_quotes(text.substr(0, text.find(':'))) + " is given twice",
+                                 "each constant once")
+                    .at("--free");
+        data.calibration.push_back(free);
+    }
 
     in_file(options.case_file.empty() ? "built-in case" : options.case_file, [&] {
         if (options.compare) {

@@ -103,10 +103,13 @@ std::string range_text(const Interval& interval, const char* unit) {
 
 std::string fit_text(const DampingResult& result) {
     const DampingCurveFit& fit = result.fit;
-    return fmt::format("order {}, {} rebounds, {} captures: eta_c {}, v_c {}; chi^2 {} of {}",
-                       fit.options.order, fit.rebounds.size(), fit.captures,
-                       range_text(fit.critical_damping, "kg/s"), range_text(fit.critical_velocity, "m/s"),
-                       readable_number(fit.chi_squared), fit.degrees_of_freedom);
+    const std::string misfit =
+        fit.noise_known
+            ? fmt::format("; chi^2 {} of {}", readable_number(fit.chi_squared), fit.degrees_of_freedom)
+            : std::string{};
+    return fmt::format("order {}, {} rebounds, {} captures: eta_c {}, v_c {}{}", fit.options.order,
+                       fit.rebounds.size(), fit.captures, range_text(fit.critical_damping, "kg/s"),
+                       range_text(fit.critical_velocity, "m/s"), misfit);
 }
 
 std::string parts_text(const DampingParts& parts) {
@@ -121,6 +124,10 @@ std::string parts_text(const DampingParts& parts) {
 }
 
 std::string measured_text(const MeasuredCriticalVelocity& measured) {
+    if (!measured.value && measured.lower)
+        return fmt::format("v_c > {}: {}", readable(*measured.lower, "m/s"), measured.note);
+    if (!measured.value && measured.upper)
+        return fmt::format("v_c < {}: {}", readable(*measured.upper, "m/s"), measured.note);
     if (!measured.value) return measured.note;
     return fmt::format("{}: {}",
                        range_text({*measured.value, measured.standard_uncertainty.value_or(0), measured.lower,

@@ -58,19 +58,23 @@ class Staged {
 
     void add(const FileContent& file) {
         if (std::filesystem::is_directory(file.path, ignored_)) refuse_write(file.path, "it is a folder");
-        const auto folder = file.path.parent_path();
+        const auto status = std::filesystem::status(file.path, ignored_);
+        if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+            streams_.push_back(&file);  // a device or a pipe has no content to be replaced
+            return;
+        }
+        const auto place = through_links(file.path);
+        const auto folder = place.parent_path();
         std::error_code failure;
         if (!folder.empty()) std::filesystem::create_directories(folder, failure);
         if (failure) refuse_write(folder, failure.message());
-        const auto name = "." + file.path.filename().string() + "." + std::to_string(getpid()) + ".tmp";
-        entries_.push_back({folder / name, file.path});
-        errno = 0;
-        std::ofstream stream(entries_.back().temporary, std::ios::binary | std::ios::trunc);
-        stream << file.content << std::flush;
-        if (!stream) refuse_write(file.path, reason(errno != 0 ? errno : EIO));
+        const auto name = "." + place.filename().string() + "." + std::to_string(getpid()) + ".tmp";
+        entries_.push_back({folder / name, place});
+        write(file, entries_.back().temporary);
     }
 
     void commit() {
+        for (const FileContent* file : streams_) write(*file, file->path);
         for (; !entries_.empty(); entries_.erase(entries_.begin())) {
             std::error_code failure;
             std::filesystem::rename(entries_.front().temporary, entries_.front().place, failure);
@@ -79,11 +83,28 @@ class Staged {
     }
 
   private:
+    /// The file that a symbolic link names; any other path as it is.
+    static std::filesystem::path through_links(const std::filesystem::path& path) {
+        std::error_code failure;
+        if (!std::filesystem::is_symlink(path, failure)) return path;
+        auto target = std::filesystem::weakly_canonical(path, failure);
+        if (failure) refuse_write(path, failure.message());
+        return target;
+    }
+
+    static void write(const FileContent& file, const std::filesystem::path& to) {
+        errno = 0;
+        std::ofstream stream(to, std::ios::binary | std::ios::trunc);
+        stream << file.content << std::flush;
+        if (!stream) refuse_write(file.path, reason(errno != 0 ? errno : EIO));
+    }
+
     struct Entry {
         std::filesystem::path temporary;
         std::filesystem::path place;
     };
     std::vector<Entry> entries_;
+    std::vector<const FileContent*> streams_;
     std::error_code ignored_;
 };
 

@@ -19,7 +19,8 @@ struct FileContent {
 
 /// Writes files so that no reader ever sees half of one: each under another name beside its place, then all
 /// renamed in order. If anything fails before the first rename, what was there stays as it was. Signals that
-/// end the program wait until it is done. Folders are made as needed.
+/// end the program wait until it is done. Folders are made as needed. A symbolic link stays one: what it
+/// names is written. A device or a pipe is written to as it is.
 /// @throws InputError if a file cannot be written
 void write_files(std::span<const FileContent> files);
 

@@ -47,11 +47,16 @@ Json residuals_json(const DampingCurveFit& fit, const std::vector<std::size_t>& 
     return json;
 }
 
+/// chi^2 and its probability mean nothing where the noise is estimated from the scatter itself.
+Json with_known_noise(const DampingCurveFit& fit, double value) {
+    return fit.noise_known ? Json(value) : Json(nullptr);
+}
+
 Json order_json(const DampingCurveFit& fit) {
     return {{"order", fit.options.order},
             {"critical_damping", estimate_json(fit.critical_damping, damping_unit)},
             {"critical_velocity", estimate_json(fit.critical_velocity, velocity_unit)},
-            {"chi_squared", fit.chi_squared},
+            {"chi_squared", with_known_noise(fit, fit.chi_squared)},
             {"degrees_of_freedom", fit.degrees_of_freedom},
             {"akaike", finite_json(fit.akaike)},
             {"prediction_error", finite_json(fit.prediction_error)}};
@@ -74,9 +79,9 @@ Json damping_fit_json(const DampingCurveFit& fit, const std::vector<std::size_t>
             {"interval_method", name_of(fit.interval_method)},
             {"rebounds", fit.rebounds.size()},
             {"captures", fit.captures},
-            {"chi_squared", fit.chi_squared},
+            {"chi_squared", with_known_noise(fit, fit.chi_squared)},
             {"degrees_of_freedom", fit.degrees_of_freedom},
-            {"probability", fit.probability},
+            {"probability", with_known_noise(fit, fit.probability)},
             {"noise_known", fit.noise_known},
             {"scatter", quantity_json(fit.scatter, fit.noise_known ? "1" : velocity_unit)},
             {"akaike", finite_json(fit.akaike)},

@@ -19,6 +19,7 @@
 #include "pipeline/stages/read_case_artifact.hpp"
 #include "pipeline/stages/restitution.hpp"
 #include "solver/damping_fit.hpp"
+#include "solver/uncertainty/rebound_check.hpp"
 
 namespace ashimpact {
 
@@ -142,13 +143,17 @@ Fitted fit_through_model(const FitTask& task) {
         .order = choices.direct_order, .captures = true, .robust = choices.robust};
     Fitted fitted;
     const OrderComparison orders = compare_orders(model, rising.set, {1, 2, 3, 4}, extrapolated);
+    const auto checked = [&](DampingCurveFit fit) {
+        require_rebounds_above(fit, rising.set);
+        return fit;
+    };
     const auto by_extrapolation = attempt("extrapolated fit", fitted.notes, [&] {
         for (const DampingCurveFit& fit : orders.fits)
-            if (fit.options.order == choices.order) return fit;
-        return fit_damping_curve(model, rising.set, extrapolated);
+            if (fit.options.order == choices.order) return checked(fit);
+        return checked(fit_damping_curve(model, rising.set, extrapolated));
     });
-    const auto directly =
-        attempt("direct fit", fitted.notes, [&] { return fit_damping_curve(model, rising.set, direct); });
+    const auto directly = attempt("direct fit", fitted.notes,
+                                  [&] { return checked(fit_damping_curve(model, rising.set, direct)); });
     const auto note_enlargement = [&](const char* name, const std::optional<DampingCurveFit>& fit) {
         const auto note = fit ? enlargement_note(*fit) : std::nullopt;
         if (note) fitted.notes.push_back(fmt::format("{}: {}", name, *note));

@@ -8,17 +8,21 @@
 
 namespace ashimpact {
 
-/// One value an impact, or a single one for all of them.
+/// One value an impact, or a single one for all of them. It refers to an array that must outlive it and its
+/// copies; made from an expression it holds the values itself, and its copies do not.
 using Column = Eigen::Ref<const Eigen::ArrayXd>;
+
+/// The yield pressure of contacts that stay elastic [Pa].
+inline const Eigen::ArrayXd never_yields =
+    Eigen::ArrayXd::Constant(1, std::numeric_limits<double>::infinity());
 
 /// The contact pairs of a batch, as ContactPair.
 struct ContactColumns {
-    Column mass;              ///< effective mass m* [kg]
-    Column effective_radius;  ///< R* [m]
-    Column contact_modulus;   ///< E* [Pa]
-    Column work_of_adhesion;  ///< w [J/m2]
-    /// p_y [Pa]; infinite: never yields
-    Column yield_pressure = Eigen::ArrayXd::Constant(1, std::numeric_limits<double>::infinity());
+    Column mass;                           ///< effective mass m* [kg]
+    Column effective_radius;               ///< R* [m]
+    Column contact_modulus;                ///< E* [Pa]
+    Column work_of_adhesion;               ///< w [J/m2]
+    Column yield_pressure = never_yields;  ///< p_y [Pa]
 };
 
 struct NamedColumn {

@@ -20,7 +20,8 @@ double log_normal_probability(double x) {
 }
 
 double log_normal_probability_slope(double x) {
-    return gsl_sf_hazard(-x);
+    constexpr double no_density = 37.0;  // exp(-x^2/2) underflows soon beyond, an error to GSL
+    return x > no_density ? 0.0 : gsl_sf_hazard(-x);
 }
 
 double student_quantile(double probability, int degrees_of_freedom) {

@@ -48,6 +48,41 @@ std::optional<PartBoundary> boundary_of(const DampingSmoothing& smooth, const st
     return PartBoundary{grid[i], grid[i] * here.elasticity_uncertainty / std::max(bend, 1e-3)};
 }
 
+[[noreturn]] void refuse_falling(const MeasurementSet& set, double from) {
+    throw InputError(
+        "there is no rising branch: restitution falls with velocity from " + shortest(from) + " m/s on",
+        "impacts from below the velocity of greatest restitution")
+        .in_file(set.source);
+}
+
+/// Whether the restitution of few rebounds falls with velocity: in every pair of three or more, or in so many
+/// that chance has a probability below 5 % (Kendall's rank test; Mann 1945).
+bool falls(const std::vector<Measurement>& rebounds) {
+    const auto n = static_cast<double>(rebounds.size());
+    if (n < 3.0) return false;
+    double score = 0.0;
+    for (std::size_t i = 0; i < rebounds.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            const double product = (rebounds[i].velocity - rebounds[j].velocity) *
+                                   (rebounds[i].restitution() - rebounds[j].restitution());
+            score += product > 0.0 ? 1.0 : product < 0.0 ? -1.0 : 0.0;
+        }
+    }
+    if (score <= -0.5 * n * (n - 1.0)) return true;
+    constexpr double one_sided = 1.645;
+    return score + 1.0 < -one_sided * std::sqrt(n * (n - 1.0) * (2.0 * n + 5.0) / 18.0);
+}
+
+/// The rising branch of a series too short to be smoothed is all of it, unless it falls.
+void refuse_short_falling(const MeasurementSet& set) {
+    std::vector<Measurement> rebounds;
+    for (const Measurement& point : set.points)
+        if (!point.captured()) rebounds.push_back(point);
+    if (!falls(rebounds)) return;
+    const auto slower = [](const Measurement& a, const Measurement& b) { return a.velocity < b.velocity; };
+    refuse_falling(set, std::min_element(rebounds.begin(), rebounds.end(), slower)->velocity);
+}
+
 }  // namespace
 
 std::string_view name_of(DampingPart part) {
@@ -105,11 +140,9 @@ RisingBranch rising_branch(const ContactModel& model, const MeasurementSet& set,
         branch.falls_beyond =
             *top - *lowest > 2.0 * std::hypot(uncertainty(v_top, *top), uncertainty(v_low, *lowest));
         if (branch.falls_beyond) branch.upper = v_top;
-        if (branch.falls_beyond && top == restitution.begin())
-            throw InputError("there is no rising branch: restitution falls with velocity from " +
-                                 shortest(smooth->slowest()) + " m/s on",
-                             "impacts from below the velocity of greatest restitution")
-                .in_file(set.source);
+        if (branch.falls_beyond && top == restitution.begin()) refuse_falling(set, smooth->slowest());
+    } else {
+        refuse_short_falling(set);
     }
     for (std::size_t i = 0; i < set.points.size(); ++i) {
         if (set.points[i].velocity > branch.upper) continue;

@@ -50,7 +50,8 @@ struct RisingBranch {
 };
 
 /// Everything up to the velocity of greatest smoothed restitution; the whole series where it never falls by
-/// more than two standard uncertainties, or is too short to be smoothed.
+/// more than two standard uncertainties. A series too short to be smoothed is taken whole, unless a rank test
+/// (Kendall) finds that it falls.
 /// @param smoothing of the damping that @p model gives for @p set
 /// @throws InputError where restitution falls with velocity from the slowest rebound on
 [[nodiscard]] RisingBranch rising_branch(const ContactModel& model, const MeasurementSet& set,

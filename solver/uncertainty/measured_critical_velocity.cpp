@@ -1,7 +1,7 @@
 #include "solver/uncertainty/measured_critical_velocity.hpp"
 
 #include "solver/gsl/distribution.hpp"
-#include "solver/gsl/nonlinear_fit.hpp"
+#include "solver/uncertainty/capture_transition.hpp"
 #include "solver/uncertainty/profile.hpp"
 
 #include <algorithm>
@@ -10,18 +10,6 @@
 namespace ashimpact {
 
 namespace {
-
-/// Square roots of -2 ln P of each outcome, for a transition at @p center.
-Eigen::VectorXd residuals_of(const MeasurementSet& set, double center, double extra_variance, double least) {
-    Eigen::VectorXd residuals(static_cast<Eigen::Index>(set.points.size()));
-    Eigen::Index row = 0;
-    for (const Measurement& point : set.points) {
-        const double noise = point.noise ? point.noise->incident : least * least;
-        const double z = (center - point.velocity) / std::sqrt(noise + extra_variance);
-        residuals[row++] = std::sqrt(-2.0 * gsl::log_normal_probability(point.captured() ? z : -z));
-    }
-    return residuals;
-}
 
 double mean_noise(const MeasurementSet& set) {
     double sum = 0.0;
@@ -41,11 +29,12 @@ void note_range(const MeasurementSet& set, MeasuredCriticalVelocity& result) {
 void bound_one_side(const MeasurementSet& set, MeasuredCriticalVelocity& result) {
     const double allowance = gsl::normal_quantile(confidence) * mean_noise(set);
     if (result.fastest_capture) {
-        result.lower = *result.fastest_capture - allowance;
-        result.note = "every impact was captured: v_c is not below the lower end";
+        const double lower = *result.fastest_capture - allowance;
+        if (lower > 0.0) result.lower = lower;
+        result.note = "every impact was captured";
     } else {
         result.upper = *result.slowest_rebound + allowance;
-        result.note = "no impact was captured: v_c is not above the upper end";
+        result.note = "no impact was captured";
     }
 }
 
@@ -57,19 +46,43 @@ void take_gap(MeasuredCriticalVelocity& result) {
     result.note = "between the fastest capture and the slowest rebound";
 }
 
-/// Centre and width of a transition whose outcomes mix.
-struct Transition {
-    double center;
-    double extra_variance;
-};
+/// One velocity with both outcomes, of unknown uncertainty: v_c is there, and nothing says how closely.
+void take_common_velocity(MeasuredCriticalVelocity& result) {
+    result.value = result.fastest_capture;
+    result.standard_uncertainty = 0.0;
+    result.note = "captures end and rebounds begin at one velocity, whose uncertainty is not known";
+}
 
-Transition mixed_transition(const MeasurementSet& set, const MeasuredCriticalVelocity& seen, double unit) {
-    Eigen::VectorXd start(2);
-    start << 0.5 * (*seen.fastest_capture + *seen.slowest_rebound), unit;
-    const auto fit = gsl::fit_nonlinear(
-        [&](const Eigen::VectorXd& x) { return residuals_of(set, x[0], x[1] * x[1], 1e-3 * unit); }, start,
-        {.parameter_tolerance = 1e-7, .gradient_tolerance = 1e-9});
-    return {fit.parameters[0], fit.parameters[1] * fit.parameters[1]};
+void take_transition(const MeasurementSet& set, double noise, bool mixed, MeasuredCriticalVelocity& result) {
+    const double gap = std::abs(*result.fastest_capture - *result.slowest_rebound);
+    const OutcomeLikelihood likelihood(set, 1e-3 * std::max(noise, gap));
+    const auto found = mixed ? likelihood.best() : CaptureTransition{likelihood.best_center(0.0), 0.0};
+    if (!found) {
+        result.note = reversed_share(set) >= 0.5
+                          ? "outcomes contradict a threshold: captures are faster than rebounds"
+                          : "outcomes hang on the velocity too little for a threshold";
+        return;
+    }
+    const double width = std::sqrt(noise * noise + found->extra_variance);
+    const double least = likelihood.at(*found);
+    const double quantile = gsl::normal_quantile(0.5 + 0.5 * confidence);
+    const Interval interval = profile_interval(
+        [&](double center) {
+            return likelihood.at({center, found->extra_variance}) - least;
+        },
+        {.best = found->center,
+         .deviation = std::max(width, 0.3 * gap),
+         .rise = quantile * quantile,
+         .quantile = quantile,
+         .least = 0.0,
+         .greatest = 10.0 * found->center});
+    result.value = interval.value;
+    result.standard_uncertainty = interval.standard_uncertainty;
+    result.lower = interval.lower;
+    result.upper = interval.upper;
+    result.width = width;
+    result.note = mixed ? "outcomes mix between the slowest rebound and the fastest capture"
+                        : "between the fastest capture and the slowest rebound, with their noise";
 }
 
 }  // namespace
@@ -84,39 +97,12 @@ MeasuredCriticalVelocity measured_critical_velocity(const MeasurementSet& set) {
     }
     const double noise = mean_noise(set);
     const bool mixed = *result.fastest_capture >= *result.slowest_rebound;
-    if (!mixed && noise == 0.0) {
+    if (noise == 0.0 && !mixed)
         take_gap(result);
-        return result;
-    }
-    const double gap = std::abs(*result.fastest_capture - *result.slowest_rebound);
-    const double unit = std::max({noise, gap, 1e-6 * *result.slowest_rebound});
-    Transition transition{0.5 * (*result.fastest_capture + *result.slowest_rebound), 0.0};
-    if (mixed) transition = mixed_transition(set, result, unit);
-    const auto misfit = [&](double center) {
-        return residuals_of(set, center, transition.extra_variance, 1e-3 * unit).squaredNorm();
-    };
-    const gsl::NonlinearFit best = gsl::fit_nonlinear(
-        [&](const Eigen::VectorXd& x) {
-            return residuals_of(set, x[0], transition.extra_variance, 1e-3 * unit);
-        },
-        Eigen::VectorXd::Constant(1, transition.center),
-        {.parameter_tolerance = 1e-7, .gradient_tolerance = 1e-9});
-    const double center = best.parameters[0];
-    const double quantile = gsl::normal_quantile(0.5 + 0.5 * confidence);
-    const Interval interval = profile_interval([&](double x) { return misfit(x) - misfit(center); },
-                                               {.best = center,
-                                                .deviation = std::max(noise, 0.3 * gap),
-                                                .rise = quantile * quantile,
-                                                .quantile = quantile,
-                                                .least = 0.0,
-                                                .greatest = 10.0 * center});
-    result.value = interval.value;
-    result.standard_uncertainty = interval.standard_uncertainty;
-    result.lower = interval.lower;
-    result.upper = interval.upper;
-    result.width = std::sqrt(noise * noise + transition.extra_variance);
-    result.note = mixed ? "outcomes mix between the slowest rebound and the fastest capture"
-                        : "between the fastest capture and the slowest rebound, with their noise";
+    else if (noise == 0.0 && *result.fastest_capture == *result.slowest_rebound)
+        take_common_velocity(result);
+    else
+        take_transition(set, noise, mixed, result);
     return result;
 }
 

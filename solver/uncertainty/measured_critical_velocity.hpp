@@ -11,7 +11,7 @@ namespace ashimpact {
 
 /// The critical velocity as the outcomes alone show it, without any model of the contact.
 struct MeasuredCriticalVelocity {
-    std::optional<double> value;                 ///< none where only one outcome was seen [m/s]
+    std::optional<double> value;  ///< > 0; none where one outcome was seen or they give no threshold [m/s]
     std::optional<double> standard_uncertainty;  ///< [m/s]
     std::optional<double> lower;                 ///< of the 95 % interval; none: not bounded [m/s]
     std::optional<double> upper;                 ///< [m/s]
@@ -24,7 +24,9 @@ struct MeasuredCriticalVelocity {
 
 /// Maximum likelihood of P(capture at v) = Phi((v_c - v)/width). The width is the noise of v_in, or what the
 /// mixing of outcomes demands where that is more (particles differ). Without known noise and without mixing
-/// the interval is the gap between the fastest capture and the slowest rebound.
+/// the interval is the gap between the fastest capture and the slowest rebound. Outcomes that contradict a
+/// threshold (captures faster than rebounds beyond their noise) give no value, and the note says so.
+/// @throws InputError for a set that is not valid
 [[nodiscard]] MeasuredCriticalVelocity measured_critical_velocity(const MeasurementSet& set);
 
 enum class CriticalVelocityVerdict { agrees, model_too_low, model_too_high, not_comparable };

@@ -4,6 +4,7 @@
 #include "materials/text.hpp"
 #include "solver/critical_velocity.hpp"
 #include "solver/scaled_impact.hpp"
+#include "solver/uncertainty/rebound_check.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -67,6 +68,7 @@ class RisingBranchFits {
 
   private:
     DampingResult completed(DampingCurveFit fit, const std::string& name) {
+        require_rebounds_above(fit, result_.rising->set);
         DampingResult result{std::move(fit), {}, {}};
         if (const auto note = enlargement_note(result.fit)) result_.notes.push_back(name + " fit: " + *note);
         if (options_.propagate) {
@@ -114,9 +116,11 @@ MeasuredDamping analyse_impacts(Law law, Detachment detachment, const RandomCont
                            .direct = {},
                            .comparison = {},
                            .orders = {},
-                           .measured = options.reported ? *options.reported : measured_critical_velocity(set),
+                           .measured = options.reported.value_or(MeasuredCriticalVelocity{}),
                            .accuracy = 0.0,
                            .notes = {}};
+    if (!options.reported)
+        attempt(result.notes, "measured v_c", [&] { result.measured = measured_critical_velocity(set); });
     if (can_yield(law, pair)) {
         result.impacts = invert_by_solving(law, detachment, pair, set);
         result.smoothing = DampingSmoothing::of(result.impacts);

@@ -298,6 +298,9 @@ TEST_CASE("wrong options: exit 2, one line that names the option") {
              Wrong{"modulus none.csv", "none.csv: cannot be read"},
              Wrong{"inspect none.json", "none.json: cannot be read"},
              Wrong{"schema cases", "no schema is called \"cases\""},
+             Wrong{"calibrate --free density --free density:each", "--free: \"density\" is given twice"},
+             Wrong{"impact --law dmt --velocity 1e308" + contact, "allowed: 1e-40 to 1e40"},
+             Wrong{"critical-velocity --law dmt --damping 1e300" + contact, "allowed: 0, or 1e-40 to 1e40"},
              Wrong{"calibrate --free speed", "--free: unknown constant \"speed\"; allowed: density"},
          }) {
         CAPTURE(wrong.arguments);

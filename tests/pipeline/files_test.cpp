@@ -48,6 +48,20 @@ TEST_CASE("if one file cannot be written, none is touched") {
     CHECK(sandbox.everything() == before);
 }
 
+TEST_CASE("a symbolic link stays one, and a device stays a device") {
+    const Sandbox sandbox;
+    sandbox.write("target", "before");
+    std::filesystem::create_symlink("target", sandbox.folder() / "link");
+    write_file(sandbox.folder() / "link", "after");
+    CHECK(std::filesystem::is_symlink(sandbox.folder() / "link"));
+    CHECK(sandbox.read("target") == "after");
+
+    std::filesystem::create_symlink("/dev/null", sandbox.folder() / "nothing");
+    write_file(sandbox.folder() / "nothing", "lost");
+    CHECK(std::filesystem::is_symlink(sandbox.folder() / "nothing"));
+    CHECK(std::filesystem::is_character_file("/dev/null"));
+}
+
 TEST_CASE("a file that cannot be read is named with the reason") {
     const Sandbox sandbox;
     const auto message = [](const std::string& path) {

@@ -426,6 +426,26 @@ TEST_CASE("damping --impacts reads a table: damping of each, fits, measured crit
     const auto text = ashimpact_program(sandbox, arguments);
     CHECK(text.out.find("measured v_c") != std::string::npos);
     CHECK(text.out.find("at least ") != std::string::npos);  // the damping that captures
+    CHECK(text.out.find("chi^2") != std::string::npos);
+}
+
+TEST_CASE("damping --impacts: a bound with its number, and no chi^2 where the noise is not known") {
+    const Sandbox sandbox;
+    REQUIRE(ashimpact_program(sandbox, "init .").status == 0);
+    const std::string arguments = "damping --law brach-dunn --impacts ";
+    const auto text = ashimpact_program(sandbox, arguments + "impacts.csv" + contact);
+    CHECK(text.out.find("extrapolated fit") != std::string::npos);
+    CHECK(text.out.find("chi^2") == std::string::npos);
+    const Json json = json_of(sandbox, arguments + "impacts.csv" + contact);
+    CHECK(json["extrapolated"]["chi_squared"].is_null());
+    CHECK(json["extrapolated"]["probability"].is_null());
+
+    sandbox.write("captured.csv", "velocity [m/s],rebound_velocity [m/s]\n0.9,0\n1.2,0\n");
+    const auto captured = ashimpact_program(sandbox, arguments + "captured.csv" + contact);
+    CHECK(captured.out.find("v_c > 1.2 m/s: every impact was captured") != std::string::npos);
+    sandbox.write("rebounds.csv", "velocity [m/s],rebound_velocity [m/s]\n1.9,0.3\n2.2,0.5\n");
+    const auto rebounds = ashimpact_program(sandbox, arguments + "rebounds.csv" + contact);
+    CHECK(rebounds.out.find("v_c < 1.9 m/s: no impact was captured") != std::string::npos);
 }
 
 TEST_CASE("cross-check: the published fits of one sample imply nearly the same impacts") {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "solver/gsl/statistics.hpp"
+#include "solver/uncertainty/rebound_check.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/solver/uncertainty/coverage.hpp"
 #include "tests/support/errors.hpp"
@@ -262,6 +263,48 @@ TEST_CASE("degenerate: restitution falls from the first impact on") {
     CHECK_FALSE(result.rising);
     CHECK_FALSE(result.extrapolated);
     CHECK(has_note(result, "no rising branch"));
+}
+
+TEST_CASE("degenerate: restitution of few rebounds falls all along") {
+    const std::vector<std::pair<double, double>> impacts{{2.0, 1.0},  {3.0, 1.35}, {4.0, 1.6},
+                                                         {5.0, 1.75}, {6.0, 1.8},  {7.0, 1.75}};
+    for (const Law law : {Law::of<BrachDunn>(), Law::of<Hertz>(), Law::of<Dmt>()}) {
+        CAPTURE(law.name());
+        const MeasuredDamping result = analysed(impacts_of(impacts), law);
+        CHECK_FALSE(result.rising);
+        CHECK_FALSE(result.extrapolated);
+        CHECK_FALSE(result.direct);
+        CHECK(has_note(result, "there is no rising branch"));
+    }
+    // Two that scatter downwards in a series that rises do not make it fall.
+    const MeasuredDamping rises =
+        analysed(impacts_of({{1.5, 0.3}, {2.0, 0.6}, {2.5, 0.95}, {3.0, 1.1}, {3.5, 1.5}, {4.0, 1.7}}));
+    CHECK(rises.rising);
+}
+
+TEST_CASE("a fitted v_c above clear rebounds is refused, and which rebound contradicts it is said") {
+    const ContactModel model = ash_model(Law::of<BrachDunn>());
+    const MeasurementSet set = measured(40);
+    const DampingCurveFit fit = fit_damping_curve(model, set);
+    CHECK_NOTHROW(require_rebounds_above(fit, set));
+    MeasurementSet other = set;
+    other.points.push_back({.velocity = 0.4, .rebound = 0.3, .noise = set.points.front().noise});
+    const std::string problem = input_error_of([&] { require_rebounds_above(fit, other); });
+    CHECK(contains(problem, "lies above clear rebounds, the slowest at 0.4 m/s"));
+    // Within its noise such a rebound can be a capture.
+    other.points.back().rebound = 2.0 * std::sqrt(set.points.front().noise->rebound);
+    CHECK_NOTHROW(require_rebounds_above(fit, other));
+}
+
+TEST_CASE("degenerate: outcomes that contradict a threshold leave the analysis whole") {
+    MeasurementSet set = measured(40);
+    for (Measurement& point : set.points)
+        if (point.captured()) point.velocity += 8.0;
+    const MeasuredDamping result = analysed(set);
+    check_finite(result);
+    CHECK_FALSE(result.measured.value);
+    CHECK(contains(result.measured.note, "contradict a threshold"));
+    CHECK(result.extrapolated);
 }
 
 TEST_CASE("degenerate: restitution above one is set aside and counted") {

@@ -3,10 +3,13 @@
 #include <cmath>
 
 #include "materials/error.hpp"
+#include "solver/gsl/distribution.hpp"
 #include "solver/gsl/minimum.hpp"
 #include "solver/gsl/quadrature.hpp"
+#include "solver/gsl/random.hpp"
 #include "solver/measurement/binning.hpp"
 #include "solver/measurement/damping_parts.hpp"
+#include "solver/uncertainty/capture_transition.hpp"
 #include "solver/uncertainty/measured_critical_velocity.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/solver/uncertainty/coverage.hpp"
@@ -58,6 +61,87 @@ TEST_CASE("mixed outcomes widen the transition") {
     CHECK(contains(measured.note, "mix"));
     CHECK(*measured.lower < *measured.value);
     CHECK(*measured.value < *measured.upper);
+}
+
+TEST_CASE("captures and rebounds that overlap by about their noise: always a v_c, never far off") {
+    constexpr double truth = 1.2;
+    constexpr double noise = 0.058;
+    gsl::Random random(11);
+    int mixed = 0;
+    int covered = 0;
+    constexpr int laboratories = 300;
+    for (int laboratory = 0; laboratory < laboratories; ++laboratory) {
+        std::vector<Measurement> points;
+        for (int i = 0; i < 60; ++i) {
+            const double v = truth * (0.6 + 2.4 * i / 59.0);
+            points.push_back(impact(v + random.normal(noise), v < truth ? 0.0 : 0.1, noise));
+        }
+        const auto measured = measured_critical_velocity(set_of(points));
+        REQUIRE(measured.value);
+        CHECK(std::abs(*measured.value - truth) < 0.15);
+        CHECK(*measured.width >= noise * (1.0 - 1e-12));
+        CHECK(*measured.width < 3.0 * noise);
+        REQUIRE(measured.lower);
+        REQUIRE(measured.upper);
+        if (*measured.lower < truth && truth < *measured.upper) ++covered;
+        if (contains(measured.note, "mix")) ++mixed;
+    }
+    CHECK(mixed > 20);
+    CHECK(covered > 0.9 * laboratories);
+}
+
+TEST_CASE("the most likely transition is where neither its centre nor its width can be bettered") {
+    std::vector<Measurement> points;
+    for (int i = 0; i < 20; ++i)
+        points.push_back(impact(0.8 + 0.04 * i, i > 9 || i % 3 == 0 ? 0.1 : 0.0, 0.01));
+    const MeasurementSet set = set_of(points);
+    const OutcomeLikelihood likelihood(set, 1e-3);
+    const auto best = likelihood.best();
+    REQUIRE(best);
+    const double least = likelihood.at(*best);
+    CHECK(best->extra_variance > 0.0);
+    for (const double change : {0.9, 0.99, 1.01, 1.1}) {
+        CAPTURE(change);
+        CHECK(likelihood.at({best->center * change, best->extra_variance}) > least);
+        const double variance = best->extra_variance * change * change;
+        CHECK(likelihood.at({likelihood.best_center(variance), variance}) > least - 1e-6);
+    }
+    CHECK(likelihood.at({likelihood.best_center(0.0), 0.0}) > least);
+}
+
+TEST_CASE("captures faster than the rebounds are no threshold") {
+    for (const double noise : {0.0, 0.05}) {
+        CAPTURE(noise);
+        const auto measured = measured_critical_velocity(
+            set_of({impact(8.0, 0.0, noise), impact(9.0, 0.0, noise), impact(2.0, 1.0, noise),
+                    impact(3.0, 1.5, noise), impact(4.0, 2.0, noise), impact(5.0, 2.5, noise)}));
+        CHECK_FALSE(measured.value);
+        CHECK_FALSE(measured.lower);
+        CHECK_FALSE(measured.upper);
+        CHECK(contains(measured.note, "captures are faster than rebounds"));
+        CHECK(check({1.0, 0.1, 0.8, 1.2}, measured).verdict == CriticalVelocityVerdict::not_comparable);
+    }
+    // Within the noise a reversal is none.
+    const auto near = measured_critical_velocity(set_of({impact(1.02, 0.0, 0.05), impact(1.0, 0.1, 0.05)}));
+    REQUIRE(near.value);
+    CHECK(std::abs(*near.value - 1.01) < 1e-6);
+}
+
+TEST_CASE("both outcomes at one velocity") {
+    const auto exact = measured_critical_velocity(set_of({impact(1.0, 0.0), impact(1.0, 0.1)}));
+    CHECK(exact.value == 1.0);
+    CHECK_FALSE(exact.lower);
+    CHECK(contains(exact.note, "one velocity"));
+    const auto noisy = measured_critical_velocity(set_of({impact(1.0, 0.0, 0.1), impact(1.0, 0.1, 0.1)}));
+    REQUIRE(noisy.value);
+    CHECK(std::abs(*noisy.value - 1.0) < 1e-6);
+    CHECK(*noisy.lower < 0.95);
+}
+
+TEST_CASE("a lone capture slower than its noise bounds nothing") {
+    const auto measured = measured_critical_velocity(set_of({impact(0.05, 0.0, 0.1)}));
+    CHECK_FALSE(measured.lower);
+    CHECK(contains(measured.note, "every impact was captured"));
 }
 
 TEST_CASE("a verdict on a modelled v_c") {
@@ -140,6 +224,27 @@ TEST_CASE("GSL's minimiser: Rosenbrock's valley, and a function that ends") {
         return {std::numeric_limits<double>::infinity(), Eigen::VectorXd::Zero(x.size())};
     }};
     CHECK_THROWS_AS(static_cast<void>(gsl::minimise(nowhere, Eigen::Vector2d(0.0, 0.0))), ConvergenceError);
+}
+
+TEST_CASE("the slope of ln Phi, up to where the density is too small for a number") {
+    for (const double x : {-30.0, -1.0, 0.0, 2.0}) {
+        CAPTURE(x);
+        const double h = 1e-5;
+        const double difference =
+            (gsl::log_normal_probability(x + h) - gsl::log_normal_probability(x - h)) / (2.0 * h);
+        CHECK(relative_difference(gsl::log_normal_probability_slope(x), difference) < 1e-7);
+    }
+    CHECK(gsl::log_normal_probability_slope(36.9) > 0.0);
+    CHECK(gsl::log_normal_probability_slope(1e3) == 0.0);
+}
+
+TEST_CASE("GSL's minimiser of one variable: a parabola, and a guess that is no better than the ends") {
+    const auto parabola = [](double x) { return (x - 0.3) * (x - 0.3); };
+    CHECK(std::abs(gsl::minimise_between(parabola, -1.0, 0.5, 1.0) - 0.3) < 1e-4);
+    CHECK(gsl::minimise_between([](double x) { return x; }, 0.0, 0.5, 1.0) == 0.5);
+    CHECK_THROWS_AS(static_cast<void>(gsl::minimise_between(
+                        [](double) -> double { throw ConvergenceError("no"); }, 0.0, 0.5, 1.0)),
+                    ConvergenceError);
 }
 
 TEST_CASE("Gauss-Legendre nodes integrate polynomials exactly") {

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "solver/measurement/measurement.hpp"
+
+#include <optional>
+
+namespace ashimpact {
+
+/// Where captures turn into rebounds: P(capture at v) = Phi((center - v)/width), width^2 the noise of v_in
+/// and what is added to it.
+struct CaptureTransition {
+    double center;          ///< [m/s]
+    double extra_variance;  ///< beside the noise, 0 where that explains the mixing [m2/s2]
+};
+
+/// -2 ln L of the outcomes of a series with captures and rebounds.
+class OutcomeLikelihood {
+  public:
+    /// @param set with captures and rebounds, validated
+    /// @param least width at which outcomes without known noise are told apart [m/s]
+    OutcomeLikelihood(const MeasurementSet& set, double least) : set_(&set), least_(least) {}
+
+    [[nodiscard]] double at(const CaptureTransition& transition) const;
+
+    /// The most likely centre at this extra variance; there is one, as -2 ln L is convex in it. Anywhere
+    /// between outcomes that are far apart, it is their middle. Can be negative.
+    [[nodiscard]] double best_center(double extra_variance) const;
+
+    /// The most likely transition; an extra variance only where the outcomes are likelier with it.
+    /// @return none where no extra width up to the range of v_in explains them better than outcomes that do
+    /// not depend on the velocity, or the centre is not positive
+    [[nodiscard]] std::optional<CaptureTransition> best() const;
+
+  private:
+    [[nodiscard]] double slope(const CaptureTransition& transition) const;
+    [[nodiscard]] double deviation_of(const Measurement& point, double extra_variance) const;
+    [[nodiscard]] double without_threshold() const;
+    [[nodiscard]] CaptureTransition at_best_width() const;
+
+    const MeasurementSet* set_;
+    double least_;
+};
+
+/// Share of the pairs of a capture and a rebound in which the capture is the faster (Mann and Whitney 1947);
+/// pairs of equal velocity count half.
+[[nodiscard]] double reversed_share(const MeasurementSet& set);
+
+}  // namespace ashimpact

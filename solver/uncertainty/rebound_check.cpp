@@ -1,0 +1,49 @@
+#include "solver/uncertainty/rebound_check.hpp"
+
+#include "materials/error.hpp"
+#include "materials/text.hpp"
+#include "solver/gsl/distribution.hpp"
+
+#include <cmath>
+#include <optional>
+
+namespace ashimpact {
+
+namespace {
+
+/// Standard uncertainties of an impact's velocities as the fit takes them.
+struct FittedNoise {
+    double incident;
+    double rebound;
+};
+
+FittedNoise noise_in(const DampingCurveFit& fit, const Measurement& point) {
+    if (!fit.noise_known || !point.noise) return {fit.scatter, fit.scatter};
+    return {fit.scatter * std::sqrt(point.noise->incident), fit.scatter * std::sqrt(point.noise->rebound)};
+}
+
+}  // namespace
+
+void require_rebounds_above(const DampingCurveFit& fit, const MeasurementSet& set) {
+    const auto count = static_cast<double>(set.points.size());
+    const double extreme = gsl::normal_quantile(1.0 - 0.5 * (1.0 - confidence) / count);
+    std::optional<double> slowest;
+    std::optional<double> bound;
+    for (const Measurement& point : set.points) {
+        const FittedNoise noise = noise_in(fit, point);
+        if (point.captured() || point.rebound <= 3.0 * noise.rebound) continue;
+        if (!slowest || point.velocity < *slowest) slowest = point.velocity;
+        const double most = point.velocity + extreme * noise.incident;
+        if (!bound || most < *bound) bound = most;
+    }
+    const Interval& fitted = fit.critical_velocity;
+    const double least = fitted.lower.value_or(fitted.value - gsl::normal_quantile(0.5 + 0.5 * confidence) *
+                                                                  fitted.standard_uncertainty);
+    if (!bound || least <= *bound) return;
+    throw InputError("the fitted v_c of " + shortest(fitted.value) +
+                         " m/s lies above clear rebounds, the slowest at " + shortest(*slowest) + " m/s",
+                     "impacts from the rising branch")
+        .in_file(set.source);
+}
+
+}  // namespace ashimpact
