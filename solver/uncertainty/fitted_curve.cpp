@@ -104,86 +104,40 @@ FittedCurve closest_fit(const ContactModel& model, const RestitutionData& data, 
     return fit;
 }
 
-/// Coefficients from which the likelihood exists: those given, or drawn towards a constant damping, whose curve
-/// never folds, as far as it takes. A fold steeper than the noise takes the probability from rebounds next to it.
-Eigen::VectorXd unfolded(ImpactLikelihood& likelihood, const Eigen::VectorXd& near) {
-    constexpr int most_steps = 40;
-    const double middle = 0.5 * likelihood.data().greatest_restitution;
-    const Eigen::VectorXd constant = DampingPolynomial{near}(middle) * Eigen::VectorXd::Unit(near.size(), 0);
-    double share = 1.0;
-    for (int step = 0; step < most_steps; ++step, share *= 0.9) {
-        const Eigen::VectorXd drawn = constant + share * (near - constant);
-        try {
-            likelihood.move_to(drawn);
-            if (likelihood.at(drawn)) return drawn;
-        } catch (const ConvergenceError&) {  // not even a curve: further
-        }
-    }
-    return constant;
-}
-
-/// First with noise so large that a fold drowns in it, which is then lowered in steps to what it is.
-LikelihoodMaximum likeliest_by_lowering_noise(ImpactLikelihood& likelihood, Eigen::VectorXd near) {
-    for (const double louder : {16.0, 8.0, 4.0, 2.0, 1.4}) {
-        ImpactLikelihood smooth(likelihood.model(), likelihood.data().with_noise_scaled(louder * louder),
-                                unfolded(likelihood, near));
-        try {
-            near = maximise(smooth, unfolded(smooth, near)).coefficients;
-        } catch (const ConvergenceError&) {  // the next step may do from here
-        }
-    }
-    return maximise(likelihood, unfolded(likelihood, near));
-}
-
-[[noreturn]] void fail(const ImpactLikelihood& likelihood, int order) {
-    throw ConvergenceError(
-        "no damping of order " + std::to_string(order) + " in the restitution describes these " +
-        std::to_string(likelihood.data().rebounds.size()) +
-        " rebounds: the curves closest to them turn back towards smaller velocities near capture; try another "
-        "order or law, or leave out impacts that the law does not hold for, such as the fastest");
-}
-
-/// The most likely curve near a close one, or from simpler ones: a higher order begun on its own may fold
-/// back near v_c, where a curve that the likelihood cannot start from may lie, too.
+/// The most likely curve, the better one of what is reached from a close one and from the most likely
+/// quadratic: a higher order begun on its own may end in a fold.
 LikelihoodMaximum likeliest_from(ImpactLikelihood& likelihood, const Eigen::VectorXd& near) {
     const int order = static_cast<int>(near.size()) - 1;
-    const auto least_squares = [&](int simpler) {
-        return starting_coefficients(likelihood.model(), likelihood.data(), simpler);
-    };
     std::vector<Eigen::VectorXd> starts{near};
     if (order > 2) {
-        ImpactLikelihood quadratic(likelihood.model(), likelihood.data(), least_squares(2));
-        const Eigen::VectorXd simpler =
-            raised(likeliest_from(quadratic, least_squares(2)).coefficients, order);
-        starts.push_back(simpler);
+        const Eigen::VectorXd start = starting_coefficients(likelihood.model(), likelihood.data(), 2);
+        ImpactLikelihood quadratic(likelihood.model(), likelihood.data(), start);
+        try {
+            starts.push_back(raised(maximise(quadratic, start).coefficients, order));
+        } catch (const ConvergenceError&) {  // the close one may do
+        }
     }
     try {
         return maximise_from(likelihood, starts);
-    } catch (const ConvergenceError&) {  // other ways follow
-    }
-    try {
-        return maximise_from(
-            likelihood, {raised(least_squares(std::min(order, 1)), order), raised(least_squares(0), order)});
-    } catch (const ConvergenceError&) {
-    }
-    try {
-        return likeliest_by_lowering_noise(likelihood, starts.back());
-    } catch (const ConvergenceError&) {
-        fail(likelihood, order);
+    } catch (const ConvergenceError& error) {
+        throw ConvergenceError("no damping of order " + std::to_string(order) +
+                               " in the restitution describes these " +
+                               std::to_string(likelihood.data().rebounds.size()) + " rebounds (" + error.what() +
+                               "); try another order or law, or leave out impacts that the law does not hold "
+                               "for, such as the fastest");
     }
 }
 
-/// The most likely curve of many impacts, from that of a few of them. Where all have none close by, as where
-/// the best curve is next to one that folds, that of the few stands, with its own, wider covariance.
+/// The most likely curve of many impacts, from that of a few of them. Where all have none close by, that of the
+/// few stands, with its own, wider covariance.
 LikelihoodMaximum refined(ImpactLikelihood& likelihood, const LikelihoodMaximum& few, double share) {
-    const Eigen::VectorXd start = unfolded(likelihood, few.coefficients);
     try {
-        return maximise(likelihood, start, share * few.covariance);
+        return maximise(likelihood, few.coefficients, share * few.covariance);
     } catch (const ConvergenceError&) {
-        likelihood.move_to(start);
-        const auto at = likelihood.at(start);
-        if (!at) fail(likelihood, static_cast<int>(start.size()) - 1);
-        return {start, at->value, few.covariance};
+        likelihood.move_to(few.coefficients);
+        const auto at = likelihood.at(few.coefficients);
+        if (!at) throw;
+        return {few.coefficients, at->value, few.covariance};
     }
 }
 

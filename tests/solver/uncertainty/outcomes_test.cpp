@@ -210,22 +210,6 @@ TEST_CASE("three parts of eta(v_in): falling, flat, rising") {
     CHECK(std::abs(parts.boundaries[1].velocity - 5.0) < 0.5);
 }
 
-TEST_CASE("GSL's minimiser: Rosenbrock's valley, and a function that ends") {
-    const gsl::SmoothFunction valley{[](const Eigen::VectorXd& x) -> gsl::SmoothFunction::Value {
-        const double a = 1.0 - x[0];
-        const double b = x[1] - x[0] * x[0];
-        return {a * a + 100.0 * b * b, Eigen::Vector2d(-2.0 * a - 400.0 * x[0] * b, 200.0 * b)};
-    }};
-    const gsl::Minimum minimum = gsl::minimise(valley, Eigen::Vector2d(-1.2, 1.0));
-    CHECK(minimum.converged);
-    CHECK((minimum.place - Eigen::Vector2d(1.0, 1.0)).norm() < 1e-3);
-
-    const gsl::SmoothFunction nowhere{[](const Eigen::VectorXd& x) -> gsl::SmoothFunction::Value {
-        return {std::numeric_limits<double>::infinity(), Eigen::VectorXd::Zero(x.size())};
-    }};
-    CHECK_THROWS_AS(static_cast<void>(gsl::minimise(nowhere, Eigen::Vector2d(0.0, 0.0))), ConvergenceError);
-}
-
 TEST_CASE("the slope of ln Phi, up to where the density is too small for a number") {
     for (const double x : {-30.0, -1.0, 0.0, 2.0}) {
         CAPTURE(x);
