@@ -15,7 +15,6 @@ namespace ashimpact {
 
 namespace {
 
-constexpr std::size_t most_profiled = 400;  ///< impacts up to which the profile likelihood is followed
 constexpr double least_probability = 0.01;  ///< of the scatter, below which the noise is enlarged
 
 /// @param data with the noise as it was measured, or 1 m/s
@@ -34,7 +33,7 @@ Goodness goodness_of(const ContactModel& model, const RestitutionData& data,
 
 /// Some hundred impacts of many, evenly over the velocities: enough to come close to the curve.
 RestitutionData thinned(const RestitutionData& data) {
-    const std::size_t step = data.rebounds.size() / most_profiled + 1;
+    const std::size_t step = data.rebounds.size() / few_rebounds + 1;
     if (step == 1) return data;
     std::vector<std::size_t> order(data.rebounds.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -98,6 +97,7 @@ FittedCurve closest_fit(const ContactModel& model, const RestitutionData& data, 
     fit.goodness = goodness;
     fit.data = data.with_noise_scaled(goodness.scatter * goodness.scatter);
     fit.data.captures.clear();
+    fit.used = data.rebounds.size();
     fit.maximum = closest_maximum(model, fit.data, near);
     const double deviation = std::sqrt(fit.maximum.covariance(0, 0));
     fit.critical_damping = curvature_interval(near[0], deviation, quantile_for(goodness));
@@ -156,21 +156,26 @@ FittedCurve likeliest_fit(const ContactModel& model, const RestitutionData& data
                           Eigen::VectorXd near, bool noise_known) {
     constexpr int most_passes = 4;
     FittedCurve fit{};
+    RestitutionData used;
     std::optional<ImpactLikelihood> likelihood;
     for (int pass = 1; pass <= most_passes; ++pass) {
         fit.goodness = goodness;
         fit.data = data.with_noise_scaled(goodness.scatter * goodness.scatter);
-        likelihood.emplace(model, thinned(fit.data), near);
+        const double variance = goodness.scatter * goodness.scatter;
+        used = noise_known ? away_from_fastest(data).with_noise_scaled(variance)  // the same for every order
+                           : away_from_fastest(fit.data);
+        likelihood.emplace(model, thinned(used), near);
         fit.maximum = pass == 1 ? likeliest_from(*likelihood, near) : likeliest_again(*likelihood, near);
         near = fit.maximum.coefficients;
         goodness = goodness_of(model, data, near, noise_known);
         if (std::abs(goodness.scatter / fit.goodness.scatter - 1.0) < 0.01) break;
     }
     const std::size_t few = likelihood->data().rebounds.size();
-    if (few < data.rebounds.size()) {
-        likelihood.emplace(model, fit.data, near);
-        fit.maximum = refined(*likelihood, fit.maximum,
-                              static_cast<double>(few) / static_cast<double>(data.rebounds.size()));
+    fit.used = used.rebounds.size();
+    if (few < fit.used) {
+        likelihood.emplace(model, used, near);
+        fit.maximum =
+            refined(*likelihood, fit.maximum, static_cast<double>(few) / static_cast<double>(fit.used));
         near = fit.maximum.coefficients;
         goodness = goodness_of(model, data, near, noise_known);
     }
@@ -178,7 +183,7 @@ FittedCurve likeliest_fit(const ContactModel& model, const RestitutionData& data
     fit.goodness = goodness;
     const double quantile = quantile_for(goodness);
     fit.critical_damping = curvature_interval(near[0], std::sqrt(fit.maximum.covariance(0, 0)), quantile);
-    if (data.rebounds.size() + data.captures.size() > most_profiled) return fit;
+    if (data.rebounds.size() + data.captures.size() > few_rebounds) return fit;
     try {
         likelihood->move_to(near);
         fit.critical_damping = profile_critical_damping(*likelihood, fit.maximum, quantile);

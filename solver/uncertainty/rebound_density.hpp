@@ -9,9 +9,9 @@
 
 namespace ashimpact {
 
-/// A rebound slower than this many standard uncertainties of v_r cannot be told from one at rest. How such a
+/// A rebound slower than this many standard uncertainties of v_r can hardly be told from one at rest. How such a
 /// one is recorded (cut at zero, without its sign, as read) is not known; only that it was no faster is used.
-inline constexpr double slow_rebound = 3.0;
+inline constexpr double slow_rebound = 1.0;
 [[nodiscard]] bool is_slow(const Measurement& rebound);
 
 /// Density of a measured rebound, summed over the places of a curve (v, e v) that it may come from:
