@@ -104,11 +104,12 @@ FittedCurve closest_fit(const ContactModel& model, const RestitutionData& data, 
     return fit;
 }
 
-/// The most likely curve, the better one of what is reached from a close one and from the most likely
-/// quadratic: a higher order begun on its own may end in a fold.
+/// The most likely curve, the best of what is reached from a close one, from least squares and from the most likely
+/// quadratic: the curve closest to impacts that no such damping describes may fold, and lead to another one.
 LikelihoodMaximum likeliest_from(ImpactLikelihood& likelihood, const Eigen::VectorXd& near) {
     const int order = static_cast<int>(near.size()) - 1;
-    std::vector<Eigen::VectorXd> starts{near};
+    std::vector<Eigen::VectorXd> starts{
+        near, starting_coefficients(likelihood.model(), likelihood.data(), order)};
     if (order > 2) {
         const Eigen::VectorXd start = starting_coefficients(likelihood.model(), likelihood.data(), 2);
         ImpactLikelihood quadratic(likelihood.model(), likelihood.data(), start);

@@ -12,6 +12,7 @@ namespace ashimpact {
 
 namespace {
 
+constexpr double hidden = 0.5;          ///< fall below v_c that noise hides, in standard uncertainties
 constexpr double certain = 9.0;         ///< standard uncertainties above v_c at which ln Phi is zero
 constexpr double panel_of_noise = 3.0;  ///< length of a panel in the least noise: errors of some 1e-6
 constexpr double finest_panel = 2.0;    ///< the same where the noise becomes negligible
@@ -33,7 +34,7 @@ CurveNodes::Extent extent_for(const RestitutionData& data, double panel) {
 
 /// One velocity has one restitution, so v(e) cannot fall. Where eta falls with e it does, a little, close to
 /// e = 0 (by up to 1.2 % with the paper's fits). A greater fall costs as if every rebound missed the curve by
-/// what is too much, or likelihoods given a rebound would grow without bounds towards curves that fold.
+/// what is too much.
 /// @param precision sum over the rebounds of 1/u^2 [s2/m2]
 void add_fold(const CurveNodes::Values& nodes, double precision, ImpactLikelihood::Value& result) {
     constexpr double allowed = 0.03;
@@ -55,6 +56,39 @@ void add_fold(const CurveNodes::Values& nodes, double precision, ImpactLikelihoo
                         nodes.velocity_by_coefficient.row(to))
                            .transpose();
 }
+
+/// The velocity from which on rebounds are possible: v_c, as long as the curve does not fall below it by more
+/// than the noise hides; else the lowest place of the curve. With v_c, likelihoods given a rebound would grow without
+/// bounds towards curves that fold back to the impacts from a v_c far above them.
+class ReboundThreshold {
+  public:
+    explicit ReboundThreshold(const CurveNodes::Values& nodes) : nodes_(nodes) {
+        const double lowest = nodes.velocity.minCoeff(&lowest_);
+        fall_ = std::max(0.0, nodes.critical_velocity - lowest);
+    }
+
+    /// Adds ln of the probability that an impact rebounds.
+    void add(const Measurement& rebound, double weight, ImpactLikelihood::Value& result) const {
+        const double u = std::sqrt(rebound.noise->incident);
+        const double ratio = fall_ / (hidden * u);
+        const double softness = 1.0 / (1.0 + ratio * ratio);
+        const double velocity = nodes_.critical_velocity - fall_ + fall_ * softness;
+        const double z = (rebound.velocity - velocity) / u;
+        if (z > certain) return;
+        result.value += weight * gsl::log_normal_probability(z);
+        const double slope = weight * gsl::log_normal_probability_slope(z) / u;
+        const double by_fall = fall_ > 0.0 ? (1.0 - ratio * ratio) * softness * softness : 1.0;
+        result.gradient -= slope * by_fall * nodes_.first_velocity;
+        if (fall_ > 0.0)
+            result.gradient -=
+                slope * (1.0 - by_fall) * nodes_.velocity_by_coefficient.row(lowest_).transpose();
+    }
+
+  private:
+    const CurveNodes::Values& nodes_;
+    Eigen::Index lowest_ = 0;
+    double fall_ = 0.0;  ///< of the curve below v_c [m/s]
+};
 
 }  // namespace
 
@@ -84,6 +118,7 @@ std::optional<ImpactLikelihood::Value> ImpactLikelihood::at(const Eigen::VectorX
     const CurveNodes::Values nodes = nodes_->on(*curve);
     last_ = std::move(curve);
 
+    const ReboundThreshold threshold(nodes);
     ReboundDensity density(nodes);
     Value result{0.0, Eigen::VectorXd::Zero(coefficients.size())};
     add_fold(nodes, precision_, result);
@@ -93,12 +128,7 @@ std::optional<ImpactLikelihood::Value> ImpactLikelihood::at(const Eigen::VectorX
         const double weight = data_.weights[i];
         result.value -= weight * density.logarithm();
         result.gradient -= weight * density.gradient();
-        if (!data_.captures.empty()) continue;
-        const double u = std::sqrt(point.noise->incident);
-        const double z = (point.velocity - nodes.critical_velocity) / u;
-        if (z > certain) continue;
-        result.value += weight * gsl::log_normal_probability(z);
-        result.gradient -= weight * gsl::log_normal_probability_slope(z) / u * nodes.first_velocity;
+        if (data_.captures.empty()) threshold.add(point, weight, result);
     }
     for (const CapturedImpact& capture : data_.captures) {
         const double u = capture.standard_uncertainty;
