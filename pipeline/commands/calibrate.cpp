@@ -253,8 +253,10 @@ void run_calibrate_command(const CalibrateOptions& options, std::ostream& out) {
                                  "critical velocities with their damping, contact times")
                     .at("/samples");
             const auto hypotheses = compare_hypotheses(problem, elastic);
-            out << (options.json ? write_json(hypotheses_json(hypotheses), Digits::seventeen)
-                                 : hypotheses_text(hypotheses));
+            ComparedObservations observations{problem, {}};
+            for (const Sample& sample : data.samples) observations.samples.push_back(sample.name);
+            out << (options.json ? write_json(hypotheses_json(hypotheses, observations), Digits::seventeen)
+                                 : hypotheses_text(hypotheses, observations));
             return;
         }
         if (data.calibration.empty())
