@@ -67,9 +67,9 @@ Json velocity_uncertainty_json(const VelocityTask& task, double velocity, std::v
     Json json = Json::object();
     if (!has_contact_model(task.choice, task.data.damping_law, task.contact.pair)) {
         notes.emplace_back("no interval: that takes constant damping and a contact that does not yield");
-    } else if (task.fit.extrapolated && task.series != nullptr) {
+    } else if ((task.fit.extrapolated || task.fit.direct) && task.series != nullptr) {
         json = attempt("interval", notes, [&] {
-                   return from_fit(task, *task.fit.extrapolated);
+                   return from_fit(task, task.fit.extrapolated ? *task.fit.extrapolated : *task.fit.direct);
                }).value_or(Json::object());
         if (task.fit.direct)
             json["direct"] = attempt("interval of the direct fit", notes, [&] {
