@@ -152,6 +152,8 @@ std::vector<SampleCriticalVelocity> read_critical_velocities(const View& result)
                 .plastic = 0.0,
                 .detachment_energy = node.at("detachment_energy").number(Dimension::energy),
                 .interval = node.has("interval") ? node.at("interval").json() : Json(nullptr),
+                .interval_note =
+                    node.has("interval_note") ? node.at("interval_note").json() : Json(nullptr),
                 .check = node.has("check") ? node.at("check").json() : Json(nullptr)};
             if (const auto value = node.find("critical_velocity"))
                 velocity.value = value->quantity(Dimension::velocity);

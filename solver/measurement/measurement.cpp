@@ -17,9 +17,9 @@ namespace {
     throw point.line == 0 ? error : error.at("line " + std::to_string(point.line));
 }
 
-/// Uncertainties above every velocity say that nothing was measured.
+/// Uncertainties above every velocity say that no rebound was measured.
 void require_resolution(const MeasurementSet& set) {
-    if (!set.has_noise()) return;
+    if (!set.has_noise() || set.rebounds() == 0) return;
     double least = std::numeric_limits<double>::infinity();
     double fastest = 0.0;
     for (const Measurement& point : set.points) {

@@ -210,6 +210,39 @@ TEST_CASE("three parts of eta(v_in): falling, flat, rising") {
     CHECK(std::abs(parts.boundaries[1].velocity - 5.0) < 0.5);
 }
 
+TEST_CASE("damping that falls all along has one part, and none of no length") {
+    std::vector<InvertedImpact> impacts;
+    for (int i = 0; i < 40; ++i) {
+        const double v = 1.0 + 0.1 * i;
+        impacts.push_back({.index = static_cast<std::size_t>(i),
+                           .velocity = v,
+                           .restitution = 0.3,
+                           .greatest_restitution = 1.0,
+                           .damping = 0.01 / v,
+                           .standard_uncertainty = 1e-5,
+                           .by_restitution = -0.01,
+                           .by_velocity = 0.001,
+                           .contact_time = {}});
+    }
+    const DampingParts parts = find_parts(DampingSmoothing::of(impacts));
+    REQUIRE(parts.parts.size() == 1);
+    CHECK(parts.parts[0] == DampingPart::falling);
+    CHECK(parts.boundaries.empty());
+    CHECK(parts.outliers.empty());  // nearly without scatter: the spline's own misfit is no outlier
+}
+
+TEST_CASE("outcomes whose noise reaches below zero give no measured v_c") {
+    MeasurementSet set{.source = "lab", .points = {}};
+    for (int i = 0; i < 20; ++i) {
+        const double v = 0.5 + 0.1 * i;
+        set.points.push_back({.velocity = v, .rebound = i % 4 == 0 ? 0.0 : 0.3 * v,
+                              .noise = VelocityNoise::of_velocities(2.0, 2.0)});
+    }
+    const MeasuredCriticalVelocity measured = measured_critical_velocity(set);
+    CHECK(measured.value.value_or(1.0) > 0.0);
+    CHECK(measured.lower.value_or(0.0) >= 0.0);
+}
+
 TEST_CASE("the slope of ln Phi, up to where the density is too small for a number") {
     for (const double x : {-30.0, -1.0, 0.0, 2.0}) {
         CAPTURE(x);
