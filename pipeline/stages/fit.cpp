@@ -164,6 +164,8 @@ Fitted fit_through_model(const FitTask& task) {
     };
     note_enlargement("extrapolated fit", by_extrapolation);
     note_enlargement("direct fit", directly);
+    const auto spacing = spacing_note(rising.set);
+    if (directly && spacing) fitted.notes.push_back(*spacing);
     if (!by_extrapolation && !directly) return fitted;
     const DampingCurveFit& first = by_extrapolation ? *by_extrapolation : *directly;
     fitted.json = quadratic_part(first);

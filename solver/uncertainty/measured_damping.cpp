@@ -62,6 +62,8 @@ class RisingBranchFits {
         attempt(result_.notes, "direct fit", [&] {
             result_.direct = completed(fit_damping_curve(model_, rising, options_.direct), "direct");
         });
+        const auto spacing = spacing_note(rising);
+        if (result_.direct && spacing) result_.notes.push_back(*spacing);
         if (result_.extrapolated && result_.direct)
             result_.comparison = compare(result_.extrapolated->fit, result_.direct->fit);
     }
