@@ -123,8 +123,8 @@ struct CalibrationSummary {
 /// counts the stand-in of CalibrationResidual. @throws InputError, ConvergenceError
 [[nodiscard]] CalibrationSummary calibrate_despite_captures(const CalibrationProblem& problem);
 
-/// The same by the critical velocities alone: chi^2, its degrees of freedom and AIC are theirs, and bounds from
-/// below where there are contact times, which are predicted beside.
+/// The same by the critical velocities alone: chi^2, its degrees of freedom and AIC are theirs, and bounds
+/// from below where there are contact times, which are predicted beside.
 [[nodiscard]] CalibrationSummary calibrate_by_velocities(const CalibrationProblem& problem);
 
 }  // namespace ashimpact

@@ -129,8 +129,8 @@ CalibrationResiduals calibration_residuals(const CalibrationProblem& problem,
         const TimeError error = error_of(samples[observed.sample], observed);
         const double total = std::hypot(
             error.own, std::hypot(error.coefficients[0], error.coefficients[1], error.coefficients[2]));
-        result.contact_times.push_back({observed.value, error.predicted, total,
-                                        captured_up_to(samples[observed.sample], observed)});
+        result.contact_times.push_back(
+            {observed.value, error.predicted, total, captured_up_to(samples[observed.sample], observed)});
         const Eigen::Index row = velocities + j;
         result.covariance(row, row) = total * total;
         for (Eigen::Index i = 0; i < velocities; ++i) {

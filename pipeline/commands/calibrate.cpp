@@ -191,8 +191,7 @@ std::string calibration_text(const Case& data, const CalibrationSummary& summary
         const CalibratedConstant& constant = summary.constants[i];
         const CalibrationQuantityName& entry = entry_of(constant.quantity);
         constants.add({std::string(entry.name), constant.sample ? data.samples[*constant.sample].name : "all",
-                       readable(constant.value, entry.unit),
-                       curvature_text(constant, entry.unit),
+                       readable(constant.value, entry.unit), curvature_text(constant, entry.unit),
                        profile_text(profiles[i].interval, entry.unit)});
     }
     TextTable residuals({"sample", "law", "published", "calibrated", "difference", "in u"});

@@ -41,8 +41,7 @@ std::vector<CalibrationHypothesis> hypotheses_of(bool elastic_wall, std::size_t 
 double greatest_difference(const std::vector<CalibrationResidual>& residuals) {
     double greatest = 0;
     for (const CalibrationResidual& residual : residuals)
-        if (!residual.captured_up_to)
-            greatest = std::max(greatest, std::abs(residual.relative_difference()));
+        if (!residual.captured_up_to) greatest = std::max(greatest, std::abs(residual.relative_difference()));
     return greatest;
 }
 
@@ -66,8 +65,7 @@ LargestResidual largest_residual(const CalibrationSummary& summary, bool velocit
         }
     };
     compare("v_c", observations.problem.critical_velocities, summary.critical_velocities);
-    if (!velocities_only)
-        compare("contact time", observations.problem.contact_times, summary.contact_times);
+    if (!velocities_only) compare("contact time", observations.problem.contact_times, summary.contact_times);
     return largest;
 }
 
@@ -75,8 +73,8 @@ LargestResidual largest_residual(const CalibrationSummary& summary, bool velocit
 struct FalseCapture {
     std::string sample;
     std::string law;
-    double velocity;             ///< at which its contact time was measured [m/s]
-    double captured_up_to;       ///< [m/s]
+    double velocity;              ///< at which its contact time was measured [m/s]
+    double captured_up_to;        ///< [m/s]
     double velocity_uncertainty;  ///< standard [m/s]
 
     [[nodiscard]] double in_uncertainties() const {
@@ -118,8 +116,9 @@ std::string remark_on(const CalibrationHypothesis& hypothesis, const ComparedObs
     if (!lacks_times(hypothesis, observations)) return {};
     std::string text =
         hypothesis.velocities_only
-            ? fmt::format("{}: chi^2 of the critical velocities alone, a bound from below (with contact times: {})",
-                          hypothesis.name, hypothesis.failure)
+            ? fmt::format(
+                  "{}: chi^2 of the critical velocities alone, a bound from below (with contact times: {})",
+                  hypothesis.name, hypothesis.failure)
             : hypothesis.name + ": a captured impact has no contact time, that of the nearest rebound counts";
     for (const FalseCapture& capture : false_captures(*hypothesis.summary, observations)) {
         text += fmt::format("; contact time of {}, {}: captured at {}, up to {}", capture.sample, capture.law,

@@ -19,8 +19,8 @@ struct CalibrationHypothesis {
 };
 
 /// Calibrates under the hypotheses that a case allows: moduli from XRD or one contact modulus for all, one
-/// density or one a size, the wall as given or free; the work of adhesion is free in all of them. A hypothesis
-/// that cannot be brought to all observations is calibrated by the critical velocities alone.
+/// density or one a size, the wall as given or free; the work of adhesion is free in all of them. A
+/// hypothesis that cannot be brought to all observations is calibrated by the critical velocities alone.
 /// @param problem of the case; its free constants are not used
 [[nodiscard]] std::vector<CalibrationHypothesis> compare_hypotheses(const CalibrationProblem& problem,
                                                                     bool elastic_wall);

@@ -146,7 +146,8 @@ DynamicColumns dynamic_columns(const SampleResults& of, const std::vector<LawCho
         const bool finite = velocity != nullptr && velocity->value;
         columns.velocity[name] = finite ? Json(*velocity->value) : Json(nullptr);
         columns.interval[name] = finite ? velocity->interval : Json(nullptr);
-        if (finite && !velocity->interval_note.is_null()) columns.interval_note[name] = velocity->interval_note;
+        if (finite && !velocity->interval_note.is_null())
+            columns.interval_note[name] = velocity->interval_note;
         columns.check[name] = finite ? velocity->check : Json(nullptr);
         columns.verdict[name] = velocity != nullptr     ? velocity->verdict
                                 : of.sample.restitution ? "no fit"

@@ -69,8 +69,9 @@ Json sample_json(const Case& data, const Sample& sample, const SampleContact& co
     Json json{{"name", sample.name}};
     const RestitutionSeries* first = restitution.series.empty() ? nullptr : &restitution.series.front();
     std::vector<std::string> notes;
-    const auto measured =
-        attempt("measured v_c", notes, [&] { return measured_velocity(sample, first); }).value_or(std::nullopt);
+    const auto measured = attempt("measured v_c", notes, [&] {
+                              return measured_velocity(sample, first);
+                          }).value_or(std::nullopt);
     for (const std::string& note : notes) warnings.push_back(sample.name + ": " + note);
     json["measured"] = measured ? measured_velocity_json(*measured) : Json(nullptr);
     const auto entries = in_parallel(data.laws, [&](const LawChoice& choice) -> LawEntry {
@@ -152,8 +153,7 @@ std::vector<SampleCriticalVelocity> read_critical_velocities(const View& result)
                 .plastic = 0.0,
                 .detachment_energy = node.at("detachment_energy").number(Dimension::energy),
                 .interval = node.has("interval") ? node.at("interval").json() : Json(nullptr),
-                .interval_note =
-                    node.has("interval_note") ? node.at("interval_note").json() : Json(nullptr),
+                .interval_note = node.has("interval_note") ? node.at("interval_note").json() : Json(nullptr),
                 .check = node.has("check") ? node.at("check").json() : Json(nullptr)};
             if (const auto value = node.find("critical_velocity"))
                 velocity.value = value->quantity(Dimension::velocity);

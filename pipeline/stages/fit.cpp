@@ -87,8 +87,9 @@ Fitted fit_by_least_squares(const FitTask& task) {
         for (Eigen::Index j = 0; j < 3; ++j)
             covariance(i, j) = fit.covariance[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
     if (fit.c < 0)
-        return {nullptr,
-                {"no fit: the critical damping would be negative, so the data do not say where capture begins"}};
+        return {
+            nullptr,
+            {"no fit: the critical damping would be negative, so the data do not say where capture begins"}};
     const double rounding = task.measured.coefficient_uncertainty.value_or(0);
     Json json = quadratic_fit_json({fit.a, fit.b, fit.c}, covariance,
                                    std::hypot(std::sqrt(std::max(0.0, covariance(2, 2))), rounding), unit);

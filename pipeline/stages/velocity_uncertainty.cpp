@@ -66,7 +66,8 @@ Json from_damping(const VelocityTask& task) {
 Json velocity_uncertainty_json(const VelocityTask& task, double velocity, std::vector<std::string>& notes) {
     Json json = Json::object();
     if (!has_contact_model(task.choice, task.data.damping_law, task.contact.pair)) {
-        constexpr const char* reason = "no interval: that takes constant damping and a contact that does not yield";
+        constexpr const char* reason =
+            "no interval: that takes constant damping and a contact that does not yield";
         notes.emplace_back(reason);
         json["interval_note"] = reason;
     } else if ((task.fit.extrapolated || task.fit.direct) && task.series != nullptr) {

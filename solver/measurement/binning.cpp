@@ -46,9 +46,9 @@ MeasurementSet binned(const MeasurementSet& set, const Binning& binning) {
     double fastest = 0.0;
     for (const Measurement& point : set.points) fastest = std::max(fastest, point.velocity);
     if (binning.width > 0.0 && binning.width < least_width * fastest)
-        throw InputError("bins of " + shortest(binning.width) + " m/s for impacts of up to " + shortest(fastest) +
-                             " m/s",
-                         "a width of at least a millionth of the fastest velocity");
+        throw InputError(
+            "bins of " + shortest(binning.width) + " m/s for impacts of up to " + shortest(fastest) + " m/s",
+            "a width of at least a millionth of the fastest velocity");
     MeasurementSet result{.source = set.source, .points = {}, .warnings = set.warnings};
     std::vector<Measurement> rebounds;
     for (const Measurement& point : set.points)

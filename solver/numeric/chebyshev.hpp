@@ -20,8 +20,8 @@ struct ChebyshevAxis {
 
 /// The Chebyshev polynomials of an axis and their slopes at one position; outside the interval they continue.
 struct ChebyshevBasis {
-    using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor,
-                                 ChebyshevAxis::greatest_degree + 1, 1>;
+    using Vector =
+        Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, ChebyshevAxis::greatest_degree + 1, 1>;
     Vector value;
     Vector slope;
 

@@ -96,8 +96,8 @@ SmoothMinimum minimise(const SmoothFunction& function, const Eigen::VectorXd& st
         result.value = there.value;
         here = std::move(there);
     }
-    result.converged = Parabola(result.curvature, here.gradient).within(options.first_step).decrease <=
-                       options.acceptable;
+    result.converged =
+        Parabola(result.curvature, here.gradient).within(options.first_step).decrease <= options.acceptable;
     return result;
 }
 

@@ -14,8 +14,8 @@ constexpr int first_parts = 4;
 constexpr int most_panels = 2000;
 constexpr int stations = 400;  ///< at which the length of the curve is measured
 
-/// Length of the curve up to each of many evenly spaced cube roots of e, the last where it leaves for velocities
-/// far beyond the impacts.
+/// Length of the curve up to each of many evenly spaced cube roots of e, the last where it leaves for
+/// velocities far beyond the impacts.
 std::vector<double> lengths_of(const RestitutionCurve& curve, double fastest) {
     const double top = std::cbrt(curve.greatest_restitution());
     std::vector<double> lengths{0.0};

@@ -28,12 +28,12 @@ class CurveNodes {
     [[nodiscard]] static bool too_fine(const RestitutionCurve& curve, const Extent& extent);
 
     struct Values {
-        Eigen::VectorXd velocity;  ///< v [m/s]
-        Eigen::VectorXd rebound;   ///< e v [m/s]
-        Eigen::VectorXd weight;    ///< of integrals over v [m/s]
+        Eigen::VectorXd velocity;        ///< v [m/s]
+        Eigen::VectorXd rebound;         ///< e v [m/s]
+        Eigen::VectorXd weight;          ///< of integrals over v [m/s]
         Eigen::VectorXd rebound_weight;  ///< of integrals over e v along the curve [m/s]
-        /// Change of the integral of f(v, e v) over v by each coefficient, per slope of f in its second place;
-        /// with the other sign that of the integral over e v, per slope of f in its first place.
+        /// Change of the integral of f(v, e v) over v by each coefficient, per slope of f in its second
+        /// place; with the other sign that of the integral over e v, per slope of f in its first place.
         Eigen::MatrixXd by_coefficient;
         Eigen::MatrixXd velocity_by_coefficient;  ///< [m/kg]
         Eigen::VectorXd first_velocity;           ///< d v_c by each coefficient [m/kg]

@@ -104,12 +104,13 @@ FittedCurve closest_fit(const ContactModel& model, const RestitutionData& data, 
     return fit;
 }
 
-/// The most likely curve, the best of what is reached from a close one, from least squares and from the most likely
-/// quadratic: the curve closest to impacts that no such damping describes may fold, and lead to another one.
+/// The most likely curve, the best of what is reached from a close one, from least squares and from the most
+/// likely quadratic: the curve closest to impacts that no such damping describes may fold, and lead to
+/// another one.
 LikelihoodMaximum likeliest_from(ImpactLikelihood& likelihood, const Eigen::VectorXd& near) {
     const int order = static_cast<int>(near.size()) - 1;
-    std::vector<Eigen::VectorXd> starts{
-        near, starting_coefficients(likelihood.model(), likelihood.data(), order)};
+    std::vector<Eigen::VectorXd> starts{near,
+                                        starting_coefficients(likelihood.model(), likelihood.data(), order)};
     if (order > 2) {
         const Eigen::VectorXd start = starting_coefficients(likelihood.model(), likelihood.data(), 2);
         ImpactLikelihood quadratic(likelihood.model(), likelihood.data(), start);
@@ -121,16 +122,16 @@ LikelihoodMaximum likeliest_from(ImpactLikelihood& likelihood, const Eigen::Vect
     try {
         return maximise_from(likelihood, starts);
     } catch (const ConvergenceError& error) {
-        throw ConvergenceError("no damping of order " + std::to_string(order) +
-                               " in the restitution describes these " +
-                               std::to_string(likelihood.data().rebounds.size()) + " rebounds (" + error.what() +
-                               "); try another order or law, or leave out impacts that the law does not hold "
-                               "for, such as the fastest");
+        throw ConvergenceError(
+            "no damping of order " + std::to_string(order) + " in the restitution describes these " +
+            std::to_string(likelihood.data().rebounds.size()) + " rebounds (" + error.what() +
+            "); try another order or law, or leave out impacts that the law does not hold "
+            "for, such as the fastest");
     }
 }
 
-/// The most likely curve of many impacts, from that of a few of them. Where all have none close by, that of the
-/// few stands, with its own, wider covariance.
+/// The most likely curve of many impacts, from that of a few of them. Where all have none close by, that of
+/// the few stands, with its own, wider covariance.
 LikelihoodMaximum refined(ImpactLikelihood& likelihood, const LikelihoodMaximum& few, double share) {
     try {
         return maximise(likelihood, few.coefficients, share * few.covariance);
@@ -151,8 +152,8 @@ LikelihoodMaximum likeliest_again(ImpactLikelihood& likelihood, const Eigen::Vec
     }
 }
 
-/// With the noise of @p goodness, which depends, weakly, on the curve where it is estimated. Of many impacts a
-/// few hundred tell it, and where to start.
+/// With the noise of @p goodness, which depends, weakly, on the curve where it is estimated. Of many impacts
+/// a few hundred tell it, and where to start.
 FittedCurve likeliest_fit(const ContactModel& model, const RestitutionData& data, Goodness goodness,
                           Eigen::VectorXd near, bool noise_known) {
     constexpr int most_passes = 4;

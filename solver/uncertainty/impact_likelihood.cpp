@@ -51,15 +51,15 @@ void add_fold(const CurveNodes::Values& nodes, double precision, ImpactLikelihoo
     const double excess = (1.0 - allowed) * nodes.velocity[from] - nodes.velocity[to];
     if (excess <= 0.0) return;
     result.value += 0.5 * precision * excess * excess;
-    result.gradient += precision * excess *
-                       ((1.0 - allowed) * nodes.velocity_by_coefficient.row(from) -
-                        nodes.velocity_by_coefficient.row(to))
-                           .transpose();
+    result.gradient +=
+        precision * excess *
+        ((1.0 - allowed) * nodes.velocity_by_coefficient.row(from) - nodes.velocity_by_coefficient.row(to))
+            .transpose();
 }
 
 /// The velocity from which on rebounds are possible: v_c, as long as the curve does not fall below it by more
-/// than the noise hides; else the lowest place of the curve. With v_c, likelihoods given a rebound would grow without
-/// bounds towards curves that fold back to the impacts from a v_c far above them.
+/// than the noise hides; else the lowest place of the curve. With v_c, likelihoods given a rebound would grow
+/// without bounds towards curves that fold back to the impacts from a v_c far above them.
 class ReboundThreshold {
   public:
     explicit ReboundThreshold(const CurveNodes::Values& nodes) : nodes_(nodes) {

@@ -25,7 +25,8 @@ struct LikelihoodMaximum {
 };
 
 /// The greatest likelihood close to a start. @throws ConvergenceError
-/// @param covariance of the coefficients, about, where it is known: it saves finding the curvature at the start
+/// @param covariance of the coefficients, about, where it is known: it saves finding the curvature at the
+/// start
 [[nodiscard]] LikelihoodMaximum maximise(ImpactLikelihood& likelihood, const Eigen::VectorXd& start,
                                          const std::optional<Eigen::MatrixXd>& covariance = std::nullopt);
 

@@ -71,9 +71,10 @@ std::optional<std::string> spacing_note(const MeasurementSet& set) {
     if (steps.size() < fewest) return std::nullopt;
     const gsl::Moments moments = gsl::moments(steps);
     if (moments.deviation > evenness * moments.mean) return std::nullopt;
-    return "the velocities stand in even steps of " + shortest(std::round(1e3 * moments.mean) / 1e3) + " m/s, " +
-           shortest(std::round(10.0 * moments.mean / u) / 10.0) +
-           " standard uncertainties: fits take all velocities as equally likely, and where a step lies at v_c the "
+    return "the velocities stand in even steps of " + shortest(std::round(1e3 * moments.mean) / 1e3) +
+           " m/s, " + shortest(std::round(10.0 * moments.mean / u) / 10.0) +
+           " standard uncertainties: fits take all velocities as equally likely, and where a step lies at "
+           "v_c the "
            "interval of the direct fit holds less often than stated";
 }
 

@@ -14,8 +14,9 @@ namespace ashimpact {
 /// @throws InputError where v_c, less its uncertainty, lies above that
 void require_rebounds_above(const DampingCurveFit& fit, const MeasurementSet& set);
 
-/// That the velocities of a series stand in even steps wider than their noise, in words; none where they do not.
-/// The likelihood takes all velocities as equally likely, and a step at v_c then counts for more than it knows.
+/// That the velocities of a series stand in even steps wider than their noise, in words; none where they do
+/// not. The likelihood takes all velocities as equally likely, and a step at v_c then counts for more than it
+/// knows.
 [[nodiscard]] std::optional<std::string> spacing_note(const MeasurementSet& set);
 
 }  // namespace ashimpact

@@ -9,8 +9,9 @@
 
 namespace ashimpact {
 
-/// A rebound slower than this many standard uncertainties of v_r can hardly be told from one at rest. How such a
-/// one is recorded (cut at zero, without its sign, as read) is not known; only that it was no faster is used.
+/// A rebound slower than this many standard uncertainties of v_r can hardly be told from one at rest. How
+/// such a one is recorded (cut at zero, without its sign, as read) is not known; only that it was no faster
+/// is used.
 inline constexpr double slow_rebound = 1.0;
 [[nodiscard]] bool is_slow(const Measurement& rebound);
 
@@ -50,8 +51,8 @@ class ReboundDensity {
     // The curve may fold back a little, so that its velocities are not sorted.
     std::vector<double> greatest_before_;
     std::vector<double> least_behind_;
-    // Of the places in a window: minus twice the logarithm of the density, the density over that of the nearest
-    // place, and its slopes over itself by v and e v.
+    // Of the places in a window: minus twice the logarithm of the density, the density over that of the
+    // nearest place, and its slopes over itself by v and e v.
     Eigen::ArrayXd squares_;
     Eigen::ArrayXd density_;
     Eigen::ArrayXd by_velocity_;

@@ -102,9 +102,9 @@ RestitutionData away_from_fastest(const RestitutionData& data) {
     const double place = fastest->velocity - room;
     if (place - room < slowest->velocity) return data;
     const auto faster_than = [&](double velocity) {
-        return static_cast<double>(std::count_if(data.rebounds.begin(), data.rebounds.end(), [&](const auto& point) {
-            return point.velocity > velocity;
-        }));
+        return static_cast<double>(
+            std::count_if(data.rebounds.begin(), data.rebounds.end(),
+                          [&](const auto& point) { return point.velocity > velocity; }));
     };
     const double above = faster_than(place);
     const double below = faster_than(place - room) - above;

@@ -359,8 +359,8 @@ TEST_CASE("an artifact edited wrongly is refused with its file and pointer, and 
         sandbox.write(file, document.dump());
         const auto before = sandbox.everything();
         const bool fit = file == "out/6-fit.json";
-        const auto finished =
-            ashimpact_program(sandbox, fit ? "run -o out --from critical-velocity" : "run -o out --from restitution");
+        const auto finished = ashimpact_program(
+            sandbox, fit ? "run -o out --from critical-velocity" : "run -o out --from restitution");
         CHECK(finished.status == 2);
         CHECK(test::lines_of(finished.err).size() == 1);
         CHECK_MESSAGE(finished.err.find(edit.says) != std::string::npos, finished.err);

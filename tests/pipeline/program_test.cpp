@@ -517,7 +517,8 @@ TEST_CASE("calibrate --compare sets hypotheses side by side; a density per size 
     for (const Json& hypothesis : json["hypotheses"]) {
         CAPTURE(hypothesis["hypothesis"]);
         REQUIRE(hypothesis.contains("chi_squared"));
-        CHECK(hypothesis["largest_residual"]["observation"].get<std::string>().find(" of ") != std::string::npos);
+        CHECK(hypothesis["largest_residual"]["observation"].get<std::string>().find(" of ") !=
+              std::string::npos);
         const bool rejected = hypothesis["velocities_only"] == true || !hypothesis["captured"].empty();
         if (rejected) {  // moduli that follow the composition do not go with one density
             CHECK(hypothesis["chi_squared"].get<double>() > 100);

@@ -27,7 +27,8 @@ double gradient_error(const ImpactLikelihood& likelihood, const Eigen::VectorXd&
     Eigen::VectorXd differences(at.size());
     for (Eigen::Index i = 0; i < at.size(); ++i) {
         const Eigen::VectorXd step = 1e-5 * at[0] * Eigen::VectorXd::Unit(at.size(), i);
-        differences[i] = (likelihood.at(at + step)->value - likelihood.at(at - step)->value) / (2.0 * step[i]);
+        differences[i] =
+            (likelihood.at(at + step)->value - likelihood.at(at - step)->value) / (2.0 * step[i]);
     }
     return (likelihood.at(at)->gradient - differences).norm() / differences.norm();
 }
@@ -49,7 +50,8 @@ TEST_CASE("the gradient of the likelihood: with slow rebounds, with captures, an
     }
 }
 
-TEST_CASE("likelihoods given a rebound do not grow towards curves that fold back from far above the impacts") {
+TEST_CASE(
+    "likelihoods given a rebound do not grow towards curves that fold back from far above the impacts") {
     const ContactModel model = ash_model(Law::of<BrachDunn>());
     const RestitutionData data = select_rebounds(model, laboratory_of(model, 100, 20)).data;
     const Eigen::VectorXd truth = Eigen::Vector3d(0.0149, -0.0213, 0.0101);
@@ -78,7 +80,8 @@ TEST_CASE("how a rebound slower than its uncertainty was recorded does not matte
     CHECK(relative_difference(after.critical_damping.value, before.critical_damping.value) < 1e-4);
 }
 
-TEST_CASE("fits of many impacts do not see where the velocities aimed at end, nor that slow rebounds are cut") {
+TEST_CASE(
+    "fits of many impacts do not see where the velocities aimed at end, nor that slow rebounds are cut") {
     const ContactModel model = ash_model(Law::of<Hertz>());
     const MeasurementSet set = laboratory_of(model, 10000);
     const RestitutionData data = select_rebounds(model, set).data;

@@ -185,7 +185,8 @@ TEST_CASE("one wild impact is flagged, stays in, and a robust fit takes it back"
     CHECK(is_near(robust.critical_damping, 0.0149));
 }
 
-TEST_CASE("impacts that no damping of such an order describes within their noise are fitted with more of it") {
+TEST_CASE(
+    "impacts that no damping of such an order describes within their noise are fitted with more of it") {
     const Camera camera{.frame_rate = 80e3, .pixel_size = 2e-6, .frames = 5};
     constexpr double critical = 1.6;
     gsl::Random random(11);

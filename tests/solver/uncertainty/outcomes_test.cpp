@@ -252,7 +252,8 @@ TEST_CASE("outcomes whose noise reaches below zero give no measured v_c") {
     MeasurementSet set{.source = "lab", .points = {}};
     for (int i = 0; i < 20; ++i) {
         const double v = 0.5 + 0.1 * i;
-        set.points.push_back({.velocity = v, .rebound = i % 4 == 0 ? 0.0 : 0.3 * v,
+        set.points.push_back({.velocity = v,
+                              .rebound = i % 4 == 0 ? 0.0 : 0.3 * v,
                               .noise = VelocityNoise::of_velocities(2.0, 2.0)});
     }
     const MeasuredCriticalVelocity measured = measured_critical_velocity(set);
