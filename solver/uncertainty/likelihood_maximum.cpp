@@ -94,8 +94,8 @@ Chart chart_around(const ImpactLikelihood& likelihood, const Eigen::VectorXd& st
 
 /// Least -ln L, by variables in which its curvature is about one; the chart ends there, with the curvature
 /// learnt on the way. None where the search ends elsewhere.
-std::optional<double> descend(ImpactLikelihood& likelihood, Chart& chart) {
-    constexpr int rounds = 4;
+/// @param rounds in which the places of the integrals are renewed
+std::optional<double> descend(ImpactLikelihood& likelihood, Chart& chart, int rounds = 4) {
     constexpr double far = 30.0;  // standard uncertainties within which the places of the integrals serve
     for (int i = 0; i < rounds; ++i) {
         likelihood.move_to(chart.center);
@@ -146,7 +146,7 @@ LikelihoodMaximum maximise(ImpactLikelihood& likelihood, const Eigen::VectorXd& 
                            const std::optional<Eigen::MatrixXd>& covariance) {
     likelihood.move_to(start);
     Chart chart = covariance ? Chart{start, covariance->llt().matrixL()} : chart_around(likelihood, start);
-    const auto value = descend(likelihood, chart);
+    const auto value = descend(likelihood, chart, covariance ? 1 : 4);  // where it is known, few steps do
     if (!value) throw ConvergenceError("the likelihood of the damping curve has no maximum");
     likelihood.move_to(chart.center);
     const auto curvature = curvature_of(likelihood, chart, 0.02);
