@@ -3,7 +3,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 
 #include "materials/error.hpp"
@@ -56,12 +55,6 @@ double without_rounding_noise(double factor) {
     return factor;
 }
 
-/// value * scale with one rounding where the unit is decimal: powers of ten below one are not exact, their
-/// inverses are.
-double scaled(double value, double scale) {
-    return scale < 1 ? value / without_rounding_noise(1 / scale) : value * without_rounding_noise(scale);
-}
-
 }  // namespace
 
 std::string_view si_unit(Dimension dimension) {
@@ -72,22 +65,28 @@ std::string_view dimension_name(Dimension dimension) {
     return row(dimension).name;
 }
 
+SiConversion::SiConversion(std::string_view unit, Dimension expected) : expected_(expected) {
+    const auto conversion = scale_to(unit, si_unit(expected));
+    if (conversion.problem == UnitProblem::unknown)
+        throw InputError("the unit " + in_quotes(unit) + " is not known", allowed(expected));
+    if (conversion.problem == UnitProblem::other_dimension)
+        throw InputError(
+            "the unit " + in_quotes(unit) + " is not one of " + std::string(dimension_name(expected)),
+            allowed(expected));
+    divides_ = conversion.scale < 1;
+    factor_ = without_rounding_noise(divides_ ? 1 / conversion.scale : conversion.scale);
+}
+
+double SiConversion::operator()(double value) const {
+    if (!std::isfinite(value)) throw InputError("the value is not finite", allowed(expected_));
+    const double converted = divides_ ? value / factor_ : value * factor_;
+    if (std::isfinite(converted)) return converted;
+    throw InputError("the value is too large in SI units", allowed(expected_));
+}
+
 double to_si(double value, std::string_view unit, Dimension expected) {
     if (!std::isfinite(value)) throw InputError("the value is not finite", allowed(expected));
-    switch (const auto conversion = scale_to(unit, si_unit(expected)); conversion.problem) {
-        case UnitProblem::none: {
-            const double converted = scaled(value, conversion.scale);
-            if (std::isfinite(converted)) return converted;
-            throw InputError("the value is too large in SI units", allowed(expected));
-        }
-        case UnitProblem::unknown:
-            throw InputError("the unit " + in_quotes(unit) + " is not known", allowed(expected));
-        case UnitProblem::other_dimension:
-            throw InputError(
-                "the unit " + in_quotes(unit) + " is not one of " + std::string(dimension_name(expected)),
-                allowed(expected));
-    }
-    throw std::logic_error("unit problem without a case");
+    return SiConversion(unit, expected)(value);
 }
 
 double parse_quantity(std::string_view text, Dimension expected) {

@@ -32,6 +32,19 @@ enum class Dimension {
 /// digits. Errors: InputError for junk, NaN, infinity, an unknown unit or one of another dimension.
 [[nodiscard]] double parse_quantity(std::string_view text, Dimension expected);
 
+/// Values in one unit to SI: a column's unit is looked up once. Errors as to_si().
+class SiConversion {
+  public:
+    SiConversion(std::string_view unit, Dimension expected);
+    /// [SI unit of the dimension], with one rounding where the unit is decimal.
+    [[nodiscard]] double operator()(double value) const;
+
+  private:
+    Dimension expected_;
+    bool divides_ = false;  ///< powers of ten below one are not exact, their inverses are
+    double factor_ = 1;
+};
+
 /// Converts a value to SI [SI unit of the dimension].
 /// Errors: InputError for an unknown unit, one of another dimension or one with an offset (degC), and for a
 /// value that is not finite.

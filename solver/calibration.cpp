@@ -5,7 +5,6 @@
 #include "solver/calibration_residuals.hpp"
 #include "solver/gsl/distribution.hpp"
 #include "solver/gsl/nonlinear_fit.hpp"
-#include "solver/reconstruction.hpp"
 
 #include <cmath>
 #include <string>
@@ -32,17 +31,11 @@ void require_solvable(const CalibrationProblem& problem, std::size_t constants) 
 }
 
 /// A contact time that the calibrated model has not is no minimum worth reporting.
-void require_rebounds(const CalibrationProblem& problem, const std::vector<CalibrationSample>& samples) {
-    for (const ContactTimeObservation& o : problem.contact_times) {
-        const PublishedDamping published{o.law,
-                                         o.law.default_detachment(),
-                                         samples[o.sample].contact(),
-                                         o.damping_fit[0],
-                                         o.damping_fit[1],
-                                         o.damping_fit[2]};
-        if (reconstructed_restitution(published, o.velocity) > 0.0) continue;
+void require_rebounds(const CalibrationProblem& problem, const CalibrationSummary& summary) {
+    for (std::size_t i = 0; i < summary.contact_times.size(); ++i) {
+        if (!summary.contact_times[i].captured_up_to) continue;
         throw ConvergenceError("calibration: the constants found capture sample " +
-                               std::to_string(o.sample + 1) +
+                               std::to_string(problem.contact_times[i].sample + 1) +
                                " at the velocity of its contact time; start nearer to the answer");
     }
 }
@@ -65,36 +58,22 @@ std::vector<CalibratedConstant> constants_of(const std::vector<CalibrationSlot>&
     return constants;
 }
 
-}  // namespace
-
-ContactPair CalibrationSample::contact() const {
-    return {
-        .mass = sphere_mass(diameter / 2, density),
-        .effective_radius = diameter / 2,
-        .contact_modulus = contact_modulus ? *contact_modulus : ashimpact::contact_modulus(particle, wall),
-        .work_of_adhesion = work_of_adhesion};
+CalibrationProblem velocities_of(CalibrationProblem problem) {
+    problem.contact_times.clear();
+    return problem;
 }
 
-CalibrationSummary calibrate(const CalibrationProblem& problem) {
-    const std::vector<CalibrationSlot> slots = slots_of(problem);
-    require_solvable(problem, slots.size());
-    Eigen::VectorXd logarithms = starting_logarithms(problem);
-
-    // A contact time jumps where its impact is captured, so the critical velocities lead the fit near the
-    // answer.
-    CalibrationProblem velocities_only = problem;
-    velocities_only.contact_times.clear();
-    if (problem.critical_velocities.size() >= slots.size()) {
-        logarithms = CalibrationObjective(velocities_only, logarithms).fit(logarithms).parameters;
-    }
+gsl::NonlinearFit fit_from(const CalibrationProblem& problem, Eigen::VectorXd logarithms) {
     gsl::NonlinearFit fit;
     for (int pass = 0; pass < 3; ++pass) {  // the weights depend, weakly, on the constants
         fit = CalibrationObjective(problem, logarithms).fit(logarithms);
         logarithms = fit.parameters;
     }
+    return fit;
+}
 
-    require_rebounds(problem, samples_with(problem, slots, fit.parameters));
-
+CalibrationSummary summary_of(const CalibrationProblem& problem, const std::vector<CalibrationSlot>& slots,
+                              const gsl::NonlinearFit& fit) {
     const Eigen::VectorXd deviation = fit.covariance.diagonal().cwiseSqrt();
     CalibrationSummary summary;
     summary.constants = constants_of(slots, fit);
@@ -109,6 +88,43 @@ CalibrationSummary calibrate(const CalibrationProblem& problem) {
     summary.akaike = fit.chi_squared + 2.0 * static_cast<double>(slots.size());
     summary.iterations = fit.iterations;
     return summary;
+}
+
+}  // namespace
+
+ContactPair CalibrationSample::contact() const {
+    return {
+        .mass = sphere_mass(diameter / 2, density),
+        .effective_radius = diameter / 2,
+        .contact_modulus = contact_modulus ? *contact_modulus : ashimpact::contact_modulus(particle, wall),
+        .work_of_adhesion = work_of_adhesion};
+}
+
+CalibrationSummary calibrate(const CalibrationProblem& problem) {
+    CalibrationSummary summary = calibrate_despite_captures(problem);
+    require_rebounds(problem, summary);
+    return summary;
+}
+
+CalibrationSummary calibrate_despite_captures(const CalibrationProblem& problem) {
+    const std::vector<CalibrationSlot> slots = slots_of(problem);
+    require_solvable(problem, slots.size());
+    Eigen::VectorXd logarithms = starting_logarithms(problem);
+
+    // A contact time jumps where its impact is captured, so the critical velocities lead the fit near the
+    // answer.
+    if (problem.critical_velocities.size() >= slots.size()) {
+        const CalibrationProblem velocities = velocities_of(problem);
+        logarithms = CalibrationObjective(velocities, logarithms).fit(logarithms).parameters;
+    }
+    return summary_of(problem, slots, fit_from(problem, logarithms));
+}
+
+CalibrationSummary calibrate_by_velocities(const CalibrationProblem& problem) {
+    const CalibrationProblem velocities = velocities_of(problem);
+    const std::vector<CalibrationSlot> slots = slots_of(velocities);
+    require_solvable(velocities, slots.size());
+    return summary_of(problem, slots, fit_from(velocities, starting_logarithms(velocities)));
 }
 
 }  // namespace ashimpact

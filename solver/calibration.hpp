@@ -93,6 +93,9 @@ struct CalibrationResidual {
     double predicted;
     double
         relative_uncertainty;  ///< standard; own rounding and that of the damping or velocity behind it [1]
+    /// Of a contact time that the model has not, as it captures the impact: the velocity up to which it does
+    /// [m/s]. What is predicted is then that of the nearest rebound, prolonged by the distance to it.
+    std::optional<double> captured_up_to{};
 
     [[nodiscard]] double relative_difference() const { return predicted / observed - 1.0; }
 };
@@ -115,5 +118,13 @@ struct CalibrationSummary {
 /// @throws InputError for a problem with fewer observations than constants or unknown samples,
 /// ConvergenceError
 [[nodiscard]] CalibrationSummary calibrate(const CalibrationProblem& problem);
+
+/// The same, also where the constants found capture an impact whose contact time was measured: chi^2 then
+/// counts the stand-in of CalibrationResidual. @throws InputError, ConvergenceError
+[[nodiscard]] CalibrationSummary calibrate_despite_captures(const CalibrationProblem& problem);
+
+/// The same by the critical velocities alone: chi^2, its degrees of freedom and AIC are theirs, and bounds
+/// from below where there are contact times, which are predicted beside.
+[[nodiscard]] CalibrationSummary calibrate_by_velocities(const CalibrationProblem& problem);
 
 }  // namespace ashimpact

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace ashimpact {
@@ -43,6 +44,15 @@ double predicted_time(const CalibrationSample& sample, const ContactTimeObservat
     if (e > 0.0) return solve_impact(impact).contact_time.value();
     impact.velocity = (1.0 + 1e-6) * predicted_velocity(sample, at.law, impact.damping.coefficient);
     return solve_impact(impact).contact_time.value() * std::pow(impact.velocity / velocity, captured_growth);
+}
+
+/// The velocity up to which the impact of a contact time is captured; none where it rebounds.
+std::optional<double> captured_up_to(const CalibrationSample& sample, const ContactTimeObservation& at) {
+    const PublishedDamping published{
+        at.law,           at.law.default_detachment(), sample.contact(), at.damping_fit[0], at.damping_fit[1],
+        at.damping_fit[2]};
+    if (reconstructed_restitution(published, at.velocity) > 0.0) return std::nullopt;
+    return predicted_velocity(sample, at.law, published.damping(0.0));
 }
 
 /// The same contact time if a coefficient of the published fit were another.
@@ -110,7 +120,7 @@ CalibrationResiduals calibration_residuals(const CalibrationProblem& problem,
         const auto& observed = problem.critical_velocities[static_cast<std::size_t>(i)];
         const VelocityError error = error_of(samples[observed.sample], observed);
         const double total = std::hypot(error.own, error.damping);
-        result.critical_velocities.push_back({observed.value, error.predicted, total});
+        result.critical_velocities.push_back({observed.value, error.predicted, total, {}});
         result.covariance(i, i) = total * total;
         shared.push_back(error.damping);
     }
@@ -119,7 +129,8 @@ CalibrationResiduals calibration_residuals(const CalibrationProblem& problem,
         const TimeError error = error_of(samples[observed.sample], observed);
         const double total = std::hypot(
             error.own, std::hypot(error.coefficients[0], error.coefficients[1], error.coefficients[2]));
-        result.contact_times.push_back({observed.value, error.predicted, total});
+        result.contact_times.push_back(
+            {observed.value, error.predicted, total, captured_up_to(samples[observed.sample], observed)});
         const Eigen::Index row = velocities + j;
         result.covariance(row, row) = total * total;
         for (Eigen::Index i = 0; i < velocities; ++i) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <ostream>
 
 #include "materials/text.hpp"
@@ -162,6 +163,11 @@ std::string profile_text(const Interval& interval, std::string_view unit) {
     return fmt::format("{} to {}", end(interval.lower), end(interval.upper));
 }
 
+std::string curvature_text(const CalibratedConstant& constant, std::string_view unit) {
+    if (!std::isfinite(constant.lower) || !std::isfinite(constant.upper)) return "not identifiable";
+    return fmt::format("{} to {}", readable(constant.lower, unit), readable(constant.upper, unit));
+}
+
 /// Correlations of the constants with those before them, and what the data do not fix.
 std::string identification_text(const Case& data, const CalibrationSummary& summary,
                                 const std::vector<ConstantProfile>& profiles) {
@@ -185,9 +191,7 @@ std::string calibration_text(const Case& data, const CalibrationSummary& summary
         const CalibratedConstant& constant = summary.constants[i];
         const CalibrationQuantityName& entry = entry_of(constant.quantity);
         constants.add({std::string(entry.name), constant.sample ? data.samples[*constant.sample].name : "all",
-                       readable(constant.value, entry.unit),
-                       fmt::format("{} to {}", readable(constant.lower, entry.unit),
-                                   readable(constant.upper, entry.unit)),
+                       readable(constant.value, entry.unit), curvature_text(constant, entry.unit),
                        profile_text(profiles[i].interval, entry.unit)});
     }
     TextTable residuals({"sample", "law", "published", "calibrated", "difference", "in u"});
@@ -253,8 +257,10 @@ void run_calibrate_command(const CalibrateOptions& options, std::ostream& out) {
                                  "critical velocities with their damping, contact times")
                     .at("/samples");
             const auto hypotheses = compare_hypotheses(problem, elastic);
-            out << (options.json ? write_json(hypotheses_json(hypotheses), Digits::seventeen)
-                                 : hypotheses_text(hypotheses));
+            ComparedObservations observations{problem, {}};
+            for (const Sample& sample : data.samples) observations.samples.push_back(sample.name);
+            out << (options.json ? write_json(hypotheses_json(hypotheses, observations), Digits::seventeen)
+                                 : hypotheses_text(hypotheses, observations));
             return;
         }
         if (data.calibration.empty())

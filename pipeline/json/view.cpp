@@ -1,6 +1,7 @@
 #include "pipeline/json/view.hpp"
 
 #include <array>
+#include <optional>
 
 namespace ashimpact {
 
@@ -82,10 +83,13 @@ std::vector<double> View::column(Dimension dimension) const {
     const View values = with_unit ? at("values") : *this;
     const std::string unit = with_unit ? at("unit").text() : std::string(si_unit(dimension));
     std::vector<double> column;
+    std::optional<SiConversion> conversion;
     for (const View& element : values.elements()) {
         if (!element.json().is_number()) element.fail("is not a number", "a number");
-        column.push_back(
-            element.located([&] { return to_si(element.json().get<double>(), unit, dimension); }));
+        column.push_back(element.located([&] {
+            if (!conversion) conversion.emplace(unit, dimension);
+            return (*conversion)(element.json().get<double>());
+        }));
     }
     return column;
 }

@@ -133,6 +133,7 @@ std::vector<std::pair<std::string, double>> read_volume_fractions(const View& re
 struct DynamicColumns {
     Json velocity = Json::object();
     Json interval = Json::object();
+    Json interval_note = Json::object();
     Json verdict = Json::object();
     Json check = Json::object();
 };
@@ -145,6 +146,8 @@ DynamicColumns dynamic_columns(const SampleResults& of, const std::vector<LawCho
         const bool finite = velocity != nullptr && velocity->value;
         columns.velocity[name] = finite ? Json(*velocity->value) : Json(nullptr);
         columns.interval[name] = finite ? velocity->interval : Json(nullptr);
+        if (finite && !velocity->interval_note.is_null())
+            columns.interval_note[name] = velocity->interval_note;
         columns.check[name] = finite ? velocity->check : Json(nullptr);
         columns.verdict[name] = velocity != nullptr     ? velocity->verdict
                                 : of.sample.restitution ? "no fit"
@@ -205,6 +208,7 @@ StageOutput comparison_stage(const Artifacts& before) {
             {"verdict", dynamic.verdict},
             {"measured_critical_velocity", measured_json(sample, measured)},
             {"check", dynamic.check}};
+        if (!dynamic.interval_note.empty()) json["interval_note"] = dynamic.interval_note;
         if (sample.published) json["published"] = published_beside_json(*sample.published, of);
         output.result["samples"].push_back(std::move(json));
     }

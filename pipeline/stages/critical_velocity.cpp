@@ -6,6 +6,7 @@
 
 #include "pipeline/case/laws.hpp"
 #include "pipeline/json/quantity_json.hpp"
+#include "pipeline/stages/attempt.hpp"
 #include "pipeline/stages/contact.hpp"
 #include "pipeline/stages/fit.hpp"
 #include "pipeline/stages/in_parallel.hpp"
@@ -48,11 +49,6 @@ struct LawEntry {
 
 LawEntry law_entry(const VelocityTask& task) {
     LawEntry entry;
-    if (task.fit.critical_damping < 0) {
-        entry.notes.emplace_back(
-            "the fit gives a negative critical damping, so the data do not say where capture begins");
-        return entry;
-    }
     const CriticalVelocityProblem problem{.law = task.choice.law,
                                           .detachment = task.choice.detachment,
                                           .damping = {task.data.damping_law, task.fit.critical_damping},
@@ -72,7 +68,11 @@ Json sample_json(const Case& data, const Sample& sample, const SampleContact& co
                  std::vector<std::string>& warnings) {
     Json json{{"name", sample.name}};
     const RestitutionSeries* first = restitution.series.empty() ? nullptr : &restitution.series.front();
-    const auto measured = measured_velocity(sample, first);
+    std::vector<std::string> notes;
+    const auto measured = attempt("measured v_c", notes, [&] {
+                              return measured_velocity(sample, first);
+                          }).value_or(std::nullopt);
+    for (const std::string& note : notes) warnings.push_back(sample.name + ": " + note);
     json["measured"] = measured ? measured_velocity_json(*measured) : Json(nullptr);
     const auto entries = in_parallel(data.laws, [&](const LawChoice& choice) -> LawEntry {
         const LawFit* fit = fits.laws.find(choice.law);
@@ -153,6 +153,7 @@ std::vector<SampleCriticalVelocity> read_critical_velocities(const View& result)
                 .plastic = 0.0,
                 .detachment_energy = node.at("detachment_energy").number(Dimension::energy),
                 .interval = node.has("interval") ? node.at("interval").json() : Json(nullptr),
+                .interval_note = node.has("interval_note") ? node.at("interval_note").json() : Json(nullptr),
                 .check = node.has("check") ? node.at("check").json() : Json(nullptr)};
             if (const auto value = node.find("critical_velocity"))
                 velocity.value = value->quantity(Dimension::velocity);

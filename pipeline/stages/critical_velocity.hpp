@@ -19,6 +19,7 @@ struct LawCriticalVelocity {
     double plastic;                      ///< work spent in yielding at v_c [J]
     double detachment_energy;            ///< what the break itself costs [J]
     Json interval;                       ///< of 95 %, null where nothing is known of it
+    Json interval_note;                  ///< why there is none, null where there is one
     Json check;                          ///< beside the measured one, null where there is none
 };
 

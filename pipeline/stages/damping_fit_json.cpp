@@ -100,6 +100,8 @@ DampingCurveFit read_damping_fit(const View& node) {
     const auto coefficients = node.at("coefficients").column(Dimension::damping);
     const auto size = static_cast<Eigen::Index>(coefficients.size());
     fit.damping.coefficients = Eigen::Map<const Eigen::VectorXd>(coefficients.data(), size);
+    if (size > 0 && !(coefficients.front() > 0))
+        node.at("coefficients").fail("the first, the critical damping, is not positive", "> 0 kg/s");
     const auto rows = node.at("covariance").at("values").elements();
     if (size != fit.options.order + 1 || rows.size() != coefficients.size())
         node.fail("coefficients and covariance do not belong to the order", "order + 1 of each");

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "materials/text.hpp"
 #include "pipeline/case/laws.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/json/statistics_json.hpp"
@@ -85,6 +86,10 @@ Fitted fit_by_least_squares(const FitTask& task) {
     for (Eigen::Index i = 0; i < 3; ++i)
         for (Eigen::Index j = 0; j < 3; ++j)
             covariance(i, j) = fit.covariance[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+    if (fit.c < 0)
+        return {
+            nullptr,
+            {"no fit: the critical damping would be negative, so the data do not say where capture begins"}};
     const double rounding = task.measured.coefficient_uncertainty.value_or(0);
     Json json = quadratic_fit_json({fit.a, fit.b, fit.c}, covariance,
                                    std::hypot(std::sqrt(std::max(0.0, covariance(2, 2))), rounding), unit);
@@ -154,17 +159,27 @@ Fitted fit_through_model(const FitTask& task) {
     });
     const auto directly = attempt("direct fit", fitted.notes,
                                   [&] { return checked(fit_damping_curve(model, rising.set, direct)); });
-    if (!by_extrapolation) return fitted;
-    fitted.json = quadratic_part(*by_extrapolation);
+    const auto note_enlargement = [&](const char* name, const std::optional<DampingCurveFit>& fit) {
+        const auto note = fit ? enlargement_note(*fit) : std::nullopt;
+        if (note) fitted.notes.push_back(fmt::format("{}: {}", name, *note));
+    };
+    note_enlargement("extrapolated fit", by_extrapolation);
+    note_enlargement("direct fit", directly);
+    const auto spacing = spacing_note(rising.set);
+    if (directly && spacing) fitted.notes.push_back(*spacing);
+    if (!by_extrapolation && !directly) return fitted;
+    const DampingCurveFit& first = by_extrapolation ? *by_extrapolation : *directly;
+    fitted.json = quadratic_part(first);
     fitted.json["method"] = "likelihood";
-    fitted.json["degrees_of_freedom"] = by_extrapolation->degrees_of_freedom;
-    fitted.json["points"] = by_extrapolation->rebounds.size();
+    fitted.json["degrees_of_freedom"] = first.degrees_of_freedom;
+    fitted.json["points"] = first.rebounds.size();
     fitted.json["points_beyond_rising_branch"] = rising.beyond;
-    fitted.json["restitution_range"] = {by_extrapolation->restitutions[0], by_extrapolation->restitutions[1]};
+    fitted.json["restitution_range"] = {first.restitutions[0], first.restitutions[1]};
     fitted.json["origin"] = task.inverted.origin;
-    fitted.json["extrapolated"] = damping_fit_json(*by_extrapolation, rising.numbers);
-    if (directly) {
-        fitted.json["direct"] = damping_fit_json(*directly, rising.numbers);
+    if (by_extrapolation) fitted.json["extrapolated"] = damping_fit_json(*by_extrapolation, rising.numbers);
+    if (directly) fitted.json["direct"] = damping_fit_json(*directly, rising.numbers);
+    if (!by_extrapolation) fitted.notes.emplace_back("a, b, c and v_c are those of the direct fit");
+    if (by_extrapolation && directly) {
         const FitComparison comparison = compare(*by_extrapolation, *directly);
         fitted.json["comparison"] = comparison_json(comparison);
         if (comparison.exclude_one_another) fitted.notes.push_back(comparison.statement);
@@ -227,6 +242,9 @@ std::vector<SampleFit> read_fits(const View& result, Dimension dimension) {
             const Law law = node.located([&, &key = name] { return Law::named(key); });
             const auto value = [&, &node = node](const char* key) { return node.at(key).number(dimension); };
             LawFit fit{value("a"), value("b"), value("c"), value("critical_damping")};
+            if (fit.critical_damping < 0)
+                node.at("critical_damping")
+                    .fail("is " + shortest(fit.critical_damping), "a critical damping >= 0");
             fit.critical_damping_uncertainty =
                 node.at("critical_damping").quantity(dimension).standard_uncertainty;
             if (const auto curve = node.find("extrapolated")) fit.extrapolated = read_damping_fit(*curve);

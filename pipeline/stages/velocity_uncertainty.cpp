@@ -66,10 +66,13 @@ Json from_damping(const VelocityTask& task) {
 Json velocity_uncertainty_json(const VelocityTask& task, double velocity, std::vector<std::string>& notes) {
     Json json = Json::object();
     if (!has_contact_model(task.choice, task.data.damping_law, task.contact.pair)) {
-        notes.emplace_back("no interval: that takes constant damping and a contact that does not yield");
-    } else if (task.fit.extrapolated && task.series != nullptr) {
+        constexpr const char* reason =
+            "no interval: that takes constant damping and a contact that does not yield";
+        notes.emplace_back(reason);
+        json["interval_note"] = reason;
+    } else if ((task.fit.extrapolated || task.fit.direct) && task.series != nullptr) {
         json = attempt("interval", notes, [&] {
-                   return from_fit(task, *task.fit.extrapolated);
+                   return from_fit(task, task.fit.extrapolated ? *task.fit.extrapolated : *task.fit.direct);
                }).value_or(Json::object());
         if (task.fit.direct)
             json["direct"] = attempt("interval of the direct fit", notes, [&] {

@@ -40,6 +40,18 @@ std::string interval_cell(const View& sample, const std::string& law) {
     return end("lower", "open") + " to " + end("upper", "open");
 }
 
+/// Why laws have no interval, a line for each.
+std::string interval_notes(const View& result) {
+    std::string text;
+    for (const View& sample : result.at("samples").elements()) {
+        const auto notes = sample.find("interval_note");
+        if (!notes) continue;
+        for (const auto& [law, note] : notes->members())
+            text += fmt::format("{}, {}: {}.\n", sample.at("name").text(), law, note.text());
+    }
+    return text;
+}
+
 /// What the check against the measured velocity says, in words.
 std::string check_cell(const View& sample, const std::string& law) {
     const auto all = sample.find("check");
@@ -86,6 +98,7 @@ std::string comparison_text(const View& result) {
     std::string text =
         title + table.text() + "Critical velocities in m/s: analytic (Eq. 30), dynamic by each law";
     text += any_published ? "; E in brackets: as published.\n" : ".\n";
+    text += interval_notes(result);
     return text + "\n" + result.at("conclusion").text() + "\n";
 }
 

@@ -1,6 +1,7 @@
 #include "solver/measurement/binning.hpp"
 
 #include "materials/error.hpp"
+#include "materials/text.hpp"
 #include "solver/gsl/statistics.hpp"
 
 #include <algorithm>
@@ -9,6 +10,8 @@
 namespace ashimpact {
 
 namespace {
+
+constexpr double least_width = 1e-6;  ///< of a bin, in fastest velocities
 
 Measurement mean_of(const std::vector<Measurement>& bin) {
     std::vector<double> velocities;
@@ -40,6 +43,12 @@ Measurement mean_of(const std::vector<Measurement>& bin) {
 MeasurementSet binned(const MeasurementSet& set, const Binning& binning) {
     if ((binning.impacts_per_bin > 0) == (binning.width > 0.0))
         throw InputError("binning by both or neither of impacts and width", "exactly one, > 0");
+    double fastest = 0.0;
+    for (const Measurement& point : set.points) fastest = std::max(fastest, point.velocity);
+    if (binning.width > 0.0 && binning.width < least_width * fastest)
+        throw InputError(
+            "bins of " + shortest(binning.width) + " m/s for impacts of up to " + shortest(fastest) + " m/s",
+            "a width of at least a millionth of the fastest velocity");
     MeasurementSet result{.source = set.source, .points = {}, .warnings = set.warnings};
     std::vector<Measurement> rebounds;
     for (const Measurement& point : set.points)

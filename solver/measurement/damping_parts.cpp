@@ -109,15 +109,15 @@ DampingParts find_parts(const std::optional<DampingSmoothing>& smooth, const Par
     }
     std::sort(result.outliers.begin(), result.outliers.end());
     const std::vector<double> grid = grid_of(*smooth);
-    if (const auto falling = boundary_of(*smooth, grid, options.flatness, -1)) {
-        result.parts.push_back(DampingPart::falling);
-        result.boundaries.push_back(*falling);
-    }
-    result.parts.push_back(DampingPart::flat);
-    if (const auto rising = boundary_of(*smooth, grid, options.flatness, +1)) {
-        result.parts.push_back(DampingPart::rising);
-        result.boundaries.push_back(*rising);
-    }
+    const auto falling = boundary_of(*smooth, grid, options.flatness, -1);
+    const auto rising = boundary_of(*smooth, grid, options.flatness, +1);
+    const double from = falling ? falling->velocity : grid.front();
+    const double to = rising ? rising->velocity : grid.back();
+    if (falling) result.parts.push_back(DampingPart::falling);
+    if (from < to) result.parts.push_back(DampingPart::flat);
+    if (rising) result.parts.push_back(DampingPart::rising);
+    if (falling && result.parts.size() > 1) result.boundaries.push_back(*falling);
+    if (rising && from < to) result.boundaries.push_back(*rising);
     return result;
 }
 

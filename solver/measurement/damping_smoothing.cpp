@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <span>
 
@@ -122,7 +121,10 @@ std::optional<DampingSmoothing> DampingSmoothing::of(const std::vector<InvertedI
         const double smooth = best->splines_.values(x).dot(best->coefficients_);
         scaled.push_back((rows.damping[i] - smooth) * rows.weight[i]);
     }
-    const double deviation = std::max(gsl::robust_deviation(scaled), std::numeric_limits<double>::min());
+    // Data nearly without scatter differ from any spline by its own small misfit, which makes no outliers.
+    const bool known = ordered.front()->standard_uncertainty.has_value();
+    const double least = known ? 0.5 : 1e-3;  // in standard uncertainties, or of the damping
+    const double deviation = std::max(gsl::robust_deviation(scaled), least);
     for (std::size_t i = 0; i < scaled.size(); ++i)
         best->residuals_.push_back({rows.index[i], scaled[i] / deviation});
     return best;

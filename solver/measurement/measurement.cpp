@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ashimpact {
 
@@ -14,6 +15,21 @@ namespace {
 [[noreturn]] void fail(const Measurement& point, const std::string& problem, const std::string& allowed) {
     const InputError error(problem, allowed);
     throw point.line == 0 ? error : error.at("line " + std::to_string(point.line));
+}
+
+/// Uncertainties above every velocity say that no rebound was measured.
+void require_resolution(const MeasurementSet& set) {
+    if (!set.has_noise() || set.rebounds() == 0) return;
+    double least = std::numeric_limits<double>::infinity();
+    double fastest = 0.0;
+    for (const Measurement& point : set.points) {
+        least = std::min(least, std::sqrt(point.noise->incident));
+        fastest = std::max(fastest, point.velocity);
+    }
+    if (least < fastest) return;
+    throw InputError("the standard uncertainty of v_in is at least " + shortest(least) +
+                         " m/s, but the fastest impact has " + shortest(fastest) + " m/s",
+                     "uncertainties below the velocities");
 }
 
 bool is_physical(const VelocityNoise& noise) {
@@ -54,6 +70,7 @@ void validate(const MeasurementSet& set) {
         if (point.noise && !is_physical(*point.noise))
             fail(point, "an uncertainty is not a finite number > 0", "> 0 for every point");
     }
+    require_resolution(set);
 }
 
 double Camera::velocity_uncertainty() const {

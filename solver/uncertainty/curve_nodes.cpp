@@ -14,33 +14,37 @@ constexpr int first_parts = 4;
 constexpr int most_panels = 2000;
 constexpr int stations = 400;  ///< at which the length of the curve is measured
 
-/// Length of the curve up to each of many evenly spaced cube roots of e.
-std::vector<double> lengths_of(const RestitutionCurve& curve) {
+/// Length of the curve up to each of many evenly spaced cube roots of e, the last where it leaves for
+/// velocities far beyond the impacts.
+std::vector<double> lengths_of(const RestitutionCurve& curve, double fastest) {
     const double top = std::cbrt(curve.greatest_restitution());
     std::vector<double> lengths{0.0};
     double v = curve.at(0.0).velocity;
     double r = 0.0;
+    std::size_t used = 1;
     for (int i = 1; i <= stations; ++i) {
         const double e = std::pow(top * i / stations, 3);
         const double next = curve.at(e).velocity;
         lengths.push_back(lengths.back() + std::hypot(next - v, e * next - r));
         v = next;
         r = e * next;
+        if (v < 2.0 * fastest) used = lengths.size();
     }
+    lengths.resize(std::min(used + 1, lengths.size()));
     return lengths;
 }
 
 }  // namespace
 
-bool CurveNodes::too_fine(const RestitutionCurve& curve, double resolution) {
-    return lengths_of(curve).back() > most_panels * resolution;
+bool CurveNodes::too_fine(const RestitutionCurve& curve, const Extent& extent) {
+    return lengths_of(curve, extent.fastest).back() > most_panels * extent.resolution;
 }
 
-CurveNodes::CurveNodes(const RestitutionCurve& curve, int order, double resolution, double beyond)
-    : order_(order), top_(std::cbrt(curve.greatest_restitution())) {
-    const std::vector<double> lengths = lengths_of(curve);
-    const double wanted = std::ceil(lengths.back() / resolution);
+void CurveNodes::add_panels(const RestitutionCurve& curve, const Extent& extent) {
+    const std::vector<double> lengths = lengths_of(curve, extent.fastest);
+    const double wanted = std::ceil(lengths.back() / extent.resolution);
     const int panels = static_cast<int>(std::clamp(wanted, 4.0, static_cast<double>(most_panels)));
+    const bool whole = lengths.size() == stations + 1;
     double lower = 0.0;
     std::size_t station = 1;
     for (int i = 1; i <= panels; ++i) {
@@ -48,20 +52,28 @@ CurveNodes::CurveNodes(const RestitutionCurve& curve, int order, double resoluti
         while (station + 1 < lengths.size() && lengths[station] < length) ++station;
         const double share = (length - lengths[station - 1]) / (lengths[station] - lengths[station - 1]);
         const double upper =
-            i == panels ? top_ : top_ * (static_cast<double>(station) - 1.0 + share) / stations;
+            i == panels && whole ? top_ : top_ * (static_cast<double>(station) - 1.0 + share) / stations;
         // From v_c on e rises as the cube of its root, which is not smooth at the length of a panel.
         const int parts = i == 1 ? first_parts : 1;
         for (int part = 0; part < parts; ++part)
             add_panel(lower + (upper - lower) * part / parts, lower + (upper - lower) * (part + 1) / parts);
         lower = upper;
     }
-    // The tangent, in e itself, continues the numbering above the top by e - e_top.
+    if (whole) add_tangent(curve, extent);
+}
+
+/// The tangent, in e itself, continues the numbering above the top by e - e_top.
+void CurveNodes::add_tangent(const RestitutionCurve& curve, const Extent& extent) {
     const RestitutionCurve::Place end = curve.at(curve.greatest_restitution());
     const double range =
-        beyond / std::hypot(end.slope, end.velocity + curve.greatest_restitution() * end.slope);
-    const int more = static_cast<int>(std::ceil(beyond / resolution));
+        extent.beyond / std::hypot(end.slope, end.velocity + curve.greatest_restitution() * end.slope);
+    const int more = static_cast<int>(std::ceil(extent.beyond / extent.resolution));
     for (int i = 0; i < more; ++i) add_panel(top_ + range * i / more, top_ + range * (i + 1) / more);
+}
 
+CurveNodes::CurveNodes(const RestitutionCurve& curve, int order, const Extent& extent)
+    : order_(order), top_(std::cbrt(curve.greatest_restitution())) {
+    add_panels(curve, extent);
     const ChebyshevAxis axis = RestitutionCurve::axis(curve.greatest_restitution());
     const auto count = static_cast<Eigen::Index>(roots_.size());
     values_.resize(count, axis.degree + 1);
@@ -92,6 +104,7 @@ CurveNodes::Values CurveNodes::on(const RestitutionCurve& curve) const {
     Values result{Eigen::VectorXd(count),
                   Eigen::VectorXd(count),
                   Eigen::VectorXd(count),
+                  Eigen::VectorXd(count),
                   Eigen::MatrixXd(count, order_ + 1),
                   Eigen::MatrixXd(count, order_ + 1),
                   DampingPolynomial::powers(0.0, order_),
@@ -108,6 +121,7 @@ CurveNodes::Values CurveNodes::on(const RestitutionCurve& curve) const {
         result.velocity[k] = v;
         result.rebound[k] = e * v;
         result.weight[k] = weight * v_slope;
+        result.rebound_weight[k] = weight * (e_slope * v + e * v_slope);
         double power = 1.0;
         const double bend = past * by_restitution * slopes_.row(k).dot(series.col(1));
         double steeper = 0.0;  // j e^(j - 1)

@@ -8,24 +8,32 @@
 
 namespace ashimpact {
 
+/// Standard uncertainties beyond which noise does not reach.
+inline constexpr double noise_reach = 6.5;
+
 /// Places along the curves of nearby dampings, for integrals over the velocity: the weight of a place is the
 /// range of velocities that it stands for. Gauss-Legendre panels in the cube root of e, in which the curve is
 /// smooth down to v_c, each shorter than the noise; above the curve's end they follow its tangent.
 class CurveNodes {
   public:
+    struct Extent {
+        double resolution;  ///< length of a panel in the plane (v_in, v_r) [m/s]
+        double beyond;      ///< length of the tangent [m/s]
+        double fastest;     ///< greatest v_in; what rises to twice that is left out [m/s]
+    };
     /// @param curve one of them @param order of the dampings
-    /// @param resolution length of a panel in the plane (v_in, v_r) [m/s]
-    /// @param beyond length of the tangent [m/s]
-    CurveNodes(const RestitutionCurve& curve, int order, double resolution, double beyond);
+    CurveNodes(const RestitutionCurve& curve, int order, const Extent& extent);
 
     /// Panels that a resolution asks for are more than there can be.
-    [[nodiscard]] static bool too_fine(const RestitutionCurve& curve, double resolution);
+    [[nodiscard]] static bool too_fine(const RestitutionCurve& curve, const Extent& extent);
 
     struct Values {
-        Eigen::VectorXd velocity;  ///< v [m/s]
-        Eigen::VectorXd rebound;   ///< e v [m/s]
-        Eigen::VectorXd weight;    ///< [m/s]
-        /// Change of the integral of f(v, e v) by each coefficient, per slope of f in its second place.
+        Eigen::VectorXd velocity;        ///< v [m/s]
+        Eigen::VectorXd rebound;         ///< e v [m/s]
+        Eigen::VectorXd weight;          ///< of integrals over v [m/s]
+        Eigen::VectorXd rebound_weight;  ///< of integrals over e v along the curve [m/s]
+        /// Change of the integral of f(v, e v) over v by each coefficient, per slope of f in its second
+        /// place; with the other sign that of the integral over e v, per slope of f in its first place.
         Eigen::MatrixXd by_coefficient;
         Eigen::MatrixXd velocity_by_coefficient;  ///< [m/kg]
         Eigen::VectorXd first_velocity;           ///< d v_c by each coefficient [m/kg]
@@ -35,6 +43,8 @@ class CurveNodes {
     [[nodiscard]] Values on(const RestitutionCurve& curve) const;
 
   private:
+    void add_panels(const RestitutionCurve& curve, const Extent& extent);
+    void add_tangent(const RestitutionCurve& curve, const Extent& extent);
     void add_panel(double lower, double upper);
 
     int order_;

@@ -14,15 +14,16 @@ namespace ashimpact {
 
 namespace {
 
-/// -2 ln L + 2 p, corrected for few points.
+/// -2 ln L + 2 p, corrected for few points; L as if all rebounds were as likely as those used.
 double corrected_akaike(const FittedCurve& curve) {
     const auto n = static_cast<double>(curve.data.rebounds.size());
+    const auto used = static_cast<double>(curve.used);
     const double p = static_cast<double>(curve.maximum.coefficients.size()) +
                      (curve.goodness.scatter == 1.0 ? 0.0 : 1.0);  // the noise is a parameter, too
-    const double misfit = 2.0 * curve.maximum.value + 4.0 * n * std::log(curve.goodness.scatter);
+    const double misfit = 2.0 * curve.maximum.value / used + 4.0 * std::log(curve.goodness.scatter);
     const double correction =
         n > p + 1.0 ? 2.0 * p * (p + 1.0) / (n - p - 1.0) : std::numeric_limits<double>::infinity();
-    return misfit + 2.0 * p + correction;
+    return n * misfit + 2.0 * p + correction;
 }
 
 double critical_velocity_at(const ContactModel& model, double damping) {
@@ -122,6 +123,13 @@ DampingCurveFit fit_damping_curve(const ContactModel& model, const MeasurementSe
     add_rebounds(fit, model, curve.data, selection);
     add_range(fit, curve.data);
     return fit;
+}
+
+std::optional<std::string> enlargement_note(const DampingCurveFit& fit) {
+    if (!fit.noise_known || fit.scatter == 1.0) return std::nullopt;
+    return "the rebounds scatter " + shortest(std::round(100.0 * fit.scatter) / 100.0) +
+           " times their stated uncertainty about a damping of order " + std::to_string(fit.options.order) +
+           " in the restitution: uncertainties are enlarged by that";
 }
 
 OrderComparison compare_orders(const ContactModel& model, const MeasurementSet& set,

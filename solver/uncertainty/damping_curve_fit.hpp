@@ -77,6 +77,9 @@ struct DampingCurveFit {
 [[nodiscard]] DampingCurveFit fit_damping_curve(const ContactModel& model, const MeasurementSet& set,
                                                 const DampingCurveOptions& options = extrapolated_fit);
 
+/// That measured uncertainties were enlarged to fit, and how much, in words; none where they were not.
+[[nodiscard]] std::optional<std::string> enlargement_note(const DampingCurveFit& fit);
+
 /// The same data fitted by polynomials of several orders, to choose from.
 struct OrderComparison {
     std::vector<DampingCurveFit> fits;  ///< by order

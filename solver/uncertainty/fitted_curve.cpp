@@ -8,13 +8,13 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace ashimpact {
 
 namespace {
 
-constexpr std::size_t most_profiled = 400;  ///< impacts up to which the profile likelihood is followed
 constexpr double least_probability = 0.01;  ///< of the scatter, below which the noise is enlarged
 
 /// @param data with the noise as it was measured, or 1 m/s
@@ -33,7 +33,7 @@ Goodness goodness_of(const ContactModel& model, const RestitutionData& data,
 
 /// Some hundred impacts of many, evenly over the velocities: enough to come close to the curve.
 RestitutionData thinned(const RestitutionData& data) {
-    const std::size_t step = data.rebounds.size() / most_profiled + 1;
+    const std::size_t step = data.rebounds.size() / few_rebounds + 1;
     if (step == 1) return data;
     std::vector<std::size_t> order(data.rebounds.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -97,60 +97,97 @@ FittedCurve closest_fit(const ContactModel& model, const RestitutionData& data, 
     fit.goodness = goodness;
     fit.data = data.with_noise_scaled(goodness.scatter * goodness.scatter);
     fit.data.captures.clear();
+    fit.used = data.rebounds.size();
     fit.maximum = closest_maximum(model, fit.data, near);
     const double deviation = std::sqrt(fit.maximum.covariance(0, 0));
     fit.critical_damping = curvature_interval(near[0], deviation, quantile_for(goodness));
     return fit;
 }
 
-/// The most likely curve near a close one, or from simpler ones: a higher order begun on its own may fold
-/// back near v_c, where a curve that the likelihood cannot start from may lie, too.
+/// The most likely curve, the best of what is reached from a close one, from least squares and from the most
+/// likely quadratic: the curve closest to impacts that no such damping describes may fold, and lead to
+/// another one.
 LikelihoodMaximum likeliest_from(ImpactLikelihood& likelihood, const Eigen::VectorXd& near) {
     const int order = static_cast<int>(near.size()) - 1;
-    const auto least_squares = [&](int simpler) {
-        return starting_coefficients(likelihood.model(), likelihood.data(), simpler);
-    };
-    std::vector<Eigen::VectorXd> starts{near};
+    std::vector<Eigen::VectorXd> starts{near,
+                                        starting_coefficients(likelihood.model(), likelihood.data(), order)};
     if (order > 2) {
-        ImpactLikelihood quadratic(likelihood.model(), likelihood.data(), least_squares(2));
-        const Eigen::VectorXd simpler =
-            raised(likeliest_from(quadratic, least_squares(2)).coefficients, order);
-        starts.push_back(simpler);
+        const Eigen::VectorXd start = starting_coefficients(likelihood.model(), likelihood.data(), 2);
+        ImpactLikelihood quadratic(likelihood.model(), likelihood.data(), start);
+        try {
+            starts.push_back(raised(maximise(quadratic, start).coefficients, order));
+        } catch (const ConvergenceError&) {  // the close one may do
+        }
     }
     try {
         return maximise_from(likelihood, starts);
-    } catch (const ConvergenceError&) {
-        return maximise_from(
-            likelihood, {raised(least_squares(std::min(order, 1)), order), raised(least_squares(0), order)});
+    } catch (const ConvergenceError& error) {
+        throw ConvergenceError(
+            "no damping of order " + std::to_string(order) + " in the restitution describes these " +
+            std::to_string(likelihood.data().rebounds.size()) + " rebounds (" + error.what() +
+            "); try another order or law, or leave out impacts that the law does not hold "
+            "for, such as the fastest");
     }
 }
 
+/// The most likely curve of many impacts, from that of a few of them. Where all have none close by, that of
+/// the few stands, with its own, wider covariance.
+LikelihoodMaximum refined(ImpactLikelihood& likelihood, const LikelihoodMaximum& few, double share) {
+    try {
+        return maximise(likelihood, few.coefficients, share * few.covariance);
+    } catch (const ConvergenceError&) {
+        likelihood.move_to(few.coefficients);
+        const auto at = likelihood.at(few.coefficients);
+        if (!at) throw;
+        return {few.coefficients, at->value, few.covariance};
+    }
+}
+
+/// The same with other noise.
+LikelihoodMaximum likeliest_again(ImpactLikelihood& likelihood, const Eigen::VectorXd& near) {
+    try {
+        return maximise(likelihood, near);
+    } catch (const ConvergenceError&) {
+        return likeliest_from(likelihood, near);
+    }
+}
+
+/// With the noise of @p goodness, which depends, weakly, on the curve where it is estimated. Of many impacts
+/// a few hundred tell it, and where to start.
 FittedCurve likeliest_fit(const ContactModel& model, const RestitutionData& data, Goodness goodness,
                           Eigen::VectorXd near, bool noise_known) {
-    constexpr int most_passes = 4;  // noise that is estimated depends, weakly, on the curve
+    constexpr int most_passes = 4;
     FittedCurve fit{};
+    RestitutionData used;
     std::optional<ImpactLikelihood> likelihood;
     for (int pass = 1; pass <= most_passes; ++pass) {
         fit.goodness = goodness;
         fit.data = data.with_noise_scaled(goodness.scatter * goodness.scatter);
-        if (pass == 1) {
-            ImpactLikelihood few(model, thinned(fit.data), near);
-            fit.maximum = likeliest_from(few, near);
-            near = fit.maximum.coefficients;
-        }
-        likelihood.emplace(model, fit.data, near);
-        const bool thin = fit.data.rebounds.size() > most_profiled;
-        if (pass > 1 || thin) fit.maximum = maximise(*likelihood, near);
+        const double variance = goodness.scatter * goodness.scatter;
+        used = noise_known ? away_from_fastest(data).with_noise_scaled(variance)  // the same for every order
+                           : away_from_fastest(fit.data);
+        likelihood.emplace(model, thinned(used), near);
+        fit.maximum = pass == 1 ? likeliest_from(*likelihood, near) : likeliest_again(*likelihood, near);
         near = fit.maximum.coefficients;
         goodness = goodness_of(model, data, near, noise_known);
         if (std::abs(goodness.scatter / fit.goodness.scatter - 1.0) < 0.01) break;
+    }
+    const std::size_t few = likelihood->data().rebounds.size();
+    fit.used = used.rebounds.size();
+    if (few < fit.used) {
+        likelihood.emplace(model, used, near);
+        fit.maximum =
+            refined(*likelihood, fit.maximum, static_cast<double>(few) / static_cast<double>(fit.used));
+        near = fit.maximum.coefficients;
+        goodness = goodness_of(model, data, near, noise_known);
     }
     goodness.scatter = fit.goodness.scatter;
     fit.goodness = goodness;
     const double quantile = quantile_for(goodness);
     fit.critical_damping = curvature_interval(near[0], std::sqrt(fit.maximum.covariance(0, 0)), quantile);
-    if (data.rebounds.size() + data.captures.size() > most_profiled) return fit;
+    if (data.rebounds.size() + data.captures.size() > few_rebounds) return fit;
     try {
+        likelihood->move_to(near);
         fit.critical_damping = profile_critical_damping(*likelihood, fit.maximum, quantile);
         fit.profiled = true;
     } catch (const ConvergenceError&) {

@@ -18,6 +18,7 @@ struct FittedCurve {
     LikelihoodMaximum maximum;
     Goodness goodness;
     RestitutionData data;
+    std::size_t used;  ///< rebounds in the likelihood
     Interval critical_damping;
     bool profiled;
 };

@@ -2,6 +2,7 @@
 
 #include "materials/error.hpp"
 #include "solver/gsl/distribution.hpp"
+#include "solver/uncertainty/rebound_density.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,136 +12,32 @@ namespace ashimpact {
 
 namespace {
 
-constexpr double far = 7.0;             ///< standard uncertainties beyond which noise does not reach
-constexpr double panel_of_noise = 2.0;  ///< length of a panel in the least noise
+constexpr double hidden = 0.5;          ///< fall below v_c that noise hides, in standard uncertainties
+constexpr double certain = 9.0;         ///< standard uncertainties above v_c at which ln Phi is zero
+constexpr double panel_of_noise = 3.0;  ///< length of a panel in the least noise: errors of some 1e-6
+constexpr double finest_panel = 2.0;    ///< the same where the noise becomes negligible
 
-struct NoiseRange {
+/// How finely and how far the impacts ask for places on a curve. @param panel length in the least noise
+CurveNodes::Extent extent_for(const RestitutionData& data, double panel) {
     double least = std::numeric_limits<double>::infinity();
     double greatest = 0.0;
-};
-
-NoiseRange noise_of(const RestitutionData& data) {
-    NoiseRange range;
+    double fastest = 0.0;
     for (const Measurement& point : data.rebounds) {
-        range.least = std::min({range.least, point.noise->incident, point.noise->rebound});
-        range.greatest = std::max({range.greatest, point.noise->incident, point.noise->rebound});
+        least = std::min({least, point.noise->incident, point.noise->rebound});
+        greatest = std::max({greatest, point.noise->incident, point.noise->rebound});
+        fastest = std::max(fastest, point.velocity);
     }
-    return {std::sqrt(range.least), std::sqrt(range.greatest)};
+    return {.resolution = panel * std::sqrt(least),
+            .beyond = noise_reach * std::sqrt(greatest),
+            .fastest = fastest};
 }
 
-/// The places that noise can have moved to a measured velocity; the curve may fold back a little.
-class Windows {
-  public:
-    explicit Windows(const Eigen::VectorXd& velocity)
-        : greatest_before_(velocity.begin(), velocity.end()),
-          least_behind_(velocity.begin(), velocity.end()) {
-        for (std::size_t k = 1; k < greatest_before_.size(); ++k)
-            greatest_before_[k] = std::max(greatest_before_[k], greatest_before_[k - 1]);
-        for (std::size_t k = least_behind_.size() - 1; k > 0; --k)
-            least_behind_[k - 1] = std::min(least_behind_[k - 1], least_behind_[k]);
-    }
-
-    struct Window {
-        Eigen::Index first;
-        Eigen::Index last;
-    };
-    [[nodiscard]] Window around(double velocity, double distance) const {
-        const auto first =
-            std::lower_bound(greatest_before_.begin(), greatest_before_.end(), velocity - distance);
-        const auto last = std::upper_bound(least_behind_.begin(), least_behind_.end(), velocity + distance);
-        return {first - greatest_before_.begin(), last - least_behind_.begin()};
-    }
-    [[nodiscard]] Window all() const { return {0, static_cast<Eigen::Index>(least_behind_.size())}; }
-
-  private:
-    std::vector<double> greatest_before_;
-    std::vector<double> least_behind_;
-};
-
-/// Inverse of a noise matrix, for differences (x, y) of v_in and v_r.
-struct Precision {
-    double xx;
-    double xy;
-    double yy;
-
-    explicit Precision(const VelocityNoise& noise) {
-        const double determinant = noise.incident * noise.rebound - noise.covariance * noise.covariance;
-        xx = noise.rebound / determinant;
-        xy = -noise.covariance / determinant;
-        yy = noise.incident / determinant;
-    }
-    [[nodiscard]] double square(double x, double y) const { return x * (xx * x + 2.0 * xy * y) + yy * y * y; }
-};
-
-/// ln of the integral along the curve for one rebound, less a constant, and its gradient.
-class ReboundDensity {
-  public:
-    ReboundDensity(const CurveNodes::Values& nodes, const Windows& windows)
-        : nodes_(nodes),
-          windows_(windows),
-          x_(nodes.velocity.size()),
-          y_(nodes.velocity.size()),
-          squares_(nodes.velocity.size()),
-          density_(nodes.velocity.size()),
-          gradient_(nodes.by_coefficient.cols()) {}
-
-    /// Whether the density is a positive number.
-    bool evaluate(const Measurement& point) {
-        const Precision precision(*point.noise);
-        Windows::Window window = windows_.around(point.velocity, far * std::sqrt(point.noise->incident));
-        double least = measure(point, precision, window);
-        if (!(least < far * far)) {  // an outlier
-            window = windows_.all();
-            least = measure(point, precision, window);
-        }
-        const Eigen::Index size = window.last - window.first;
-        density_.head(size) = (-0.5 * (squares_.head(size) - least)).exp();
-        const double sum = (density_.head(size) * nodes_.weight.segment(window.first, size).array()).sum();
-        density_.head(size) *= precision.xy * x_.head(size) + precision.yy * y_.head(size);
-        gradient_.noalias() =
-            nodes_.by_coefficient.middleRows(window.first, size).transpose() * density_.head(size).matrix();
-        add_start(point, precision, least);
-        logarithm_ = std::log(sum) - 0.5 * least;
-        gradient_ /= sum;
-        return sum > 0.0;
-    }
-    [[nodiscard]] double logarithm() const { return logarithm_; }
-    [[nodiscard]] const Eigen::VectorXd& gradient() const { return gradient_; }
-
-  private:
-    double measure(const Measurement& point, const Precision& precision, Windows::Window window) {
-        const Eigen::Index size = window.last - window.first;
-        if (size <= 0) return std::numeric_limits<double>::infinity();
-        x_.head(size) = point.velocity - nodes_.velocity.segment(window.first, size).array();
-        y_.head(size) = point.rebound - nodes_.rebound.segment(window.first, size).array();
-        squares_.head(size) =
-            x_.head(size) * (precision.xx * x_.head(size) + 2.0 * precision.xy * y_.head(size)) +
-            precision.yy * y_.head(size).square();
-        return squares_.head(size).minCoeff();
-    }
-    /// The integral begins at (v_c, 0), which moves.
-    void add_start(const Measurement& point, const Precision& precision, double least) {
-        const double square =
-            precision.square(point.velocity - nodes_.critical_velocity, point.rebound) - least;
-        if (square < far * far) gradient_ -= std::exp(-0.5 * square) * nodes_.first_velocity;
-    }
-
-    const CurveNodes::Values& nodes_;
-    const Windows& windows_;
-    Eigen::ArrayXd x_;
-    Eigen::ArrayXd y_;
-    Eigen::ArrayXd squares_;
-    Eigen::ArrayXd density_;
-    Eigen::VectorXd gradient_;
-    double logarithm_ = 0.0;
-};
-
 /// One velocity has one restitution, so v(e) cannot fall. Where eta falls with e it does, a little, close to
-/// e = 0 (by up to 1.2 % with the paper's fits); a greater fall costs, or likelihoods given a rebound would
-/// grow without bounds towards curves that fold.
-void add_fold(const CurveNodes::Values& nodes, ImpactLikelihood::Value& result) {
+/// e = 0 (by up to 1.2 % with the paper's fits). A greater fall costs as if every rebound missed the curve by
+/// what is too much.
+/// @param precision sum over the rebounds of 1/u^2 [s2/m2]
+void add_fold(const CurveNodes::Values& nodes, double precision, ImpactLikelihood::Value& result) {
     constexpr double allowed = 0.03;
-    constexpr double deviation = 0.01;
     Eigen::Index top = 0;
     Eigen::Index from = 0;
     Eigen::Index to = 0;
@@ -151,34 +48,68 @@ void add_fold(const CurveNodes::Values& nodes, ImpactLikelihood::Value& result) 
             to = k;
         }
     }
-    const double share = nodes.velocity[to] / nodes.velocity[from];
-    const double excess = (1.0 - share - allowed) / deviation;
+    const double excess = (1.0 - allowed) * nodes.velocity[from] - nodes.velocity[to];
     if (excess <= 0.0) return;
-    result.value += 0.5 * excess * excess;
-    result.gradient -=
-        excess / deviation / nodes.velocity[from] *
-        (nodes.velocity_by_coefficient.row(to) - share * nodes.velocity_by_coefficient.row(from)).transpose();
+    result.value += 0.5 * precision * excess * excess;
+    result.gradient +=
+        precision * excess *
+        ((1.0 - allowed) * nodes.velocity_by_coefficient.row(from) - nodes.velocity_by_coefficient.row(to))
+            .transpose();
 }
+
+/// The velocity from which on rebounds are possible: v_c, as long as the curve does not fall below it by more
+/// than the noise hides; else the lowest place of the curve. With v_c, likelihoods given a rebound would grow
+/// without bounds towards curves that fold back to the impacts from a v_c far above them.
+class ReboundThreshold {
+  public:
+    explicit ReboundThreshold(const CurveNodes::Values& nodes) : nodes_(nodes) {
+        const double lowest = nodes.velocity.minCoeff(&lowest_);
+        fall_ = std::max(0.0, nodes.critical_velocity - lowest);
+    }
+
+    /// Adds ln of the probability that an impact rebounds.
+    void add(const Measurement& rebound, double weight, ImpactLikelihood::Value& result) const {
+        const double u = std::sqrt(rebound.noise->incident);
+        const double ratio = fall_ / (hidden * u);
+        const double softness = 1.0 / (1.0 + ratio * ratio);
+        const double velocity = nodes_.critical_velocity - fall_ + fall_ * softness;
+        const double z = (rebound.velocity - velocity) / u;
+        if (z > certain) return;
+        result.value += weight * gsl::log_normal_probability(z);
+        const double slope = weight * gsl::log_normal_probability_slope(z) / u;
+        const double by_fall = fall_ > 0.0 ? (1.0 - ratio * ratio) * softness * softness : 1.0;
+        result.gradient -= slope * by_fall * nodes_.first_velocity;
+        if (fall_ > 0.0)
+            result.gradient -=
+                slope * (1.0 - by_fall) * nodes_.velocity_by_coefficient.row(lowest_).transpose();
+    }
+
+  private:
+    const CurveNodes::Values& nodes_;
+    Eigen::Index lowest_ = 0;
+    double fall_ = 0.0;  ///< of the curve below v_c [m/s]
+};
 
 }  // namespace
 
 ImpactLikelihood::ImpactLikelihood(const ContactModel& model, RestitutionData data,
                                    const Eigen::VectorXd& near)
     : model_(&model), data_(std::move(data)) {
+    for (std::size_t i = 0; i < data_.rebounds.size(); ++i)
+        precision_ += data_.weights[i] / data_.rebounds[i].noise->incident;
     move_to(near);
 }
 
 void ImpactLikelihood::move_to(const Eigen::VectorXd& coefficients) {
     auto curve = RestitutionCurve::of(*model_, {coefficients}, data_.greatest_restitution);
     if (!curve) throw ConvergenceError("no damping curve to start from");
-    const NoiseRange noise = noise_of(data_);
     nodes_ = std::make_unique<const CurveNodes>(*curve, static_cast<int>(coefficients.size()) - 1,
-                                                panel_of_noise * noise.least, far * noise.greatest);
+                                                extent_for(data_, panel_of_noise));
     last_ = std::move(curve);
 }
 
 bool ImpactLikelihood::noise_is_negligible(const RestitutionCurve& curve, const RestitutionData& data) {
-    return CurveNodes::too_fine(curve, panel_of_noise * noise_of(data).least);
+    return CurveNodes::too_fine(curve, extent_for(data, finest_panel));
 }
 
 std::optional<ImpactLikelihood::Value> ImpactLikelihood::at(const Eigen::VectorXd& coefficients) const {
@@ -187,21 +118,17 @@ std::optional<ImpactLikelihood::Value> ImpactLikelihood::at(const Eigen::VectorX
     const CurveNodes::Values nodes = nodes_->on(*curve);
     last_ = std::move(curve);
 
-    const Windows windows(nodes.velocity);
-    ReboundDensity density(nodes, windows);
+    const ReboundThreshold threshold(nodes);
+    ReboundDensity density(nodes);
     Value result{0.0, Eigen::VectorXd::Zero(coefficients.size())};
-    add_fold(nodes, result);
+    add_fold(nodes, precision_, result);
     for (std::size_t i = 0; i < data_.rebounds.size(); ++i) {
         const Measurement& point = data_.rebounds[i];
         if (!density.evaluate(point)) return std::nullopt;
         const double weight = data_.weights[i];
         result.value -= weight * density.logarithm();
         result.gradient -= weight * density.gradient();
-        if (!data_.captures.empty()) continue;
-        const double u = std::sqrt(point.noise->incident);
-        const double z = (point.velocity - nodes.critical_velocity) / u;
-        result.value += weight * gsl::log_normal_probability(z);
-        result.gradient -= weight * gsl::log_normal_probability_slope(z) / u * nodes.first_velocity;
+        if (data_.captures.empty()) threshold.add(point, weight, result);
     }
     for (const CapturedImpact& capture : data_.captures) {
         const double u = capture.standard_uncertainty;

@@ -45,6 +45,7 @@ class ImpactLikelihood {
   private:
     const ContactModel* model_;
     RestitutionData data_;
+    double precision_ = 0.0;  ///< sum over the rebounds of 1/u^2 of v_in [s2/m2]
     std::unique_ptr<const CurveNodes> nodes_;
     mutable std::optional<RestitutionCurve> last_;  ///< the next is close by
 };

@@ -1,9 +1,9 @@
 #include "solver/uncertainty/likelihood_maximum.hpp"
 
 #include "materials/error.hpp"
-#include "solver/gsl/minimum.hpp"
 #include "solver/gsl/nonlinear_fit.hpp"
 #include "solver/gsl/robust.hpp"
+#include "solver/numeric/smooth_minimum.hpp"
 #include "solver/uncertainty/profile.hpp"
 
 #include <algorithm>
@@ -35,8 +35,8 @@ struct Chart {
     [[nodiscard]] Eigen::VectorXd coefficients(const Eigen::VectorXd& z) const { return center + scales * z; }
 };
 
-gsl::SmoothFunction in_chart(const ImpactLikelihood& likelihood, const Chart& chart) {
-    return {[&likelihood, &chart](const Eigen::VectorXd& z) -> gsl::SmoothFunction::Value {
+SmoothFunction in_chart(const ImpactLikelihood& likelihood, const Chart& chart) {
+    return {[&likelihood, &chart](const Eigen::VectorXd& z) -> SmoothFunction::Value {
         const auto at = likelihood.at(chart.coefficients(z));
         if (!at) return {std::numeric_limits<double>::infinity(), Eigen::VectorXd::Zero(z.size())};
         return {at->value, chart.scales.transpose() * at->gradient};
@@ -47,7 +47,7 @@ gsl::SmoothFunction in_chart(const ImpactLikelihood& likelihood, const Chart& ch
 /// there is a curve.
 std::optional<Eigen::MatrixXd> curvature_of(const ImpactLikelihood& likelihood, const Chart& chart,
                                             double step) {
-    const gsl::SmoothFunction function = in_chart(likelihood, chart);
+    const SmoothFunction function = in_chart(likelihood, chart);
     const Eigen::Index size = chart.scales.cols();
     Eigen::MatrixXd curvature(size, size);
     for (Eigen::Index i = 0; i < size; ++i) {
@@ -92,19 +92,19 @@ Chart chart_around(const ImpactLikelihood& likelihood, const Eigen::VectorXd& st
     return values;
 }
 
-/// Least -ln L within a chart, which is centred there; none where the search ends elsewhere.
-/// @param next the chart to go on with from the centre reached
-template <class NextChart>
-std::optional<double> descend(ImpactLikelihood& likelihood, Chart& chart, NextChart&& next) {
-    constexpr int rounds = 4;
+/// Least -ln L, by variables in which its curvature is about one; the chart ends there, with the curvature
+/// learnt on the way. None where the search ends elsewhere.
+/// @param rounds in which the places of the integrals are renewed
+std::optional<double> descend(ImpactLikelihood& likelihood, Chart& chart, int rounds = 4) {
+    constexpr double far = 30.0;  // standard uncertainties within which the places of the integrals serve
     for (int i = 0; i < rounds; ++i) {
         likelihood.move_to(chart.center);
-        chart = next();
-        const gsl::Minimum minimum =
-            gsl::minimise(in_chart(likelihood, chart), Eigen::VectorXd::Zero(chart.scales.cols()),
-                          {.first_step = 0.3, .most_iterations = 30});
+        const SmoothMinimum minimum =
+            minimise(in_chart(likelihood, chart), Eigen::VectorXd::Zero(chart.scales.cols()),
+                     {.first_step = 3.0, .most_evaluations = 40});
         chart.center = chart.coefficients(minimum.place);
-        if (minimum.converged) return minimum.value;
+        chart.scales *= scales_of(minimum.curvature);
+        if (minimum.converged && minimum.place.norm() < far) return minimum.value;
     }
     return std::nullopt;
 }
@@ -142,9 +142,11 @@ Eigen::VectorXd closest_robustly(const ContactModel& model, RestitutionData& dat
     return start;
 }
 
-LikelihoodMaximum maximise(ImpactLikelihood& likelihood, const Eigen::VectorXd& start) {
-    Chart chart{start, {}};
-    const auto value = descend(likelihood, chart, [&] { return chart_around(likelihood, chart.center); });
+LikelihoodMaximum maximise(ImpactLikelihood& likelihood, const Eigen::VectorXd& start,
+                           const std::optional<Eigen::MatrixXd>& covariance) {
+    likelihood.move_to(start);
+    Chart chart = covariance ? Chart{start, covariance->llt().matrixL()} : chart_around(likelihood, start);
+    const auto value = descend(likelihood, chart, covariance ? 1 : 4);  // where it is known, few steps do
     if (!value) throw ConvergenceError("the likelihood of the damping curve has no maximum");
     likelihood.move_to(chart.center);
     const auto curvature = curvature_of(likelihood, chart, 0.02);
@@ -178,7 +180,7 @@ Interval profile_critical_damping(ImpactLikelihood& likelihood, const Likelihood
         if (!RestitutionCurve::of(likelihood.model(), {chart.center}, likelihood.data().greatest_restitution))
             return std::numeric_limits<double>::max();
         if (scales.cols() == 0) return 2.0 * (likelihood.at(chart.center)->value - best.value);
-        const auto value = descend(likelihood, chart, [&] { return chart; });
+        const auto value = descend(likelihood, chart);
         if (!value) throw ConvergenceError("the profile likelihood of the damping did not converge");
         return 2.0 * (*value - best.value);
     };

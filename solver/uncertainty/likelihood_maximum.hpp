@@ -4,6 +4,7 @@
 #include "solver/uncertainty/interval.hpp"
 #include "solver/uncertainty/restitution_distances.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace ashimpact {
@@ -24,7 +25,10 @@ struct LikelihoodMaximum {
 };
 
 /// The greatest likelihood close to a start. @throws ConvergenceError
-[[nodiscard]] LikelihoodMaximum maximise(ImpactLikelihood& likelihood, const Eigen::VectorXd& start);
+/// @param covariance of the coefficients, about, where it is known: it saves finding the curvature at the
+/// start
+[[nodiscard]] LikelihoodMaximum maximise(ImpactLikelihood& likelihood, const Eigen::VectorXd& start,
+                                         const std::optional<Eigen::MatrixXd>& covariance = std::nullopt);
 
 /// The best of what is reached from several starts. @throws ConvergenceError where none leads anywhere
 [[nodiscard]] LikelihoodMaximum maximise_from(ImpactLikelihood& likelihood,

@@ -57,7 +57,7 @@ void take_transition(const MeasurementSet& set, double noise, bool mixed, Measur
     const double gap = std::abs(*result.fastest_capture - *result.slowest_rebound);
     const OutcomeLikelihood likelihood(set, 1e-3 * std::max(noise, gap));
     const auto found = mixed ? likelihood.best() : CaptureTransition{likelihood.best_center(0.0), 0.0};
-    if (!found) {
+    if (!found || found->center <= 0.0) {
         result.note = reversed_share(set) >= 0.5
                           ? "outcomes contradict a threshold: captures are faster than rebounds"
                           : "outcomes hang on the velocity too little for a threshold";

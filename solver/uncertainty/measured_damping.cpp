@@ -62,6 +62,8 @@ class RisingBranchFits {
         attempt(result_.notes, "direct fit", [&] {
             result_.direct = completed(fit_damping_curve(model_, rising, options_.direct), "direct");
         });
+        const auto spacing = spacing_note(rising);
+        if (result_.direct && spacing) result_.notes.push_back(*spacing);
         if (result_.extrapolated && result_.direct)
             result_.comparison = compare(result_.extrapolated->fit, result_.direct->fit);
     }
@@ -70,6 +72,7 @@ class RisingBranchFits {
     DampingResult completed(DampingCurveFit fit, const std::string& name) {
         require_rebounds_above(fit, result_.rising->set);
         DampingResult result{std::move(fit), {}, {}};
+        if (const auto note = enlargement_note(result.fit)) result_.notes.push_back(name + " fit: " + *note);
         if (options_.propagate) {
             attempt(result_.notes, "propagation of the " + name + " fit", [&] {
                 result.propagation = propagate_critical_velocity(result.fit, model_, contact_,

@@ -103,6 +103,16 @@ const Spoiled spoiled_cases[]{
      "/samples/1/restitution/restitution", "has 1 values, velocity has 20"},
     {"restitution above one", [](Json& c) { c["samples"][1]["restitution"]["restitution"][3] = 1.2; },
      "/samples/1/restitution", "point 4: restitution is 1.2; allowed: 0 <= restitution < 1"},
+    {"a camera that resolves nothing",
+     [](Json& c) {
+         c["samples"][1]["restitution"]["camera"] = {{"frame_rate", 80000}, {"pixel_size", "1 m"}};
+     },
+     "/samples/1/restitution", "the standard uncertainty of v_in is at least"},
+    {"bins without width",
+     [](Json& c) {
+         c["samples"][1]["restitution"]["binning"] = {{"width", "1e-300 m/s"}};
+     },
+     "/samples/1/restitution/binning", "a width of at least a millionth"},
     {"negative velocity", [](Json& c) { c["samples"][1]["restitution"]["velocity"]["values"][0] = -1; },
      "/samples/1/restitution", "point 1: velocity is -1 m/s"},
     {"rebound velocity faster than the impact, without uncertainty",
@@ -335,7 +345,6 @@ TEST_CASE("an artifact edited wrongly is refused with its file and pointer, and 
         std::function<void(Json&)> spoil;
         const char* says;
     };
-    const Json good = sandbox.json("out/2-contact.json");
     for (const Edit& edit : {
              Edit{"2-contact.json", [](Json& a) { a["result"]["samples"][0]["mass"]["unit"] = "Pa"; },
                   "out/2-contact.json: /result/samples/0/mass"},
@@ -347,15 +356,28 @@ TEST_CASE("an artifact edited wrongly is refused with its file and pointer, and 
              Edit{"2-contact.json", [](Json& a) { a["result"].erase("samples"); },
                   "/result: \"samples\" is missing"},
              Edit{"2-contact.json", [](Json& a) { a["schema"] = "3-analytic"; }, "/schema: "},
+             Edit{"6-fit.json",
+                  [](Json& a) {
+                      Json& law = a["result"]["samples"][1].back();
+                      REQUIRE(law.contains("critical_damping"));
+                      law["critical_damping"]["value"] = -0.01;
+                  },
+                  "/critical_damping: is -0.01"},
          }) {
+        CAPTURE(edit.says);
+        const std::string file = std::string("out/") + edit.file;
+        const Json good = sandbox.json(file);
         Json document = good;
         edit.spoil(document);
-        sandbox.write("out/2-contact.json", document.dump());
+        sandbox.write(file, document.dump());
         const auto before = sandbox.everything();
-        const auto finished = ashimpact_program(sandbox, "run -o out --from restitution");
+        const bool fit = file == "out/6-fit.json";
+        const auto finished = ashimpact_program(
+            sandbox, fit ? "run -o out --from critical-velocity" : "run -o out --from restitution");
         CHECK(finished.status == 2);
         CHECK(test::lines_of(finished.err).size() == 1);
         CHECK_MESSAGE(finished.err.find(edit.says) != std::string::npos, finished.err);
         CHECK(sandbox.everything() == before);
+        sandbox.write(file, good.dump());
     }
 }

@@ -185,6 +185,31 @@ TEST_CASE("one wild impact is flagged, stays in, and a robust fit takes it back"
     CHECK(is_near(robust.critical_damping, 0.0149));
 }
 
+TEST_CASE(
+    "impacts that no damping of such an order describes within their noise are fitted with more of it") {
+    const Camera camera{.frame_rate = 80e3, .pixel_size = 2e-6, .frames = 5};
+    constexpr double critical = 1.6;
+    gsl::Random random(11);
+    MeasurementSet set{.source = "lab", .points = {}};
+    for (int i = 0; i < 300; ++i) {
+        const double v = 1.4 + 6.6 * i / 299;
+        const double e = v > critical ? 0.62 * std::sqrt(1.0 - critical / v) * (1.0 - 0.015 * v) : 0.0;
+        const double rebound = e > 0.0 ? std::max(1e-6, e * v + random.normal(0.01)) : 0.0;
+        set.points.push_back({.velocity = v + random.normal(0.01), .rebound = rebound});
+    }
+    set = with_camera(set, camera);
+    for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()}) {
+        CAPTURE(law.name());
+        const MeasuredDamping result = analysed(set, law);
+        check_finite(result);
+        REQUIRE(result.extrapolated);
+        REQUIRE(result.direct);
+        CHECK(result.extrapolated->fit.scatter > 1.0);
+        CHECK(has_note(result, "times their stated uncertainty"));
+        CHECK(std::abs(result.direct->fit.critical_velocity.value - critical) < 0.1);
+    }
+}
+
 TEST_CASE("impacts without scatter give the damping behind them") {
     const ContactModel model = ash_model(Law::of<Dmt>());
     const SyntheticLaboratory laboratory = ash_laboratory(model, TrueDamping::quadratic);

@@ -11,6 +11,7 @@
 #include "solver/measurement/damping_parts.hpp"
 #include "solver/uncertainty/capture_transition.hpp"
 #include "solver/uncertainty/measured_critical_velocity.hpp"
+#include "solver/uncertainty/rebound_check.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/solver/uncertainty/coverage.hpp"
 #include "tests/support/errors.hpp"
@@ -210,20 +211,54 @@ TEST_CASE("three parts of eta(v_in): falling, flat, rising") {
     CHECK(std::abs(parts.boundaries[1].velocity - 5.0) < 0.5);
 }
 
-TEST_CASE("GSL's minimiser: Rosenbrock's valley, and a function that ends") {
-    const gsl::SmoothFunction valley{[](const Eigen::VectorXd& x) -> gsl::SmoothFunction::Value {
-        const double a = 1.0 - x[0];
-        const double b = x[1] - x[0] * x[0];
-        return {a * a + 100.0 * b * b, Eigen::Vector2d(-2.0 * a - 400.0 * x[0] * b, 200.0 * b)};
-    }};
-    const gsl::Minimum minimum = gsl::minimise(valley, Eigen::Vector2d(-1.2, 1.0));
-    CHECK(minimum.converged);
-    CHECK((minimum.place - Eigen::Vector2d(1.0, 1.0)).norm() < 1e-3);
+TEST_CASE("damping that falls all along has one part, and none of no length") {
+    std::vector<InvertedImpact> impacts;
+    for (int i = 0; i < 40; ++i) {
+        const double v = 1.0 + 0.1 * i;
+        impacts.push_back({.index = static_cast<std::size_t>(i),
+                           .velocity = v,
+                           .restitution = 0.3,
+                           .greatest_restitution = 1.0,
+                           .damping = 0.01 / v,
+                           .standard_uncertainty = 1e-5,
+                           .by_restitution = -0.01,
+                           .by_velocity = 0.001,
+                           .contact_time = {}});
+    }
+    const DampingParts parts = find_parts(DampingSmoothing::of(impacts));
+    REQUIRE(parts.parts.size() == 1);
+    CHECK(parts.parts[0] == DampingPart::falling);
+    CHECK(parts.boundaries.empty());
+    CHECK(parts.outliers.empty());  // nearly without scatter: the spline's own misfit is no outlier
+}
 
-    const gsl::SmoothFunction nowhere{[](const Eigen::VectorXd& x) -> gsl::SmoothFunction::Value {
-        return {std::numeric_limits<double>::infinity(), Eigen::VectorXd::Zero(x.size())};
-    }};
-    CHECK_THROWS_AS(static_cast<void>(gsl::minimise(nowhere, Eigen::Vector2d(0.0, 0.0))), ConvergenceError);
+TEST_CASE("velocities in even steps wider than their noise are told from random and from dense ones") {
+    gsl::Random random(5);
+    const auto series = [&](const auto& velocity) {
+        MeasurementSet set{.source = "lab", .points = {}};
+        for (int i = 0; i < 60; ++i)
+            set.points.push_back({.velocity = velocity(i) + random.normal(0.01),
+                                  .rebound = 0.3,
+                                  .noise = VelocityNoise::of_velocities(0.01, 0.01)});
+        return set;
+    };
+    CHECK(spacing_note(series([](int i) { return 1.0 + 0.1 * i; })));
+    CHECK(spacing_note(series([](int i) { return 1.0 + 0.1 * (i / 5); })));  // five impacts each
+    CHECK_FALSE(spacing_note(series([&](int) { return random.uniform(1.0, 7.0); })));
+    CHECK_FALSE(spacing_note(series([](int i) { return 1.0 + 0.005 * i; })));
+}
+
+TEST_CASE("outcomes whose noise reaches below zero give no measured v_c") {
+    MeasurementSet set{.source = "lab", .points = {}};
+    for (int i = 0; i < 20; ++i) {
+        const double v = 0.5 + 0.1 * i;
+        set.points.push_back({.velocity = v,
+                              .rebound = i % 4 == 0 ? 0.0 : 0.3 * v,
+                              .noise = VelocityNoise::of_velocities(2.0, 2.0)});
+    }
+    const MeasuredCriticalVelocity measured = measured_critical_velocity(set);
+    CHECK(measured.value.value_or(1.0) > 0.0);
+    CHECK(measured.lower.value_or(0.0) >= 0.0);
 }
 
 TEST_CASE("the slope of ln Phi, up to where the density is too small for a number") {
