@@ -16,8 +16,11 @@ std::int64_t multiply_adds_here(std::int64_t rounds) {
     const hn::ScalableTag<double> tag;
     const auto factor = hn::Set(tag, 0.999999);
     const auto term = hn::Set(tag, 1e-6);
-    auto a0 = hn::Set(tag, 0.1), a1 = a0, a2 = a0, a3 = a0, a4 = a0, a5 = a0;
-    auto a6 = a0, a7 = a0, a8 = a0, a9 = a0, a10 = a0, a11 = a0;
+    // Twelve chains with values of their own: alike, the compiler would compute one for all.
+    const auto start = [&](double x) HWY_ATTR { return hn::Set(tag, x); };
+    auto a0 = start(0.10), a1 = start(0.11), a2 = start(0.12), a3 = start(0.13), a4 = start(0.14);
+    auto a5 = start(0.15), a6 = start(0.16), a7 = start(0.17), a8 = start(0.18), a9 = start(0.19);
+    auto a10 = start(0.20), a11 = start(0.21);
     for (std::int64_t i = 0; i < rounds; ++i) {
         a0 = hn::MulAdd(a0, factor, term);
         a1 = hn::MulAdd(a1, factor, term);
