@@ -2,6 +2,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <limits>
 #include <string>
 #include <thread>
@@ -13,7 +14,8 @@
 
 /// ashimpact-sweep with a formula in place of the solver, so that everything around the impacts can be tested
 /// with many of them. ASHIMPACT_PAUSE: seconds every chunk takes at least; ASHIMPACT_FAIL: a velocity [m/s]
-/// from which on an impact does not converge.
+/// from which on an impact does not converge; ASHIMPACT_DIE: rank:n, a rank that is killed at its n-th chunk,
+/// once there is a checkpoint.
 namespace ashimpact {
 
 namespace {
@@ -28,7 +30,12 @@ void die_if_told_to() {
     const char* told = std::getenv("ASHIMPACT_DIE");
     const char* rank = std::getenv("OMPI_COMM_WORLD_RANK");
     if (told == nullptr || rank == nullptr) return;
-    if (std::string(rank) + ":" + std::to_string(++calls) == told) std::raise(SIGKILL);
+    if (std::string(rank) + ":" + std::to_string(++calls) != told) return;
+    // Ranks start at moments of their own: not before there is something that has to stay.
+    constexpr int most_waits = 2000;
+    for (int i = 0; i < most_waits && !std::filesystem::exists("out.json.checkpoint"); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    std::raise(SIGKILL);
 }
 
 ResultColumns stand_in(const ContactModel& model, const ImpactColumns& impacts, const WantedResults& wanted) {
