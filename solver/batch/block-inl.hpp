@@ -6,6 +6,7 @@
 #define ASHIMPACT_SOLVER_BATCH_BLOCK_INL_HPP
 #endif
 
+#include "solver/batch/kernel.hpp"
 #include "solver/batch/orbit-inl.hpp"
 
 #include <cstdint>
@@ -29,6 +30,10 @@ struct Block {
 
     [[nodiscard]] bool rebounds(std::size_t lane) const { return ((rebound >> lane) & 1U) != 0; }
     [[nodiscard]] bool captures(std::size_t lane) const { return ((capture >> lane) & 1U) != 0; }
+    [[nodiscard]] batch::LaneEnd end(std::size_t lane) const {
+        if (rebounds(lane)) return batch::LaneEnd::rebound;
+        return captures(lane) ? batch::LaneEnd::capture : batch::LaneEnd::undecided;
+    }
 };
 
 [[nodiscard]] HWY_INLINE std::uint64_t bits_of(Mask mask) {

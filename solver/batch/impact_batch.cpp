@@ -2,6 +2,7 @@
 
 #include "materials/error.hpp"
 #include "solver/batch/parallel.hpp"
+#include "solver/batch/restitution_table.hpp"
 #include "solver/batch/task.hpp"
 
 #include <array>
@@ -73,6 +74,12 @@ void solve_impacts(const ImpactBatch& batch, ImpactBatchResult& result, const Ba
     if (const auto reason = refusal(batch.law, batch.detachment)) {
         throw InputError(*reason, admissible_detachments(batch.law));
     }
+    const bool tabulated = options.method == BatchMethod::table;
+    if (tabulated && options.turning_point) {
+        throw InputError("a table has no turning points", "turning_point = false, or the method integration");
+    }
+    batch::RestitutionTable* const table =
+        tabulated ? &batch::RestitutionTable::of(batch.law, batch.detachment, batch.damping_law) : nullptr;
     const Eigen::Index count =
         common_size(batch.contact, {{"damping", batch.damping.size()}, {"velocity", batch.velocity.size()}});
     const batch::Inputs inputs = inputs_of(batch);
@@ -86,6 +93,7 @@ void solve_impacts(const ImpactBatch& batch, ImpactBatchResult& result, const Ba
         const ImpactTask task{.damping_law = batch.damping_law,
                               .detachment = batch.detachment,
                               .turning_point = options.turning_point,
+                              .table = table,
                               .count = size,
                               .inputs = own,
                               .end = end.data(),

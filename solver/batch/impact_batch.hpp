@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/batch/columns.hpp"
+#include "solver/batch/method.hpp"
 #include "solver/impact.hpp"
 
 #include <Eigen/Core>
@@ -22,7 +23,8 @@ struct ImpactBatch {
 struct BatchOptions {
     int threads = 1;            ///< 0: as many as there are cores
     bool turning_point = true;  ///< approach time and greatest overlap too; without them a sixth is saved,
-                                ///< and the last bits of the rest differ
+                                ///< and the last bits of the rest differ; a table does not have them
+    BatchMethod method = BatchMethod::integration;
 };
 
 /// What the impacts did; NaN where there is nothing: contact time of a capture, approach time of an approach

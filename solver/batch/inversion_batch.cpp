@@ -2,6 +2,7 @@
 
 #include "materials/error.hpp"
 #include "solver/batch/parallel.hpp"
+#include "solver/batch/restitution_table.hpp"
 #include "solver/batch/task.hpp"
 
 #include <array>
@@ -46,11 +47,12 @@ void invert_alone(const DampingProblem& problem, double& damping, double& greate
 }
 
 /// @return how many were left to the scalar solver
-std::int64_t invert(const DampingBatch& batch, const batch::Inputs& inputs, std::size_t count,
-                    double* damping, double* greatest) {
+std::int64_t invert(const DampingBatch& batch, batch::RestitutionTable* table, const batch::Inputs& inputs,
+                    std::size_t count, double* damping, double* greatest) {
     Searched searched;
     const batch::InversionTask task{.damping_law = batch.damping_law,
                                     .detachment = batch.detachment,
+                                    .table = table,
                                     .count = count,
                                     .inputs = inputs,
                                     .number_unit = searched.unit.data(),
@@ -74,7 +76,7 @@ std::int64_t invert(const DampingBatch& batch, const batch::Inputs& inputs, std:
 
 }  // namespace
 
-DampingBatchResult dampings_from_restitutions(const DampingBatch& batch, int threads) {
+DampingBatchResult dampings_from_restitutions(const DampingBatch& batch, int threads, BatchMethod method) {
     if (const auto reason = refusal(batch.law, batch.detachment)) {
         throw InputError(*reason, admissible_detachments(batch.law));
     }
@@ -84,6 +86,10 @@ DampingBatchResult dampings_from_restitutions(const DampingBatch& batch, int thr
     inputs.damping = {&no_damping_yet, true};
     inputs.velocity = batch::input_of(batch.velocity);
     inputs.restitution = batch::input_of(batch.restitution);
+    batch::RestitutionTable* const table =
+        method == BatchMethod::table
+            ? &batch::RestitutionTable::of(batch.law, batch.detachment, batch.damping_law)
+            : nullptr;
     DampingBatchResult result;
     result.damping.resize(count);
     result.greatest_restitution.resize(count);
@@ -92,7 +98,7 @@ DampingBatchResult dampings_from_restitutions(const DampingBatch& batch, int thr
     const auto chunk = [&](std::size_t first, std::size_t size) {
         const batch::Inputs own = inputs.from(first);
         if (!fault.check(own, first, size)) return;
-        scalar += invert(batch, own, size, result.damping.data() + first,
+        scalar += invert(batch, table, own, size, result.damping.data() + first,
                          result.greatest_restitution.data() + first);
     };
     batch::for_chunks(static_cast<std::size_t>(count), batch::most_impacts, threads, chunk);

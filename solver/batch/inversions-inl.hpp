@@ -46,21 +46,26 @@ HWY_INLINE void search(Block& block, Detachment detachment, batch::DampingSearch
     }
 }
 
-template <class F>
-HWY_NOINLINE void invert_task(const batch::InversionTask& task) {
-    ScaledTask scaled;
-    scale_task<F>(task.inputs, task.count, scaled);
-    undamped_restitutions<F>(scaled, task.detachment, task.count, task.undamped);
-    std::array<double, batch::most_impacts> start;  // the first count are filled here
-    for (std::size_t i = 0; i < task.count; ++i) {
-        task.number_unit[i] = 1.0 / scaled.damping[i];
-        start[i] =
-            batch::DampingSearch(task.damping_law, task.inputs.restitution.at(i), task.undamped[i]).number();
+/// Searches the damping of one impact in a table. @return whether the table told all that was asked
+HWY_INLINE bool search(batch::RestitutionTable& table, double x, batch::DampingSearch& search) {
+    for (int trial = 0; trial < most_trials && !search.found(); ++trial) {
+        const double y = search.number() / (1.0 + search.number());
+        const Told impact = told<false>(table.at(x, y), x, y);
+        if (impact.end == batch::LaneEnd::undecided) return false;
+        search.observe(impact.speed);
     }
+    return search.found();
+}
+
+/// Searches that a table does not tell.
+template <class F>
+HWY_INLINE void search_all(const batch::InversionTask& task, const ScaledTask& scaled, const double* start,
+                           const PlaceList& open) {
+    const std::span<const std::uint16_t> places = open.places();
     batch::Order order;
-    order.sort(scaled.adhesion, start.data(), task.count);
-    for (std::size_t first = 0; first < task.count; first += block_size) {
-        const std::size_t used = task.count - first < block_size ? task.count - first : block_size;
+    order.sort({scaled.adhesion, start}, places);
+    for (std::size_t first = 0; first < places.size(); first += block_size) {
+        const std::size_t used = std::min(places.size() - first, block_size);
         Block block;
         std::array<batch::DampingSearch, block_size> searches;
         for (std::size_t lane = 0; lane < block_size; ++lane) {
@@ -75,6 +80,26 @@ HWY_NOINLINE void invert_task(const batch::InversionTask& task) {
             task.found[order[first + lane]] = searches[lane].found() ? 1 : 0;
         }
     }
+}
+
+template <class F>
+HWY_NOINLINE void invert_task(const batch::InversionTask& task) {
+    ScaledTask scaled;
+    scale_task<F>(task.inputs, task.count, scaled);
+    undamped_restitutions<F>(scaled, task.detachment, task.count, task.undamped);
+    HWY_ALIGN double x[ScaledTask::capacity];
+    place_all(scaled.adhesion, task.count, x);
+    double start[batch::most_impacts];  // of those that stay open
+    PlaceList open;
+    for (std::size_t i = 0; i < task.count; ++i) {
+        batch::DampingSearch own(task.damping_law, task.inputs.restitution.at(i), task.undamped[i]);
+        start[i] = own.number();
+        if (task.table == nullptr || !search(*task.table, x[i], own)) open.add(i);
+        task.number_unit[i] = 1.0 / scaled.damping[i];
+        task.number[i] = own.number();
+        task.found[i] = own.found() ? 1 : 0;
+    }
+    search_all<F>(task, scaled, start, open);
 }
 
 template <template <class> class L>

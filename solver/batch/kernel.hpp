@@ -49,11 +49,14 @@ enum class LaneEnd : std::uint8_t {
     undecided,  ///< for the scalar solver
 };
 
+class RestitutionTable;
+
 /// Impacts that one thread solves in one go.
 struct ImpactTask {
     DampingLaw damping_law;
     Detachment detachment;
     bool turning_point;
+    RestitutionTable* table;  ///< none: integrate all; does not tell turning points
     std::size_t count;
     Inputs inputs;
     LaneEnd* end;
@@ -63,10 +66,23 @@ struct ImpactTask {
     double* maximum_overlap;  ///< NaN without turning_point [m]
 };
 
+/// Impacts that are given by their two numbers, for one thread; scaled results.
+struct NumberTask {
+    DampingLaw damping_law;
+    Detachment detachment;
+    std::size_t count;
+    const double* adhesion;
+    const double* damping;
+    LaneEnd* end;
+    double* speed;  ///< at the end of contact, where it is a rebound
+    double* time;   ///< of contact, where it is a rebound
+};
+
 /// Restitutions whose damping one thread searches in one go.
 struct InversionTask {
     DampingLaw damping_law;
     Detachment detachment;
+    RestitutionTable* table;  ///< none: integrate all
     std::size_t count;
     Inputs inputs;        ///< damping: the single value 1
     double* number_unit;  ///< damping coefficient of damping number 1 [unit of the law]
@@ -79,11 +95,13 @@ struct InversionTask {
 inline constexpr std::size_t most_impacts = 2048;
 
 using ImpactKernel = void (*)(const ImpactTask&);
+using NumberKernel = void (*)(const NumberTask&);
 using InversionKernel = void (*)(const InversionTask&);
 
 /// The kernels of one contact law for the present instruction set.
 struct Kernels {
     ImpactKernel impacts;
+    NumberKernel numbers;
     InversionKernel inversions;
 };
 

@@ -30,17 +30,17 @@ unsigned key(double adhesion, double damping) {
 
 }  // namespace
 
-void Order::sort(const double* adhesion, const double* damping, std::size_t count) {
+void Order::sort(const NumberColumns& numbers, std::span<const std::uint16_t> impacts) {
     std::array<std::uint16_t, damping_bins * adhesion_bins + 1> start{};
-    std::array<std::uint16_t, most_impacts> keys;  // the first count are filled here
-    for (std::size_t i = 0; i < count; ++i) {
-        keys[i] = static_cast<std::uint16_t>(key(adhesion[i], damping[i]));
+    std::array<std::uint16_t, most_impacts> keys;  // those of the impacts are filled here
+    for (const std::size_t i : impacts) {
+        keys[i] = static_cast<std::uint16_t>(key(numbers.adhesion[i], numbers.damping[i]));
         ++start[keys[i] + 1U];
     }
     for (std::size_t bin = 1; bin < start.size(); ++bin) {
         start[bin] = static_cast<std::uint16_t>(start[bin] + start[bin - 1]);
     }
-    for (std::size_t i = 0; i < count; ++i) place_[start[keys[i]]++] = static_cast<std::uint16_t>(i);
+    for (const std::uint16_t i : impacts) place_[start[keys[i]]++] = i;
 }
 
 }  // namespace ashimpact::batch

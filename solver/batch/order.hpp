@@ -5,14 +5,22 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace ashimpact::batch {
+
+/// The two numbers of scaled impacts, a column each.
+struct NumberColumns {
+    const double* adhesion;
+    const double* damping;
+};
 
 /// An order of the impacts of a task in which like ones are neighbours. It has no influence on results, only
 /// on how long the lanes of a block wait for each other.
 class Order {
   public:
-    void sort(const double* adhesion, const double* damping, std::size_t count);
+    /// @param impacts their places in the columns
+    void sort(const NumberColumns& numbers, std::span<const std::uint16_t> impacts);
     [[nodiscard]] std::size_t operator[](std::size_t position) const { return place_[position]; }
 
   private:

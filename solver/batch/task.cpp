@@ -27,6 +27,10 @@ void leave_undecided(const ImpactTask& task) {
     std::fill_n(task.end, task.count, LaneEnd::undecided);
 }
 
+void leave_undecided_numbers(const NumberTask& task) {
+    std::fill_n(task.end, task.count, LaneEnd::undecided);
+}
+
 void leave_unsearched(const InversionTask& task) {
     std::fill_n(task.found, task.count, std::uint8_t{0});
 }
@@ -63,7 +67,7 @@ Kernels kernels_of(Law law) {
     if (law == Law::of<Dmt>()) return dmt_kernels();
     if (law == Law::of<BrachDunn>()) return brach_dunn_kernels();
     if (law == Law::of<Jkr>()) return jkr_kernels();
-    return {leave_undecided, leave_unsearched};
+    return {leave_undecided, leave_undecided_numbers, leave_unsearched};
 }
 
 }  // namespace ashimpact::batch

@@ -16,6 +16,9 @@ namespace ashimpact::HWY_NAMESPACE {
 void brach_dunn_impacts(const batch::ImpactTask& task) {
     solve_law<BrachDunn>(task);
 }
+void brach_dunn_numbers(const batch::NumberTask& task) {
+    solve_law_numbers<BrachDunn>(task);
+}
 void brach_dunn_inversions(const batch::InversionTask& task) {
     invert_law<BrachDunn>(task);
 }
@@ -27,10 +30,12 @@ HWY_AFTER_NAMESPACE();
 namespace ashimpact {
 
 HWY_EXPORT(brach_dunn_impacts);
+HWY_EXPORT(brach_dunn_numbers);
 HWY_EXPORT(brach_dunn_inversions);
 
 batch::Kernels batch::brach_dunn_kernels() {
-    return {HWY_DYNAMIC_DISPATCH(brach_dunn_impacts), HWY_DYNAMIC_DISPATCH(brach_dunn_inversions)};
+    return {HWY_DYNAMIC_DISPATCH(brach_dunn_impacts), HWY_DYNAMIC_DISPATCH(brach_dunn_numbers),
+            HWY_DYNAMIC_DISPATCH(brach_dunn_inversions)};
 }
 
 }  // namespace ashimpact

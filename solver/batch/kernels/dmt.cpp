@@ -16,6 +16,9 @@ namespace ashimpact::HWY_NAMESPACE {
 void dmt_impacts(const batch::ImpactTask& task) {
     solve_law<Dmt>(task);
 }
+void dmt_numbers(const batch::NumberTask& task) {
+    solve_law_numbers<Dmt>(task);
+}
 void dmt_inversions(const batch::InversionTask& task) {
     invert_law<Dmt>(task);
 }
@@ -27,10 +30,12 @@ HWY_AFTER_NAMESPACE();
 namespace ashimpact {
 
 HWY_EXPORT(dmt_impacts);
+HWY_EXPORT(dmt_numbers);
 HWY_EXPORT(dmt_inversions);
 
 batch::Kernels batch::dmt_kernels() {
-    return {HWY_DYNAMIC_DISPATCH(dmt_impacts), HWY_DYNAMIC_DISPATCH(dmt_inversions)};
+    return {HWY_DYNAMIC_DISPATCH(dmt_impacts), HWY_DYNAMIC_DISPATCH(dmt_numbers),
+            HWY_DYNAMIC_DISPATCH(dmt_inversions)};
 }
 
 }  // namespace ashimpact

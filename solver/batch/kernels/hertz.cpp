@@ -16,6 +16,9 @@ namespace ashimpact::HWY_NAMESPACE {
 void hertz_impacts(const batch::ImpactTask& task) {
     solve_law<Hertz>(task);
 }
+void hertz_numbers(const batch::NumberTask& task) {
+    solve_law_numbers<Hertz>(task);
+}
 void hertz_inversions(const batch::InversionTask& task) {
     invert_law<Hertz>(task);
 }
@@ -27,10 +30,12 @@ HWY_AFTER_NAMESPACE();
 namespace ashimpact {
 
 HWY_EXPORT(hertz_impacts);
+HWY_EXPORT(hertz_numbers);
 HWY_EXPORT(hertz_inversions);
 
 batch::Kernels batch::hertz_kernels() {
-    return {HWY_DYNAMIC_DISPATCH(hertz_impacts), HWY_DYNAMIC_DISPATCH(hertz_inversions)};
+    return {HWY_DYNAMIC_DISPATCH(hertz_impacts), HWY_DYNAMIC_DISPATCH(hertz_numbers),
+            HWY_DYNAMIC_DISPATCH(hertz_inversions)};
 }
 
 }  // namespace ashimpact

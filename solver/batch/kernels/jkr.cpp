@@ -16,6 +16,9 @@ namespace ashimpact::HWY_NAMESPACE {
 void jkr_impacts(const batch::ImpactTask& task) {
     solve_law<Jkr>(task);
 }
+void jkr_numbers(const batch::NumberTask& task) {
+    solve_law_numbers<Jkr>(task);
+}
 void jkr_inversions(const batch::InversionTask& task) {
     invert_law<Jkr>(task);
 }
@@ -27,10 +30,12 @@ HWY_AFTER_NAMESPACE();
 namespace ashimpact {
 
 HWY_EXPORT(jkr_impacts);
+HWY_EXPORT(jkr_numbers);
 HWY_EXPORT(jkr_inversions);
 
 batch::Kernels batch::jkr_kernels() {
-    return {HWY_DYNAMIC_DISPATCH(jkr_impacts), HWY_DYNAMIC_DISPATCH(jkr_inversions)};
+    return {HWY_DYNAMIC_DISPATCH(jkr_impacts), HWY_DYNAMIC_DISPATCH(jkr_numbers),
+            HWY_DYNAMIC_DISPATCH(jkr_inversions)};
 }
 
 }  // namespace ashimpact

@@ -1,0 +1,86 @@
+// Included once for each instruction set, so with no include guard but this.
+#if defined(ASHIMPACT_SOLVER_BATCH_LOOKUP_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef ASHIMPACT_SOLVER_BATCH_LOOKUP_INL_HPP
+#undef ASHIMPACT_SOLVER_BATCH_LOOKUP_INL_HPP
+#else
+#define ASHIMPACT_SOLVER_BATCH_LOOKUP_INL_HPP
+#endif
+
+#include "solver/batch/lanes-inl.hpp"
+#include "solver/batch/restitution_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace ashimpact::HWY_NAMESPACE {
+
+/// The place of a number in a table: n/(1 + n).
+[[nodiscard]] HWY_INLINE Lanes place_of(Lanes number) {
+    const Lanes n = min(number, 1e300);
+    return n / (n + Lanes(1.0));
+}
+
+/// A place in a piece of a table, at which its polynomials are evaluated; a register holds powers of u.
+class PlaceInPiece {
+  public:
+    HWY_INLINE PlaceInPiece(double t, double u) : t_(t), powers_(1.0), next_(u) {
+        const hn::RebindToUnsigned<Tag> integers;
+        const auto lane = hn::Iota(integers, 0);
+        for (std::size_t bit = 1; bit < lane_count; bit *= 2) {
+            const Mask has_bit = hn::RebindMask(Tag(), hn::TestBit(lane, hn::Set(integers, bit)));
+            powers_ = select(has_bit, powers_ * next_, powers_);
+            next_ = next_ * next_;
+        }
+    }
+
+    [[nodiscard]] HWY_INLINE double value(const batch::RestitutionPolynomials::Coefficients& c) const {
+        constexpr std::size_t terms = batch::RestitutionPolynomials::terms;
+        constexpr std::size_t registers = terms / lane_count;
+        Lanes row[registers];
+        for (std::size_t k = 0; k < registers; ++k) {
+            row[k] = Lanes::load(c.data() + (terms - 1) * terms + k * lane_count);
+        }
+        for (std::size_t i = terms - 1; i-- > 0;) {
+            for (std::size_t k = 0; k < registers; ++k) {
+                row[k] = multiply_add(row[k], t_, Lanes::load(c.data() + i * terms + k * lane_count));
+            }
+        }
+        Lanes sum = row[registers - 1];
+        for (std::size_t k = registers - 1; k-- > 0;) sum = multiply_add(sum, next_, row[k]);
+        return hn::GetLane(hn::SumOfLanes(Tag(), (sum * powers_).v));
+    }
+
+  private:
+    Lanes t_;
+    Lanes powers_;  ///< 1, u, u^2, ...
+    Lanes next_;    ///< u to the number of lanes
+};
+
+/// What a table tells of an impact.
+struct Told {
+    batch::LaneEnd end;  ///< undecided: integrate
+    double speed;        ///< at the end of contact; 0 for a capture
+    double time;         ///< of contact; NaN for a capture
+};
+
+/// The impact at a place of a piece; none where the place is not a number.
+template <bool with_time>
+[[nodiscard]] HWY_INLINE Told told(const batch::RestitutionPiece* piece, double x, double y) {
+    using State = batch::RestitutionPiece::State;
+    constexpr double least_square = 1e-6;  ///< e^2 below which the error of a table weighs
+    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+    const State state = piece == nullptr ? State::untold : piece->state();
+    if (state == State::capture) return {batch::LaneEnd::capture, 0.0, nothing};
+    if (state != State::rebound) return {batch::LaneEnd::undecided, 0.0, nothing};
+    const PlaceInPiece place(piece->t(x), piece->u(y));
+    const double square = place.value(piece->polynomials().restitution_squared);
+    if (square < least_square) return {batch::LaneEnd::undecided, 0.0, nothing};
+    const double time = with_time ? place.value(piece->polynomials().contact_time) : nothing;
+    return {batch::LaneEnd::rebound, std::sqrt(std::min(square, 1.0)), time};
+}
+
+}  // namespace ashimpact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

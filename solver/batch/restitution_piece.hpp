@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+
+namespace ashimpact::batch {
+
+/// e^2 and the scaled contact time on a square of a table: polynomials in t and u, which go from -1 to 1 over
+/// its sides.
+struct RestitutionPolynomials {
+    static constexpr std::size_t terms = 16;
+    /// Of t^i u^j at [i terms + j].
+    using Coefficients = std::array<double, terms * terms>;
+
+    Coefficients restitution_squared;
+    Coefficients contact_time;  ///< in units of the scale's time
+};
+
+/// A square of a table of impacts; computed once, and the same for ever after.
+class RestitutionPiece {
+  public:
+    enum class State {
+        unknown,
+        rebound,  ///< everywhere, and the polynomials tell it
+        capture,  ///< everywhere
+        quartered,
+        untold,  ///< at the edge of capture
+    };
+
+    /// The whole table: 0 <= x, y <= 1.
+    RestitutionPiece() = default;
+
+    [[nodiscard]] State state() const { return state_.load(std::memory_order_acquire); }
+
+    [[nodiscard]] double lower_x() const { return middle_x_ - 1.0 / stretch_; }
+    [[nodiscard]] double upper_x() const { return middle_x_ + 1.0 / stretch_; }
+    [[nodiscard]] double lower_y() const { return middle_y_ - 1.0 / stretch_; }
+    [[nodiscard]] double upper_y() const { return middle_y_ + 1.0 / stretch_; }
+    [[nodiscard]] double t(double x) const { return (x - middle_x_) * stretch_; }
+    [[nodiscard]] double u(double y) const { return (y - middle_y_) * stretch_; }
+
+    /// Where it rebounds.
+    [[nodiscard]] const RestitutionPolynomials& polynomials() const { return *polynomials_; }
+    /// Where it is quartered: the quarter in which a place is.
+    [[nodiscard]] RestitutionPiece& quarter(double x, double y) const {
+        return (*quarters_)[(x >= middle_x_ ? 1U : 0U) + (y >= middle_y_ ? 2U : 0U)];
+    }
+
+    /// Settles the state unless it has been; waits for a thread that is at it.
+    /// @param compute has the state found, after set() where it rebounds
+    template <class Compute>
+    void settle(const Compute& compute) {
+        std::call_once(settled_, [&] {
+            const State state = compute();
+            if (state == State::quartered) quarter();
+            state_.store(state, std::memory_order_release);
+        });
+    }
+    void set(std::unique_ptr<RestitutionPolynomials> polynomials) { polynomials_ = std::move(polynomials); }
+
+  private:
+    void quarter() {
+        quarters_ = std::make_unique<std::array<RestitutionPiece, 4>>();
+        for (std::size_t k = 0; k < 4; ++k) {
+            RestitutionPiece& piece = (*quarters_)[k];
+            piece.stretch_ = 2.0 * stretch_;
+            piece.middle_x_ = middle_x_ + (k % 2 == 0 ? -0.5 : 0.5) / stretch_;
+            piece.middle_y_ = middle_y_ + (k / 2 == 0 ? -0.5 : 0.5) / stretch_;
+        }
+    }
+
+    std::atomic<State> state_ = State::unknown;
+    std::once_flag settled_;
+    double middle_x_ = 0.5;
+    double middle_y_ = 0.5;
+    double stretch_ = 2.0;
+    std::unique_ptr<RestitutionPolynomials> polynomials_{};
+    std::unique_ptr<std::array<RestitutionPiece, 4>> quarters_{};
+};
+
+}  // namespace ashimpact::batch
