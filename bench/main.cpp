@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
+#include <ctime>
 #include <functional>
 #include <iostream>
 #include <map>
@@ -32,6 +33,10 @@ struct Options {
 };
 
 constexpr std::int64_t peak_rounds = 2'000'000;
+
+BatchOptions without_turn(BatchMethod method) {
+    return {.turning_point = false, .method = method};
+}
 
 /// Solves one by one and keeps the restitutions.
 std::function<void()> one_by_one(const Population& population, double (*solver)(const Impact&),
@@ -83,20 +88,44 @@ void compare_methods(const Options& options) {
                "median", "/ GSL");
     const auto batch = many.impacts.batch();
     ImpactBatchResult result;
-    for (const std::string_view set : instruction_sets()) {
-        use_instruction_set(set);
-        const std::string name = "ashimpact, batch, " + std::string(set);
-        const auto solve = [&] { solve_impacts(batch, result, {.turning_point = false}); };
-        const double rate = rates_of({{name, static_cast<double>(many.restitution.size()), solve}},
-                                     options.repetitions, options.seconds)
-                                .at(name);
-        print_row(name, rate, errors_of(values(result.restitution), many.restitution), unit);
+    for (const BatchMethod method : {BatchMethod::table, BatchMethod::integration}) {
+        for (const std::string_view set : instruction_sets()) {
+            use_instruction_set(set);
+            const std::string name =
+                fmt::format("ashimpact, batch, {}, {}", method == BatchMethod::table ? "table" : "integrated", set);
+            const auto solve = [&] { solve_impacts(batch, result, without_turn(method)); };
+            const double rate = rates_of({{name, static_cast<double>(many.restitution.size()), solve}},
+                                         options.repetitions, options.seconds)
+                                    .at(name);
+            print_row(name, rate, errors_of(values(result.restitution), many.restitution), unit);
+        }
     }
     use_instruction_set({});
     for (const Peer& peer : peers)
         print_row(peer.name, rates.at(peer.name), errors_of(peer.found, few.restitution), unit);
     for (const DemRate& code : dem_rates(options.repetitions))
         print_row(code.name, code.rate, code.errors, unit);
+}
+
+std::string name_of(const ImpactBatch& batch) {
+    return std::string(batch.law.name()) + ' ' + std::string(ashimpact::name_of(batch.damping_law));
+}
+
+void for_each_law(const std::function<void(const Population&)>& measure) {
+    for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()}) {
+        for (const DampingName& damping : damping_names) {
+            measure(population(law, law.default_detachment(), damping.law, 16384));
+        }
+    }
+}
+
+void find_dampings(const Population& many, BatchMethod method) {
+    const ImpactBatch batch = many.impacts.batch();
+    const Eigen::ArrayXd restitution =
+        Eigen::Map<const Eigen::ArrayXd>(many.restitution.data(), std::ssize(many.restitution));
+    benchmark::DoNotOptimize(dampings_from_restitutions({batch.law, batch.detachment, batch.damping_law,
+                                                         batch.contact, batch.velocity, restitution},
+                                                        1, method));
 }
 
 /// Counts of operations by "law damping-law", from the program that counts them.
@@ -115,46 +144,59 @@ std::map<std::string, double> operation_counts() {
     return counts;
 }
 
-/// Every law: impacts, what share of the core's peak they take, and the inverse problems.
-void compare_laws(const Options& options) {
+/// Every law, integrated: impacts, what share of the core's peak they take, and dampings.
+void compare_laws_integrated(const Options& options) {
     const auto counts = operation_counts();
     const double peak = rates_of({{"multiply-add", static_cast<double>(multiply_adds(peak_rounds)),
                                    [] { multiply_adds(peak_rounds); }}},
                                  options.repetitions, options.seconds)
                             .at("multiply-add");
     fmt::print("\npeak of the core, measured: {:.2f} G multiply-adds/s\n", peak / 1e9);
-    fmt::print("\n{:<30}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "batch, best instruction set", "impacts/s",
-               "with turn", "operations", "% of peak", "dampings/s", "v_c/s");
-    for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()}) {
-        for (const DampingName& damping : damping_names) {
-            const Population many = population(law, law.default_detachment(), damping.law, 16384);
-            const ImpactBatch batch = many.impacts.batch();
-            const Eigen::ArrayXd restitution =
-                Eigen::Map<const Eigen::ArrayXd>(many.restitution.data(), std::ssize(many.restitution));
-            const double count = static_cast<double>(many.restitution.size());
-            ImpactBatchResult result;
-            const std::vector<Subject> subjects{
-                {"impacts", count, [&] { solve_impacts(batch, result, {.turning_point = false}); }},
-                {"turn", count, [&] { solve_impacts(batch, result); }},
-                {"dampings", count,
-                 [&] {
-                     benchmark::DoNotOptimize(
-                         dampings_from_restitutions({batch.law, batch.detachment, batch.damping_law,
-                                                     batch.contact, batch.velocity, restitution}));
-                 }},
-                {"critical", count, [&] {
-                     benchmark::DoNotOptimize(critical_velocities(
-                         {batch.law, batch.detachment, batch.damping_law, batch.contact, batch.damping}));
-                 }}};
-            const auto rates = rates_of(subjects, options.repetitions, options.seconds);
-            const std::string name = std::string(law.name()) + ' ' + std::string(damping.name);
-            const double operations = counts.at(name);
-            fmt::print("{:<30}{:>12.0f}{:>12.0f}{:>12.0f}{:>12.1f}{:>12.0f}{:>12.0f}\n", name,
-                       rates.at("impacts"), rates.at("turn"), operations,
-                       100.0 * rates.at("impacts") * operations / peak, rates.at("dampings"),
-                       rates.at("critical"));
-        }
-    }
+    fmt::print("\n{:<30}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "integrated, best set", "impacts/s", "with turn",
+               "operations", "% of peak", "dampings/s");
+    for_each_law([&](const Population& many) {
+        const ImpactBatch batch = many.impacts.batch();
+        const auto count = static_cast<double>(many.restitution.size());
+        ImpactBatchResult result;
+        const auto rates = rates_of(
+            {{"impacts", count, [&] { solve_impacts(batch, result, without_turn(BatchMethod::integration)); }},
+             {"turn", count, [&] { solve_impacts(batch, result); }},
+             {"dampings", count, [&] { find_dampings(many, BatchMethod::integration); }}},
+            options.repetitions, options.seconds);
+        const std::string name = name_of(batch);
+        const double operations = counts.at(name);
+        fmt::print("{:<30}{:>12.0f}{:>12.0f}{:>12.0f}{:>12.1f}{:>12.0f}\n", name, rates.at("impacts"),
+                   rates.at("turn"), operations, 100.0 * rates.at("impacts") * operations / peak,
+                   rates.at("dampings"));
+    });
+}
+
+/// Every law, from tables; what it takes to make those as far as these impacts ask for them.
+void compare_laws_tabulated(const Options& options) {
+    fmt::print("\n{:<30}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "tables, best set", "impacts/s", "worst",
+               "making it, s", "dampings/s", "v_c/s");
+    for_each_law([&](const Population& many) {
+        const ImpactBatch batch = many.impacts.batch();
+        const auto count = static_cast<double>(many.restitution.size());
+        ImpactBatchResult result;
+        const auto solve = [&] { solve_impacts(batch, result, without_turn(BatchMethod::table)); };
+        const std::clock_t start = std::clock();
+        solve();
+        const double making = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+        const auto rates =
+            rates_of({{"impacts", count, solve},
+                      {"dampings", count, [&] { find_dampings(many, BatchMethod::table); }},
+                      {"critical", count,
+                       [&] {
+                           benchmark::DoNotOptimize(
+                               critical_velocities({batch.law, batch.detachment, batch.damping_law,
+                                                    batch.contact, batch.damping}));
+                       }}},
+                     options.repetitions, options.seconds);
+        const Errors errors = errors_of(values(result.restitution), many.restitution);
+        fmt::print("{:<30}{:>12.0f}{:>12.1e}{:>12.2f}{:>12.0f}{:>12.0f}\n", name_of(batch), rates.at("impacts"),
+                   errors.worst, making, rates.at("dampings"), rates.at("critical"));
+    });
 }
 
 void measure_start_up(const Options& options) {
@@ -184,8 +226,9 @@ void run(const Options& options) {
     pin_to_one_core();
     fmt::print("{}; medians of {} repetitions; seconds of CPU time, on one core\n", processor(),
                options.repetitions);
+    compare_laws_tabulated(options);  // first, while there are no tables
     compare_methods(options);
-    compare_laws(options);
+    compare_laws_integrated(options);
     measure_start_up(options);
     print_thread_table(options.repetitions);
 }

@@ -19,11 +19,7 @@ std::optional<CaptureVerdict> known_verdict(const CriticalVelocityProblem& probl
     const Damping& damping = problem.damping;
     if (problem.detachment == Detachment::zero_force) return CaptureVerdict::never_captured;
     if (damping.coefficient == 0.0 && !breaking_costs) return CaptureVerdict::never_captured;
-    if (adhesive) return std::nullopt;
-    if (damping.law == DampingLaw::constant) return std::nullopt;
-    const bool overdamped =
-        damping.law == DampingLaw::tsuji && damping.coefficient * damping.coefficient >= 5.0;
-    return overdamped ? CaptureVerdict::always_captured : CaptureVerdict::never_captured;
+    return adhesive ? std::nullopt : verdict_without_adhesion(damping);
 }
 
 CriticalVelocity finite_result(const Motion<Extended>& motion, const Arrival& arrival,
@@ -54,6 +50,14 @@ std::string_view name_of(CaptureVerdict verdict) {
             return "never-captured";
     }
     return {};
+}
+
+std::optional<CaptureVerdict> verdict_without_adhesion(const Damping& damping) {
+    if (damping.coefficient == 0.0) return CaptureVerdict::never_captured;
+    if (damping.law == DampingLaw::constant) return std::nullopt;
+    const bool overdamped =
+        damping.law == DampingLaw::tsuji && damping.coefficient * damping.coefficient >= 5.0;
+    return overdamped ? CaptureVerdict::always_captured : CaptureVerdict::never_captured;
 }
 
 CriticalVelocity critical_velocity(const CriticalVelocityProblem& problem) {

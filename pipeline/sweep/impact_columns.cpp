@@ -76,7 +76,8 @@ ResultColumns solve_in_batch(const ContactModel& model, const ImpactColumns& imp
     };
     try {
         const ImpactBatchResult solved =
-            solve_impacts(batch_of(model, impacts), {.turning_point = wanted.maximum_overlap});
+            solve_impacts(batch_of(model, impacts),
+                          {.turning_point = wanted.maximum_overlap, .method = wanted.method});
         ResultColumns results;
         results.restitution = values(solved.restitution);
         if (wanted.contact_time) results.contact_time = values(solved.contact_time);

@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "solver/batch/method.hpp"
 #include "solver/impact.hpp"
 
 namespace ashimpact {
@@ -26,10 +27,11 @@ struct ContactModel {
     DampingLaw damping_law;
 };
 
-/// Which results are wanted beside the restitution; others are left empty.
+/// Which results are wanted beside the restitution, others are left empty; and how they are to be had.
 struct WantedResults {
     bool contact_time = false;
     bool maximum_overlap = false;
+    BatchMethod method = BatchMethod::integration;  ///< a table does not have the maximum overlap
 };
 
 /// What the impacts did, one entry each.

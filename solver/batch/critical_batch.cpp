@@ -25,9 +25,10 @@ Damping damping_at(const CriticalVelocityBatch& batch, const batch::Inputs& in, 
 /// Verdict and v_c where they take no integration, or none.
 std::optional<CriticalVelocity> quick(const CriticalVelocityBatch& batch, const ContactPair& contact,
                                       const Damping& damping) {
-    const bool elastic = !can_yield(batch.law, contact);
-    if (!elastic || damping.coefficient == 0.0 || batch.detachment == Detachment::zero_force)
-        return std::nullopt;
+    if (can_yield(batch.law, contact)) return std::nullopt;
+    if (batch.detachment == Detachment::zero_force)
+        return CriticalVelocity{.verdict = CaptureVerdict::never_captured};
+    if (damping.coefficient == 0.0) return std::nullopt;
     const double adhesion = velocity_of_adhesion(batch.law, contact);
     if (adhesion > 0.0) {
         batch::CriticalTable& table =
@@ -37,10 +38,9 @@ std::optional<CriticalVelocity> quick(const CriticalVelocityBatch& batch, const 
         if (entry->verdict != CaptureVerdict::finite) return CriticalVelocity{.verdict = entry->verdict};
         return CriticalVelocity{.value = entry->value * adhesion};
     }
-    if (batch.law == Law::of<Hertz>() && damping.law == DampingLaw::constant) {
-        return CriticalVelocity{.value = hertz_critical_constant * velocity_of_damping(damping, contact)};
-    }
-    return std::nullopt;
+    if (batch.law != Law::of<Hertz>()) return std::nullopt;
+    if (const auto verdict = verdict_without_adhesion(damping)) return CriticalVelocity{.verdict = *verdict};
+    return CriticalVelocity{.value = hertz_critical_constant * velocity_of_damping(damping, contact)};
 }
 
 }  // namespace

@@ -88,7 +88,7 @@ inline void write(const batch::ImpactTask& task, const ScaledTask& scaled, std::
     constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
     const bool rebounds = block.rebounds(lane);
     task.end[i] = block.end(lane);
-    task.restitution[i] = rebounds ? block.speed[lane] : 0.0;
+    task.restitution[i] = rebounds ? std::min(block.speed[lane], 1.0) : 0.0;
     task.contact_time[i] = rebounds ? block.time[lane] * scaled.time[i] : nothing;
     task.approach_time[i] = task.turning_point ? block.turn_time[lane] * scaled.time[i] : nothing;
     task.maximum_overlap[i] = task.turning_point ? block.turn_overlap[lane] * scaled.length[i] : nothing;

@@ -36,16 +36,15 @@ class PlaceInPiece {
     }
 
     [[nodiscard]] HWY_INLINE double value(const batch::RestitutionPolynomials::Coefficients& c) const {
-        constexpr std::size_t terms = batch::RestitutionPolynomials::terms;
-        constexpr std::size_t registers = terms / lane_count;
+        constexpr std::size_t columns = batch::RestitutionPolynomials::columns;
+        constexpr std::size_t registers = columns / lane_count;
+        const auto at = [&](std::size_t i, std::size_t k)
+                            HWY_ATTR { return Lanes::load(c.data() + i * columns + k * lane_count); };
+        std::size_t i = batch::RestitutionPolynomials::rows - 1;
         Lanes row[registers];
-        for (std::size_t k = 0; k < registers; ++k) {
-            row[k] = Lanes::load(c.data() + (terms - 1) * terms + k * lane_count);
-        }
-        for (std::size_t i = terms - 1; i-- > 0;) {
-            for (std::size_t k = 0; k < registers; ++k) {
-                row[k] = multiply_add(row[k], t_, Lanes::load(c.data() + i * terms + k * lane_count));
-            }
+        for (std::size_t k = 0; k < registers; ++k) row[k] = at(i, k);
+        while (i-- > 0) {
+            for (std::size_t k = 0; k < registers; ++k) row[k] = multiply_add(row[k], t_, at(i, k));
         }
         Lanes sum = row[registers - 1];
         for (std::size_t k = registers - 1; k-- > 0;) sum = multiply_add(sum, next_, row[k]);

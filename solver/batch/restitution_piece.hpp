@@ -11,9 +11,10 @@ namespace ashimpact::batch {
 /// e^2 and the scaled contact time on a square of a table: polynomials in t and u, which go from -1 to 1 over
 /// its sides.
 struct RestitutionPolynomials {
-    static constexpr std::size_t terms = 16;
-    /// Of t^i u^j at [i terms + j].
-    using Coefficients = std::array<double, terms * terms>;
+    static constexpr std::size_t rows = 12;     ///< powers of t
+    static constexpr std::size_t columns = 16;  ///< powers of u: a multiple of the lanes of any register
+    /// Of t^i u^j at [i columns + j].
+    using Coefficients = std::array<double, rows * columns>;
 
     Coefficients restitution_squared;
     Coefficients contact_time;  ///< in units of the scale's time

@@ -13,7 +13,6 @@ namespace ashimpact::batch {
 
 namespace {
 
-constexpr int last_power = RestitutionPolynomials::terms - 1;
 constexpr double square_tolerance = 2e-13;  ///< of e^2, in its last coefficients
 constexpr double time_tolerance = 1e-12;    ///< of the contact time, relative
 
@@ -50,35 +49,41 @@ struct NumberedImpacts {
     }
 };
 
-/// Matrices of the two bases of a piece.
-struct Bases {
-    Eigen::MatrixXd chebyshev = ChebyshevAxis{-1.0, 1.0, last_power}.analysis();
-    Eigen::MatrixXd monomial;  ///< column k: T_k by powers of t
+/// One coordinate of a piece: @p terms nodes, Chebyshev polynomials, powers.
+template <int terms>
+struct Coordinate {
+    using Matrix = Eigen::Matrix<double, terms, terms>;
 
-    Bases() : monomial(Eigen::MatrixXd::Zero(last_power + 1, last_power + 1)) {
-        monomial(0, 0) = monomial(1, 1) = 1.0;
-        for (int k = 2; k <= last_power; ++k) {
-            monomial.col(k) = -monomial.col(k - 2);
-            monomial.col(k).tail(last_power) += 2.0 * monomial.col(k - 1).head(last_power);
+    Matrix chebyshev = ChebyshevAxis{-1.0, 1.0, terms - 1}.analysis();  ///< coefficients of values at the nodes
+    Matrix powers = Matrix::Zero();                                     ///< column k: T_k by powers
+
+    Coordinate() {
+        powers(0, 0) = powers(1, 1) = 1.0;
+        for (int k = 2; k < terms; ++k) {
+            powers.col(k) = -powers.col(k - 2);
+            powers.col(k).tail(terms - 1) += 2.0 * powers.col(k - 1).head(terms - 1);
         }
+    }
+    [[nodiscard]] static const Coordinate& the() {
+        static const Coordinate only;
+        return only;
     }
 };
 
-const Bases& bases() {
-    static const Bases both;
-    return both;
-}
-
-using Values = Eigen::Matrix<double, last_power + 1, last_power + 1>;
+constexpr int rows = RestitutionPolynomials::rows;
+constexpr int columns = RestitutionPolynomials::columns;
+using Values = Eigen::Matrix<double, rows, columns>;
 
 /// Fits values at the nodes. @return whether the last coefficients are below @p allowed
 bool fit(const Values& values, double allowed, RestitutionPolynomials::Coefficients& out) {
-    const Eigen::MatrixXd spectrum = bases().chebyshev * values * bases().chebyshev.transpose();
+    const auto& t = Coordinate<rows>::the();
+    const auto& u = Coordinate<columns>::the();
+    const Values spectrum = t.chebyshev * values * u.chebyshev.transpose();
     const double last =
         std::max(spectrum.bottomRows(2).cwiseAbs().maxCoeff(), spectrum.rightCols(2).cwiseAbs().maxCoeff());
     if (!(last < allowed)) return false;
-    const Values powers = bases().monomial * spectrum * bases().monomial.transpose();
-    Eigen::Map<Eigen::Matrix<double, last_power + 1, last_power + 1, Eigen::RowMajor>>(out.data()) = powers;
+    Eigen::Map<Eigen::Matrix<double, rows, columns, Eigen::RowMajor>>(out.data()) =
+        t.powers * spectrum * u.powers.transpose();
     return true;
 }
 
@@ -126,21 +131,22 @@ RestitutionTable::State RestitutionTable::judged(RestitutionPiece& piece, int de
 }
 
 bool RestitutionTable::fitted(RestitutionPiece& piece) const {
-    const ChebyshevAxis x{piece.lower_x(), piece.upper_x(), last_power};
-    const ChebyshevAxis y{piece.lower_y(), piece.upper_y(), last_power};
+    const ChebyshevAxis x{piece.lower_x(), piece.upper_x(), rows - 1};
+    const ChebyshevAxis y{piece.lower_y(), piece.upper_y(), columns - 1};
     NumberedImpacts nodes;
-    for (int i = 0; i <= last_power; ++i) {
-        for (int j = 0; j <= last_power; ++j) nodes.add(x.node(i), y.node(j));
+    for (int i = 0; i < rows; ++i) {
+        for (int j = 0; j < columns; ++j) nodes.add(x.node(i), y.node(j));
     }
     nodes.solve(kernels_, detachment_, damping_law_);
     Values squared;
     Values time;
-    for (std::size_t k = 0; k < nodes.end.size(); ++k) {
-        if (nodes.end[k] != LaneEnd::rebound) return false;
-        const auto i = static_cast<Eigen::Index>(k) / (last_power + 1);
-        const auto j = static_cast<Eigen::Index>(k) % (last_power + 1);
-        squared(i, j) = nodes.speed[k] * nodes.speed[k];
-        time(i, j) = nodes.time[k];
+    std::size_t k = 0;
+    for (int i = 0; i < rows; ++i) {
+        for (int j = 0; j < columns; ++j, ++k) {
+            if (nodes.end[k] != LaneEnd::rebound) return false;
+            squared(i, j) = nodes.speed[k] * nodes.speed[k];
+            time(i, j) = nodes.time[k];
+        }
     }
     auto polynomials = std::make_unique<RestitutionPolynomials>();
     if (!fit(squared, square_tolerance, polynomials->restitution_squared) ||

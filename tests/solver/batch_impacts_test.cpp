@@ -129,6 +129,33 @@ TEST_CASE("a single value stands for all, and what is not asked for is not a num
     CHECK(less.approach_time.isNaN().all());
     CHECK(less.maximum_overlap.isNaN().all());
     CHECK((less.outcome == full.outcome).all());
+    const ImpactBatchResult read =
+        solve_impacts(single, {.turning_point = false, .method = BatchMethod::table});
+    CHECK(read.approach_time.isNaN().all());
+    CHECK(read.maximum_overlap.isNaN().all());
+    CHECK((read.outcome == full.outcome).all());
+    CHECK_THROWS_WITH_AS(static_cast<void>(solve_impacts(single, {.method = BatchMethod::table})),
+                         "a table has no turning points; allowed: turning_point = false, or the method integration",
+                         InputError);
+}
+
+TEST_CASE("a table tells most impacts, undamped ones and those of no adhesion too") {
+    for (Impacts& impacts : random_impacts(400, 1.0, 18)) {
+        CAPTURE(impacts.law.name());
+        CAPTURE(name_of(impacts.damping_law));
+        for (Eigen::Index i = 0; i < 100; ++i) impacts.damping[i] = 0.0;
+        for (Eigen::Index i = 50; i < 150; ++i) impacts.work_of_adhesion[i] = 0.0;
+        const ImpactBatchResult read =
+            solve_impacts(impacts.batch(), {.turning_point = false, .method = BatchMethod::table});
+        CHECK(read.scalar <= impacts.size() / 50);
+        for (Eigen::Index i = 0; i < impacts.size(); ++i) {
+            CAPTURE(i);
+            const ImpactResult reference = solve_impact(impacts.at(i));
+            REQUIRE(read.outcome[i] == reference.outcome);
+            CHECK(conditioned_error(read.restitution[i], reference) <= bound);
+            CHECK(read.restitution[i] <= 1.0);
+        }
+    }
 }
 
 TEST_CASE("an elastic-plastic law goes through the scalar solver") {

@@ -17,9 +17,9 @@ std::vector<std::string> with_threads(int threads) {
 }
 
 /// Every byte a sweep left.
-auto left_by(const std::vector<std::string>& command) {
+auto left_by(const std::vector<std::string>& command, double samples) {
     const Sandbox sandbox;
-    sandbox.write("spec.json", test::full_spec(test::many_samples).dump());
+    sandbox.write("spec.json", test::full_spec(samples).dump());
     const test::Ended ended = test::run(sandbox, command);
     CAPTURE(ended.err);
     CHECK(ended.status == 0);
@@ -32,12 +32,15 @@ auto left_by(const std::vector<std::string>& command) {
 
 }  // namespace
 
-TEST_CASE("any number of threads and ranks leaves the same bytes") {
-    const auto one = left_by(with_threads(1));
-    CHECK(one == left_by(with_threads(2)));
-    CHECK(one == left_by(with_threads(5)));
-    for (const int ranks : {1, 2, 3, 4}) {
-        CAPTURE(ranks);
-        CHECK(one == left_by(test::under_mpi(ranks, with_threads(ranks == 2 ? 2 : 1))));
+TEST_CASE("any number of threads and ranks leaves the same bytes, of tables and of integration") {
+    for (const double samples : {test::many_samples, test::many_samples / 10}) {
+        CAPTURE(samples);
+        const auto one = left_by(with_threads(1), samples);
+        CHECK(one == left_by(with_threads(2), samples));
+        CHECK(one == left_by(with_threads(5), samples));
+        for (const int ranks : {1, 2, 3, 4}) {
+            CAPTURE(ranks);
+            CHECK(one == left_by(test::under_mpi(ranks, with_threads(ranks == 2 ? 2 : 1)), samples));
+        }
     }
 }
