@@ -6,6 +6,7 @@
 #define ASHIMPACT_SOLVER_BATCH_BLOCK_INL_HPP
 #endif
 
+#include "solver/batch/leapfrog-inl.hpp"
 #include "solver/batch/orbit-inl.hpp"
 
 #include <cstdint>
