@@ -26,7 +26,7 @@ std::string a(std::string_view adjective, Dimension dimension) {
 
 void require_positive(std::string_view name, double value, Dimension dimension) {
     if (!(value > 0) || !std::isfinite(value)) refuse(name, value, dimension, a("positive", dimension));
-    if (value < 1e-40 || value > 1e40) refuse(name, value, dimension, "1e-40 to 1e40 in SI");
+    if (!is_computable(value)) refuse(name, value, dimension, std::string(computable_range) + " in SI");
 }
 
 void require_positive_or_infinite(std::string_view name, double value, Dimension dimension) {

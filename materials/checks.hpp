@@ -6,8 +6,16 @@
 
 namespace ashimpact {
 
-/// Throws InputError "<name> is <value> <unit>; allowed: a positive <dimension>" unless value > 0 and finite,
-/// and so far from the ends of floating point, 1e-40 to 1e40 in SI, that products of powers remain numbers.
+/// Whether a positive number in SI is so far from the ends of floating point that products of powers of such
+/// numbers remain numbers.
+[[nodiscard]] constexpr bool is_computable(double value) {
+    return value >= 1e-40 && value <= 1e40;
+}
+/// What is_computable() allows, in words.
+inline constexpr std::string_view computable_range = "1e-40 to 1e40";
+
+/// Throws InputError "<name> is <value> <unit>; allowed: a positive <dimension>" unless value > 0, finite and
+/// computable.
 void require_positive(std::string_view name, double value, Dimension dimension);
 
 /// As require_positive, but infinity is allowed: a flat or fixed wall.

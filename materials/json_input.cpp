@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "materials/text.hpp"
@@ -77,8 +78,7 @@ std::string reason_of(std::string message) {
         const auto found = message.find(before);
         if (found != std::string::npos) message.erase(0, found + before.size());
     }
-    std::replace(message.begin(), message.end(), '\n', ' ');
-    return message;
+    return on_one_line(std::move(message));
 }
 
 std::string list(std::initializer_list<std::string_view> words) {

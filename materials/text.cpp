@@ -25,6 +25,11 @@ std::string in_quotes(std::string_view text) {
     return shown + (text.size() > longest ? "...\"" : "\"");
 }
 
+std::string on_one_line(std::string text) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text;
+}
+
 std::string lower_case(std::string_view text) {
     std::string lower(text);
     for (char& c : lower)

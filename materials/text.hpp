@@ -14,6 +14,9 @@ namespace ashimpact {
 /// blanked.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
+/// The text with blanks for its line breaks.
+[[nodiscard]] std::string on_one_line(std::string text);
+
 /// ASCII letters in lower case; other bytes as they are.
 [[nodiscard]] std::string lower_case(std::string_view text);
 

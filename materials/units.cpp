@@ -85,7 +85,6 @@ double SiConversion::operator()(double value) const {
 }
 
 double to_si(double value, std::string_view unit, Dimension expected) {
-    if (!std::isfinite(value)) throw InputError("the value is not finite", allowed(expected));
     return SiConversion(unit, expected)(value);
 }
 

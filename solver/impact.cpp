@@ -1,5 +1,6 @@
 #include "solver/impact.hpp"
 
+#include "materials/checks.hpp"
 #include "materials/error.hpp"
 #include "solver/orbit.hpp"
 #include "solver/scaled_impact.hpp"
@@ -19,19 +20,15 @@ namespace {
     throw InputError(problem.str(), allowed + " " + std::string(unit));
 }
 
-/// Whether products of powers of such numbers are still numbers.
-bool computable(double value) {
-    return value >= 1e-40 && value <= 1e40;
-}
-
 void require_positive(double value, std::string_view quantity, std::string_view unit) {
     if (!(value > 0.0) || std::isinf(value)) refuse(value, quantity, unit, "a finite number > 0");
-    if (!computable(value)) refuse(value, quantity, unit, "1e-40 to 1e40");
+    if (!is_computable(value)) refuse(value, quantity, unit, std::string(computable_range));
 }
 
 void require_not_negative(double value, std::string_view quantity, std::string_view unit) {
     if (!(value >= 0.0) || std::isinf(value)) refuse(value, quantity, unit, "a finite number >= 0");
-    if (value > 0.0 && !computable(value)) refuse(value, quantity, unit, "0, or 1e-40 to 1e40");
+    if (value > 0.0 && !is_computable(value))
+        refuse(value, quantity, unit, "0, or " + std::string(computable_range));
 }
 
 /// One solved impact with what the ledger needs of its branches.

@@ -254,7 +254,7 @@ ReadAnalysis read_analysis(const View& node, InputFiles& files) {
 }
 
 RestitutionSource read_restitution(const View& node, const std::optional<PublishedSample>& published,
-                                   InputFiles& files, const std::optional<Camera>& camera) {
+                                   InputFiles& files, const std::optional<View>& camera) {
     constexpr auto allowed = "velocity with restitution or rebound_velocity, or file, or reconstruct";
     const bool points = node.has("velocity") && count_of(node, {"restitution", "rebound_velocity"}) == 1;
     const int others = count_of(node, {"file", "reconstruct"});

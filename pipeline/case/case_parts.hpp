@@ -30,7 +30,7 @@ struct ReadAnalysis {
 /// whose uncertainty nothing says.
 [[nodiscard]] RestitutionSource read_restitution(const View& node,
                                                  const std::optional<PublishedSample>& published,
-                                                 InputFiles& files, const std::optional<Camera>& camera);
+                                                 InputFiles& files, const std::optional<View>& camera);
 
 /// Published values; those without an uncertainty get that of the rounding of their last digit, u =
 /// d/sqrt(12).

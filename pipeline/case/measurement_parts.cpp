@@ -12,8 +12,9 @@ namespace ashimpact {
 
 namespace {
 
-void apply_camera(const Camera& camera, MeasuredRestitution& data) {
-    data.impacts = with_camera(std::move(data.impacts), camera);
+void apply_camera(const View& node, MeasuredRestitution& data) {
+    const Camera camera = read_camera(node);
+    data.impacts = node.located([&] { return with_camera(std::move(data.impacts), camera); });
     data.source += fmt::format("; velocities of a camera with {} frames/s and {} a pixel, u = {}",
                                readable_number(camera.frame_rate, 6), readable(camera.pixel_size, "m"),
                                readable(camera.velocity_uncertainty(), "m/s"));
@@ -40,7 +41,7 @@ Camera read_camera(const View& node) {
     return camera;
 }
 
-MeasuredRestitution read_measured(const View& node, InputFiles& files, const std::optional<Camera>& camera) {
+MeasuredRestitution read_measured(const View& node, InputFiles& files, const std::optional<View>& camera) {
     MeasuredRestitution data{.source = "the case file"};
     if (const auto file = node.find("file")) {
         const std::string name = file->text();
@@ -51,7 +52,7 @@ MeasuredRestitution read_measured(const View& node, InputFiles& files, const std
     }
     if (const auto source = node.find("source")) data.source = source->text();
     if (const auto own = node.find("camera"))
-        apply_camera(read_camera(*own), data);
+        apply_camera(*own, data);
     else if (camera && !data.impacts.has_noise())
         apply_camera(*camera, data);
     const auto place = node.find("file");

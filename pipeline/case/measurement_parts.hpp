@@ -14,7 +14,7 @@ namespace ashimpact {
 /// Measured impacts, from columns in the case or a file; @p camera serves impacts whose uncertainty neither
 /// says. @throws InputError with the JSON pointer, or the file and line
 [[nodiscard]] MeasuredRestitution read_measured(const View& node, InputFiles& files,
-                                                const std::optional<Camera>& camera);
+                                                const std::optional<View>& camera);
 
 /// How measured impacts are fitted, and how what is uncertain goes into v_c; what is absent has its default.
 [[nodiscard]] FitChoices read_fit_choices(const std::optional<View>& node);

@@ -4,11 +4,11 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <iostream>
 
 #include "data/version.hpp"
 #include "materials/error.hpp"
+#include "materials/text.hpp"
 #include "pipeline/cli/commands.hpp"
 #include "pipeline/cli/held_warnings.hpp"
 #include "pipeline/cli/usage.hpp"
@@ -58,11 +58,6 @@ void perform(const Action& action, HeldWarnings& messages) {
     if (!std::cout) throw InputError("cannot be written", "a place with room").at("standard output");
 }
 
-std::string one_line(std::string text) {
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    return text;
-}
-
 }  // namespace
 
 CLI::App* add_command(CLI::App& program, const std::string& name, const std::string& purpose_of_it,
@@ -94,14 +89,14 @@ int run_program(int argc, const char* const* argv, const SweepRunner& sweep) {
         spdlog::error("{}", usage_error(program, error));
         return wrong_input;
     } catch (const InputError& error) {
-        spdlog::error("{}", one_line(error.what()));
+        spdlog::error("{}", on_one_line(error.what()));
         return wrong_input;
     } catch (const ConvergenceError& error) {
         messages->release();
-        spdlog::error("not converged: {}", one_line(error.what()));
+        spdlog::error("not converged: {}", on_one_line(error.what()));
         return not_converged;
     } catch (const std::exception& error) {
-        spdlog::error("a defect of ashimpact {}: {}", version_text(), one_line(error.what()));
+        spdlog::error("a defect of ashimpact {}: {}", version_text(), on_one_line(error.what()));
         return defect;
     }
 }

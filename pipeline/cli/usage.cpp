@@ -64,12 +64,6 @@ std::string what_is_wrong(const CLI::App& command, const CLI::Error& error) {
     return message + "; allowed: " + option->get_description();
 }
 
-std::string on_one_line(std::string text) {
-    for (char& c : text)
-        if (c == '\n') c = ' ';
-    return text;
-}
-
 }  // namespace
 
 std::string usage_error(const CLI::App& program, const CLI::Error& error) {

@@ -48,7 +48,7 @@ struct LawEntry {
 };
 
 LawEntry law_entry(const VelocityTask& task) {
-    LawEntry entry;
+    LawEntry entry{};
     const CriticalVelocityProblem problem{.law = task.choice.law,
                                           .detachment = task.choice.detachment,
                                           .damping = {task.data.damping_law, task.fit.critical_damping},

@@ -146,7 +146,7 @@ Fitted fit_through_model(const FitTask& task) {
         .order = choices.order, .captures = false, .robust = choices.robust};
     const DampingCurveOptions direct{
         .order = choices.direct_order, .captures = true, .robust = choices.robust};
-    Fitted fitted;
+    Fitted fitted{};
     const OrderComparison orders = compare_orders(model, rising.set, {1, 2, 3, 4}, extrapolated);
     const auto checked = [&](DampingCurveFit fit) {
         require_rebounds_above(fit, rising.set);

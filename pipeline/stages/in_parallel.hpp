@@ -4,8 +4,10 @@
 #include <atomic>
 #include <cstddef>
 #include <exception>
+#include <optional>
 #include <thread>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace ashimpact {
@@ -16,13 +18,13 @@ namespace ashimpact {
 template <class Item, class Work>
 [[nodiscard]] auto in_parallel(const std::vector<Item>& items, Work&& work) {
     using Result = std::invoke_result_t<Work&, const Item&>;
-    std::vector<Result> results(items.size());
+    std::vector<std::optional<Result>> results(items.size());  // a result need not exist before its work
     std::vector<std::exception_ptr> errors(items.size());
     std::atomic<std::size_t> next{0};
     const auto worker = [&] {
         for (std::size_t i = next++; i < items.size(); i = next++) {
             try {
-                results[i] = work(items[i]);
+                results[i].emplace(work(items[i]));
             } catch (...) {
                 errors[i] = std::current_exception();
             }
@@ -35,7 +37,10 @@ template <class Item, class Work>
     for (std::thread& helper : helpers) helper.join();
     for (const std::exception_ptr& error : errors)
         if (error) std::rethrow_exception(error);
-    return results;
+    std::vector<Result> made;
+    made.reserve(results.size());
+    for (std::optional<Result>& result : results) made.push_back(std::move(*result));
+    return made;
 }
 
 }  // namespace ashimpact

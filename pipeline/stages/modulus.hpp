@@ -28,9 +28,9 @@ struct PorosityFromDensity {
     std::string note;
 };
 
-/// Completes a law with P = 1 - apparent/true [kg/m3]; the uncertainty is that of the apparent density.
-/// Errors: InputError for an apparent density above the true one.
-[[nodiscard]] PorosityFromDensity porosity_from_density(Porosity law, const Quantity& apparent,
+/// Completes a porosity law with P = 1 - apparent/true [kg/m3]; the uncertainty is that of the apparent
+/// density. Errors: InputError for an apparent density above the true one.
+[[nodiscard]] PorosityFromDensity porosity_from_density(Porosity porosity, const Quantity& apparent,
                                                         double true_density);
 
 /// Composition and modulus of one sample, with the keys of `ashimpact modulus --json`.

@@ -7,6 +7,7 @@
 #endif
 
 #include "solver/batch/kernel.hpp"
+#include "solver/batch/leapfrog-inl.hpp"
 #include "solver/batch/orbit-inl.hpp"
 
 #include <cstdint>

@@ -26,6 +26,10 @@ struct LaneState {
     Lanes momentum;  ///< y = v + beta g(q)
     Lanes time;      ///< since first touch
 };
+HWY_INLINE LaneState select(Mask mask, const LaneState& yes, const LaneState& no) {
+    return {select(mask, yes.position, no.position), select(mask, yes.momentum, no.momentum),
+            select(mask, yes.time, no.time)};
+}
 
 /// The equation of motion of Form, for the adhesion and damping numbers of the lanes.
 template <class F>

@@ -6,34 +6,19 @@
 #define ASHIMPACT_SOLVER_BATCH_LEAPFROG_INL_HPP
 #endif
 
-#include "solver/batch/equation-inl.hpp"
 #include "solver/batch/extrapolation.hpp"
+#include "solver/batch/groups-inl.hpp"
 
-#include <array>
 #include <cstddef>
 #include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
 
-/// Registers of lanes advanced together: the next one's arithmetic hides the latency of this one's.
-inline constexpr std::size_t group_count = 4;
-template <class T>
-using Groups = std::array<T, group_count>;
-
-/// What one step did to a state, and an estimate of its error.
-struct LaneStep {
-    LaneState change;
-    Lanes position_error;
-    Lanes momentum_error;
-    Lanes end_stiffness;  ///< h(q) at the end, to second order
-};
-
-/// One step of order 2 sequences for all groups of lanes: explicit leapfrogs of 2, 4, ..., 2 sequences
-/// substeps
+/// One step of order 2 sequences for all groups of lanes: leapfrogs of 2, 4, ..., 2 sequences substeps
 ///
-///     y_(m+1/2) = y_(m-1/2) - tau h(q_m),   q_(m+1) = q_(m-1) + tau (y_(m-1/2) + y_(m+1/2)) - 2 tau beta
-///     g(q_m),
+///     y_(m+1/2) = y_(m-1/2) - tau h(q_m),
+///     q_(m+1) = q_(m-1) + tau (y_(m-1/2) + y_(m+1/2)) - 2 tau beta g(q_m),
 ///
 /// extrapolated to tau = 0. Their error is a series in tau^2, as Gragg's midpoint rule has it (Gragg 1965;
 /// without damping this is Stoermer's rule: Hairer, Norsett & Wanner, Solving ODEs I, II.14). No square root,

@@ -6,7 +6,7 @@
 #define ASHIMPACT_SOLVER_BATCH_NUMBER_INL_HPP
 #endif
 
-#include "solver/batch/lanes-inl.hpp"
+#include "solver/batch/roots-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {

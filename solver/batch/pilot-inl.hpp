@@ -7,6 +7,7 @@
 #endif
 
 #include "solver/batch/capture-inl.hpp"
+#include "solver/batch/roots-inl.hpp"
 
 #include <cmath>
 

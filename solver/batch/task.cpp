@@ -1,5 +1,6 @@
 #include "solver/batch/task.hpp"
 
+#include "materials/checks.hpp"
 #include "materials/error.hpp"
 
 #include <algorithm>
@@ -11,10 +12,15 @@ namespace ashimpact::batch {
 namespace {
 
 bool positive(const Input& column, std::size_t i) {
-    return column.values == nullptr || (column.at(i) > 0.0 && std::isfinite(column.at(i)));
+    return column.values == nullptr || is_computable(column.at(i));
 }
 
 bool not_negative(const Input& column, std::size_t i) {
+    return column.values == nullptr || column.at(i) == 0.0 || is_computable(column.at(i));
+}
+
+/// The only one of no dimension: every number from 0 on can be computed with.
+bool ratio(const Input& column, std::size_t i) {
     return column.values == nullptr || (column.at(i) >= 0.0 && std::isfinite(column.at(i)));
 }
 
@@ -40,7 +46,7 @@ void leave_unsearched(const InversionTask& task) {
 bool admissible(const Inputs& in, std::size_t i) {
     return positive(in.mass, i) && positive(in.effective_radius, i) && positive(in.contact_modulus, i) &&
            not_negative(in.work_of_adhesion, i) && positive_or_infinite(in.yield_pressure, i) &&
-           not_negative(in.damping, i) && positive(in.velocity, i) && not_negative(in.restitution, i);
+           not_negative(in.damping, i) && positive(in.velocity, i) && ratio(in.restitution, i);
 }
 
 bool FirstFault::check(const Inputs& chunk, std::size_t first, std::size_t count) {

@@ -32,8 +32,8 @@ namespace ashimpact::batch {
             .yield_pressure = in.yield_pressure.at(i)};
 }
 
-/// Whether all numbers that are given are finite, and positive or at least not negative as validate() asks
-/// for.
+/// Whether all numbers that are given are what validate() of an Impact asks for, a restitution finite and not
+/// negative.
 [[nodiscard]] bool admissible(const Inputs& in, std::size_t i);
 
 /// The first problem of a batch that is not admissible, found by several threads.

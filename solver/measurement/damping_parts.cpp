@@ -129,6 +129,7 @@ RisingBranch rising_branch(const ContactModel& model, const MeasurementSet& set,
     if (smooth) {
         const std::vector<double> grid = grid_of(*smooth);
         std::vector<double> restitution;
+        restitution.reserve(grid.size());
         for (const double v : grid) restitution.push_back(model.restitution(v, smooth->at(v).damping));
         const auto top = std::max_element(restitution.begin(), restitution.end());
         const auto lowest = std::min_element(top, restitution.end());

@@ -26,7 +26,8 @@ void require_resolution(const MeasurementSet& set) {
         least = std::min(least, std::sqrt(point.noise->incident));
         fastest = std::max(fastest, point.velocity);
     }
-    if (least < fastest) return;
+    const bool comparable = fastest > 0.0;  // else the velocities are wrong, which is said of each
+    if (least < fastest || !comparable) return;
     throw InputError("the standard uncertainty of v_in is at least " + shortest(least) +
                          " m/s, but the fastest impact has " + shortest(fastest) + " m/s",
                      "uncertainties below the velocities");
@@ -89,6 +90,7 @@ double Camera::velocity_uncertainty() const {
 MeasurementSet with_camera(MeasurementSet set, const Camera& camera) {
     const double u = camera.velocity_uncertainty();
     for (Measurement& point : set.points) point.noise = VelocityNoise::of_velocities(u, u);
+    require_resolution(set);
     return set;
 }
 

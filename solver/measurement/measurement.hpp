@@ -71,6 +71,7 @@ struct Camera {
 };
 
 /// The set with the camera's uncertainty in both velocities of every point, replacing what was known.
+/// @throws InputError for a camera that resolves not even the fastest impact
 [[nodiscard]] MeasurementSet with_camera(MeasurementSet set, const Camera& camera);
 
 }  // namespace ashimpact

@@ -157,7 +157,7 @@ MeasurementSet read_table(const xrd::TextLines& file, std::string_view name) {
 MeasurementSet read_measurements(std::string_view text, std::string_view name) {
     try {
         if (trimmed(text).empty()) throw InputError("the file is empty", "a table of impacts").at("line 1");
-        const MeasurementSet set = read_table(xrd::TextLines(text), name);
+        MeasurementSet set = read_table(xrd::TextLines(text), name);
         validate(set);
         return set;
     } catch (const InputError& error) {

@@ -26,7 +26,8 @@ double cube(double x) {
     return x * x * x;
 }
 
-/// The places of a table's nodes whose root is not below a least one.
+/// The places of a table's nodes with the roots from @p first_root up to before @p end_root, one x after
+/// the other.
 struct NodePlaces {
     Eigen::ArrayXd root;
     Eigen::ArrayXd x;

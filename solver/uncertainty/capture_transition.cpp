@@ -42,7 +42,7 @@ double OutcomeLikelihood::at(const CaptureTransition& transition) const {
     for (const Measurement& point : set_->points) {
         const double z =
             (transition.center - point.velocity) / deviation_of(point, transition.extra_variance);
-        sum -= 2.0 * gsl::log_normal_probability(point.captured() ? z : -z);
+        sum -= 2.0 * gsl::normal_log_probability(point.captured() ? z : -z);
     }
     return sum;
 }
@@ -53,7 +53,7 @@ double OutcomeLikelihood::slope(const CaptureTransition& transition) const {
         const double deviation = deviation_of(point, transition.extra_variance);
         const double sign = point.captured() ? 1.0 : -1.0;
         const double z = sign * (transition.center - point.velocity) / deviation;
-        sum -= 2.0 * sign * gsl::log_normal_probability_slope(z) / deviation;
+        sum -= 2.0 * sign * gsl::normal_log_probability_slope(z) / deviation;
     }
     return sum;
 }

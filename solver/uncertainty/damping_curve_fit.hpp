@@ -75,7 +75,7 @@ struct DampingCurveFit {
 /// @param set the impacts to use, all of the rising branch
 /// @throws InputError for too few rebounds or distinct restitutions, saying what is there; ConvergenceError
 [[nodiscard]] DampingCurveFit fit_damping_curve(const ContactModel& model, const MeasurementSet& set,
-                                                const DampingCurveOptions& options = extrapolated_fit);
+                                                const DampingCurveOptions& wanted = extrapolated_fit);
 
 /// That measured uncertainties were enlarged to fit, and how much, in words; none where they were not.
 [[nodiscard]] std::optional<std::string> enlargement_note(const DampingCurveFit& fit);

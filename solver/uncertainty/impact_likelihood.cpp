@@ -75,8 +75,8 @@ class ReboundThreshold {
         const double velocity = nodes_.critical_velocity - fall_ + fall_ * softness;
         const double z = (rebound.velocity - velocity) / u;
         if (z > certain) return;
-        result.value += weight * gsl::log_normal_probability(z);
-        const double slope = weight * gsl::log_normal_probability_slope(z) / u;
+        result.value += weight * gsl::normal_log_probability(z);
+        const double slope = weight * gsl::normal_log_probability_slope(z) / u;
         const double by_fall = fall_ > 0.0 ? (1.0 - ratio * ratio) * softness * softness : 1.0;
         result.gradient -= slope * by_fall * nodes_.first_velocity;
         if (fall_ > 0.0)
@@ -133,8 +133,8 @@ std::optional<ImpactLikelihood::Value> ImpactLikelihood::at(const Eigen::VectorX
     for (const CapturedImpact& capture : data_.captures) {
         const double u = capture.standard_uncertainty;
         const double z = (nodes.critical_velocity - capture.velocity) / u;
-        result.value -= gsl::log_normal_probability(z);
-        result.gradient -= gsl::log_normal_probability_slope(z) / u * nodes.first_velocity;
+        result.value -= gsl::normal_log_probability(z);
+        result.gradient -= gsl::normal_log_probability_slope(z) / u * nodes.first_velocity;
     }
     return result;
 }

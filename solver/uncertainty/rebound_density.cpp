@@ -27,23 +27,6 @@ struct PositiveShare {
     }
 };
 
-/// ln Phi and its slope. The plain functions do where they do not underflow, ten times as fast.
-struct LogNormalProbability {
-    double value;
-    double slope;
-
-    explicit LogNormalProbability(double z) {
-        if (z < -20.0) {
-            value = gsl::log_normal_probability(z);
-            slope = gsl::log_normal_probability_slope(z);
-            return;
-        }
-        const double probability = 0.5 * std::erfc(-z / std::numbers::sqrt2);
-        value = std::log(probability);
-        slope = std::exp(-0.5 * z * z) / (std::sqrt(2.0 * std::numbers::pi) * probability);
-    }
-};
-
 }  // namespace
 
 bool is_slow(const Measurement& rebound) {
@@ -76,7 +59,7 @@ class ReboundDensity::Noise {
         auto squares = to.head(window.size());
         squares = x * (xx_ * x + 2.0 * xy_ * y) + yy_ * y * y;
         for (Eigen::Index k = 0; slow_ && k < window.size(); ++k)
-            squares[k] -= 2.0 * LogNormalProbability((y[k] - regression_ * x[k]) / deviation_).value;
+            squares[k] -= 2.0 * gsl::quick_normal_log_probability((y[k] - regression_ * x[k]) / deviation_);
     }
     /// Slopes of the logarithm of the density by v and e v.
     void slopes(const CurveNodes::Values& nodes, Window window, ReboundDensity& to) const {
@@ -85,16 +68,18 @@ class ReboundDensity::Noise {
         to.by_velocity_.head(window.size()) = xx_ * x + xy_ * y;
         to.by_rebound_.head(window.size()) = xy_ * x + yy_ * y;
         for (Eigen::Index k = 0; slow_ && k < window.size(); ++k) {
-            const LogNormalProbability below((y[k] - regression_ * x[k]) / deviation_);
-            to.by_velocity_[k] += below.slope * regression_ / deviation_;
-            to.by_rebound_[k] = -below.slope / deviation_;
+            const double slope =
+                gsl::quick_normal_log_probability_slope((y[k] - regression_ * x[k]) / deviation_);
+            to.by_velocity_[k] += slope * regression_ / deviation_;
+            to.by_rebound_[k] = -slope / deviation_;
         }
     }
     /// Minus twice the logarithm of the density at the beginning of the curve.
     [[nodiscard]] double square_at_start(double critical_velocity) const {
         const double x = velocity_ - critical_velocity;
         if (slow_)
-            return xx_ * x * x - 2.0 * LogNormalProbability((rebound_ - regression_ * x) / deviation_).value;
+            return xx_ * x * x -
+                   2.0 * gsl::quick_normal_log_probability((rebound_ - regression_ * x) / deviation_);
         return x * (xx_ * x + 2.0 * xy_ * rebound_) + yy_ * rebound_ * rebound_;
     }
     /// ln of what a slow rebound's density lacks to be one over v_r, too, spread evenly below the limit.

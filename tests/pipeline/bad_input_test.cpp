@@ -107,6 +107,17 @@ const Spoiled spoiled_cases[]{
      [](Json& c) {
          c["samples"][1]["restitution"]["camera"] = {{"frame_rate", 80000}, {"pixel_size", "1 m"}};
      },
+     "/samples/1/restitution/camera", "the standard uncertainty of v_in is at least"},
+    {"a camera of the case that resolves nothing",
+     [](Json& c) {
+         c["camera"] = {{"frame_rate", 80000}, {"pixel_size", "1 m"}};
+     },
+     "/camera", "the standard uncertainty of v_in is at least"},
+    {"uncertainties above every velocity",
+     [](Json& c) {
+         c["samples"][1]["restitution"]["velocity_uncertainty"] = std::vector<double>(20, 1e3);
+         c["samples"][1]["restitution"]["rebound_uncertainty"] = std::vector<double>(20, 0.1);
+     },
      "/samples/1/restitution", "the standard uncertainty of v_in is at least"},
     {"bins without width",
      [](Json& c) {

@@ -192,6 +192,57 @@ TEST_CASE("data that show nothing get a reason and no number") {
     }
 }
 
+TEST_CASE("too few rebounds to extrapolate: the direct fit alone gives a, b, c and v_c") {
+    Laboratory laboratory(0.005);
+    laboratory.document["fit"] = {{"order", 6}, {"direct_order", 2}};
+    Json& data = laboratory.document["samples"][0]["restitution"];
+    for (const char* key : {"velocity", "rebound_velocity", "velocity_uncertainty", "rebound_uncertainty"}) {
+        const Json all = data[key];
+        data[key] = {all[0], all[1], all[2], all[7], all[11], all[16], all[21]};  // two of them captures
+    }
+    const Artifacts artifacts = computed_from(laboratory.document);
+    CHECK(mentions(artifacts, "6-fit.json", "dmt: no extrapolated fit: 5 distinct rebounds"));
+    CHECK(mentions(artifacts, "6-fit.json", "dmt: a, b, c and v_c are those of the direct fit"));
+    const Json& fit = result(artifacts, "6-fit.json")["dmt"];
+    CHECK_FALSE(fit.contains("extrapolated"));
+    CHECK_FALSE(fit.contains("comparison"));
+    CHECK(fit["method"] == "likelihood");
+    CHECK(fit["points"] == 5);
+    const Json& direct = fit["direct"];
+    CHECK(direct["captures"] == 2);
+    CHECK(fit["covariance"]["values"][2][2] == direct["covariance"]["values"][0][0]);
+    const double c = fit["c"]["value"];
+    CHECK(direct["critical_damping_interval"]["lower"]["value"].get<double>() < c);
+    CHECK(direct["critical_damping_interval"]["upper"]["value"].get<double>() > c);
+    CHECK(relative_difference(c, Laboratory::c) < 5e-2);
+
+    const Json& velocity = result(artifacts, "7-critical-velocity.json")["dmt"];
+    CHECK(velocity["interval"]["lower"]["value"].get<double>() < laboratory.critical_velocity);
+    CHECK(velocity["interval"]["upper"]["value"].get<double>() > laboratory.critical_velocity);
+    CHECK(velocity["interval"] == velocity["direct"]["interval"]);
+}
+
+TEST_CASE("a law that yields is fitted by least squares, and its velocity gets a note for an interval") {
+    const Laboratory laboratory(0.005);
+    Json document = one_sample("thornton-ning");
+    document["samples"][0]["yield_pressure"] = "30 GPa";
+    Json& data = document["samples"][0]["restitution"];
+    for (const auto& [key, column] : laboratory.document["samples"][0]["restitution"].items())
+        data[key] = std::vector<Json>(column.begin() + 4, column.end());  // the rebounds
+    const Artifacts artifacts = computed_from(document);
+    const Json& fit = result(artifacts, "6-fit.json")["thornton-ning"];
+    CHECK(fit["method"] == "least-squares");
+    CHECK(fit["critical_damping"]["value"].get<double>() > 0);
+    CHECK_FALSE(fit.contains("extrapolated"));
+    CHECK_FALSE(fit.contains("direct"));
+    const Json& velocity = result(artifacts, "7-critical-velocity.json")["thornton-ning"];
+    const std::string note = "no interval: that takes constant damping and a contact that does not yield";
+    CHECK(velocity["interval_note"] == note);
+    CHECK_FALSE(velocity.contains("interval"));
+    CHECK(velocity["critical_velocity"]["value"].get<double>() > 0);
+    CHECK(mentions(artifacts, "7-critical-velocity.json", "thornton-ning: " + note));
+}
+
 TEST_CASE("a restitution that falls from the first rebound on is no rising branch") {
     Json document = one_sample("dmt");
     Json& data = document["samples"][0]["restitution"];

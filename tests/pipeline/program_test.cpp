@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "data/embedded.hpp"
 #include "pipeline/files/sha256.hpp"
 #include "pipeline/json/schema.hpp"
 #include "tests/pipeline/sandbox.hpp"
@@ -423,6 +424,15 @@ TEST_CASE("damping --impacts reads a table: damping of each, fits, measured crit
     CHECK(words.status == 2);
     CHECK(words.err.find("--frame-rate: ") != std::string::npos);
     CHECK(words.err.find("frames per second") != std::string::npos);
+    const auto blind = ashimpact_program(sandbox,
+                                         "damping --law dmt --impacts impacts.csv --frame-rate 80000 "
+                                         "--pixel-size '1 m'" +
+                                             contact);
+    CHECK(blind.status == 2);
+    CHECK_MESSAGE(
+        blind.err.find("--frame-rate, --pixel-size: the standard uncertainty of v_in is at least") !=
+            std::string::npos,
+        blind.err);
     const auto text = ashimpact_program(sandbox, arguments);
     CHECK(text.out.find("measured v_c") != std::string::npos);
     CHECK(text.out.find("at least ") != std::string::npos);  // the damping that captures
@@ -487,6 +497,28 @@ TEST_CASE("calibrate finds constants that reproduce the published velocities") {
         CHECK(std::abs(row["relative_difference"].get<double>()) < 0.01);
     for (const auto& row : json["contact_times"])
         CHECK(std::abs(row["relative_difference"].get<double>()) < 0.03);
+}
+
+TEST_CASE("calibrate's table says which constants the published values do not fix") {
+    const Sandbox sandbox;
+    Json document = without_comments(parse_json(embedded_file("cases/dong2013/case.json").value()));
+    Json paper = without_comments(parse_json(embedded_file("published/dong2013.json").value()));
+    for (auto& [name, sample] : paper["samples"].items()) sample.erase("contact_times");
+    document["published"] = "paper.json";
+    sandbox.write("paper.json", paper.dump());
+    sandbox.write("case.json", document.dump());
+    const auto finished = ashimpact_program(
+        sandbox, "calibrate case.json --free work_of_adhesion --free contact_modulus --free density");
+    REQUIRE_MESSAGE(finished.status == 0, finished.err);
+    const auto row_of = [&](const std::string& constant) {
+        for (const std::string& line : lines_of(finished.out))
+            if (line.starts_with(constant + " ")) return line;
+        return std::string();
+    };
+    CHECK(row_of("work_of_adhesion").find(" to ") != std::string::npos);
+    CHECK(row_of("work_of_adhesion").find("not identifiable") == std::string::npos);
+    for (const char* constant : {"contact_modulus", "density"})  // one is traded with the other
+        CHECK_MESSAGE(row_of(constant).find("not identifiable") != std::string::npos, finished.out);
 }
 
 TEST_CASE("the built-in case carries what calibration finds, to its printed digits") {

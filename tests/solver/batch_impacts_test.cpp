@@ -190,3 +190,17 @@ TEST_CASE("what is inadmissible is refused with the place of the first such impa
     impacts.detachment = Detachment::pull_off;
     CHECK_THROWS_AS(static_cast<void>(solve_impacts(impacts.batch())), InputError);
 }
+
+TEST_CASE("numbers whose powers are no numbers are refused as one impact alone is") {
+    Impacts impacts = random_impacts(5, 1.0, 17).front();
+    impacts.mass[3] = 1e-41;
+    CHECK_THROWS_WITH_AS(static_cast<void>(solve_impacts(impacts.batch())),
+                         "impact 3: mass is 1e-41 kg; allowed: 1e-40 to 1e40 kg", InputError);
+    impacts.damping[2] = 1e-300;
+    CHECK_THROWS_WITH_AS(static_cast<void>(solve_impacts(impacts.batch())),
+                         "impact 2: damping is 1e-300 kg/s; allowed: 0, or 1e-40 to 1e40 kg/s", InputError);
+    impacts.work_of_adhesion[1] = 1e41;
+    CHECK_THROWS_WITH_AS(static_cast<void>(solve_impacts(impacts.batch())),
+                         "impact 1: work_of_adhesion is 1e+41 J/m2; allowed: 0, or 1e-40 to 1e40 J/m2",
+                         InputError);
+}

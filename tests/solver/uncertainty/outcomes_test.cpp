@@ -266,11 +266,22 @@ TEST_CASE("the slope of ln Phi, up to where the density is too small for a numbe
         CAPTURE(x);
         const double h = 1e-5;
         const double difference =
-            (gsl::log_normal_probability(x + h) - gsl::log_normal_probability(x - h)) / (2.0 * h);
-        CHECK(relative_difference(gsl::log_normal_probability_slope(x), difference) < 1e-7);
+            (gsl::normal_log_probability(x + h) - gsl::normal_log_probability(x - h)) / (2.0 * h);
+        CHECK(relative_difference(gsl::normal_log_probability_slope(x), difference) < 1e-7);
     }
-    CHECK(gsl::log_normal_probability_slope(36.9) > 0.0);
-    CHECK(gsl::log_normal_probability_slope(1e3) == 0.0);
+    CHECK(gsl::normal_log_probability_slope(36.9) > 0.0);
+    CHECK(gsl::normal_log_probability_slope(1e3) == 0.0);
+}
+
+TEST_CASE("the quick ln Phi and its slope are GSL's") {
+    for (const double x : {-1e3, -20.001, -19.999, -8.0, -0.7, 0.0, 0.9, 6.0}) {
+        CAPTURE(x);
+        const double exact = gsl::normal_log_probability(x);
+        CHECK(std::abs(gsl::quick_normal_log_probability(x) - exact) <=
+              1e-14 * std::max(1.0, std::abs(exact)));
+        CHECK(relative_difference(gsl::quick_normal_log_probability_slope(x),
+                                  gsl::normal_log_probability_slope(x)) < 1e-13);
+    }
 }
 
 TEST_CASE("GSL's minimiser of one variable: a parabola, and a guess that is no better than the ends") {
