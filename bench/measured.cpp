@@ -22,8 +22,7 @@ class Medians : public benchmark::BenchmarkReporter {
 
 }  // namespace
 
-std::map<std::string, double> rates_of(const std::vector<Subject>& subjects, int repetitions,
-                                       double seconds) {
+std::map<std::string, double> rates_of(const std::vector<Subject>& subjects, const Options& options) {
     benchmark::ClearRegisteredBenchmarks();
     for (const Subject& subject : subjects) {
         subject.call();  // what is computed once is not measured
@@ -35,8 +34,8 @@ std::map<std::string, double> rates_of(const std::vector<Subject>& subjects, int
                                          }
                                      })
             ->Unit(benchmark::kSecond)
-            ->MinTime(seconds)
-            ->Repetitions(repetitions);
+            ->MinTime(options.seconds)
+            ->Repetitions(options.repetitions);
     }
     Medians medians;
     benchmark::RunSpecifiedBenchmarks(&medians);

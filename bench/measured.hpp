@@ -7,6 +7,12 @@
 
 namespace ashimpact::bench {
 
+/// How long to measure.
+struct Options {
+    int repetitions = 5;   ///< of every measurement; the median counts
+    double seconds = 0.3;  ///< least length of a repetition
+};
+
 /// One thing to measure: a call does @p items of it.
 struct Subject {
     std::string name;
@@ -15,7 +21,7 @@ struct Subject {
 };
 
 /// Items per second of CPU time of each subject, by name: the median of repetitions, by Google Benchmark.
-[[nodiscard]] std::map<std::string, double> rates_of(const std::vector<Subject>& subjects, int repetitions,
-                                                     double seconds);
+[[nodiscard]] std::map<std::string, double> rates_of(const std::vector<Subject>& subjects,
+                                                     const Options& options);
 
 }  // namespace ashimpact::bench

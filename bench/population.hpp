@@ -24,5 +24,9 @@ struct Errors {
     double median;
 };
 [[nodiscard]] Errors errors_of(const std::vector<double>& restitution, const std::vector<double>& reference);
+[[nodiscard]] inline Errors errors_of(const Eigen::ArrayXd& restitution,
+                                      const std::vector<double>& reference) {
+    return errors_of(std::vector<double>(restitution.begin(), restitution.end()), reference);
+}
 
 }  // namespace ashimpact::bench

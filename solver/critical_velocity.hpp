@@ -37,9 +37,9 @@ struct CriticalVelocity {
     std::vector<double> crossings{};  ///< every velocity at which capture and rebound change places [m/s]
 };
 
-/// What becomes of elastic impacts without adhesion that end at zero overlap, where it does not depend on velocity:
-/// undamped or with damping proportional to the contact radius they are never captured, with Tsuji's always from
-/// sqrt(5) on. None for constant damping.
+/// What becomes of elastic impacts without adhesion that end at zero overlap, where it does not depend on
+/// velocity: undamped or with damping proportional to the contact radius they are never captured, with
+/// Tsuji's always from sqrt(5) on. None for constant damping.
 [[nodiscard]] std::optional<CaptureVerdict> verdict_without_adhesion(const Damping& damping);
 
 /// The dynamic critical velocity v_c: the velocity whose impact arrives at the end of contact with none left.

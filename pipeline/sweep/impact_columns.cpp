@@ -75,9 +75,8 @@ ResultColumns solve_in_batch(const ContactModel& model, const ImpactColumns& imp
         return std::vector<double>(column.begin(), column.end());
     };
     try {
-        const ImpactBatchResult solved =
-            solve_impacts(batch_of(model, impacts),
-                          {.turning_point = wanted.maximum_overlap, .method = wanted.method});
+        const ImpactBatchResult solved = solve_impacts(
+            batch_of(model, impacts), {.turning_point = wanted.maximum_overlap, .method = wanted.method});
         ResultColumns results;
         results.restitution = values(solved.restitution);
         if (wanted.contact_time) results.contact_time = values(solved.contact_time);

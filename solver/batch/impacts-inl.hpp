@@ -9,7 +9,6 @@
 #include "solver/batch/block-inl.hpp"
 #include "solver/batch/lookup-inl.hpp"
 #include "solver/batch/order.hpp"
-#include "solver/batch/scaling-inl.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -17,71 +16,6 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
-
-/// The impacts of a task, scaled.
-struct ScaledTask {
-    static constexpr std::size_t capacity = batch::most_impacts + lane_count;
-    HWY_ALIGN double adhesion[capacity];
-    HWY_ALIGN double damping[capacity];
-    HWY_ALIGN double length[capacity];  ///< [m]
-    HWY_ALIGN double time[capacity];    ///< [s]
-};
-
-template <class F>
-HWY_INLINE void scale_task(const batch::Inputs& inputs, std::size_t count, ScaledTask& out) {
-    for (std::size_t i = 0; i < count; i += lane_count) {
-        const ScaledLanes lanes = scaled<F>(inputs, i, count);
-        lanes.adhesion.store(out.adhesion + i);
-        lanes.damping.store(out.damping + i);
-        lanes.length.store(out.length + i);
-        lanes.time.store(out.time + i);
-    }
-}
-
-/// Places of impacts in their task.
-class PlaceList {
-  public:
-    void add(std::size_t place) { place_[count_++] = static_cast<std::uint16_t>(place); }
-    [[nodiscard]] std::span<const std::uint16_t> places() const { return {place_, count_}; }
-
-    [[nodiscard]] static PlaceList all(std::size_t count) {
-        PlaceList list;
-        for (std::size_t i = 0; i < count; ++i) list.add(i);
-        return list;
-    }
-
-  private:
-    std::uint16_t place_[batch::most_impacts];  // the first count_ are filled
-    std::size_t count_ = 0;
-};
-
-/// Places of a column of numbers in a table.
-inline void place_all(const double* numbers, std::size_t count, double* places) {
-    for (std::size_t i = 0; i < count; i += lane_count) {
-        place_of(Lanes::load(numbers + i)).store(places + i);
-    }
-}
-
-/// Reads the impacts of a task from its table. @return those that it does not tell
-HWY_NOINLINE inline PlaceList look_up(const batch::ImpactTask& task, const ScaledTask& scaled) {
-    HWY_ALIGN double x[ScaledTask::capacity];
-    HWY_ALIGN double y[ScaledTask::capacity];
-    place_all(scaled.adhesion, task.count, x);
-    place_all(scaled.damping, task.count, y);
-    const batch::RestitutionPiece* pieces[batch::most_impacts];
-    for (std::size_t i = 0; i < task.count; ++i) pieces[i] = task.table->at(x[i], y[i]);
-    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-    PlaceList open;
-    for (std::size_t i = 0; i < task.count; ++i) {
-        const Told impact = told<true>(pieces[i], x[i], y[i]);
-        if (impact.end == batch::LaneEnd::undecided) open.add(i);
-        task.end[i] = impact.end;
-        task.restitution[i] = impact.speed;
-        task.contact_time[i] = impact.time * scaled.time[i];
-        task.approach_time[i] = task.maximum_overlap[i] = nothing;
-    }
-    return open;
-}
 
 inline void write(const batch::ImpactTask& task, const ScaledTask& scaled, std::size_t i, const Block& block,
                   std::size_t lane) {
@@ -94,7 +28,8 @@ inline void write(const batch::ImpactTask& task, const ScaledTask& scaled, std::
     task.maximum_overlap[i] = task.turning_point ? block.turn_overlap[lane] * scaled.length[i] : nothing;
 }
 
-/// Follows impacts, given by their numbers, in blocks of like ones, so that the lanes of a block end together.
+/// Follows impacts, given by their numbers, in blocks of like ones, so that the lanes of a block end
+/// together.
 /// @param write takes (place of the impact, block, lane) of what has been followed
 template <class F, class Write>
 HWY_INLINE void follow_all(const batch::NumberColumns& numbers, std::span<const std::uint16_t> impacts,

@@ -30,7 +30,7 @@ struct DampingBatchResult {
 /// solver's bound.
 /// @param threads 0: as many as there are cores; no bit of a result depends on it
 /// @throws InputError for inadmissible input, naming the first impact it concerns
-[[nodiscard]] DampingBatchResult dampings_from_restitutions(
-    const DampingBatch& batch, int threads = 1, BatchMethod method = BatchMethod::integration);
+[[nodiscard]] DampingBatchResult dampings_from_restitutions(const DampingBatch& batch, int threads = 1,
+                                                            BatchMethod method = BatchMethod::integration);
 
 }  // namespace ashimpact

@@ -22,8 +22,8 @@ namespace ashimpact::HWY_NAMESPACE {
 ///
 /// extrapolated to tau = 0. Their error is a series in tau^2, as Gragg's midpoint rule has it (Gragg 1965;
 /// without damping this is Stoermer's rule: Hairer, Norsett & Wanner, Solving ODEs I, II.14). No square root,
-/// no division within, next to no memory traffic. Momentum is carried in units of tau times the leading
-/// coefficient of h, so that a kick is one multiply-add with the law's own polynomial.
+/// no division within. Momentum is in units of tau times the leading coefficient of h: a kick is one
+/// multiply-add with the law's own polynomial.
 ///
 /// @tparam Orbit has equation() (an Equation<F>), state() and step()
 template <class F, int sequences, class Orbit>
@@ -46,6 +46,7 @@ class ExtrapolatedLeapfrog {
     static constexpr double kick_unit = Equation<F>::Stiffness::Pattern::leading;
     using At = Powers<Equation<F>::powers>;
 
+    /// Relative to the state at the start, so that rounding is of what changes.
     struct Chain {
         Lanes previous;  ///< q_(m-1)
         Lanes position;  ///< q_m
@@ -64,6 +65,7 @@ class ExtrapolatedLeapfrog {
     struct Substep {
         Lanes drift;
         Lanes damping;
+        Lanes free;  ///< twice the way without any force
     };
 
     [[nodiscard]] HWY_INLINE static Start started(const Orbit& orbit) {
@@ -88,50 +90,48 @@ class ExtrapolatedLeapfrog {
         const double share = 1.0 / substeps;
         Groups<Substep> substep;
         Groups<Chain> chain;
-        ((substep[group] = {start[group].drift * Lanes(share * share), start[group].damping * Lanes(share)}),
+        ((substep[group] = {start[group].drift * Lanes(share * share), start[group].damping * Lanes(share),
+                            start[group].drift * start[group].momentum * Lanes(2.0 * share)}),
          ...);
-        ((chain[group] = begun(orbits[group], start[group], substep[group], substeps)), ...);
-        for (int m = 1; m < substeps; ++m)
-            (advance(orbits[group].equation(), substep[group], chain[group]), ...);
-        (collect(orbits[group], start[group], chain[group], sequence, results[group]), ...);
+        ((chain[group] = begun(start[group], substep[group])), ...);
+        for (int m = 1; m < substeps; ++m) (advance(orbits[group], substep[group], chain[group]), ...);
+        (collect(orbits[group], chain[group], sequence, results[group]), ...);
     }
 
-    [[nodiscard]] HWY_INLINE static Chain begun(const Orbit& orbit, const Start& s, const Substep& h,
-                                                int substeps) {
+    [[nodiscard]] HWY_INLINE static Chain begun(const Start& s, const Substep& h) {
         Chain c;
-        c.previous = orbit.state().position;
-        c.momentum = multiply_add(s.momentum, double(substeps), s.half_kick);
-        const Lanes undamped = multiply_add(h.drift, c.momentum, c.previous);
+        c.previous = 0.0;
+        c.momentum = s.half_kick;
+        const Lanes undamped = multiply_add(h.drift, c.momentum, h.free * Lanes(0.5));
         c.position = subtract_product(undamped, h.damping * Lanes(0.5), s.impulse);
         c.slopes = s.half_slope;
         return c;
     }
 
-    HWY_INLINE static void advance(const Equation<F>& equation, const Substep& h, Chain& c) {
-        const At at(c.position);
+    HWY_INLINE static void advance(const Orbit& orbit, const Substep& h, Chain& c) {
+        const Equation<F>& equation = orbit.equation();
+        const At at(orbit.state().position + c.position);
         const Lanes kicked = equation.stiffness.subtracted_from(c.momentum, at);
-        const Lanes braked = subtract_product(c.previous, h.damping, equation.impulse(at));
+        const Lanes braked = subtract_product(c.previous + h.free, h.damping, equation.impulse(at));
         c.slopes = c.slopes + equation.slope(at);
         c.previous = c.position;
         c.position = multiply_add(h.drift, c.momentum + kicked, braked);
         c.momentum = kicked;
     }
 
-    HWY_INLINE static void collect(const Orbit& orbit, const Start& s, const Chain& c, int sequence,
-                                   LaneStep& r) {
+    HWY_INLINE static void collect(const Orbit& orbit, const Chain& c, int sequence, LaneStep& r) {
         const double substeps = 2.0 * sequence;
         const double weight = extrapolation.weight[static_cast<std::size_t>(sequence - 1)];
         const double difference = extrapolation.difference[static_cast<std::size_t>(sequence - 1)];
         const Equation<F>& equation = orbit.equation();
-        const At at(c.position);
+        const At at(orbit.state().position + c.position);
         const Lanes kick = equation.stiffness.subtracted_from(0.0, at);
         const Lanes slopes = multiply_add(equation.slope(at), 0.5, c.slopes);
-        const Lanes moved = c.position - orbit.state().position;
-        const Lanes pushed = multiply_add(kick, 0.5, c.momentum) - s.momentum * Lanes(substeps);
-        r.change.position = multiply_add(moved, weight, r.change.position);
+        const Lanes pushed = multiply_add(kick, 0.5, c.momentum);
+        r.change.position = multiply_add(c.position, weight, r.change.position);
         r.change.momentum = multiply_add(pushed, weight / substeps, r.change.momentum);
         r.change.time = multiply_add(slopes, weight / substeps, r.change.time);
-        r.position_error = multiply_add(moved, difference, r.position_error);
+        r.position_error = multiply_add(c.position, difference, r.position_error);
         r.momentum_error = multiply_add(pushed, difference / substeps, r.momentum_error);
         if (sequence == sequences) r.end_stiffness = kick * Lanes(-kick_unit);
     }

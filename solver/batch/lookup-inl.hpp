@@ -6,8 +6,8 @@
 #define ASHIMPACT_SOLVER_BATCH_LOOKUP_INL_HPP
 #endif
 
-#include "solver/batch/lanes-inl.hpp"
 #include "solver/batch/restitution_table.hpp"
+#include "solver/batch/scaled_task-inl.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -78,6 +78,34 @@ template <bool with_time>
     if (square < least_square) return {batch::LaneEnd::undecided, 0.0, nothing};
     const double time = with_time ? place.value(piece->polynomials().contact_time) : nothing;
     return {batch::LaneEnd::rebound, std::sqrt(std::min(square, 1.0)), time};
+}
+
+/// Places of a column of numbers in a table.
+inline void place_all(const double* numbers, std::size_t count, double* places) {
+    for (std::size_t i = 0; i < count; i += lane_count) {
+        place_of(Lanes::load(numbers + i)).store(places + i);
+    }
+}
+
+/// Reads the impacts of a task from its table. @return those that it does not tell
+HWY_NOINLINE inline PlaceList look_up(const batch::ImpactTask& task, const ScaledTask& scaled) {
+    HWY_ALIGN double x[ScaledTask::capacity];
+    HWY_ALIGN double y[ScaledTask::capacity];
+    place_all(scaled.adhesion, task.count, x);
+    place_all(scaled.damping, task.count, y);
+    const batch::RestitutionPiece* pieces[batch::most_impacts];
+    for (std::size_t i = 0; i < task.count; ++i) pieces[i] = task.table->at(x[i], y[i]);
+    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+    PlaceList open;
+    for (std::size_t i = 0; i < task.count; ++i) {
+        const Told impact = told<true>(pieces[i], x[i], y[i]);
+        if (impact.end == batch::LaneEnd::undecided) open.add(i);
+        task.end[i] = impact.end;
+        task.restitution[i] = impact.speed;
+        task.contact_time[i] = impact.time * scaled.time[i];
+        task.approach_time[i] = task.maximum_overlap[i] = nothing;
+    }
+    return open;
 }
 
 }  // namespace ashimpact::HWY_NAMESPACE

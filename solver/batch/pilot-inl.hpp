@@ -45,7 +45,7 @@ template <class F>
 /// controller: Gustafsson 1994). So hardly a step has to be repeated.
 class Pilot {
   public:
-    static constexpr double tolerance = 0.6e-12;  ///< of the estimate, which is far above the error
+    static constexpr double tolerance = 0.8e-12;  ///< of the estimate, which is far above the error
     static constexpr double acceptable = 2.5;     ///< tolerances up to which a step is kept
 
     Pilot() = default;

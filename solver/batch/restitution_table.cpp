@@ -54,8 +54,9 @@ template <int terms>
 struct Coordinate {
     using Matrix = Eigen::Matrix<double, terms, terms>;
 
-    Matrix chebyshev = ChebyshevAxis{-1.0, 1.0, terms - 1}.analysis();  ///< coefficients of values at the nodes
-    Matrix powers = Matrix::Zero();                                     ///< column k: T_k by powers
+    Matrix chebyshev =
+        ChebyshevAxis{-1.0, 1.0, terms - 1}.analysis();  ///< coefficients of values at the nodes
+    Matrix powers = Matrix::Zero();                      ///< column k: T_k by powers
 
     Coordinate() {
         powers(0, 0) = powers(1, 1) = 1.0;

@@ -15,9 +15,9 @@ namespace ashimpact::batch {
 /// y = beta/(1 + beta), quartered until the last coefficients are negligible. A rectangle is computed when it
 /// is first asked for, and is the same whenever that is.
 ///
-/// More adhesion and more damping capture more, so that two opposite corners tell whether a rectangle rebounds
-/// or is captured as a whole. Those that are still cut by the edge of capture at the last quartering are not
-/// told: there the impact has to be integrated.
+/// More adhesion and more damping capture more, so that two opposite corners tell whether a rectangle
+/// rebounds or is captured as a whole. Those that are still cut by the edge of capture at the last quartering
+/// are not told: there the impact has to be integrated.
 class RestitutionTable {
   public:
     using State = RestitutionPiece::State;

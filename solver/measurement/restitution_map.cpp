@@ -14,7 +14,7 @@ constexpr int root_degree = 26;      ///< along the cube root of the restitution
 constexpr int time_degree = 14;      ///< the same for contact times
 constexpr double least_timed = 0.3;  ///< cube root of e below which contact times are solved, not tabulated
 constexpr double least_in_batch = 0.3;  ///< cube root of e below which dampings are searched for one by one
-constexpr double margin = 0.05;      ///< distance in x from where every impact is captured
+constexpr double margin = 0.05;         ///< distance in x from where every impact is captured
 
 /// Degree along x: the dependence on adhesion is smooth over factors of velocity.
 int degree_for(ScaledVelocityRange range) {
@@ -75,10 +75,9 @@ void RestitutionMap::tabulate_damping() {
     const NodePlaces places(root, along, weak, root.degree);
     const Eigen::ArrayXd restitution = places.root.binaryExpr(
         places.x, [&](double each, double x) { return cube(each) * impacts_.greatest_restitution(x); });
-    numbers.middleRows(weak, root.degree - weak) =
-        impacts_.damping_numbers(restitution, places.x)
-            .reshaped(root.degree - weak, along.degree + 1)
-            .matrix();
+    numbers.middleRows(weak, root.degree - weak) = impacts_.damping_numbers(restitution, places.x)
+                                                       .reshaped(root.degree - weak, along.degree + 1)
+                                                       .matrix();
     // From strong to weak impacts and towards e = 0, so that the last solutions tell where the next one is.
     for (int j = along.degree; j >= 0; --j) {
         const double x = along.node(j);

@@ -15,8 +15,9 @@ namespace {
 
 /// How far a batch is from the scalar solver.
 struct Agreement {
-    double restitution = 0.0;   ///< greatest |d(e^2)| over the conditioning of the problem
-    double contact_time = 0.0;  ///< greatest relative difference over the conditioning, which near capture is 1/e^2
+    double restitution = 0.0;  ///< greatest |d(e^2)| over the conditioning of the problem
+    double contact_time =
+        0.0;  ///< greatest relative difference over the conditioning, which near capture is 1/e^2
     Eigen::Index outcomes = 0;  ///< that differ
 
     void add(const ImpactBatchResult& batch, Eigen::Index i, const ImpactResult& reference) {
@@ -46,8 +47,8 @@ struct Agreements {
 
 Agreements agreements(const Impacts& impacts) {
     const ImpactBatchResult integrated = solve_impacts(impacts.batch(), {.threads = 0});
-    const ImpactBatchResult tabulated = solve_impacts(
-        impacts.batch(), {.threads = 0, .turning_point = false, .method = BatchMethod::table});
+    const ImpactBatchResult tabulated =
+        solve_impacts(impacts.batch(), {.threads = 0, .turning_point = false, .method = BatchMethod::table});
     Agreements all;
     std::mutex adding;
     const auto chunk = [&](std::size_t first, std::size_t count) {

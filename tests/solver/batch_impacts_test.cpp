@@ -134,9 +134,10 @@ TEST_CASE("a single value stands for all, and what is not asked for is not a num
     CHECK(read.approach_time.isNaN().all());
     CHECK(read.maximum_overlap.isNaN().all());
     CHECK((read.outcome == full.outcome).all());
-    CHECK_THROWS_WITH_AS(static_cast<void>(solve_impacts(single, {.method = BatchMethod::table})),
-                         "a table has no turning points; allowed: turning_point = false, or the method integration",
-                         InputError);
+    CHECK_THROWS_WITH_AS(
+        static_cast<void>(solve_impacts(single, {.method = BatchMethod::table})),
+        "a table has no turning points; allowed: turning_point = false, or the method integration",
+        InputError);
 }
 
 TEST_CASE("a table tells most impacts, undamped ones and those of no adhesion too") {

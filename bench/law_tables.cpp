@@ -1,0 +1,119 @@
+#include "bench/law_tables.hpp"
+
+#include <benchmark/benchmark.h>
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <ctime>
+#include <functional>
+#include <map>
+#include <memory>
+#include <sstream>
+#include <string>
+
+#include "bench/multiply_add.hpp"
+#include "bench/population.hpp"
+#include "solver/batch/critical_batch.hpp"
+#include "solver/batch/inversion_batch.hpp"
+
+namespace ashimpact::bench {
+
+namespace {
+
+constexpr std::int64_t peak_rounds = 2'000'000;
+
+std::string name_of(const ImpactBatch& batch) {
+    return std::string(batch.law.name()) + ' ' + std::string(ashimpact::name_of(batch.damping_law));
+}
+
+void for_each_law(const std::function<void(const Population&)>& measure) {
+    for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()}) {
+        for (const DampingName& damping : damping_names) {
+            measure(population(law, law.default_detachment(), damping.law, 16384));
+        }
+    }
+}
+
+void find_dampings(const Population& many, BatchMethod method) {
+    const ImpactBatch batch = many.impacts.batch();
+    const Eigen::ArrayXd restitution =
+        Eigen::Map<const Eigen::ArrayXd>(many.restitution.data(), std::ssize(many.restitution));
+    benchmark::DoNotOptimize(dampings_from_restitutions(
+        {batch.law, batch.detachment, batch.damping_law, batch.contact, batch.velocity, restitution}, 1,
+        method));
+}
+
+/// Counts of operations by "law damping-law", from the program that counts them.
+std::map<std::string, double> operation_counts() {
+    std::map<std::string, double> counts;
+    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(ASHIMPACT_OPERATIONS, "r"), pclose);
+    char line[128];
+    while (pipe && std::fgets(line, sizeof line, pipe.get())) {
+        std::istringstream words(line);
+        std::string law;
+        std::string damping;
+        double count = 0.0;
+        words >> law >> damping >> count;
+        counts[law + ' ' + damping] = count;
+    }
+    return counts;
+}
+
+}  // namespace
+
+/// Every law, integrated: impacts, what share of the core's peak they take, and dampings.
+void print_integrated_laws(const Options& options) {
+    const auto counts = operation_counts();
+    const double peak = rates_of({{"multiply-add", static_cast<double>(multiply_adds(peak_rounds)),
+                                   [] { multiply_adds(peak_rounds); }}},
+                                 options)
+                            .at("multiply-add");
+    fmt::print("\npeak of the core, measured: {:.2f} G multiply-adds/s\n", peak / 1e9);
+    fmt::print("\n{:<30}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "integrated, best set", "impacts/s", "with turn",
+               "operations", "% of peak", "dampings/s");
+    for_each_law([&](const Population& many) {
+        const ImpactBatch batch = many.impacts.batch();
+        const auto count = static_cast<double>(many.restitution.size());
+        ImpactBatchResult result;
+        const auto rates =
+            rates_of({{"impacts", count,
+                       [&] { solve_impacts(batch, result, without_turn(BatchMethod::integration)); }},
+                      {"turn", count, [&] { solve_impacts(batch, result); }},
+                      {"dampings", count, [&] { find_dampings(many, BatchMethod::integration); }}},
+                     options);
+        const std::string name = name_of(batch);
+        const double operations = counts.at(name);
+        fmt::print("{:<30}{:>12.0f}{:>12.0f}{:>12.0f}{:>12.1f}{:>12.0f}\n", name, rates.at("impacts"),
+                   rates.at("turn"), operations, 100.0 * rates.at("impacts") * operations / peak,
+                   rates.at("dampings"));
+    });
+}
+
+/// Every law, from tables; what it takes to make those as far as these impacts ask for them.
+void print_tabulated_laws(const Options& options) {
+    fmt::print("\n{:<30}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "tables, best set", "impacts/s", "worst",
+               "making it, s", "dampings/s", "v_c/s");
+    for_each_law([&](const Population& many) {
+        const ImpactBatch batch = many.impacts.batch();
+        const auto count = static_cast<double>(many.restitution.size());
+        ImpactBatchResult result;
+        const auto solve = [&] { solve_impacts(batch, result, without_turn(BatchMethod::table)); };
+        const std::clock_t start = std::clock();
+        solve();
+        const double making = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+        const auto rates = rates_of(
+            {{"impacts", count, solve},
+             {"dampings", count, [&] { find_dampings(many, BatchMethod::table); }},
+             {"critical", count,
+              [&] {
+                  benchmark::DoNotOptimize(critical_velocities(
+                      {batch.law, batch.detachment, batch.damping_law, batch.contact, batch.damping}));
+              }}},
+            options);
+        const Errors errors = errors_of(result.restitution, many.restitution);
+        fmt::print("{:<30}{:>12.0f}{:>12.1e}{:>12.2f}{:>12.0f}{:>12.0f}\n", name_of(batch),
+                   rates.at("impacts"), errors.worst, making, rates.at("dampings"), rates.at("critical"));
+    });
+}
+
+}  // namespace ashimpact::bench

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "bench/measured.hpp"
+#include "solver/batch/impact_batch.hpp"
+
+namespace ashimpact::bench {
+
+/// Prints for every law and damping law what it does from tables: impacts, their worst error, what making the
+/// tables took as far as those impacts ask for them (only where none has been made), dampings and critical
+/// velocities.
+void print_tabulated_laws(const Options& options);
+
+/// Prints the same impacts integrated, and what share of the core's peak they take.
+void print_integrated_laws(const Options& options);
+
+/// A batch without turning points.
+[[nodiscard]] inline BatchOptions without_turn(BatchMethod method) {
+    return {.turning_point = false, .method = method};
+}
+
+}  // namespace ashimpact::bench
