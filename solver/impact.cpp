@@ -131,7 +131,8 @@ ImpactResult solve_impact(const Impact& impact) {
     const auto seconds = [&](Extended time) { return static_cast<double>(time) * scale.time(); };
     ImpactResult result{};
     result.outcome = orbit.outcome;
-    result.restitution = rebound ? static_cast<double>(std::abs(orbit.end.velocity)) : 0.0;
+    // Undamped, rounding may put it a last bit above 1.
+    result.restitution = rebound ? std::min(static_cast<double>(std::abs(orbit.end.velocity)), 1.0) : 0.0;
     result.rebound_velocity = result.restitution * impact.velocity;
     if (rebound) result.contact_time = seconds(orbit.end.time);
     if (orbit.turned) result.approach_time = seconds(orbit.turn.time);

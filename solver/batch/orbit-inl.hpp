@@ -27,7 +27,7 @@ class LaneOrbit {
         : equation_(equation),
           places_(places_of(equation, detachment)),
           pilot_(inward_step(equation, places_)),
-          inverse_speed_squared_(Lanes(1.0) / places_.speed_squared),
+          error_scale_(Lanes(F::damping == DampingLaw::tsuji ? 3.0 : 1.0) / places_.speed_squared),
           with_turn_(with_turn),
           approaching_(every()),
           active_(every()) {
@@ -79,7 +79,7 @@ class LaneOrbit {
                                          max(stiffness_, abs(step.end_stiffness)) * abs(step.position_error));
         // A step that leaves and comes back may have been at the end of contact in between.
         const Mask returned = without(v > Lanes(0.0), approaching_);
-        const Lanes judged = select(returned, returned_error, error * inverse_speed_squared_);
+        const Lanes judged = select(returned, returned_error, error * error_scale_);
         const Mask good =
             pilot_.template judge<2 * sequences - 1>(abs(step_), judged, v > Lanes(0.0), active_);
         const Mask taken = both(good, active_);
@@ -129,7 +129,7 @@ class LaneOrbit {
     Equation<F> equation_;
     Places places_;
     Pilot pilot_;
-    Lanes inverse_speed_squared_;
+    Lanes error_scale_;  ///< 1/v^2 in the well; thrice for Tsuji, where estimates at times are low
     LaneState state_;
     LaneState turn_;  ///< next to the turning point
     LaneState end_;   ///< next to the end of contact
