@@ -104,7 +104,7 @@ void measure_start_up(const Options& options) {
                                           "--velocity",
                                           "2 m/s"};
     const std::vector<std::string> run{ASHIMPACT_PROGRAM, "run", "-o", ASHIMPACT_BENCH_WORK "/run"};
-    fmt::print("start to end: ashimpact impact {:.1f} ms, ashimpact run {:.0f} ms\n",
+    fmt::print("start to end, all cores: ashimpact impact {:.1f} ms, ashimpact run {:.0f} ms\n",
                1e3 * start_up_seconds(impact, 4 * options.repetitions + 1),
                1e3 * start_up_seconds(run, options.repetitions));
 }
@@ -116,6 +116,7 @@ void run(const Options& options) {
     print_tabulated_laws(options);  // first, while there are no tables
     compare_methods(options);
     print_integrated_laws(options);
+    unpin();
     measure_start_up(options);
     print_thread_table(options.repetitions);
 }

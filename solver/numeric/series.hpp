@@ -46,7 +46,11 @@ template <class Real, std::size_t size>
     constexpr std::size_t leading = 3;
     constexpr std::size_t last = 10;
     static_assert(size > leading + last);
-    const auto log2_of = [](Real x) { return static_cast<double>(std::log2(std::abs(x))); };  // -inf for 0
+    const auto log2_of = [](Real x) {  // -inf for 0; the logarithm of a Real would take ten times as long
+        int exponent = 0;
+        const auto mantissa = static_cast<double>(std::frexp(std::abs(x), &exponent));
+        return std::log2(mantissa) + exponent;
+    };
     std::array<double, leading> first;
     for (std::size_t m = 0; m < leading; ++m) first[m] = log2_of(c[m]);
     double smallest = std::numeric_limits<double>::infinity();
