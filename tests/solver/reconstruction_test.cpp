@@ -73,6 +73,23 @@ TEST_CASE("small restitutions belong to velocities just above the critical one")
     CHECK(velocity_of_restitution(impact, 0.3) > velocity_of_restitution(impact, 0.2));
 }
 
+TEST_CASE("restitutions down to rounding have a velocity, which is v_c to rounding") {
+    const Impact impact =
+        impact_of({Law::of<Jkr>(), DampingLaw::constant, Detachment::zero_overlap}, ash(0.3), 0.5, 2.0);
+    Worst worst;
+    for (int i = 0; i < 60; ++i) {
+        Impact at = impact;
+        at.damping.coefficient *= 1.0 + 1e-3 * i;
+        const double critical = *critical_velocity({at.law, at.detachment, at.damping, at.contact}).value;
+        for (const double e : {1e-8, 1e-10, 1e-12}) {
+            double velocity = 0.0;
+            CHECK_NOTHROW(velocity = velocity_of_restitution(at, e));
+            worst.see(relative_difference(velocity, critical), describe(at));
+        }
+    }
+    CHECK_MESSAGE(worst.deviation() < 1e-12, worst.where());
+}
+
 TEST_CASE("a reconstructed point of the paper's curves gives its own restitution back") {
     Worst worst;
     for_each_published([&](const PublishedDamping& published) {
