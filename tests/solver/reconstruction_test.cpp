@@ -161,6 +161,24 @@ TEST_CASE("the curve of an adhesive law folds back from v_c; below the fold ther
     CHECK(std::abs(least.restitution - 0.00570) < 5e-5);
 }
 
+TEST_CASE(
+    "Hertz needs 21.415 e more than v_c, so that a damping which falls by 4.283 of itself folds its curve") {
+    const ContactPair pair = published_damping(0, Law::of<Hertz>()).contact;
+    constexpr double damping = 0.0153;  // [kg/s]
+    const Impact impact{
+        Law::of<Hertz>(), Detachment::zero_overlap, {DampingLaw::constant, damping}, pair, 1.0};
+    const double critical =
+        *critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact}).value;
+    constexpr double e = 1e-5;
+    const double share = velocity_of_restitution(impact, e) / critical - 1.0;
+    CHECK(std::abs(share / e - (21.415 - 50.0 * std::sqrt(e))) < 0.01);
+    for (const double fall : {1.9, 4.2, 4.4}) {
+        const PublishedDamping published{impact.law, impact.detachment, pair, 0.0, -fall * damping, damping};
+        CAPTURE(fall);
+        CHECK((reconstructed_velocity(published, e) < critical) == (fall > 4.283));
+    }
+}
+
 TEST_CASE("how well the three laws agree on one measurement: 11 % in velocity, for the 96 um sample 26 %") {
     for (std::size_t sample = 0; sample < 3; ++sample) {
         for (const double e : {0.1, 0.2, 0.3, 0.4, 0.5}) {
