@@ -93,8 +93,9 @@ struct CalibrationResidual {
     double predicted;
     double
         relative_uncertainty;  ///< standard; own rounding and that of the damping or velocity behind it [1]
-    /// Of a contact time that the model has not, as it captures the impact: the velocity up to which it does
-    /// [m/s]. What is predicted is then that of the nearest rebound, prolonged by the distance to it.
+    /// Of a contact time that the model has not, as it captures the impact: the velocity up to which it does,
+    /// that of least_rebound() [m/s]. What is predicted is then the time just above the critical velocity of
+    /// eta(0), prolonged by the distance to it.
     std::optional<double> captured_up_to{};
 
     [[nodiscard]] double relative_difference() const { return predicted / observed - 1.0; }

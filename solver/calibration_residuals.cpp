@@ -24,35 +24,46 @@ double predicted_velocity(const CalibrationSample& sample, Law law, double dampi
     return *critical.value;
 }
 
+PublishedDamping published_damping(const CalibrationSample& sample, const ContactTimeObservation& at) {
+    return {.law = at.law,
+            .detachment = at.law.default_detachment(),
+            .contact = sample.contact(),
+            .a = at.damping_fit[0],
+            .b = at.damping_fit[1],
+            .c = at.damping_fit[2]};
+}
+
+double contact_time(const PublishedDamping& published, const CurvePoint& at) {
+    const Impact impact{published.law,
+                        published.detachment,
+                        {DampingLaw::constant, published.damping(at.restitution)},
+                        published.contact,
+                        at.velocity};
+    return solve_impact(impact).contact_time.value();
+}
+
 /// Power of v_c/v with which the stand-in for a contact time grows on the captured side: about the slope of
 /// the real one just above v_c, so that the weights do not jump there.
 constexpr double captured_growth = 3.0;
 
 /// Contact time at @p velocity on the curve that the published fit implies. On the captured side of the curve
-/// there is none; the nearest rebound's, growing with the distance to it, stands for it so that a fit can
-/// find its way back.
+/// there is none; that of a rebound just above the v_c of eta(0), growing with the distance to it, stands for
+/// it so that a fit can find its way back. The time at the fold itself would not do: the curve leaves it with
+/// a slope that has no bound, and fits get stuck there.
 double predicted_time(const CalibrationSample& sample, const ContactTimeObservation& at, double velocity) {
-    const PublishedDamping published{
-        at.law,           at.law.default_detachment(), sample.contact(), at.damping_fit[0], at.damping_fit[1],
-        at.damping_fit[2]};
+    const PublishedDamping published = published_damping(sample, at);
     const double e = reconstructed_restitution(published, velocity);
-    Impact impact{at.law,
-                  published.detachment,
-                  {DampingLaw::constant, published.damping(e)},
-                  published.contact,
-                  velocity};
-    if (e > 0.0) return solve_impact(impact).contact_time.value();
-    impact.velocity = (1.0 + 1e-6) * predicted_velocity(sample, at.law, impact.damping.coefficient);
-    return solve_impact(impact).contact_time.value() * std::pow(impact.velocity / velocity, captured_growth);
+    if (e > 0.0) return contact_time(published, {velocity, e});
+    const double above = (1.0 + 1e-6) * predicted_velocity(sample, at.law, published.damping(0.0));
+    return contact_time(published, {above, 0.0}) * std::pow(above / velocity, captured_growth);
 }
 
-/// The velocity up to which the impact of a contact time is captured; none where it rebounds.
+/// The velocity up to which the impact of a contact time is captured, that of the fold; none where it
+/// rebounds.
 std::optional<double> captured_up_to(const CalibrationSample& sample, const ContactTimeObservation& at) {
-    const PublishedDamping published{
-        at.law,           at.law.default_detachment(), sample.contact(), at.damping_fit[0], at.damping_fit[1],
-        at.damping_fit[2]};
+    const PublishedDamping published = published_damping(sample, at);
     if (reconstructed_restitution(published, at.velocity) > 0.0) return std::nullopt;
-    return predicted_velocity(sample, at.law, published.damping(0.0));
+    return least_rebound(published).velocity;
 }
 
 /// The same contact time if a coefficient of the published fit were another.

@@ -24,8 +24,11 @@ struct MomentumBalance {
     StageMomentum approach;
     StageMomentum rebound;
     double incident_momentum;  ///< m v_in [N s]
-    double damping_impulse;    ///< left of (44), 2 eta delta_m for constant damping [N s]
-    double momentum_lost;      ///< right of (44), m (v_in - v_rn) [N s]
+    /// Left of (44); for constant damping eta times the way there and back: 2 eta delta_m where the contact
+    /// ends at zero overlap, eta (2 delta_m - delta_f) where it ends at the overlap delta_f, which is
+    /// negative on the neck of a JKR contact, positive at zero force with adhesion [N s].
+    double damping_impulse;
+    double momentum_lost;  ///< right of (44), m (v_in - v_rn) [N s]
 
     /// Of two sides equal but for rounding, as without damping, neither is the larger.
     [[nodiscard]] bool damping_exceeds_loss() const;  ///< (44)

@@ -16,11 +16,10 @@ template <class Real, class Event>
     return sign_change<Real>(along, limit);
 }
 
-/// Where the outward motion stops within the step, or the whole step: beyond it the particle comes back.
+/// Where the outward motion stops within the step: beyond it the particle comes back.
 template <class Real>
-[[nodiscard]] Real outward_part(const MotionExpansion<Real>& x) {
-    const auto inward = event_within(x, x.step, [](const MotionState<Real>& s) { return -s.velocity; });
-    return inward.value_or(x.step);
+[[nodiscard]] std::optional<Real> turning_back(const MotionExpansion<Real>& x) {
+    return event_within(x, x.step, [](const MotionState<Real>& s) { return -s.velocity; });
 }
 
 template <class Real>
@@ -85,7 +84,8 @@ void rebound(const Motion<Real>& motion, MotionState<Real> state, Orbit<Real>& o
     };
     while (!capture.bound(state) && !capture.creeping(state)) {
         const MotionExpansion<Real> x = counted_expansion(stepper, state, orbit.steps);
-        const Real outward = outward_part(x);
+        const auto inward = turning_back(x);
+        const Real outward = inward.value_or(x.step);
         const auto end = event_within(x, outward, remaining);
         const Real used = end.value_or(outward);
         observe(motion, x, used);
@@ -94,6 +94,7 @@ void rebound(const Motion<Real>& motion, MotionState<Real> state, Orbit<Real>& o
             orbit.outcome = Outcome::rebound;
             break;
         }
+        if (inward) break;  // bound, even where rounding leaves it the energy to reach the end
     }
     orbit.end = state;
 }

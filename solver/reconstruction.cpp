@@ -77,6 +77,7 @@ double velocity_of_restitution(const Impact& impact, double restitution) {
         return restitution_of(at) - restitution;
     };
     const double lower = std::log(*critical.value);
+    if (miss(lower) >= 0.0) return *critical.value;  // v_c itself, to rounding
     double width = 1.0;
     while (miss(lower + width) < 0.0) {
         width *= 2.0;

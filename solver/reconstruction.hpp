@@ -39,8 +39,10 @@ struct CurvePoint {
 /// folds there. eta falls with e, so that v_c does, in proportion to e, while rebounds of eta held fixed
 /// need more than v_c only by a share of order e^2: from (v_c, 0) the curve first runs back to lower
 /// velocities (Brach-Dunn, 88 um: by 0.85 %), which makes e two-valued, and rises from the fold on. Below the
-/// fold e falls with velocity, as no measurement does. Hertz needs a share of order e^(2/3) and has no fold:
-/// its rising branch begins at v_c with e = 0.
+/// fold e falls with velocity, as no measurement does. Hertz needs a share of 21.415 e - 50 e^(3/2) + ...,
+/// and its v_c goes with eta^5: the curve folds at its start only where eta falls by more than 21.415/5
+/// = 4.283 of itself per unit of e. The paper's fits fall by 1.9 at most, so their rising branch begins at
+/// v_c with e = 0.
 [[nodiscard]] CurvePoint least_rebound(const PublishedDamping& published);
 
 /// The curve at a given velocity [m/s]: restitution on the rising branch, the least one at or above

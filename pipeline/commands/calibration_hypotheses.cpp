@@ -119,7 +119,8 @@ std::string remark_on(const CalibrationHypothesis& hypothesis, const ComparedObs
             ? fmt::format(
                   "{}: chi^2 of the critical velocities alone, a bound from below (with contact times: {})",
                   hypothesis.name, hypothesis.failure)
-            : hypothesis.name + ": a captured impact has no contact time, that of the nearest rebound counts";
+            : hypothesis.name +
+                  ": a captured impact has no contact time, that just above v_c, prolonged, counts";
     for (const FalseCapture& capture : false_captures(*hypothesis.summary, observations)) {
         text += fmt::format("; contact time of {}, {}: captured at {}, up to {}", capture.sample, capture.law,
                             readable(capture.velocity, "m/s"), readable(capture.captured_up_to, "m/s"));

@@ -25,9 +25,10 @@ struct DampingNumber {
 /// beta(e, x), the damping number that gives a restitution, of one law and all materials, in a form that
 /// costs a microsecond where solving the impact costs milliseconds.
 ///
-/// beta is interpolated in the cube root of e over its greatest value: near capture its expansion has the
-/// powers e, e^(4/3) ... e^(7/3) (which of them depends on the law), all whole powers there. The
-/// approximation is checked against solved impacts when it is made, see accuracy().
+/// beta is interpolated in the cube root of e over its greatest value: near capture its expansion has powers
+/// from e to e^(7/3) that depend on the law, in thirds where it is adhesive: whole powers of the cube root.
+/// Hertz has e and e^(3/2), the power 4.5 of the cube root, which is smooth enough. The approximation is
+/// checked against solved impacts when it is made, see accuracy().
 class RestitutionMap {
   public:
     /// Solves the impacts (some hundredths of a second). The range is cut where every impact is captured.

@@ -58,6 +58,32 @@ double OutcomeLikelihood::slope(const CaptureTransition& transition) const {
     return sum;
 }
 
+double OutcomeLikelihood::variance_slope(const CaptureTransition& transition) const {
+    double sum = 0.0;
+    for (const Measurement& point : set_->points) {
+        const double deviation = deviation_of(point, transition.extra_variance);
+        const double z = (point.captured() ? 1.0 : -1.0) * (transition.center - point.velocity) / deviation;
+        sum += gsl::log_normal_probability_slope(z) * z / (deviation * deviation);
+    }
+    return sum;
+}
+
+double OutcomeLikelihood::best_extra_variance(double center) const {
+    const auto [slowest, fastest] = velocity_range(*set_);
+    const double noise = std::pow(deviation_of(set_->points.front(), 0.0), 2);
+    // -2 ln L is convex in 1/width where all have the same noise: one minimum, or an end.
+    const auto variance = [&](double log_growth) { return noise * std::expm1(log_growth); };
+    const auto slope_at = [&](double log_growth) { return variance_slope({center, variance(log_growth)}); };
+    const double most = std::log1p(std::pow(fastest - slowest, 2) / noise);
+    if (slope_at(0.0) >= 0.0) return 0.0;
+    if (slope_at(most) <= 0.0) return variance(most);
+    return variance(gsl::brent(slope_at, 0.0, most, {.relative = 0.0, .absolute = 1e-3}).root);
+}
+
+double OutcomeLikelihood::profile(double center) const {
+    return at({center, best_extra_variance(center)});
+}
+
 double OutcomeLikelihood::best_center(double extra_variance) const {
     const double middle = middle_of_outcomes(*set_);
     const auto slope_at = [&](double center) { return slope({center, extra_variance}); };

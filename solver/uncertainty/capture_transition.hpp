@@ -26,6 +26,9 @@ class OutcomeLikelihood {
     /// between outcomes that are far apart, it is their middle. Can be negative.
     [[nodiscard]] double best_center(double extra_variance) const;
 
+    /// -2 ln L at a centre with the extra variance that is likeliest there, up to the range of v_in squared.
+    [[nodiscard]] double profile(double center) const;
+
     /// The most likely transition; an extra variance only where the outcomes are likelier with it.
     /// @return none where no extra width up to the range of v_in explains them better than outcomes that do
     /// not depend on the velocity, or the centre is not positive
@@ -33,6 +36,8 @@ class OutcomeLikelihood {
 
   private:
     [[nodiscard]] double slope(const CaptureTransition& transition) const;
+    [[nodiscard]] double variance_slope(const CaptureTransition& transition) const;
+    [[nodiscard]] double best_extra_variance(double center) const;
     [[nodiscard]] double deviation_of(const Measurement& point, double extra_variance) const;
     [[nodiscard]] double without_threshold() const;
     [[nodiscard]] CaptureTransition at_best_width() const;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ashimpact {
 
@@ -25,15 +26,24 @@ void note_range(const MeasurementSet& set, MeasuredCriticalVelocity& result) {
     }
 }
 
-/// One outcome only: v_c is bounded on one side, at the velocity that the nearest impact would just allow.
+/// One outcome only: v_c is bounded on one side. Each impact bounds it by its velocity and error, and the
+/// bound that goes furthest is taken; it holds where all do. So each of n is let fail in (1 - confidence)/n
+/// of cases, as the fastest of many captures is likely to be the one with the largest error.
 void bound_one_side(const MeasurementSet& set, MeasuredCriticalVelocity& result) {
-    const double allowance = gsl::normal_quantile(confidence) * mean_noise(set);
+    const double share = (1.0 - confidence) / static_cast<double>(set.points.size());
+    const double quantile = -gsl::normal_quantile(share);
+    double lower = 0.0;
+    double upper = std::numeric_limits<double>::infinity();
+    for (const Measurement& point : set.points) {
+        const double allowance = quantile * (point.noise ? std::sqrt(point.noise->incident) : 0.0);
+        lower = std::max(lower, point.velocity - allowance);
+        upper = std::min(upper, point.velocity + allowance);
+    }
     if (result.fastest_capture) {
-        const double lower = *result.fastest_capture - allowance;
         if (lower > 0.0) result.lower = lower;
         result.note = "every impact was captured";
     } else {
-        result.upper = *result.slowest_rebound + allowance;
+        result.upper = upper;
         result.note = "no impact was captured";
     }
 }
@@ -66,16 +76,14 @@ void take_transition(const MeasurementSet& set, double noise, bool mixed, Measur
     const double width = std::sqrt(noise * noise + found->extra_variance);
     const double least = likelihood.at(*found);
     const double quantile = gsl::normal_quantile(0.5 + 0.5 * confidence);
-    const Interval interval = profile_interval(
-        [&](double center) {
-            return likelihood.at({center, found->extra_variance}) - least;
-        },
-        {.best = found->center,
-         .deviation = std::max(width, 0.3 * gap),
-         .rise = quantile * quantile,
-         .quantile = quantile,
-         .least = 0.0,
-         .greatest = 10.0 * found->center});
+    const Interval interval =
+        profile_interval([&](double center) { return likelihood.profile(center) - least; },
+                         {.best = found->center,
+                          .deviation = std::max(width, 0.3 * gap),
+                          .rise = quantile * quantile,
+                          .quantile = quantile,
+                          .least = 0.0,
+                          .greatest = 10.0 * found->center});
     result.value = interval.value;
     result.standard_uncertainty = interval.standard_uncertainty;
     result.lower = interval.lower;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "solver/calibration_profile.hpp"
+#include "solver/calibration_residuals.hpp"
 #include "solver/critical_velocity.hpp"
 #include "solver/gsl/distribution.hpp"
 #include "solver/reconstruction.hpp"
@@ -230,6 +231,31 @@ TEST_CASE(
             CHECK(summary->constants[i].lower < 0.01 * summary->constants[i].value);
         }
         CHECK(summary->constants[0].upper < 1.1 * summary->constants[0].value);
+    }
+}
+
+TEST_CASE("a contact time's impact is captured up to the velocity from which the curve rebounds, below v_c") {
+    CalibrationProblem problem = paper_problem();
+    problem.contact_times.erase(problem.contact_times.begin() + 1, problem.contact_times.end());
+    ContactTimeObservation& observed = problem.contact_times[0];
+    const auto [a, b, c] = observed.damping_fit;
+    const CalibrationSample& sample = problem.samples[0];
+    const Law law = observed.law;
+    const double critical =
+        *critical_velocity({law, law.default_detachment(), {DampingLaw::constant, c}, sample.contact()})
+             .value;
+    const double fold = least_rebound({law, law.default_detachment(), sample.contact(), a, b, c}).velocity;
+    REQUIRE(fold < 0.995 * critical);
+    const auto captured_up_to = [&](double velocity) {
+        observed.velocity = velocity;
+        return calibration_residuals(problem, problem.samples).contact_times[0].captured_up_to;
+    };
+    CHECK_FALSE(captured_up_to(critical));
+    CHECK_FALSE(captured_up_to(fold * (1.0 + 1e-6)));
+    for (const double share : {1.0 - 1e-6, 0.95}) {
+        const std::optional<double> up_to = captured_up_to(share * fold);
+        REQUIRE(up_to);
+        CHECK(relative_difference(*up_to, fold) < 1e-9);
     }
 }
 

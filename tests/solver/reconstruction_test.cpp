@@ -73,6 +73,23 @@ TEST_CASE("small restitutions belong to velocities just above the critical one")
     CHECK(velocity_of_restitution(impact, 0.3) > velocity_of_restitution(impact, 0.2));
 }
 
+TEST_CASE("restitutions down to rounding have a velocity, which is v_c to rounding") {
+    const Impact impact =
+        impact_of({Law::of<Jkr>(), DampingLaw::constant, Detachment::zero_overlap}, ash(0.3), 0.5, 2.0);
+    Worst worst;
+    for (int i = 0; i < 60; ++i) {
+        Impact at = impact;
+        at.damping.coefficient *= 1.0 + 1e-3 * i;
+        const double critical = *critical_velocity({at.law, at.detachment, at.damping, at.contact}).value;
+        for (const double e : {1e-8, 1e-10, 1e-12}) {
+            double velocity = 0.0;
+            CHECK_NOTHROW(velocity = velocity_of_restitution(at, e));
+            worst.see(relative_difference(velocity, critical), describe(at));
+        }
+    }
+    CHECK_MESSAGE(worst.deviation() < 1e-12, worst.where());
+}
+
 TEST_CASE("a reconstructed point of the paper's curves gives its own restitution back") {
     Worst worst;
     for_each_published([&](const PublishedDamping& published) {
@@ -142,6 +159,24 @@ TEST_CASE("the curve of an adhesive law folds back from v_c; below the fold ther
     const double critical = reconstructed_velocity(published_damping(0, Law::of<BrachDunn>()), 1e-9);
     CHECK(std::abs(1.0 - least.velocity / critical - 0.0085) < 1e-4);
     CHECK(std::abs(least.restitution - 0.00570) < 5e-5);
+}
+
+TEST_CASE(
+    "Hertz needs 21.415 e more than v_c, so that a damping which falls by 4.283 of itself folds its curve") {
+    const ContactPair pair = published_damping(0, Law::of<Hertz>()).contact;
+    constexpr double damping = 0.0153;  // [kg/s]
+    const Impact impact{
+        Law::of<Hertz>(), Detachment::zero_overlap, {DampingLaw::constant, damping}, pair, 1.0};
+    const double critical =
+        *critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact}).value;
+    constexpr double e = 1e-5;
+    const double share = velocity_of_restitution(impact, e) / critical - 1.0;
+    CHECK(std::abs(share / e - (21.415 - 50.0 * std::sqrt(e))) < 0.01);
+    for (const double fall : {1.9, 4.2, 4.4}) {
+        const PublishedDamping published{impact.law, impact.detachment, pair, 0.0, -fall * damping, damping};
+        CAPTURE(fall);
+        CHECK((reconstructed_velocity(published, e) < critical) == (fall > 4.283));
+    }
 }
 
 TEST_CASE("how well the three laws agree on one measurement: 11 % in velocity, for the 96 um sample 26 %") {
