@@ -156,7 +156,7 @@ std::vector<SampleCriticalVelocity> read_critical_velocities(const View& result)
                 .interval_note = node.has("interval_note") ? node.at("interval_note").json() : Json(nullptr),
                 .check = node.has("check") ? node.at("check").json() : Json(nullptr)};
             if (const auto value = node.find("critical_velocity"))
-                velocity.value = value->quantity(Dimension::velocity);
+                velocity.value = positive_quantity(*value, "critical velocity", Dimension::velocity);
             if (const auto plastic = node.find("plastic"))
                 velocity.plastic = plastic->number(Dimension::energy);
             if (const auto time = node.find("contact_time"))
