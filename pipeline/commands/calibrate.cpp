@@ -1,7 +1,10 @@
 #include "pipeline/commands/calibrate.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 
@@ -208,6 +211,32 @@ std::string calibration_text(const Case& data, const CalibrationSummary& summary
                        readable_number(summary.probability, 2), readable_number(summary.akaike));
 }
 
+bool is_free(const Case& data, CalibrationQuantity quantity) {
+    return std::any_of(data.calibration.begin(), data.calibration.end(),
+                       [&](const FreeConstant& free) { return free.quantity == quantity; });
+}
+
+/// A wall acts through the contact modulus alone: where that is free or given, no observation tells the wall.
+void require_wall_to_matter(const Case& data) {
+    if (!is_free(data, CalibrationQuantity::wall_young_modulus)) return;
+    if (is_free(data, CalibrationQuantity::contact_modulus))
+        throw InputError("contact_modulus and wall_young_modulus are both free, and the wall acts through "
+                         "the contact modulus alone",
+                         "one of the two")
+            .at("/calibration");
+    const bool all_given = std::all_of(data.samples.begin(), data.samples.end(),
+                                       [](const Sample& sample) { return sample.contact_modulus.has_value(); });
+    if (all_given)
+        throw InputError("wall_young_modulus is free, but every sample states its contact modulus",
+                         "a sample without contact_modulus")
+            .at("/samples");
+}
+
+/// A person who waits is told that the seconds it takes are nothing amiss.
+void tell_that_it_takes_time() {
+    if (isatty(STDERR_FILENO) != 0) spdlog::info("calibrating: this takes some seconds");
+}
+
 }  // namespace
 
 CalibrationProblem calibration_problem(const Case& data, const Artifacts& before) {
@@ -222,6 +251,7 @@ CalibrationProblem calibration_problem(const Case& data, const Artifacts& before
                              "a wall with young_modulus and "
                              "poisson_ratio, to start from")
                 .at("/wall");
+    require_wall_to_matter(data);
     for (std::size_t i = 0; i < data.samples.size(); ++i) {
         const Sample& sample = data.samples[i];
         problem.samples.push_back(start_of(data, sample,
@@ -248,6 +278,7 @@ void run_calibrate_command(const CalibrateOptions& options, std::ostream& out) {
     }
 
     in_file(options.case_file.empty() ? "built-in case" : options.case_file, [&] {
+        tell_that_it_takes_time();
         if (options.compare) {
             const bool elastic = data.wall && std::holds_alternative<ElasticWall>(*data.wall);
             data.calibration.clear();
