@@ -30,6 +30,7 @@ InputError::InputError(std::string place, std::string problem, std::string allow
       names_file_(names_file) {}
 
 InputError InputError::at(const std::string& place) const {
+    if (place.empty()) return *this;
     if (place_.empty()) return {place, problem_, allowed_, names_file_};
     if (!place.starts_with('/') && stands_before(place, place_)) return *this;
     const bool one_pointer = !names_file_ && place.starts_with('/') && place_.starts_with('/');

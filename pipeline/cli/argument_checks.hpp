@@ -5,7 +5,7 @@
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's own name
 class App;
 class Validator;
-}
+}  // namespace CLI
 
 namespace ashimpact {
 

@@ -16,7 +16,8 @@ inline constexpr std::size_t longest_file = std::size_t{256} << 20U;
 /// The bytes of a file, or its first @p most where it is longer. @throws InputError if it cannot be read
 [[nodiscard]] std::string read_start(const std::filesystem::path& path, std::size_t most);
 
-/// Makes a folder and those it is in; nothing to do for an empty path. @throws InputError if that cannot be done
+/// Makes a folder and those it is in; nothing to do for an empty path. @throws InputError if that cannot be
+/// done
 void make_folder(const std::filesystem::path& folder);
 
 /// Whether two names are those of one file, through links too.

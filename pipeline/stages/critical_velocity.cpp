@@ -141,7 +141,11 @@ std::vector<SampleCriticalVelocity> read_critical_velocities(const View& result)
     std::vector<SampleCriticalVelocity> samples;
     for (const View& sample : result.at("samples").elements()) {
         SampleCriticalVelocity entry{.name = sample.at("name").text(), .laws = {}, .measured = nullptr};
-        if (const auto measured = sample.find("measured")) entry.measured = measured->json();
+        if (const auto measured = sample.find("measured")) {
+            if (const auto value = measured->find("critical_velocity"))
+                static_cast<void>(positive_quantity(*value, "critical velocity", Dimension::velocity));
+            entry.measured = measured->json();
+        }
         for (const auto& [name, node] : sample.members()) {
             if (name == "name" || name == "measured") continue;
             const Law law = node.located([&, &key = name] { return Law::named(key); });

@@ -126,7 +126,8 @@ std::string list_text(const std::string& name, const Json& list, std::size_t ind
     std::string text;
     if (list.front().is_array()) {
         text = margin + name + "\n";
-        for (const Json& row : list) text += fmt::format("{}  {}\n", margin, short_text(row).value_or(row.dump()));
+        for (const Json& row : list)
+            text += fmt::format("{}  {}\n", margin, short_text(row).value_or(row.dump()));
         return text;
     }
     for (std::size_t i = 0; i < list.size(); ++i) {

@@ -19,5 +19,6 @@ TEST_CASE("a place that is there already is not said twice, but a key may hold o
     CHECK(std::string(error.in_file("zz").in_file("zz").what()) == "zz: is 0; allowed: > 0");
     CHECK(std::string(error.at("line 3").in_file("zz").in_file("zz").what()) ==
           "zz: line 3: is 0; allowed: > 0");
+    CHECK(std::string(error.at("/1").at("").in_file("zz").what()) == "zz: /1: is 0; allowed: > 0");
     CHECK(std::string(error.at("/a").at("/a").what()) == "/a/a: is 0; allowed: > 0");
 }

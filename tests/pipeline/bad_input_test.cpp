@@ -409,6 +409,13 @@ TEST_CASE("an artifact edited wrongly is refused with its file and pointer, and 
                       law["critical_damping"]["value"] = -0.01;
                   },
                   "/critical_damping: is -0.01"},
+             Edit{"7-critical-velocity.json",
+                  [](Json& a) { a["result"]["samples"][1]["dmt"]["critical_velocity"]["value"] = -1.0; },
+                  "out/7-critical-velocity.json: /result/samples/1/dmt/critical_velocity: critical velocity "
+                  "is -1 m/s; allowed: a positive velocity"},
+             Edit{"7-critical-velocity.json",
+                  [](Json& a) { a["result"]["samples"][0]["measured"]["critical_velocity"]["value"] = -1.0; },
+                  "/result/samples/0/measured/critical_velocity: critical velocity is -1 m/s"},
          }) {
         CAPTURE(edit.says);
         const std::string file = std::string("out/") + edit.file;
@@ -417,9 +424,10 @@ TEST_CASE("an artifact edited wrongly is refused with its file and pointer, and 
         edit.spoil(document);
         sandbox.write(file, document.dump());
         const auto before = sandbox.everything();
-        const bool fit = file == "out/6-fit.json";
-        const auto finished = ashimpact_program(
-            sandbox, fit ? "run -o out --from critical-velocity" : "run -o out --from restitution");
+        const std::string stage = file == "out/6-fit.json"                 ? "critical-velocity"
+                                  : file == "out/7-critical-velocity.json" ? "histories"
+                                                                           : "restitution";
+        const auto finished = ashimpact_program(sandbox, "run -o out --from " + stage);
         CHECK(finished.status == 2);
         CHECK(test::lines_of(finished.err).size() == 1);
         CHECK_MESSAGE(finished.err.find(edit.says) != std::string::npos, finished.err);

@@ -30,8 +30,9 @@ TEST_CASE("a run does not write over the case or the data that it reads") {
     test::write_example(sandbox, test::example_case());
     std::filesystem::rename(sandbox.path("case.json"), sandbox.path("0-case.json"));
     check_untouched(sandbox, "run 0-case.json -o .",
-                  "0-case.json: the run reads this file and would write 0-case.json over it; allowed: ");
-    check_untouched(sandbox, "run ./0-case.json -o '" + sandbox.folder().string() + "'", "another folder; -o");
+                    "0-case.json: the run reads this file and would write 0-case.json over it; allowed: ");
+    check_untouched(sandbox, "run ./0-case.json -o '" + sandbox.folder().string() + "'",
+                    "another folder; -o");
 
     Json document = test::example_case();
     document["samples"][0]["restitution"]["file"] = "5-damping.json";
@@ -75,8 +76,9 @@ TEST_CASE("help that cannot be written is an error") {
 TEST_CASE("a limit on the size of files is an error of the write and leaves nothing behind") {
     const Sandbox sandbox;
     const Sandbox outputs;
-    const std::string command = "cd '" + sandbox.folder().string() + "' && (ulimit -f 8; '" ASHIMPACT_PROGRAM
-                                "' run -o out) >/dev/null 2>'" + outputs.path("err") + "'";
+    const std::string command = "cd '" + sandbox.folder().string() +
+                                "' && (ulimit -f 8; '" ASHIMPACT_PROGRAM "' run -o out) >/dev/null 2>'" +
+                                outputs.path("err") + "'";
     const int result = std::system(command.c_str());
     CHECK(result == 2 << 8);  // its exit status, no signal
     CHECK_MESSAGE(outputs.read("err").find("cannot be written: File too large") != std::string::npos,
@@ -88,13 +90,13 @@ TEST_CASE("without ashimpact-sweep beside it the program says what is missing") 
     const Sandbox sandbox;
     std::filesystem::copy_file(ASHIMPACT_PROGRAM, sandbox.path("alone"));
     const Sandbox outputs;
-    const std::string command = "cd '" + sandbox.folder().string() + "' && ./alone sweep s.json -o o.json 2>'" +
-                                outputs.path("err") + "'";
+    const std::string command = "cd '" + sandbox.folder().string() +
+                                "' && ./alone sweep s.json -o o.json 2>'" + outputs.path("err") + "'";
     const int result = std::system(command.c_str());
     CHECK(result == 2 << 8);
-    CHECK_MESSAGE(outputs.read("err").find("/ashimpact-sweep: cannot be started: No such file") !=
-                      std::string::npos,
-                  outputs.read("err"));
+    CHECK_MESSAGE(
+        outputs.read("err").find("/ashimpact-sweep: cannot be started: No such file") != std::string::npos,
+        outputs.read("err"));
 }
 
 TEST_CASE("what init says can be typed as it stands, and so can the examples of help") {
@@ -113,5 +115,5 @@ TEST_CASE("what init says can be typed as it stands, and so can the examples of 
         ashimpact_program(sandbox, "modulus my-case/ash.csv --amorphous-fraction '42 +- 2 %'");
     CHECK_MESSAGE(modulus.status == 0, modulus.err);
     check_untouched(sandbox, "modulus my-case/ash.csv --amorphous-fraction '42 +- 200 %'",
-                  "--amorphous-fraction: its uncertainty is 2; allowed: 0 to 1");
+                    "--amorphous-fraction: its uncertainty is 2; allowed: 0 to 1");
 }
