@@ -408,7 +408,7 @@ TEST_CASE("an artifact edited wrongly is refused with its file and pointer, and 
                       REQUIRE(law.contains("critical_damping"));
                       law["critical_damping"]["value"] = -0.01;
                   },
-                  "/critical_damping: is -0.01"},
+                  "/critical_damping: critical damping is -0.01 kg/s; allowed: a non-negative damping"},
              Edit{"7-critical-velocity.json",
                   [](Json& a) { a["result"]["samples"][1]["dmt"]["critical_velocity"]["value"] = -1.0; },
                   "out/7-critical-velocity.json: /result/samples/1/dmt/critical_velocity: critical velocity "
