@@ -14,16 +14,6 @@ namespace ashimpact {
 /// blanked.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
-/// The text with "?" for each control character, of one byte or in UTF-8, but tabs and line ends: a terminal
-/// would obey them.
-[[nodiscard]] std::string without_controls(std::string_view text);
-
-/// A long text, such as a file name, with "..." for its middle.
-[[nodiscard]] std::string shortened(const std::string& text);
-
-/// The text as a word of a shell command, in single quotes if it needs them.
-[[nodiscard]] std::string shell_word(const std::string& text);
-
 /// ASCII letters in lower case; other bytes as they are.
 [[nodiscard]] std::string lower_case(std::string_view text);
 
@@ -43,5 +33,15 @@ namespace ashimpact {
 
 /// The words with ", " between them.
 [[nodiscard]] std::string joined(const std::vector<std::string>& words);
+
+/// The text with "?" for each control character, of one byte or in UTF-8, but tabs and line ends: a terminal
+/// would obey them.
+[[nodiscard]] std::string without_controls(std::string_view text);
+
+/// A long text, such as a file name, with "..." for its middle.
+[[nodiscard]] std::string shortened(const std::string& text);
+
+/// The text as a word of a shell command, in single quotes if it needs them.
+[[nodiscard]] std::string shell_word(const std::string& text);
 
 }  // namespace ashimpact
