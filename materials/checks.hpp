@@ -21,7 +21,7 @@ void require_positive(std::string_view name, double value, Dimension dimension);
 /// As require_positive, but infinity is allowed: a flat or fixed wall.
 void require_positive_or_infinite(std::string_view name, double value, Dimension dimension);
 
-/// Throws InputError unless value >= 0 and finite.
+/// Throws InputError unless value is 0 or within the range of require_positive.
 void require_not_negative(std::string_view name, double value, Dimension dimension);
 
 /// Throws InputError unless -1 < nu <= 0.5, the range in which an isotropic solid is stable.

@@ -12,6 +12,11 @@ std::string one_line(const std::string& place, const std::string& problem, const
     return line;
 }
 
+/// Whether a place is, or begins with, that outer one already.
+bool stands_before(const std::string& outer, const std::string& place) {
+    return place == outer || place.starts_with(outer + ": ");
+}
+
 }  // namespace
 
 InputError::InputError(std::string problem, std::string allowed)
@@ -25,12 +30,15 @@ InputError::InputError(std::string place, std::string problem, std::string allow
       names_file_(names_file) {}
 
 InputError InputError::at(const std::string& place) const {
+    if (place.empty()) return *this;
     if (place_.empty()) return {place, problem_, allowed_, names_file_};
+    if (!place.starts_with('/') && stands_before(place, place_)) return *this;
     const bool one_pointer = !names_file_ && place.starts_with('/') && place_.starts_with('/');
     return {one_pointer ? place + place_ : place + ": " + place_, problem_, allowed_, names_file_};
 }
 
 InputError InputError::in_file(const std::string& file) const {
+    if (names_file_ && stands_before(file, place_)) return *this;
     return {place_.empty() ? file : file + ": " + place_, problem_, allowed_, true};
 }
 

@@ -13,7 +13,7 @@ class InputError : public std::runtime_error {
     explicit InputError(std::string problem, std::string allowed = {});
 
     /// The same error with the place (JSON pointer, line, option) it was found at; an inner place is kept,
-    /// and two pointers make one.
+    /// two pointers make one, and a place that is there already is not said twice.
     [[nodiscard]] InputError at(const std::string& place) const;
 
     /// The same error with the file it was found in, in front of any place; a file's name is no pointer, even

@@ -139,7 +139,8 @@ void require_keys(const Json& node, std::initializer_list<std::string_view> allo
 const Json& required(const Json& node, std::string_view key) {
     if (!node.is_object()) throw InputError("not an object", "an object with the key " + in_quotes(key));
     const auto member = node.find(std::string(key));
-    if (member == node.end()) throw InputError("the key " + in_quotes(key) + " is missing");
+    if (member == node.end())
+        throw InputError("the key " + in_quotes(key) + " is missing", "an object with this key");
     return *member;
 }
 

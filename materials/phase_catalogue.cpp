@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "materials/checks.hpp"
 #include "materials/quantity.hpp"
@@ -171,7 +172,14 @@ PhaseSet read_phase_set(std::string_view json_text) {
 }
 
 PhaseSet read_user_phases(const Json& list) {
-    return {.name = "user", .phases = read_phases(list)};
+    PhaseSet set{.name = "user", .phases = read_phases(list)};
+    if (set.phases.empty()) throw InputError("there is no phase", "a list of at least one phase");
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < set.phases.size(); ++i)
+        if (!names.insert(phase_key(set.phases[i].name)).second)
+            throw InputError("two phases are called " + in_quotes(set.phases[i].name), "each phase once")
+                .at("/" + std::to_string(i));
+    return set;
 }
 
 PhaseCatalogue::PhaseCatalogue(std::vector<PhaseSet> sets) : sets_(std::move(sets)) {}

@@ -87,4 +87,34 @@ std::string joined(const std::vector<std::string>& words) {
     return list;
 }
 
+std::string without_controls(std::string_view text) {
+    std::string shown;
+    shown.reserve(text.size());
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0U;
+        const bool two_bytes = byte == 0xc2 && next >= 0x80 && next < 0xa0;
+        const bool one_byte = (byte < 0x20 && byte != '\n' && byte != '\t') || byte == 0x7f;
+        shown += one_byte || two_bytes ? '?' : text[i];
+        if (two_bytes) ++i;
+    }
+    return shown;
+}
+
+std::string shortened(const std::string& text) {
+    constexpr std::size_t longest = 120;
+    constexpr std::size_t kept = 50;
+    if (text.size() <= longest) return text;
+    return text.substr(0, kept) + "..." + text.substr(text.size() - kept);
+}
+
+std::string shell_word(const std::string& text) {
+    constexpr std::string_view plain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,@%";
+    if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
+    std::string word = "'";
+    for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return word + "'";
+}
+
 }  // namespace ashimpact

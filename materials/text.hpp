@@ -37,4 +37,14 @@ namespace ashimpact {
 /// The words with ", " between them.
 [[nodiscard]] std::string joined(const std::vector<std::string>& words);
 
+/// The text with "?" for each control character, of one byte or in UTF-8, but tabs and line ends: a terminal
+/// would obey them.
+[[nodiscard]] std::string without_controls(std::string_view text);
+
+/// A long text, such as a file name, with "..." for its middle.
+[[nodiscard]] std::string shortened(const std::string& text);
+
+/// The text as a word of a shell command, in single quotes if it needs them.
+[[nodiscard]] std::string shell_word(const std::string& text);
+
 }  // namespace ashimpact

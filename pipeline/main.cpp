@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "materials/error.hpp"
 #include "pipeline/cli/program.hpp"
 
 namespace {
@@ -14,7 +15,9 @@ namespace {
 void hand_over(char** argv) {
     const auto program = std::filesystem::read_symlink("/proc/self/exe").replace_filename("ashimpact-sweep");
     execv(program.c_str(), argv);
-    throw std::system_error(errno, std::generic_category(), program.string());
+    throw ashimpact::InputError("cannot be started: " + std::generic_category().message(errno),
+                                "ashimpact-sweep beside ashimpact, where it is built and installed")
+        .in_file(program.string());
 }
 
 }  // namespace

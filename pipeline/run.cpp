@@ -100,6 +100,18 @@ void write_artifacts(const std::filesystem::path& folder, const std::vector<Arti
     write_files(files);
 }
 
+/// Refuses a folder in which the run would write over what it reads.
+void keep_inputs(const std::vector<InputFile>& inputs, const std::filesystem::path& folder) {
+    std::vector<std::string_view> files{case_artifact, manifest_file};
+    for (const Stage& stage : stages()) files.push_back(stage.file);
+    for (const InputFile& input : inputs)
+        for (const std::string_view file : files)
+            if (is_same_file(input.file, folder / file))
+                throw InputError("the run reads this file and would write " + std::string(file) + " over it",
+                                 "another folder; -o")
+                    .in_file(input.file);
+}
+
 /// The stages a plan runs, as positions in stages().
 struct Range {
     std::size_t first = 0;
@@ -163,6 +175,7 @@ Artifacts compute_artifacts(const std::optional<std::string>& case_file, std::st
 
 RunSummary run_stages(const RunPlan& plan) {
     const Range range = range_of(plan);
+    require_writable_folder(plan.folder);
     Artifacts artifacts;
     std::vector<Artifact> all;
     RunSummary summary;
@@ -171,9 +184,11 @@ RunSummary run_stages(const RunPlan& plan) {
         all.push_back(artifact);
         artifacts.add(std::move(artifact));
     };
-    if (range.with_case)
-        keep(case_artifact_of(load_case(plan.case_file)), true);
-    else if (is_read(range, case_artifact))
+    if (range.with_case) {
+        const LoadedCase loaded = load_case(plan.case_file);
+        keep_inputs(loaded.inputs, plan.folder);
+        keep(case_artifact_of(loaded), true);
+    } else if (is_read(range, case_artifact))
         keep(loaded_artifact(plan.folder, case_artifact), false);
     else
         add_left(plan.folder, case_artifact, "case", all);

@@ -1,5 +1,6 @@
 #include "solver/critical_velocity.hpp"
 
+#include "materials/checks.hpp"
 #include "solver/backward_orbit.hpp"
 #include "solver/plastic_critical_velocity.hpp"
 #include "solver/scaled_impact.hpp"
@@ -73,6 +74,8 @@ CriticalVelocity critical_velocity(const CriticalVelocityProblem& problem) {
     if (const auto verdict = known_verdict(problem, adhesion_velocity > 0.0, breaking_costs)) {
         return {.verdict = *verdict};
     }
+    if (problem.damping.coefficient > 0.0)  // beyond the range of numbers there is no verdict to be had
+        require_positive("the velocity that this damping captures", unit, Dimension::velocity);
     const std::optional<Arrival> arrival = critical_arrival(motion);
     if (!arrival) return {.verdict = CaptureVerdict::never_captured};
     int steps = 0;

@@ -121,8 +121,10 @@ std::vector<LawChoice> read_laws(const View& document) {
         const Law law = value.located([&key = name] { return Law::named(key); });
         const Detachment detachment = detachment_named(value.text());
         if (const auto reason = refusal(law, detachment)) value.fail(*reason, admissible_detachments(law));
-        for (LawChoice& choice : choices)
-            if (choice.law == law) choice.detachment = detachment;
+        const auto chosen = std::find_if(choices.begin(), choices.end(),
+                                         [&](const LawChoice& choice) { return choice.law == law; });
+        if (chosen == choices.end()) value.fail("the law is not among \"laws\"", "a law of the case");
+        chosen->detachment = detachment;
     }
     return choices;
 }

@@ -56,7 +56,10 @@ MeasuredRestitution read_measured(const View& node, InputFiles& files, const std
     else if (camera && !data.impacts.has_noise())
         apply_camera(*camera, data);
     const auto place = node.find("file");
-    (place ? *place : node).located([&] { check_impacts(data.impacts); });
+    (place ? *place : node).located([&] {
+        if (!place) return check_impacts(data.impacts);
+        in_file(files.shown(place->text()), [&] { check_impacts(data.impacts); });
+    });
     if (const auto binning = node.find("binning")) apply_binning(*binning, data);
     return data;
 }

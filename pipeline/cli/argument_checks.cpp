@@ -9,9 +9,42 @@
 
 namespace ashimpact {
 
-CLI::Validator not_empty() {
-    return {[](std::string& text) { return text.empty() ? std::string("is empty; allowed: a path") : ""; },
-            "", "not empty"};
+namespace {
+
+/// By the placeholder that its help shows.
+bool names_a_path(const CLI::Option& option) {
+    const std::string type = option.get_type_name();
+    return type == "FILE" || type == "DIR" || type.ends_with(".json");
+}
+
+/// What is wrong with a value of the option before anyone reads it; empty: nothing.
+std::string emptiness(const CLI::Option& option, const std::string& text) {
+    if (text.empty()) return "is empty; allowed: " + option.get_description();
+    if (text == "-" && names_a_path(option)) return "is \"-\"; allowed: a path, ./- for a file of that name";
+    return "";
+}
+
+}  // namespace
+
+void refuse_empty_values(CLI::App& program) {
+    for (CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+        for (CLI::Option* option : command->get_options()) {
+            if (option->get_expected_max() == 0) continue;  // a flag
+            option->check([option](const std::string& text) { return emptiness(*option, text); }, "",
+                          "not empty");
+        }
+    }
+}
+
+CLI::Validator number_within(double least, double most) {
+    return {[=](std::string& text) -> std::string {
+                double number = 0;
+                const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+                const bool is_number = failure == std::errc() && end == text.data() + text.size();
+                if (is_number && number >= least && number <= most) return "";
+                return fmt::format("is {}; allowed: a number from {} to {}", in_quotes(text), least, most);
+            },
+            "", "number"};
 }
 
 CLI::Validator whole_number(std::size_t least, std::size_t most) {

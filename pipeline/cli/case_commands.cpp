@@ -20,12 +20,10 @@ void add_run(CLI::App& program, Action& action) {
                     "  ashimpact run -o my-case/results --from fit    (after editing an artifact there)");
     const auto options = std::make_shared<RunOptions>();
     command->add_option("case", options->case_file, "case file; default: the built-in case, Dong et al. 2013")
-        ->type_name("CASE.json")
-        ->check(not_empty());
+        ->type_name("CASE.json");
     command->add_option("-o,--output", options->folder, "folder of the artifacts")
         ->capture_default_str()
-        ->type_name("DIR")
-        ->check(not_empty());
+        ->type_name("DIR");
     auto* from =
         command
             ->add_option("--from", options->from,
@@ -40,13 +38,12 @@ void add_run(CLI::App& program, Action& action) {
 void add_modulus(CLI::App& program, Action& action) {
     auto* command =
         add_command(program, "modulus", "XRD result -> phase volumes -> Young's modulus with bounds",
-                    "ashimpact modulus ash.lst --amorphous-fraction '42 +- 2 %'\n"
-                    "  ashimpact modulus ash.lst --internal-standard corundum --added-fraction '10 %'");
+                    "ashimpact modulus my-case/ash.csv --amorphous-fraction '42 +- 2 %'\n"
+                    "  (ash.csv is among what `ashimpact init my-case` writes)");
     const auto options = std::make_shared<ModulusCommandOptions>();
     command->add_option("file", options->file, "XRD result: BGMN/Profex or GSAS-II .lst, CSV, TSV or JSON")
         ->required()
-        ->type_name("FILE")
-        ->check(not_empty());
+        ->type_name("FILE");
     const auto add = [&](const char* name, std::string& value, const char* type, const char* purpose) {
         return command->add_option(name, value, purpose)->type_name(type);
     };
@@ -75,11 +72,10 @@ void add_calibrate(CLI::App& program, Action& action) {
     auto* command =
         add_command(program, "calibrate",
                     "Unknown constants of a case, from published critical velocities and contact times",
-                    "ashimpact calibrate my-case/case.json --free density:each --free work_of_adhesion");
+                    "ashimpact calibrate --free density:each --free work_of_adhesion");
     const auto options = std::make_shared<CalibrateOptions>();
     command->add_option("case", options->case_file, "case file; default: the built-in case, Dong et al. 2013")
-        ->type_name("CASE.json")
-        ->check(not_empty());
+        ->type_name("CASE.json");
     command
         ->add_option(
             "--free", options->free,
@@ -104,8 +100,7 @@ void add_cross_check(CLI::App& program, Action& action) {
                                 "ashimpact cross-check");
     const auto options = std::make_shared<CrossCheckOptions>();
     command->add_option("case", options->case_file, "case file; default: the built-in case, Dong et al. 2013")
-        ->type_name("CASE.json")
-        ->check(not_empty());
+        ->type_name("CASE.json");
     command->add_flag("--json", options->json, "print one JSON object, numbers with 17 significant digits");
     command->callback([options, &action] {
         action = [options](std::ostream& out) { run_cross_check_command(*options, out); };
@@ -117,7 +112,7 @@ void add_document_command(CLI::App* command, Action& action, const char* name, c
                           const char* purpose, bool required,
                           void (*run)(const std::string&, std::ostream&)) {
     const auto argument = std::make_shared<std::string>();
-    command->add_option(name, *argument, purpose)->type_name(type)->required(required)->check(not_empty());
+    command->add_option(name, *argument, purpose)->type_name(type)->required(required);
     command->callback(
         [argument, &action, run] { action = [argument, run](std::ostream& out) { run(*argument, out); }; });
 }

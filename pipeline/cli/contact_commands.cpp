@@ -67,8 +67,7 @@ void add_impact(CLI::App& program, Action& action) {
     auto* trajectory = command
                            ->add_option("--trajectory", options->trajectory,
                                         "write overlap, velocity and forces against time (CSV)")
-                           ->type_name("FILE")
-                           ->check(not_empty());
+                           ->type_name("FILE");
     command->add_option("--points", options->points, "number of points of the trajectory")
         ->capture_default_str()
         ->check(whole_number(2, 10'000'000))
@@ -107,8 +106,7 @@ void add_damping(CLI::App& program, Action& action) {
         ->add_option("--impacts", options->impacts,
                      "instead of one impact a CSV table of many, with a heading such as \"v_in [m/s], v_r "
                      "[m/s]\": damping of each, fits, critical velocity with its interval")
-        ->type_name("FILE")
-        ->check(not_empty());
+        ->type_name("FILE");
     command->add_option("--frame-rate", options->frame_rate, "of the camera, frames per second")
         ->type_name("X");
     command->add_option("--pixel-size", options->pixel_size, "of the camera, in the object, \"2 um\"")

@@ -2,11 +2,14 @@
 
 #include <cstdio>
 
+#include "materials/text.hpp"
+
 namespace ashimpact {
 
 namespace {
 
-void write_message(std::string_view text) {
+void write_message(std::string_view message) {
+    const std::string text = without_controls(message);
     std::fwrite(text.data(), 1, text.size(), stderr);
 }
 

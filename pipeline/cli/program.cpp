@@ -4,11 +4,15 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
+#include <filesystem>
 #include <iostream>
+#include <sstream>
 
 #include "data/version.hpp"
 #include "materials/error.hpp"
 #include "materials/text.hpp"
+#include "pipeline/cli/argument_checks.hpp"
 #include "pipeline/cli/commands.hpp"
 #include "pipeline/cli/held_warnings.hpp"
 #include "pipeline/cli/usage.hpp"
@@ -26,7 +30,7 @@ constexpr auto purpose =
     "program.";
 
 std::string version_text() {
-    return fmt::format("ashimpact {} ({})", program_version(), program_revision());
+    return fmt::format("{} ({})", program_version(), program_revision());
 }
 
 std::shared_ptr<HeldWarnings> set_up_messages() {
@@ -38,24 +42,66 @@ std::shared_ptr<HeldWarnings> set_up_messages() {
 }
 
 void add_common_options(CLI::App& app) {
-    app.set_version_flag("--version", version_text, "print version and revision");
+    app.set_version_flag(
+        "--version", [] { return "ashimpact " + version_text(); }, "print version and revision");
     app.add_flag_callback(
         "-q,--quiet", [] { spdlog::set_level(spdlog::level::err); }, "errors only");
     app.add_flag_callback(
         "-v,--verbose", [] { spdlog::set_level(spdlog::level::debug); }, "more messages");
 }
 
-/// Runs a command and checks that what it printed arrived.
+/// Prints a text and checks that it arrived.
+void print(const std::string& text) {
+    std::cout << without_controls(text) << std::flush;
+    if (!std::cout) throw InputError("cannot be written", "a place with room").at("standard output");
+}
+
+/// Runs a command, which prints all that it has to say or nothing.
 void perform(const Action& action, HeldWarnings& messages) {
+    std::ostringstream out;
     try {
-        action(std::cout);
+        action(out);
     } catch (const InputError&) {
         messages.drop();  // one line says what is wrong
         throw;
+    } catch (const std::filesystem::filesystem_error& error) {  // such as a name that is too long
+        messages.drop();
+        throw InputError("cannot be used: " + error.code().message(), "a path that the system takes")
+            .in_file(shortened(error.path1().string()));
     }
     messages.release();
-    std::cout.flush();
-    if (!std::cout) throw InputError("cannot be written", "a place with room").at("standard output");
+    print(out.str());
+}
+
+/// Neither quiet and verbose at once, wherever on the line they stand.
+void check_common_options(const CLI::App& program) {
+    const auto given = [&](const char* name) {
+        return program.count(name) > 0 || program.get_subcommands().front()->count(name) > 0;
+    };
+    if (given("--quiet") && given("--verbose"))
+        throw InputError("both are given", "one of the two").at("--quiet, --verbose");
+}
+
+/// Help or version. @throws CLI::ExtrasError if it was asked of a command that there is not
+void answer(const CLI::App& program, const CLI::Success& request) {
+    const auto unknown = program.remaining();
+    if (program.get_subcommands().empty() && !unknown.empty()) throw CLI::ExtrasError("ashimpact", unknown);
+    std::ostringstream out;
+    static_cast<void>(program.exit(request, out, out));
+    print(out.str());
+}
+
+/// Parses the command line and does what it says.
+void obey(CLI::App& program, int argc, const char* const* argv, const Action& action,
+          HeldWarnings& messages) {
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::Success& request) {  // --help, --version
+        answer(program, request);
+        return;
+    }
+    check_common_options(program);
+    perform(action, messages);
 }
 
 }  // namespace
@@ -79,12 +125,11 @@ int run_program(int argc, const char* const* argv, const SweepRunner& sweep) {
     add_contact_commands(program, action);
     add_sweep_command(program, action, sweep);
     add_document_commands(program, action);
+    refuse_empty_values(program);
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of its write
     try {
-        program.parse(argc, argv);
-        perform(action, *messages);
+        obey(program, argc, argv, action, *messages);
         return done;
-    } catch (const CLI::Success& request) {  // --help, --version
-        return program.exit(request);
     } catch (const CLI::ParseError& error) {
         spdlog::error("{}", usage_error(program, error));
         return wrong_input;

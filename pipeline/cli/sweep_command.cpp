@@ -29,20 +29,18 @@ void add_sweep_command(CLI::App& program, Action& action, const SweepRunner& run
     const auto options = std::make_shared<SweepOptions>();
     command->add_option("spec", options->spec, "JSON file that says what to compute")
         ->required()
-        ->type_name("SPEC.json")
-        ->check(not_empty());
+        ->type_name("SPEC.json");
     command
         ->add_option("-o,--output", options->output,
                      "JSON file for the result; a full table goes beside it (.h5)")
         ->required()
-        ->type_name("FILE")
-        ->check(not_empty());
+        ->type_name("FILE");
     command->add_option("--threads", options->threads, "of each process; 0: its share of the cores")
         ->capture_default_str()
         ->check(whole_number(0, 1024));
     command->add_option("--checkpoint", options->checkpoint_interval, "seconds between checkpoints")
         ->capture_default_str()
-        ->check(CLI::Range(0.0, 1e6))
+        ->check(number_within(0, 1e6))
         ->type_name("SECONDS");
     command->add_flag("--restart", options->restart, "begin anew though there is a checkpoint");
     command->add_flag("--progress", options->progress, "show progress though standard error is no terminal");

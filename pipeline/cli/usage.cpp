@@ -30,10 +30,19 @@ std::string missing(const CLI::App& command) {
     return "an option is missing; allowed: " + joined(names_of_options(command));
 }
 
+/// The name that a word begins, else the nearest one; at most one.
+std::vector<std::string> meant(const std::string& word, const std::vector<std::string>& names) {
+    constexpr std::size_t shortest = 4;  // two letters after the dashes
+    if (word.size() >= shortest)
+        for (const std::string& name : names)
+            if (name.starts_with(word)) return {name};
+    return nearest(word, names, 1);
+}
+
 std::string unexpected(const CLI::App& command) {
     const auto names = names_of_options(command);
     const std::string given = command.remaining().empty() ? "" : command.remaining().front();
-    const auto guess = nearest(given, names, 1);
+    const auto guess = meant(given, names);
     return fmt::format("{} is not expected{}; allowed: {}", in_quotes(given),
                        guess.empty() ? "" : ", did you mean " + guess.front() + "?", joined(names));
 }
@@ -60,6 +69,8 @@ std::string what_is_wrong(const CLI::App& command, const CLI::Error& error) {
     if (dynamic_cast<const CLI::RequiresError*>(&error) != nullptr)
         return message + "; allowed: both or neither";
     const CLI::Option* option = option_in(command, message);
+    if (option != nullptr && option->get_positional())
+        message = option->get_type_name() + message.substr(message.find(':'));
     if (option == nullptr || message.find("; allowed: ") != std::string::npos) return message;
     return message + "; allowed: " + option->get_description();
 }

@@ -1,6 +1,8 @@
 #include "pipeline/commands/calibrate.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <ostream>
@@ -11,8 +13,6 @@
 #include "pipeline/json/statistics_json.hpp"
 #include "pipeline/json/writer.hpp"
 #include "pipeline/run.hpp"
-#include "pipeline/stages/contact.hpp"
-#include "pipeline/stages/modulus.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
 #include "pipeline/text/readable.hpp"
 #include "pipeline/text/table.hpp"
@@ -41,52 +41,6 @@ FreeConstant read_free(const std::string& text) {
     throw InputError("unknown constant " + in_quotes(text),
                      joined(names) + "; with :each for one value a sample")
         .at("--free");
-}
-
-CalibrationSample start_of(const Case& data, const Sample& sample, const SampleModulus& modulus,
-                           const SampleContact& contact) {
-    CalibrationSample start{.diameter = sample.diameter.value(),
-                            .density = contact.density.value,
-                            .work_of_adhesion = contact.pair.work_of_adhesion,
-                            .particle = {.young_modulus = modulus.young_modulus.value},
-                            .wall = {},
-                            .contact_modulus = {}};
-    if (sample.poisson_ratio)
-        start.particle.poisson_ratio = sample.poisson_ratio->value();
-    else
-        start.particle.poisson_ratio = modulus.poisson_ratio.value_or(0);
-    const auto* elastic = data.wall ? std::get_if<ElasticWall>(&*data.wall) : nullptr;
-    if (elastic != nullptr) start.wall = {elastic->young_modulus.value(), elastic->poisson_ratio.value()};
-    if (elastic == nullptr || sample.contact_modulus) start.contact_modulus = contact.pair.contact_modulus;
-    return start;
-}
-
-void add_observations(const PublishedSample& published, std::size_t index, CalibrationProblem& problem) {
-    for (const auto& [law, velocity] : published.critical_velocity) {
-        const Quantity* damping = published.critical_damping.find(law);
-        if (damping == nullptr) continue;
-        problem.critical_velocities.push_back(
-            {.sample = index,
-             .law = law,
-             .critical_damping = damping->value,
-             .critical_damping_uncertainty = damping->standard_uncertainty.value_or(0),
-             .value = velocity.value,
-             .standard_uncertainty = velocity.standard_uncertainty.value_or(1e-3 * velocity.value)});
-    }
-    for (const auto& time : published.contact_times) {
-        const Quadratic* fit = published.damping_fits.find(time.law);
-        if (fit == nullptr) continue;
-        problem.contact_times.push_back(
-            {.sample = index,
-             .law = time.law,
-             .damping_fit = *fit,
-             .velocity = time.velocity.value,
-             .velocity_uncertainty = time.velocity.standard_uncertainty.value_or(0),
-             .value = time.contact_time.value,
-             .standard_uncertainty =
-                 time.contact_time.standard_uncertainty.value_or(1e-3 * time.contact_time.value),
-             .damping_fit_uncertainty = published.damping_fit_uncertainty.value_or(0)});
-    }
 }
 
 /// One observation beside what the calibrated model says.
@@ -208,29 +162,12 @@ std::string calibration_text(const Case& data, const CalibrationSummary& summary
                        readable_number(summary.probability, 2), readable_number(summary.akaike));
 }
 
-}  // namespace
-
-CalibrationProblem calibration_problem(const Case& data, const Artifacts& before) {
-    const auto moduli = before.read("1-modulus.json", read_moduli);
-    const auto contacts = before.read("2-contact.json", read_contacts);
-    CalibrationProblem problem{
-        .samples = {}, .free = data.calibration, .critical_velocities = {}, .contact_times = {}};
-    const bool elastic = data.wall && std::holds_alternative<ElasticWall>(*data.wall);
-    for (const FreeConstant& free : problem.free)
-        if (free.quantity == CalibrationQuantity::wall_young_modulus && !elastic)
-            throw InputError("wall_young_modulus is free, but the wall has none",
-                             "a wall with young_modulus and "
-                             "poisson_ratio, to start from")
-                .at("/wall");
-    for (std::size_t i = 0; i < data.samples.size(); ++i) {
-        const Sample& sample = data.samples[i];
-        problem.samples.push_back(start_of(data, sample,
-                                           entry_named(moduli, sample.name, before, "1-modulus.json"),
-                                           entry_named(contacts, sample.name, before, "2-contact.json")));
-        if (sample.published) add_observations(*sample.published, i, problem);
-    }
-    return problem;
+/// A person who waits is told that the seconds it takes are nothing amiss.
+void tell_that_it_takes_time() {
+    if (isatty(STDERR_FILENO) != 0) spdlog::info("calibrating: this takes some seconds");
 }
+
+}  // namespace
 
 void run_calibrate_command(const CalibrateOptions& options, std::ostream& out) {
     const auto file = options.case_file.empty() ? std::nullopt : std::optional(options.case_file);
@@ -248,6 +185,7 @@ void run_calibrate_command(const CalibrateOptions& options, std::ostream& out) {
     }
 
     in_file(options.case_file.empty() ? "built-in case" : options.case_file, [&] {
+        tell_that_it_takes_time();
         if (options.compare) {
             const bool elastic = data.wall && std::holds_alternative<ElasticWall>(*data.wall);
             data.calibration.clear();

@@ -30,7 +30,12 @@ double read_mass(const ContactOptions& options, double radius) {
         throw InputError(problem, "one of the two").at("--density, --mass");
     }
     if (!options.mass.empty()) return read_positive_option("--mass", options.mass, Dimension::mass);
-    return sphere_mass(radius, read_positive_option("--density", options.density, Dimension::density));
+    const double density = read_positive_option("--density", options.density, Dimension::density);
+    return at_option("--radius, --density", [&] {
+        const double mass = sphere_mass(radius, density);
+        require_positive("mass of the sphere", mass, Dimension::mass);
+        return mass;
+    });
 }
 
 double read_work_of_adhesion(const ContactOptions& options, Law law) {

@@ -66,7 +66,7 @@ void run_critical_velocity_command(const CriticalVelocityOptions& options, std::
                                           .detachment = choice.detachment,
                                           .damping = read_damping(options.contact),
                                           .contact = choice.contact};
-    const CriticalVelocity result = critical_velocity(problem);
+    const CriticalVelocity result = at_place("--damping", [&] { return critical_velocity(problem); });
     std::string regime;
     if (result.value) {
         warn_of_regime(regime_at(problem, result));

@@ -40,7 +40,8 @@ void run_damping_command(const DampingOptions& options, std::ostream& out) {
         .contact = choice.contact,
         .velocity = read_positive_option("--velocity", options.velocity, Dimension::velocity),
         .restitution = read_option("--restitution", options.restitution, Dimension::fraction)};
-    const DampingInversion inversion = damping_from_restitution(problem);
+    const DampingInversion inversion =
+        at_place("--restitution", [&] { return damping_from_restitution(problem); });
     const Impact impact{.law = problem.law,
                         .detachment = problem.detachment,
                         .damping = inversion.damping,

@@ -7,6 +7,7 @@
 #include "materials/text.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/json/schema.hpp"
+#include "pipeline/json/view.hpp"
 #include "pipeline/json/writer.hpp"
 #include "pipeline/text/artifact_text.hpp"
 
@@ -26,6 +27,28 @@ std::string schema_of_artifact(const Json& document) {
         .at("/schema");
 }
 
+/// Whether a member that stands beside a number, or a list of numbers, is what a reader expects of it.
+void require_beside_number(const std::string& key, const View& member) {
+    if (key == "unit" || key == "origin") {
+        if (!member.json().is_string()) member.fail("is " + member.json().dump(), "a string");
+    } else if (key == "standard_uncertainty" && !member.json().is_number()) {
+        member.fail("is " + member.json().dump(), "a number");
+    }
+}
+
+/// Refuses a quantity without a readable unit also where the schemas leave open what stands there.
+void require_quantities(const View& node) {
+    if (node.json().is_array())
+        for (const View& element : node.elements()) require_quantities(element);
+    if (!node.is_object()) return;
+    const bool quantity =
+        node.json().contains("unit") && (node.json().contains("value") || node.json().contains("values"));
+    for (const auto& [key, member] : node.members()) {
+        if (quantity) require_beside_number(key, member);
+        require_quantities(member);
+    }
+}
+
 }  // namespace
 
 void run_inspect_command(const std::string& file, std::ostream& out) {
@@ -33,6 +56,7 @@ void run_inspect_command(const std::string& file, std::ostream& out) {
     in_file(file, [&] {
         const Json document = parse_json(bytes);
         validate_document(document, schema_of_artifact(document));
+        require_quantities(View(document));
         out << artifact_text(document);
     });
 }
@@ -47,9 +71,10 @@ void run_init_command(const std::string& folder, std::ostream& out) {
     }
     write_files(files);
     for (const FileContent& file : files) out << file.path.string() << '\n';
-    const std::string place = (std::filesystem::path(folder) / "case.json").string();
-    out << "Edit it, then: ashimpact run " << place << " -o "
-        << (std::filesystem::path(folder) / "results").string() << '\n';
+    const auto typed = [&](const char* name) {
+        return shell_word((std::filesystem::path(folder) / name).string());
+    };
+    out << "Edit it, then: ashimpact run " << typed("case.json") << " -o " << typed("results") << '\n';
 }
 
 void run_schema_command(const std::string& name, std::ostream& out) {

@@ -144,7 +144,9 @@ Solution solve(const ImpactOptions& options, const Impact& impact) {
     const double time_step = options.time_step.empty()
                                  ? explicit_time_step(impact, steps)
                                  : read_positive_option("--time-step", options.time_step, Dimension::time);
-    return {solve_impact_explicit(impact, {.time_step = time_step}), time_step};
+    return at_place("--method, --time-step", [&] {
+        return Solution{solve_impact_explicit(impact, {.time_step = time_step}), time_step};
+    });
 }
 
 }  // namespace

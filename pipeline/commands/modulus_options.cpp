@@ -23,6 +23,7 @@ Quantity read_fraction(const char* option, const std::string& text) {
     if (number->standard_uncertainty) fraction.standard_uncertainty = *number->standard_uncertainty * scale;
     return at_place(option, [&] {
         require_fraction("the fraction", fraction.value);
+        require_fraction("its uncertainty", fraction.standard_uncertainty.value_or(0));
         return fraction;
     });
 }

@@ -5,6 +5,7 @@
 
 #include <ostream>
 
+#include "materials/text.hpp"
 #include "pipeline/run.hpp"
 #include "pipeline/text/comparison_table.hpp"
 
@@ -24,7 +25,8 @@ void run_run_command(const RunOptions& options, std::ostream& out) {
         if (artifact.file == "comparison.json")
             out << comparison_text(View(artifact.document).at("result")) << '\n';
     out << fmt::format("{} artifacts in {}; `ashimpact inspect {}` shows one.\n", summary.written.size(),
-                       plan.folder.string(), (plan.folder / summary.written.front().file).string());
+                       plan.folder.string(),
+                       shell_word((plan.folder / summary.written.front().file).string()));
 }
 
 }  // namespace ashimpact

@@ -65,9 +65,7 @@ class Staged {
         }
         const auto place = through_links(file.path);
         const auto folder = place.parent_path();
-        std::error_code failure;
-        if (!folder.empty()) std::filesystem::create_directories(folder, failure);
-        if (failure) refuse_write(folder, failure.message());
+        make_folder(folder);
         const auto name = "." + place.filename().string() + "." + std::to_string(getpid()) + ".tmp";
         entries_.push_back({folder / name, place});
         write(file, entries_.back().temporary);
@@ -110,7 +108,36 @@ class Staged {
 
 }  // namespace
 
-std::string read_file(const std::filesystem::path& path, std::size_t most) {
+std::string read_file(const std::filesystem::path& path) {
+    std::string content = read_start(path, longest_file + 1);
+    if (content.size() > longest_file)
+        throw InputError("is longer than 256 MiB", "a file of at most 256 MiB").in_file(path.string());
+    return content;
+}
+
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code failure;
+    if (!folder.empty()) std::filesystem::create_directories(folder, failure);
+    if (failure) refuse_write(folder, failure.message());
+}
+
+bool is_same_file(const std::filesystem::path& one, const std::filesystem::path& other) {
+    std::error_code ignored;
+    return std::filesystem::equivalent(one, other, ignored);
+}
+
+void require_writable_folder(const std::filesystem::path& folder) {
+    std::error_code failure;
+    auto there = std::filesystem::absolute(folder, failure);
+    const auto kind = [&] { return std::filesystem::status(there, failure).type(); };
+    while (kind() == std::filesystem::file_type::not_found && there.has_relative_path())
+        there = there.parent_path();
+    if (kind() == std::filesystem::file_type::none) refuse_write(folder, failure.message());
+    if (kind() != std::filesystem::file_type::directory) refuse_write(there, "it is no folder");
+    if (access(there.c_str(), W_OK | X_OK) != 0) refuse_write(folder, reason(errno));
+}
+
+std::string read_start(const std::filesystem::path& path, std::size_t most) {
     std::error_code ignored;
     errno = 0;
     std::ifstream stream(path, std::ios::binary);

@@ -2,15 +2,30 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <limits>
 #include <span>
 #include <string>
 
 namespace ashimpact {
 
-/// The bytes of a file, or its first `most` where it is longer. @throws InputError if it cannot be read
-[[nodiscard]] std::string read_file(const std::filesystem::path& path,
-                                    std::size_t most = std::numeric_limits<std::size_t>::max());
+/// Bytes of the longest file that is read whole.
+inline constexpr std::size_t longest_file = std::size_t{256} << 20U;
+
+/// The bytes of a file. @throws InputError if it cannot be read or is longer than longest_file
+[[nodiscard]] std::string read_file(const std::filesystem::path& path);
+
+/// The bytes of a file, or its first @p most where it is longer. @throws InputError if it cannot be read
+[[nodiscard]] std::string read_start(const std::filesystem::path& path, std::size_t most);
+
+/// Makes a folder and those it is in; nothing to do for an empty path. @throws InputError if that cannot be
+/// done
+void make_folder(const std::filesystem::path& folder);
+
+/// Whether two names are those of one file, through links too.
+[[nodiscard]] bool is_same_file(const std::filesystem::path& one, const std::filesystem::path& other);
+
+/// Refuses, before there is anything to write, a folder that cannot be made or written into.
+/// @throws InputError naming the folder, or what stands in its way
+void require_writable_folder(const std::filesystem::path& folder);
 
 struct FileContent {
     std::filesystem::path path;

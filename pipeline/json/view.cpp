@@ -3,6 +3,8 @@
 #include <array>
 #include <optional>
 
+#include "materials/checks.hpp"
+
 namespace ashimpact {
 
 namespace {
@@ -30,7 +32,7 @@ std::optional<View> View::find(std::string_view key) const {
 
 View View::at(std::string_view key) const {
     if (auto found = find(key)) return *std::move(found);
-    fail("\"" + std::string(key) + "\" is missing");
+    fail("\"" + std::string(key) + "\" is missing", "an object with this key");
 }
 
 std::vector<View> View::elements() const {
@@ -92,6 +94,12 @@ std::vector<double> View::column(Dimension dimension) const {
         }));
     }
     return column;
+}
+
+Quantity positive_quantity(const View& node, std::string_view name, Dimension dimension) {
+    const Quantity quantity = node.quantity(dimension);
+    node.located([&] { require_positive(name, quantity.value, dimension); });
+    return quantity;
 }
 
 }  // namespace ashimpact

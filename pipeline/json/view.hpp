@@ -56,6 +56,9 @@ class View {
     std::string pointer_;
 };
 
+/// A quantity > 0 in SI. @throws InputError with its pointer
+[[nodiscard]] Quantity positive_quantity(const View& node, std::string_view name, Dimension dimension);
+
 struct View::Member {
     std::string key;
     View value;

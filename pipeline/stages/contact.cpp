@@ -118,14 +118,17 @@ std::vector<SampleContact> read_contacts(const View& result) {
         const auto quantity = [&](const char* key, Dimension dimension) {
             return sample.at(key).quantity(dimension);
         };
+        const auto positive = [&](const char* key, Dimension dimension) {
+            return positive_quantity(sample.at(key), key, dimension);
+        };
         SampleContact contact{.name = sample.at("name").text(),
                               .pair = {},
-                              .density = quantity("density", Dimension::density),
-                              .effective_radius = quantity("effective_radius", Dimension::length),
-                              .contact_modulus = quantity("contact_modulus", Dimension::pressure),
+                              .density = positive("density", Dimension::density),
+                              .effective_radius = positive("effective_radius", Dimension::length),
+                              .contact_modulus = positive("contact_modulus", Dimension::pressure),
                               .work_of_adhesion = quantity("work_of_adhesion", Dimension::energy_per_area),
                               .poisson_ratio = {}};
-        contact.pair = {.mass = sample.at("mass").number(Dimension::mass),
+        contact.pair = {.mass = positive("mass", Dimension::mass).value,
                         .effective_radius = contact.effective_radius.value,
                         .contact_modulus = contact.contact_modulus.value,
                         .work_of_adhesion = contact.work_of_adhesion.value};

@@ -141,7 +141,11 @@ std::vector<SampleCriticalVelocity> read_critical_velocities(const View& result)
     std::vector<SampleCriticalVelocity> samples;
     for (const View& sample : result.at("samples").elements()) {
         SampleCriticalVelocity entry{.name = sample.at("name").text(), .laws = {}, .measured = nullptr};
-        if (const auto measured = sample.find("measured")) entry.measured = measured->json();
+        if (const auto measured = sample.find("measured")) {
+            if (const auto value = measured->find("critical_velocity"))
+                static_cast<void>(positive_quantity(*value, "critical velocity", Dimension::velocity));
+            entry.measured = measured->json();
+        }
         for (const auto& [name, node] : sample.members()) {
             if (name == "name" || name == "measured") continue;
             const Law law = node.located([&, &key = name] { return Law::named(key); });
@@ -156,7 +160,7 @@ std::vector<SampleCriticalVelocity> read_critical_velocities(const View& result)
                 .interval_note = node.has("interval_note") ? node.at("interval_note").json() : Json(nullptr),
                 .check = node.has("check") ? node.at("check").json() : Json(nullptr)};
             if (const auto value = node.find("critical_velocity"))
-                velocity.value = value->quantity(Dimension::velocity);
+                velocity.value = positive_quantity(*value, "critical velocity", Dimension::velocity);
             if (const auto plastic = node.find("plastic"))
                 velocity.plastic = plastic->number(Dimension::energy);
             if (const auto time = node.find("contact_time"))

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "materials/text.hpp"
+#include "materials/checks.hpp"
 #include "pipeline/case/laws.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/json/statistics_json.hpp"
@@ -242,9 +242,9 @@ std::vector<SampleFit> read_fits(const View& result, Dimension dimension) {
             const Law law = node.located([&, &key = name] { return Law::named(key); });
             const auto value = [&, &node = node](const char* key) { return node.at(key).number(dimension); };
             LawFit fit{value("a"), value("b"), value("c"), value("critical_damping")};
-            if (fit.critical_damping < 0)
-                node.at("critical_damping")
-                    .fail("is " + shortest(fit.critical_damping), "a critical damping >= 0");
+            node.at("critical_damping").located([&] {
+                require_not_negative("critical damping", fit.critical_damping, dimension);
+            });
             fit.critical_damping_uncertainty =
                 node.at("critical_damping").quantity(dimension).standard_uncertainty;
             if (const auto curve = node.find("extrapolated")) fit.extrapolated = read_damping_fit(*curve);

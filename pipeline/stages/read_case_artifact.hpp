@@ -1,5 +1,6 @@
 #pragma once
 
+#include "materials/text.hpp"
 #include "pipeline/case/case.hpp"
 #include "pipeline/stages/stage.hpp"
 
@@ -14,7 +15,7 @@ template <class Entry>
                                        const Artifacts& artifacts, std::string_view file) {
     for (const Entry& entry : entries)
         if (entry.name == name) return entry;
-    throw InputError("the sample " + name + " is missing")
+    throw InputError("the sample " + in_quotes(name) + " is missing", "every sample of 0-case.json")
         .at("/result/samples")
         .in_file(artifacts.place_of(file));
 }

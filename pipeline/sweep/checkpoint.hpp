@@ -2,11 +2,15 @@
 
 #include <filesystem>
 #include <optional>
+#include <string_view>
 
 #include "pipeline/sweep/plan.hpp"
 #include "pipeline/sweep/tally.hpp"
 
 namespace ashimpact {
+
+/// What a checkpoint says it is, so that a sweep knows its own.
+inline constexpr std::string_view checkpoint_mark = "ashimpact sweep checkpoint";
 
 /// What is finished of a sweep.
 struct Checkpoint {

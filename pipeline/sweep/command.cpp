@@ -7,11 +7,13 @@
 #include <ostream>
 
 #include "materials/error.hpp"
+#include "materials/text.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/files/sha256.hpp"
 #include "pipeline/json/writer.hpp"
 #include "pipeline/sweep/crew.hpp"
 #include "pipeline/sweep/mpi/mpi_team.hpp"
+#include "pipeline/sweep/outputs.hpp"
 #include "pipeline/sweep/progress.hpp"
 #include "pipeline/sweep/result_json.hpp"
 #include "pipeline/sweep/sweep.hpp"
@@ -38,17 +40,6 @@ void heed_interruptions() {
     std::signal(interrupting_signal, SIG_DFL);
     std::raise(interrupting_signal);
     std::abort();
-}
-
-void check_output(const std::filesystem::path& output) {
-    const auto refuse = [&](const char* problem, const char* allowed) {
-        throw InputError(problem, allowed).in_file(output.string());
-    };
-    if (output.extension() == ".h5") refuse("would be the full table", "a JSON file, such as sweep.json; -o");
-    if (std::filesystem::is_directory(output)) refuse("is a folder", "a file; -o");
-    const auto folder = output.parent_path();
-    if (!folder.empty() && !std::filesystem::is_directory(folder))
-        refuse("its folder does not exist", "a file in a folder that does; -o");
 }
 
 /// Removes what a sweep keeps while it goes on, and what it was writing when it was killed.
@@ -85,13 +76,14 @@ std::string summary(const Json& artifact, const SweepFiles& files, const SweepPl
                             100 * law.at("capture_fraction").at("value").get<double>());
     text += files.result.string();
     if (!plan.spec().table.empty()) text += fmt::format(", {}: {} rows", files.table.string(), plan.rows());
-    return text + fmt::format("; `ashimpact inspect {}` shows it.\n", files.result.string());
+    return text + fmt::format("; `ashimpact inspect {}` shows it.\n", shell_word(files.result.string()));
 }
 
 /// Rank 0: everything but the blocks other ranks compute. @returns whether all is done
 bool lead(const SweepOptions& options, const SweepPlan& plan, const SpecFile& spec, Team& team,
           std::ostream& out) {
     const SweepFiles files = SweepFiles::beside(options.output);
+    make_folder(files.result.parent_path());
     Checkpoint state = begin(options, plan, files);
     const SweepCare care{.checkpoint_interval = options.checkpoint_interval,
                          .show_progress = options.progress || on_terminal(),
@@ -112,10 +104,10 @@ void run_sweep_command(const SweepOptions& options, MpiSession& session, const I
     session.join();
     std::string text;
     if (session.rank() == 0) {
-        check_output(options.output);
         text = read_file(options.spec);
         const SweepPlan checked = in_file(options.spec, [&] { return SweepPlan(text); });
         for (const std::string& warning : checked.spec().warnings) spdlog::warn("warning: {}", warning);
+        check_outputs(SweepFiles::beside(options.output), options.spec, checked);
     }
     text = session.broadcast(text);
     const SweepPlan plan(text);

@@ -30,6 +30,13 @@ RowLog::RowLog(std::filesystem::path path, std::uint64_t size)
         close(file_);
         refuse("written");
     }
+    if (size_ > 0) return;
+    try {
+        append(row_log_mark);
+    } catch (const InputError&) {
+        close(file_);
+        throw;
+    }
 }
 
 RowLog::~RowLog() {

@@ -6,12 +6,15 @@
 
 namespace ashimpact {
 
+/// What the file of the rows begins with, so that a sweep knows its own.
+inline constexpr std::string_view row_log_mark = "ashimpact sweep rows\n";
+
 /// The packed rows of the full table in order, in a file of their own until all are there: unlike an HDF5
 /// file, it can be cut back to what a checkpoint knows of, whenever the program was stopped. Locked against a
 /// second sweep.
 class RowLog {
   public:
-    /// Opens the file, or makes it, and cuts it to @p size bytes.
+    /// Opens the file, or makes it, and cuts it to @p size bytes; 0: to its mark alone.
     /// @throws InputError if that cannot be done, the file is shorter, or another sweep has it
     RowLog(std::filesystem::path path, std::uint64_t size);
     ~RowLog();

@@ -63,6 +63,12 @@ class Course {
         saved_chunks_ = state_.tally.chunks();
     }
 
+    /// Leaves nothing behind where nothing was finished.
+    void forget() const {
+        std::error_code ignored;
+        for (const auto& file : {files_.checkpoint, files_.rows}) std::filesystem::remove(file, ignored);
+    }
+
   private:
     [[nodiscard]] std::uint64_t impacts_done() const {
         const std::uint64_t chunks = state_.tally.chunks();
@@ -168,6 +174,9 @@ bool complete(Checkpoint& state, const SweepPlan& plan, const SweepFiles& files,
         return course.run();
     } catch (const ConvergenceError&) {
         course.save();
+        throw;
+    } catch (const InputError&) {
+        if (state.tally.chunks() == 0) course.forget();
         throw;
     }
 }

@@ -8,11 +8,14 @@
 
 #include "data/version.hpp"
 #include "materials/error.hpp"
+#include "pipeline/sweep/row_log.hpp"
 #include "pipeline/sweep/rows.hpp"
 
 namespace ashimpact {
 
 namespace {
+
+constexpr auto spec_attribute = "spec_sha256";
 
 /// What HDF5 refuses to do; its own messages are long and go to standard error unless asked not to.
 class Hdf5Error : public std::runtime_error {
@@ -48,6 +51,10 @@ class Handle {
     Close close_;
 };
 
+void silence() {
+    check(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr), "H5Eset_auto");
+}
+
 /// A property list without time stamps.
 Handle timeless(hid_t kind) {
     Handle properties(H5Pcreate(kind), H5Pclose, "H5Pcreate");
@@ -77,7 +84,7 @@ class TableFile {
         : plan_(plan), file_(create(path)), properties_(dataset_properties()) {
         add_attribute(file_.id(), "program", "ashimpact " + std::string(program_version()));
         add_attribute(file_.id(), "revision", std::string(program_revision()));
-        add_attribute(file_.id(), "spec_sha256", plan.hash());
+        add_attribute(file_.id(), spec_attribute, plan.hash());
         add_attribute(file_.id(), "rows", rows_text(plan));
         std::set<std::string> groups;
         for (const TableColumn& column : plan.table_columns()) {
@@ -102,7 +109,7 @@ class TableFile {
 
   private:
     static Handle create(const std::filesystem::path& path) {
-        check(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr), "H5Eset_auto");
+        silence();
         const Handle properties = timeless(H5P_FILE_CREATE);
         return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, properties.id(), H5P_DEFAULT), H5Fclose, "H5Fcreate"};
     }
@@ -152,13 +159,35 @@ void copy_rows(std::ifstream& rows, const SweepPlan& plan, TableFile& table) {
     }
 }
 
+std::string read_text_attribute(hid_t object, const char* name) {
+    const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, "H5Aopen");
+    const Handle type(H5Aget_type(attribute.id()), H5Tclose, "H5Aget_type");
+    if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) != 0)
+        throw Hdf5Error("reading a text");
+    std::string text(H5Tget_size(type.id()), '\0');
+    check(H5Aread(attribute.id(), type.id(), text.data()), "H5Aread");
+    return text.substr(0, text.find('\0'));
+}
+
 }  // namespace
+
+std::optional<std::string> spec_of_table(const std::filesystem::path& file) {
+    try {
+        silence();
+        const Handle opened(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "H5Fopen");
+        if (!read_text_attribute(opened.id(), "program").starts_with("ashimpact ")) return std::nullopt;
+        return read_text_attribute(opened.id(), spec_attribute);
+    } catch (const Hdf5Error&) {
+        return std::nullopt;
+    }
+}
 
 void write_table(const std::filesystem::path& file, const SweepPlan& plan,
                  const std::filesystem::path& rows) {
     const auto temporary = file.parent_path() / ("." + file.filename().string() + ".tmp");
     try {
         std::ifstream stream(rows, std::ios::binary);
+        stream.seekg(row_log_mark.size());
         TableFile table(temporary, plan);
         copy_rows(stream, plan, table);
         table.close();

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 
 #include "pipeline/sweep/plan.hpp"
 
@@ -11,5 +13,8 @@ namespace ashimpact {
 /// reader ever sees half a file.
 /// @throws InputError if the file cannot be written
 void write_table(const std::filesystem::path& file, const SweepPlan& plan, const std::filesystem::path& rows);
+
+/// The hash of the spec (SweepPlan::hash) whose table a file is; nothing where no sweep wrote it.
+[[nodiscard]] std::optional<std::string> spec_of_table(const std::filesystem::path& file);
 
 }  // namespace ashimpact

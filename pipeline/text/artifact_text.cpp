@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "pipeline/text/comparison_table.hpp"
 #include "pipeline/text/readable.hpp"
@@ -37,19 +38,24 @@ std::string quantity_text(const Json& value) {
     return text;
 }
 
-/// A value that fits behind its name, or nothing.
-std::string short_text(const Json& value) {
-    if (is_quantity(value)) return quantity_text(value);
+/// A string, number, truth value or null.
+std::string scalar_text(const Json& value) {
     if (value.is_null()) return "-";
-    if (value.is_string()) return value.get<std::string>();
+    if (value.is_string()) return value == "" ? "\"\"" : value.get<std::string>();
     if (value.is_number_float()) return readable_number(value.get<double>());
-    if (!value.is_structured()) return value.dump();
+    return value.dump();
+}
+
+/// A value that fits behind its name, or nothing.
+std::optional<std::string> short_text(const Json& value) {
+    if (is_quantity(value)) return quantity_text(value);
+    if (!value.is_structured()) return scalar_text(value);
     if (value.empty()) return "none";
-    if (!value.is_array()) return {};
+    if (!value.is_array()) return std::nullopt;
     std::string list;
     for (const Json& element : value) {
-        if (element.is_structured()) return {};
-        list += (list.empty() ? "" : ", ") + short_text(element);
+        if (element.is_structured()) return std::nullopt;
+        list += (list.empty() ? "" : ", ") + scalar_text(element);
     }
     return list;
 }
@@ -85,7 +91,7 @@ bool is_table(const Json& list) {
     for (const Json& row : list) {
         if (!row.is_object() || row.size() != list.front().size() || row.size() > 8) return false;
         for (const auto& [key, cell] : row.items())
-            if (!list.front().contains(key) || short_text(cell).empty()) return false;
+            if (!list.front().contains(key) || !short_text(cell)) return false;
     }
     return true;
 }
@@ -97,7 +103,7 @@ std::string rows_text(const Json& list, std::size_t indent) {
     for (const Json& row : list) {
         std::vector<std::string> cells;
         cells.reserve(heading.size());
-        for (const std::string& key : heading) cells.push_back(short_text(row.at(key)));
+        for (const std::string& key : heading) cells.push_back(short_text(row.at(key)).value());
         table.add(std::move(cells));
     }
     return table.text(indent);
@@ -120,7 +126,8 @@ std::string list_text(const std::string& name, const Json& list, std::size_t ind
     std::string text;
     if (list.front().is_array()) {
         text = margin + name + "\n";
-        for (const Json& row : list) text += fmt::format("{}  {}\n", margin, short_text(row));
+        for (const Json& row : list)
+            text += fmt::format("{}  {}\n", margin, short_text(row).value_or(row.dump()));
         return text;
     }
     for (std::size_t i = 0; i < list.size(); ++i) {
@@ -136,9 +143,8 @@ std::string block_text(const Json& value, std::size_t indent) {
     bool any = false;
     for (const auto& [key, member] : value.items()) {
         if (is_column(member)) continue;
-        const std::string text = short_text(member);
-        if (!text.empty()) {
-            scalars.add(key, text);
+        if (const auto text = short_text(member)) {
+            scalars.add(key, *text);
             any = true;
         } else if (member.is_array()) {
             nested += list_text(key, member, indent);

@@ -91,6 +91,21 @@ const Spoiled spoiled_cases[]{
     {"a number for a name", [](Json& c) { c["name"] = 3; }, "/name", "is 3; allowed: a name"},
     {"inadmissible detachment", [](Json& c) { c["detachments"]["dmt"] = "pull-off"; }, "/detachments/dmt",
      "pull-off does not end a contact of law dmt"},
+    {"detachment of a law that is not asked for",
+     [](Json& c) {
+         c["laws"] = {"dmt"};
+         c["detachments"] = {{"jkr", "pull-off"}};
+     },
+     "/detachments/jkr", "the law is not among \"laws\"; allowed: a law of the case"},
+    {"no phases of one's own", [](Json& c) { c["phases"] = Json::array(); }, "/phases", "at least one phase"},
+    {"phase of one's own twice",
+     [](Json& c) {
+         const Json phase{{"name", "x"}, {"density", 3000}, {"young_modulus", 9e10}};
+         c["phases"] = {phase, phase};
+     },
+     "/phases/1", "two phases are called \"x\"; allowed: each phase once"},
+    {"file without an end", [](Json& c) { c["samples"][0]["restitution"]["file"] = "/dev/zero"; },
+     "/samples/0/restitution/file", "/dev/zero: is longer than 256 MiB"},
     {"detachment of no law", [](Json& c) { c["detachments"]["dtm"] = "pull-off"; }, "/detachments/dtm",
      "unknown contact law 'dtm'"},
     {"unknown damping law", [](Json& c) { c["damping_law"] = "viscous"; }, "/damping_law",
@@ -275,8 +290,36 @@ TEST_CASE("wrong options: exit 2, one line that names the option") {
              Wrong{"impact --law", "--law has no value; allowed: contact law"},
              Wrong{"run a.json b.json", "\"b.json\" is not expected; allowed: "},
              Wrong{"run --fron fit", "\"--fron\" is not expected, did you mean --from?; allowed: "},
-             Wrong{"run -o ''", "--output: is empty; allowed: a path"},
-             Wrong{"init ''", "is empty; allowed: a path"},
+             Wrong{"run -o ''", "--output: is empty; allowed: folder of the artifacts"},
+             Wrong{"init ''", "DIR: is empty; allowed: where to write it"},
+             Wrong{"run --from ''", "--from: is empty; allowed: start at this stage"},
+             Wrong{"run --only ''", "--only: is empty; allowed: run this stage alone"},
+             Wrong{"modulus x.csv --sample ''", "--sample: is empty; allowed: "},
+             Wrong{"calibrate --free ''", "--free: is empty; allowed: a constant to find"},
+             Wrong{"sweep s.json -o s2.json --checkpoint nan",
+                   "--checkpoint: is \"nan\"; allowed: a number from 0 to 1000000"},
+             Wrong{"impact --law dmt --velocity 2 --damping ''" + contact, "--damping: is empty; allowed: "},
+             Wrong{"impact --law dmt --velocity 2 --trajectory -" + contact,
+                   "--trajectory: is \"-\"; allowed: a path, ./- for a file of that name"},
+             Wrong{"impact --law dmt --velocity 2 --traj t.csv" + contact,
+                   "\"--traj\" is not expected, did you mean --trajectory?"},
+             Wrong{"frob --help", "unknown command \"frob\"; allowed: run"},
+             Wrong{"frob --version", "unknown command \"frob\""},
+             Wrong{"schema -q -v", "--quiet, --verbose: both are given; allowed: one of the two"},
+             Wrong{"-q schema -v", "--quiet, --verbose: both are given"},
+             Wrong{"init " + std::string(300, 'a'), "File name too long; allowed: "},
+             Wrong{"inspect /dev/zero", "/dev/zero: is longer than 256 MiB; allowed: "},
+             Wrong{"calibrate --free contact_modulus --free wall_young_modulus",
+                   "contact_modulus and wall_young_modulus are both free"},
+             Wrong{"critical-velocity --law hertz --damping 1e-40" + contact,
+                   "--damping: the velocity that this damping captures is "},
+             Wrong{"critical-velocity --law hertz --damping 1e30" + contact,
+                   "--damping: the velocity that this damping captures is "},
+             Wrong{"impact --law dmt --velocity 2 --radius '44 um' --density 2600 --contact-modulus 9e10 "
+                   "--work-of-adhesion 1e300",
+                   "--work-of-adhesion: work of adhesion is 1e+300 J/m2; allowed: 0, or 1e-40 to 1e40"},
+             Wrong{"impact --law hertz --velocity 2 --radius 1e-20 --density 2600 --contact-modulus 9e10",
+                   "--radius, --density: mass of the sphere is "},
              Wrong{"impact --law dmt --velocity 2 --radius '44 um' --contact-modulus '90 GPa'",
                    "--density, --mass: neither is given"},
              Wrong{"impact --law dmt --velocity 2 --mass 1e-9" + contact,
@@ -312,7 +355,8 @@ TEST_CASE("wrong options: exit 2, one line that names the option") {
                  "impact --law thornton-ning --yield-pressure '1 GPa' --velocity 2 --method paper-explicit" +
                      contact,
                  "cannot treat law 'thornton-ning'"},
-             Wrong{"damping --law dmt --velocity 2 --restitution 1.5" + contact, "1.5"},
+             Wrong{"damping --law dmt --velocity 2 --restitution 1.5" + contact, "--restitution: "},
+             Wrong{"modulus x.csv --phases zz", "zz: cannot be read"},
              Wrong{"damping --law dmt" + contact, "--velocity: is missing"},
              Wrong{"damping --law dmt --velocity 2" + contact, "--restitution: is missing"},
              Wrong{"damping --law dmt --velocity 2 --impacts x.csv" + contact,
@@ -362,8 +406,10 @@ TEST_CASE("an artifact edited wrongly is refused with its file and pointer, and 
              Edit{"2-contact.json",
                   [](Json& a) { a["result"]["samples"][0]["contact_modulus"]["value"] = -1.0; },
                   "/result/samples/0"},
+             Edit{"2-contact.json", [](Json& a) { a["result"]["samples"][1]["density"]["value"] = -1.0; },
+                  "out/2-contact.json: /result/samples/1/density: density is -1 kg/m3; allowed: a positive"},
              Edit{"2-contact.json", [](Json& a) { a["result"]["samples"].erase(1); },
-                  "the sample coarse is missing"},
+                  "the sample \"coarse\" is missing; allowed: every sample of 0-case.json"},
              Edit{"2-contact.json", [](Json& a) { a["result"].erase("samples"); },
                   "/result: \"samples\" is missing"},
              Edit{"2-contact.json", [](Json& a) { a["schema"] = "3-analytic"; }, "/schema: "},
@@ -373,7 +419,14 @@ TEST_CASE("an artifact edited wrongly is refused with its file and pointer, and 
                       REQUIRE(law.contains("critical_damping"));
                       law["critical_damping"]["value"] = -0.01;
                   },
-                  "/critical_damping: is -0.01"},
+                  "/critical_damping: critical damping is -0.01 kg/s; allowed: a non-negative damping"},
+             Edit{"7-critical-velocity.json",
+                  [](Json& a) { a["result"]["samples"][1]["dmt"]["critical_velocity"]["value"] = -1.0; },
+                  "out/7-critical-velocity.json: /result/samples/1/dmt/critical_velocity: critical velocity "
+                  "is -1 m/s; allowed: a positive velocity"},
+             Edit{"7-critical-velocity.json",
+                  [](Json& a) { a["result"]["samples"][0]["measured"]["critical_velocity"]["value"] = -1.0; },
+                  "/result/samples/0/measured/critical_velocity: critical velocity is -1 m/s"},
          }) {
         CAPTURE(edit.says);
         const std::string file = std::string("out/") + edit.file;
@@ -382,9 +435,10 @@ TEST_CASE("an artifact edited wrongly is refused with its file and pointer, and 
         edit.spoil(document);
         sandbox.write(file, document.dump());
         const auto before = sandbox.everything();
-        const bool fit = file == "out/6-fit.json";
-        const auto finished = ashimpact_program(
-            sandbox, fit ? "run -o out --from critical-velocity" : "run -o out --from restitution");
+        const std::string stage = file == "out/6-fit.json"                 ? "critical-velocity"
+                                  : file == "out/7-critical-velocity.json" ? "histories"
+                                                                           : "restitution";
+        const auto finished = ashimpact_program(sandbox, "run -o out --from " + stage);
         CHECK(finished.status == 2);
         CHECK(test::lines_of(finished.err).size() == 1);
         CHECK_MESSAGE(finished.err.find(edit.says) != std::string::npos, finished.err);

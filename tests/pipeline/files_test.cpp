@@ -76,3 +76,30 @@ TEST_CASE("a file that cannot be read is named with the reason") {
           sandbox.path("none") + ": cannot be read: No such file or directory; allowed: a file");
     CHECK(message(sandbox.folder().string()).find("it is a folder") != std::string::npos);
 }
+
+TEST_CASE("a file without an end is refused, not read until the memory is full") {
+    CHECK_THROWS_WITH_AS(static_cast<void>(read_file("/dev/zero")),
+                         "/dev/zero: is longer than 256 MiB; allowed: a file of at most 256 MiB", InputError);
+    CHECK(read_start("/dev/zero", 3) == std::string(3, '\0'));
+}
+
+TEST_CASE("a folder that cannot be written into is known before there is anything to write") {
+    const Sandbox sandbox;
+    sandbox.write("file", "x");
+    CHECK_NOTHROW(require_writable_folder(sandbox.folder() / "a/b/c"));
+    CHECK_FALSE(sandbox.has("a"));
+    CHECK_THROWS_AS(require_writable_folder(sandbox.folder() / "file"), InputError);
+    CHECK_THROWS_AS(require_writable_folder(sandbox.folder() / "file/below"), InputError);
+    CHECK_THROWS_AS(require_writable_folder(sandbox.folder() / std::string(300, 'x')), InputError);
+}
+
+TEST_CASE("one file under several names is one file") {
+    const Sandbox sandbox;
+    sandbox.write("file", "x");
+    sandbox.write("other", "x");
+    std::filesystem::create_symlink("file", sandbox.folder() / "link");
+    CHECK(is_same_file(sandbox.path("file"), sandbox.path("./file")));
+    CHECK(is_same_file(sandbox.path("file"), sandbox.path("link")));
+    CHECK_FALSE(is_same_file(sandbox.path("file"), sandbox.path("other")));
+    CHECK_FALSE(is_same_file(sandbox.path("file"), sandbox.path("none")));
+}

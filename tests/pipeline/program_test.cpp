@@ -369,6 +369,29 @@ TEST_CASE("init, run and inspect, as the help says") {
     CHECK(ashimpact_program(sandbox, "inspect my-case/case.json").status == 2);
 }
 
+TEST_CASE("inspect shows an artifact with empty texts and refuses a quantity without a unit") {
+    const Sandbox sandbox;
+    test::write_example(sandbox, test::example_case());
+    REQUIRE(ashimpact_program(sandbox, "run case.json -o out").status == 0);
+    Json contact = sandbox.json("out/2-contact.json");
+    contact["provenance"]["options"]["x"] = "";
+    contact["result"]["samples"][0]["contact_modulus"] = "";
+    sandbox.write("empty.json", contact.dump());
+    const auto shown = ashimpact_program(sandbox, "inspect empty.json");
+    CHECK_MESSAGE(shown.status == 0, shown.err);
+    CHECK(shown.out.find("\"\"") != std::string::npos);
+
+    Json whole = sandbox.json("out/0-case.json");
+    REQUIRE(whole["result"]["phases"][0].contains("density"));
+    whole["result"]["phases"][0]["density"] = {{"value", 2650}, {"unit", nullptr}};
+    sandbox.write("unit.json", whole.dump());
+    const auto refused = ashimpact_program(sandbox, "inspect unit.json");
+    CHECK(refused.status == 2);
+    CHECK(refused.out.empty());
+    CHECK_MESSAGE(refused.err == "unit.json: /result/phases/0/density/unit: is null; allowed: a string\n",
+                  refused.err);
+}
+
 TEST_CASE("schema prints what a case is checked against, comments included") {
     const Sandbox sandbox;
     const auto names = ashimpact_program(sandbox, "schema");

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "materials/text.hpp"
 #include "pipeline/text/artifact_text.hpp"
 #include "pipeline/text/readable.hpp"
 #include "pipeline/text/table.hpp"
@@ -32,6 +33,14 @@ TEST_CASE("a table keeps its columns whatever the width of its cells") {
           "wide cell            22\n");
 }
 
+TEST_CASE("an empty text, an empty list and a list of mixed values are shown as they are") {
+    const Json result = parse_json(R"({"contact_modulus": "", "options": {"x": "", "none": []},
+        "mixed": [1, {"k": "v"}, ""], "matrix": [[1, 2], [{"deep": ""}]]})");
+    const std::string text = result_text(result);
+    for (const char* piece : {"contact_modulus  \"\"", "x     \"\"", "none  none", "k  v", "1, 2", "deep"})
+        CHECK_MESSAGE(text.find(piece) != std::string::npos, piece, "\n", text);
+}
+
 TEST_CASE("a result of any shape becomes text with every value in it") {
     const Json result = parse_json(R"({"name": "x", "E": {"value": 9e10, "unit": "Pa"}, "none": null,
         "curve": {"t": {"values": [1, 2], "unit": "s"}, "v": {"values": [3, 4], "unit": "m/s"}},
@@ -39,4 +48,18 @@ TEST_CASE("a result of any shape becomes text with every value in it") {
     const std::string text = result_text(result);
     for (const char* piece : {"90 GPa", "t [s]", "v [m/s]", "none  -", "p  1", "q  2"})
         CHECK_MESSAGE(text.find(piece) != std::string::npos, piece, "\n", text);
+}
+
+TEST_CASE("what a terminal would obey is shown as a question mark") {
+    CHECK(without_controls("a\x1b[31mb\x07\r\x7f") == "a?[31mb???");
+    CHECK(without_controls("one\ttwo\nthree") == "one\ttwo\nthree");
+    CHECK(without_controls("\xc2\x9b\x33m") == "?3m");  // CSI as one character of UTF-8
+    CHECK(without_controls("\xc2\xb5m, \xc3\xa4sh") == "\xc2\xb5m, \xc3\xa4sh");
+}
+
+TEST_CASE("a word of a shell command is quoted where the shell would cut it") {
+    CHECK(shell_word("my-case/case.json") == "my-case/case.json");
+    CHECK(shell_word("my case") == "'my case'");
+    CHECK(shell_word("it's") == "'it'\\''s'");
+    CHECK(shell_word("") == "''");
 }

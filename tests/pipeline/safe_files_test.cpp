@@ -1,0 +1,119 @@
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "tests/pipeline/sandbox.hpp"
+
+using namespace ashimpact;
+using test::ashimpact_program;
+using test::Sandbox;
+
+namespace {
+
+/// Exit status 2, one line on standard error that says so, every file as it was.
+void check_untouched(const Sandbox& sandbox, const std::string& arguments, const std::string& says) {
+    CAPTURE(arguments);
+    const auto before = sandbox.everything();
+    const auto finished = ashimpact_program(sandbox, arguments);
+    CHECK(finished.status == 2);
+    CHECK(finished.out.empty());
+    CHECK(test::lines_of(finished.err).size() == 1);
+    CHECK_MESSAGE(finished.err.find(says) != std::string::npos, finished.err);
+    CHECK(sandbox.everything() == before);
+}
+
+}  // namespace
+
+TEST_CASE("a run does not write over the case or the data that it reads") {
+    const Sandbox sandbox;
+    test::write_example(sandbox, test::example_case());
+    std::filesystem::rename(sandbox.path("case.json"), sandbox.path("0-case.json"));
+    check_untouched(sandbox, "run 0-case.json -o .",
+                    "0-case.json: the run reads this file and would write 0-case.json over it; allowed: ");
+    check_untouched(sandbox, "run ./0-case.json -o '" + sandbox.folder().string() + "'",
+                    "another folder; -o");
+
+    Json document = test::example_case();
+    document["samples"][0]["restitution"]["file"] = "5-damping.json";
+    std::filesystem::rename(sandbox.path("impacts.csv"), sandbox.path("5-damping.json"));
+    sandbox.write("case.json", document.dump());
+    check_untouched(sandbox, "run case.json -o .", "5-damping.json: the run reads this file");
+    std::filesystem::create_directory(sandbox.folder() / "out");
+    std::filesystem::create_symlink("../case.json", sandbox.folder() / "out/comparison.json");
+    check_untouched(sandbox, "run case.json -o out", "case.json: the run reads this file");
+}
+
+TEST_CASE("a folder that cannot be written is refused before the first stage") {
+    const Sandbox sandbox;
+    sandbox.write("file", "x");
+    check_untouched(sandbox, "run none.json -o file", "file: cannot be written: it is no folder");
+    check_untouched(sandbox, "run -o file/below", "file: cannot be written: it is no folder");
+    check_untouched(sandbox, "run -o " + std::string(300, 'x'), "cannot be written: File name too long");
+}
+
+TEST_CASE("names with control characters do not reach the terminal raw") {
+    const Sandbox sandbox;
+    Json document = test::example_case();
+    document["samples"][0]["name"] = "fine\x1b[31m";
+    document["samples"][0]["composition"]["xrd_sample"] = "fine";
+    test::write_example(sandbox, document);
+    const auto run = ashimpact_program(sandbox, "run case.json -o out -v");
+    REQUIRE_MESSAGE(run.status == 0, run.err);
+    const auto shown = ashimpact_program(sandbox, "inspect out/2-contact.json");
+    CHECK(shown.out.find("fine?[31m") != std::string::npos);
+    for (const std::string& text : {run.out, run.err, shown.out, shown.err})
+        CHECK(text.find('\x1b') == std::string::npos);
+}
+
+TEST_CASE("help that cannot be written is an error") {
+    const Sandbox sandbox;
+    const auto help = ashimpact_program(sandbox, "--help >/dev/full 2>err; echo $? >status; true");
+    CHECK(sandbox.read("status") == "2\n");
+    CHECK(sandbox.read("err") == "standard output: cannot be written; allowed: a place with room\n");
+}
+
+TEST_CASE("a limit on the size of files is an error of the write and leaves nothing behind") {
+    const Sandbox sandbox;
+    const Sandbox outputs;
+    const std::string command = "cd '" + sandbox.folder().string() +
+                                "' && (ulimit -f 8; '" ASHIMPACT_PROGRAM "' run -o out) >/dev/null 2>'" +
+                                outputs.path("err") + "'";
+    const int result = std::system(command.c_str());
+    CHECK(result == 2 << 8);  // its exit status, no signal
+    CHECK_MESSAGE(outputs.read("err").find("cannot be written: File too large") != std::string::npos,
+                  outputs.read("err"));
+    for (const auto& [name, _] : sandbox.everything()) CHECK_MESSAGE(name == "out", name);
+}
+
+TEST_CASE("without ashimpact-sweep beside it the program says what is missing") {
+    const Sandbox sandbox;
+    std::filesystem::copy_file(ASHIMPACT_PROGRAM, sandbox.path("alone"));
+    const Sandbox outputs;
+    const std::string command = "cd '" + sandbox.folder().string() +
+                                "' && ./alone sweep s.json -o o.json 2>'" + outputs.path("err") + "'";
+    const int result = std::system(command.c_str());
+    CHECK(result == 2 << 8);
+    CHECK_MESSAGE(
+        outputs.read("err").find("/ashimpact-sweep: cannot be started: No such file") != std::string::npos,
+        outputs.read("err"));
+}
+
+TEST_CASE("what init says can be typed as it stands, and so can the examples of help") {
+    const Sandbox sandbox;
+    const auto init = ashimpact_program(sandbox, "init 'my case'");
+    REQUIRE(init.status == 0);
+    const std::string start = "ashimpact run ";
+    const auto at = init.out.find(start);
+    REQUIRE(at != std::string::npos);
+    const std::string arguments = init.out.substr(at + start.size());
+    CHECK(ashimpact_program(sandbox, "run " + arguments.substr(0, arguments.find('\n'))).status == 0);
+    CHECK(sandbox.has("my case/results/comparison.json"));
+
+    REQUIRE(ashimpact_program(sandbox, "init my-case").status == 0);
+    const auto modulus =
+        ashimpact_program(sandbox, "modulus my-case/ash.csv --amorphous-fraction '42 +- 2 %'");
+    CHECK_MESSAGE(modulus.status == 0, modulus.err);
+    check_untouched(sandbox, "modulus my-case/ash.csv --amorphous-fraction '42 +- 200 %'",
+                    "--amorphous-fraction: its uncertainty is 2; allowed: 0 to 1");
+}
