@@ -35,8 +35,8 @@ void require_positive_or_infinite(std::string_view name, double value, Dimension
 
 void require_not_negative(std::string_view name, double value, Dimension dimension) {
     if (!(value >= 0) || !std::isfinite(value)) refuse(name, value, dimension, a("non-negative", dimension));
-    if (value != 0 && (value < 1e-40 || value > 1e40))
-        refuse(name, value, dimension, "0, or 1e-40 to 1e40 in SI");
+    if (value != 0 && !is_computable(value))
+        refuse(name, value, dimension, "0, or " + std::string(computable_range) + " in SI");
 }
 
 void require_poisson_ratio(std::string_view name, double value) {

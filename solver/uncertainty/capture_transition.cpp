@@ -63,7 +63,7 @@ double OutcomeLikelihood::variance_slope(const CaptureTransition& transition) co
     for (const Measurement& point : set_->points) {
         const double deviation = deviation_of(point, transition.extra_variance);
         const double z = (point.captured() ? 1.0 : -1.0) * (transition.center - point.velocity) / deviation;
-        sum += gsl::log_normal_probability_slope(z) * z / (deviation * deviation);
+        sum += gsl::normal_log_probability_slope(z) * z / (deviation * deviation);
     }
     return sum;
 }
