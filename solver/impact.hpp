@@ -65,7 +65,8 @@ void validate(const Impact& impact);
 
 /// Solves one impact to the rounding of extended precision (relative error of restitution, times and overlap
 /// far below 1e-10 at fly-ash scale; conditioning 1 + |U_min|/(m v^2/2)).
-/// @throws InputError for inadmissible input, ConvergenceError if the step count runs away
+/// @throws InputError for inadmissible input, ConvergenceError if the step count runs away: contact-radius
+/// damping so strong that a Hertz contact creeps back with a restitution below some 1e-13
 [[nodiscard]] ImpactResult solve_impact(const Impact& impact);
 
 /// Restitution alone, in double precision and without validation: for root finding and fits [1].

@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/json/statistics_json.hpp"
 #include "pipeline/stages/attempt.hpp"
@@ -46,13 +43,8 @@ Json from_damping(const VelocityTask& task) {
                               .shape = InputShape::lognormal};
     std::vector<RandomInput> inputs{damping};
     inputs.insert(inputs.end(), task.uncertain.inputs.begin(), task.uncertain.inputs.end());
-    // The scaled damping goes with no more than the first power of any input: five standard uncertainties of
-    // their sum, and a margin.
-    double spread = 0;
-    for (const RandomInput& input : inputs)
-        if (input.standard_uncertainty > 0) spread += input.standard_uncertainty / std::abs(input.value);
     const CriticalVelocityCurve curve(task.choice.law, task.choice.detachment, task.contact.pair,
-                                      damping.value, std::exp(std::clamp(5 * spread, 0.05, 2.0)));
+                                      damping.value, scaled_damping_factor(damping, task.uncertain));
     const auto critical = [&](std::span<const double> values) -> std::optional<double> {
         return curve(task.uncertain.contact(values.subspan(1)), values[0]);
     };

@@ -115,6 +115,15 @@ void require_same(const ContactPair& a, const ContactPair& b) {
 
 }  // namespace
 
+double scaled_damping_factor(const RandomInput& damping, const RandomContact& contact) {
+    const auto share = [](const RandomInput& input) {
+        return input.standard_uncertainty > 0.0 ? input.standard_uncertainty / std::abs(input.value) : 0.0;
+    };
+    double spread = share(damping) + share(contact.inputs.front());  // the diameter, which counts twice
+    for (const RandomInput& input : contact.inputs) spread += share(input);
+    return std::exp(std::clamp(5.0 * spread, 0.05, 2.0));
+}
+
 Propagation propagate_critical_velocity(const DampingCurveFit& fit, const ContactModel& model,
                                         const RandomContact& contact, DampingUnderChange change,
                                         const PropagationOptions& options) {

@@ -42,9 +42,9 @@ struct SphereOnWall {
     double yield_pressure = std::numeric_limits<double>::infinity();  ///< [Pa]
 };
 
-/// The inputs of a sphere on a wall: its size, density, w, and what its contact modulus comes from; of a
-/// mixture, every fraction and every phase modulus whose uncertainty is known. Fractions below zero count as
-/// zero.
+/// The inputs of a sphere on a wall: first its diameter, density, w, and what its contact modulus comes from;
+/// of a mixture, every fraction and every phase modulus whose uncertainty is known. Fractions below zero
+/// count as zero.
 /// @throws InputError unless exactly one way to a modulus is given
 [[nodiscard]] RandomContact random_contact(const SphereOnWall& sphere);
 
