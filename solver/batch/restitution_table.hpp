@@ -11,13 +11,13 @@ namespace ashimpact::batch {
 
 /// The impacts of one law, detachment and damping law, all of them: scaled, they have but two numbers, the
 /// adhesion number A and the damping number beta. Tabulated are e^2 and the contact time by Chebyshev
-/// polynomials through impacts that the batch solver integrates, on rectangles of x = A/(1 + A) and
-/// y = beta/(1 + beta), quartered until the last coefficients are negligible. A rectangle is computed when it
+/// polynomials through impacts that the batch solver integrates, on squares of x = A/(1 + A) and
+/// y = beta/(1 + beta), quartered until the last coefficients are negligible. A square is computed when it
 /// is first asked for, and is the same whenever that is.
 ///
-/// More adhesion and more damping capture more, so that two opposite corners tell whether a rectangle
+/// More adhesion and more damping capture more, so that two opposite corners tell whether a square
 /// rebounds or is captured as a whole. Those that are still cut by the edge of capture at the last quartering
-/// are not told: there the impact has to be integrated.
+/// are not told: there the impact has to be integrated. docs/decisions/0010-tables.md
 class RestitutionTable {
   public:
     using State = RestitutionPiece::State;
