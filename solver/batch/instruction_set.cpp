@@ -51,4 +51,8 @@ void use_instruction_set(std::string_view name) {
     if (!name.empty()) throw InputError("unknown instruction set '" + std::string(name) + "'", names);
 }
 
+void settle_instruction_set() {
+    if (!hwy::GetChosenTarget().IsInitialized()) hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
 }  // namespace ashimpact

@@ -13,4 +13,8 @@ namespace ashimpact {
 /// be in a batch. Empty: the best again. @throws InputError naming those there are
 void use_instruction_set(std::string_view name);
 
+/// Chooses the best instruction set if none has been chosen yet: from then on a law's kernels are the same
+/// functions.
+void settle_instruction_set();
+
 }  // namespace ashimpact

@@ -1,5 +1,6 @@
 #include "solver/batch/restitution_table.hpp"
 
+#include "solver/batch/instruction_set.hpp"
 #include "solver/numeric/chebyshev.hpp"
 
 #include <algorithm>
@@ -95,6 +96,7 @@ RestitutionTable& RestitutionTable::of(Law law, Detachment detachment, DampingLa
     using Key = std::tuple<NumberKernel, Detachment, DampingLaw>;
     static std::mutex access;
     static std::map<Key, RestitutionTable> tables;
+    settle_instruction_set();
     const Kernels kernels = kernels_of(law);
     const std::scoped_lock lock(access);
     return tables.try_emplace(Key{kernels.numbers, detachment, damping_law}, kernels, detachment, damping_law)

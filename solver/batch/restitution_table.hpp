@@ -35,14 +35,16 @@ class RestitutionTable {
         const std::size_t place = index_of(x) * index_size + index_of(y);
         RestitutionPiece* piece = index_[place].load(std::memory_order_acquire);
         if (piece == nullptr) piece = &entered(x, y, place);
-        for (int depth = index_depth;; ++depth) {
+        int depth = index_depth;
+        while (true) {
             const State state = piece->state();
             if (state == State::unknown) {
                 compute(*piece, depth);
-            } else if (state != State::quartered) {
-                return piece;
-            } else {
+            } else if (state == State::quartered) {
                 piece = &piece->quarter(x, y);
+                ++depth;
+            } else {
+                return piece;
             }
         }
     }

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <numeric>
 #include <random>
 #include <string>
+#include <thread>
 
 #include "materials/error.hpp"
 #include "solver/batch/restitution_table.hpp"
@@ -59,6 +61,16 @@ void check_same_bits(const Impacts& impacts, const BatchOptions& options) {
     }
 }
 
+/// Random coordinates of a table, from 0 to where nothing rebounds.
+class Places {
+  public:
+    explicit Places(unsigned seed) : random_(seed) {}
+    double next() { return 0.6 * static_cast<double>(random_()) / static_cast<double>(std::mt19937::max()); }
+
+  private:
+    std::mt19937 random_;
+};
+
 /// Has an instruction set used for as long as it lives.
 class Prescribed {
   public:
@@ -105,30 +117,48 @@ TEST_CASE("a piece of a table is the same, in every bit, whoever asked for it fi
         return std::make_unique<batch::RestitutionTable>(batch::kernels_of(Law::of<Dmt>()),
                                                          Detachment::zero_overlap, DampingLaw::constant);
     };
-    const auto forwards = table();
-    const auto backwards = table();
-    std::vector<double> places;
-    for (int i = 0; i < 40; ++i) places.push_back(0.0131 * i);
-    for (const double x : places) {
-        for (const double y : places) static_cast<void>(forwards->at(x, y));
-    }
+    const auto ask = [](batch::RestitutionTable& of, unsigned seed) {
+        Places places(seed);
+        for (int i = 0; i < 10'000; ++i) {
+            const double x = places.next();
+            static_cast<void>(of.at(x, places.next()));
+        }
+    };
+    const auto one = table();
+    ask(*one, 1);
+    ask(*one, 2);
+    const auto other = table();
+    ask(*other, 2);
+    const auto shared = table();
+    std::thread first(ask, std::ref(*shared), 2);
+    ask(*shared, 3);
+    first.join();
     int rebounds = 0;
     int captures = 0;
-    for (auto x = places.rbegin(); x != places.rend(); ++x) {
-        for (auto y = places.rbegin(); y != places.rend(); ++y) {
-            const batch::RestitutionPiece& a = *forwards->at(*x, *y);
-            const batch::RestitutionPiece& b = *backwards->at(*x, *y);
+    int untold = 0;
+    Places places(4);
+    for (int i = 0; i < 20'000; ++i) {
+        const double x = places.next();
+        const double y = places.next();
+        const batch::RestitutionPiece& a = *one->at(x, y);
+        for (const auto* table_asked : {&other, &shared}) {
+            const batch::RestitutionPiece& b = *(*table_asked)->at(x, y);
             REQUIRE(a.state() == b.state());
-            if (a.state() == batch::RestitutionPiece::State::capture) ++captures;
+            REQUIRE(a.t(x) == b.t(x));
+            REQUIRE(a.u(y) == b.u(y));
             if (a.state() != batch::RestitutionPiece::State::rebound) continue;
-            ++rebounds;
-            CHECK(a.polynomials().restitution_squared == b.polynomials().restitution_squared);
-            CHECK(a.polynomials().contact_time == b.polynomials().contact_time);
+            REQUIRE(a.polynomials().restitution_squared == b.polynomials().restitution_squared);
+            REQUIRE(a.polynomials().contact_time == b.polynomials().contact_time);
         }
+        rebounds += a.state() == batch::RestitutionPiece::State::rebound ? 1 : 0;
+        captures += a.state() == batch::RestitutionPiece::State::capture ? 1 : 0;
+        untold += a.state() == batch::RestitutionPiece::State::untold ? 1 : 0;
     }
-    CHECK(rebounds > 500);
-    CHECK(captures > 100);
-    CHECK(forwards->at(std::numeric_limits<double>::quiet_NaN(), 0.5) == nullptr);
+    CHECK(rebounds > 5000);
+    CHECK(captures > 5000);
+    CHECK(untold > 50);
+    CHECK(untold < 1000);
+    CHECK(one->at(std::numeric_limits<double>::quiet_NaN(), 0.5) == nullptr);
 }
 
 TEST_CASE("instruction sets agree within the bound of the solver") {
