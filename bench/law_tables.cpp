@@ -92,7 +92,7 @@ void print_integrated_laws(const Options& options) {
 /// Every law, from tables; what it takes to make those as far as these impacts ask for them.
 void print_tabulated_laws(const Options& options) {
     fmt::print("\n{:<30}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "tables, best set", "impacts/s", "worst",
-               "making it, s", "dampings/s", "v_c/s");
+               "made in, s", "dampings/s", "v_c/s");
     for_each_law([&](const Population& many) {
         const ImpactBatch batch = many.impacts.batch();
         const auto count = static_cast<double>(many.restitution.size());
