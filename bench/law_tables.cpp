@@ -10,6 +10,7 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "bench/multiply_add.hpp"
 #include "bench/population.hpp"
@@ -26,18 +27,26 @@ std::string name_of(const ImpactBatch& batch) {
     return std::string(batch.law.name()) + ' ' + std::string(ashimpact::name_of(batch.damping_law));
 }
 
-void for_each_law(const std::function<void(const Population&)>& measure) {
+/// The impacts of one law and damping law, and how many.
+struct LawImpacts {
+    const Population& population;
+    ImpactBatch batch;
+    double count;
+};
+
+void for_each_law(const std::function<void(const LawImpacts&)>& measure) {
     for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()}) {
         for (const DampingName& damping : damping_names) {
-            measure(population(law, law.default_detachment(), damping.law, 16384));
+            const Population many = population(law, law.default_detachment(), damping.law, 16384);
+            measure({many, many.impacts.batch(), static_cast<double>(many.restitution.size())});
         }
     }
 }
 
-void find_dampings(const Population& many, BatchMethod method) {
-    const ImpactBatch batch = many.impacts.batch();
-    const Eigen::ArrayXd restitution =
-        Eigen::Map<const Eigen::ArrayXd>(many.restitution.data(), std::ssize(many.restitution));
+void find_dampings(const LawImpacts& many, BatchMethod method) {
+    const ImpactBatch& batch = many.batch;
+    const std::vector<double>& found = many.population.restitution;
+    const Eigen::ArrayXd restitution = Eigen::Map<const Eigen::ArrayXd>(found.data(), std::ssize(found));
     benchmark::DoNotOptimize(dampings_from_restitutions(
         {batch.law, batch.detachment, batch.damping_law, batch.contact, batch.velocity, restitution}, 1,
         method));
@@ -61,7 +70,6 @@ std::map<std::string, double> operation_counts() {
 
 }  // namespace
 
-/// Every law, integrated: impacts, what share of the core's peak they take, and dampings.
 void print_integrated_laws(const Options& options) {
     const auto counts = operation_counts();
     const double peak = rates_of({{"multiply-add", static_cast<double>(multiply_adds(peak_rounds)),
@@ -71,9 +79,8 @@ void print_integrated_laws(const Options& options) {
     fmt::print("\npeak of the core, measured: {:.2f} G multiply-adds/s\n", peak / 1e9);
     fmt::print("\n{:<30}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "integrated, best set", "impacts/s", "with turn",
                "operations", "% of peak", "dampings/s");
-    for_each_law([&](const Population& many) {
-        const ImpactBatch batch = many.impacts.batch();
-        const auto count = static_cast<double>(many.restitution.size());
+    for_each_law([&](const LawImpacts& many) {
+        const auto& [population, batch, count] = many;
         ImpactBatchResult result;
         const auto rates =
             rates_of({{"impacts", count,
@@ -89,13 +96,11 @@ void print_integrated_laws(const Options& options) {
     });
 }
 
-/// Every law, from tables; what it takes to make those as far as these impacts ask for them.
 void print_tabulated_laws(const Options& options) {
     fmt::print("\n{:<30}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "tables, best set", "impacts/s", "worst",
                "made in, s", "dampings/s", "v_c/s");
-    for_each_law([&](const Population& many) {
-        const ImpactBatch batch = many.impacts.batch();
-        const auto count = static_cast<double>(many.restitution.size());
+    for_each_law([&](const LawImpacts& many) {
+        const auto& [population, batch, count] = many;
         ImpactBatchResult result;
         const auto solve = [&] { solve_impacts(batch, result, without_turn(BatchMethod::table)); };
         const std::clock_t start = std::clock();
@@ -110,7 +115,7 @@ void print_tabulated_laws(const Options& options) {
                       {batch.law, batch.detachment, batch.damping_law, batch.contact, batch.damping}));
               }}},
             options);
-        const Errors errors = errors_of(result.restitution, many.restitution);
+        const Errors errors = errors_of(result.restitution, population.restitution);
         fmt::print("{:<30}{:>12.0f}{:>12.1e}{:>12.2f}{:>12.0f}{:>12.0f}\n", name_of(batch),
                    rates.at("impacts"), errors.worst, making, rates.at("dampings"), rates.at("critical"));
     });

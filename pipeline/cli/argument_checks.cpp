@@ -11,7 +11,7 @@ namespace ashimpact {
 
 namespace {
 
-/// By the placeholder that its help shows.
+/// By the kind of value that its help shows.
 bool names_a_path(const CLI::Option& option) {
     const std::string type = option.get_type_name();
     return type == "FILE" || type == "DIR" || type.ends_with(".json");
@@ -22,6 +22,19 @@ std::string emptiness(const CLI::Option& option, const std::string& text) {
     if (text.empty()) return "is empty; allowed: " + option.get_description();
     if (text == "-" && names_a_path(option)) return "is \"-\"; allowed: a path, ./- for a file of that name";
     return "";
+}
+
+/// That the argument is a Number in a range, all of it.
+template <class Number>
+CLI::Validator within(Number least, Number most, const char* kind) {
+    return {[=](std::string& text) -> std::string {
+                Number number = 0;
+                const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+                const bool is_number = failure == std::errc() && end == text.data() + text.size();
+                if (is_number && number >= least && number <= most) return "";
+                return fmt::format("is {}; allowed: a {} from {} to {}", in_quotes(text), kind, least, most);
+            },
+            "", kind};
 }
 
 }  // namespace
@@ -37,26 +50,11 @@ void refuse_empty_values(CLI::App& program) {
 }
 
 CLI::Validator number_within(double least, double most) {
-    return {[=](std::string& text) -> std::string {
-                double number = 0;
-                const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-                const bool is_number = failure == std::errc() && end == text.data() + text.size();
-                if (is_number && number >= least && number <= most) return "";
-                return fmt::format("is {}; allowed: a number from {} to {}", in_quotes(text), least, most);
-            },
-            "", "number"};
+    return within(least, most, "number");
 }
 
 CLI::Validator whole_number(std::size_t least, std::size_t most) {
-    return {[=](std::string& text) -> std::string {
-                std::size_t number = 0;
-                const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-                const bool is_number = failure == std::errc() && end == text.data() + text.size();
-                if (is_number && number >= least && number <= most) return "";
-                return fmt::format("is {}; allowed: a whole number from {} to {}", in_quotes(text), least,
-                                   most);
-            },
-            "", "whole number"};
+    return within(least, most, "whole number");
 }
 
 }  // namespace ashimpact

@@ -47,4 +47,17 @@ struct Form {
     static constexpr Symbol potential = stiffness.antiderivative();    ///< U(q)
 };
 
+/// Calls @p call with the Form of a contact law and a damping law.
+template <template <class> class L, class Call>
+void with_form(DampingLaw damping_law, const Call& call) {
+    switch (damping_law) {
+        case DampingLaw::constant:
+            return call(Form<L, DampingLaw::constant>());
+        case DampingLaw::contact_radius:
+            return call(Form<L, DampingLaw::contact_radius>());
+        case DampingLaw::tsuji:
+            return call(Form<L, DampingLaw::tsuji>());
+    }
+}
+
 }  // namespace ashimpact

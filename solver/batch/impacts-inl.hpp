@@ -74,26 +74,12 @@ HWY_NOINLINE void solve_numbers(const batch::NumberTask& task) {
 
 template <template <class> class L>
 void solve_law(const batch::ImpactTask& task) {
-    switch (task.damping_law) {
-        case DampingLaw::constant:
-            return solve_task<Form<L, DampingLaw::constant>>(task);
-        case DampingLaw::contact_radius:
-            return solve_task<Form<L, DampingLaw::contact_radius>>(task);
-        case DampingLaw::tsuji:
-            return solve_task<Form<L, DampingLaw::tsuji>>(task);
-    }
+    with_form<L>(task.damping_law, [&](auto form) { solve_task<decltype(form)>(task); });
 }
 
 template <template <class> class L>
 void solve_law_numbers(const batch::NumberTask& task) {
-    switch (task.damping_law) {
-        case DampingLaw::constant:
-            return solve_numbers<Form<L, DampingLaw::constant>>(task);
-        case DampingLaw::contact_radius:
-            return solve_numbers<Form<L, DampingLaw::contact_radius>>(task);
-        case DampingLaw::tsuji:
-            return solve_numbers<Form<L, DampingLaw::tsuji>>(task);
-    }
+    with_form<L>(task.damping_law, [&](auto form) { solve_numbers<decltype(form)>(task); });
 }
 
 }  // namespace ashimpact::HWY_NAMESPACE

@@ -104,14 +104,7 @@ HWY_NOINLINE void invert_task(const batch::InversionTask& task) {
 
 template <template <class> class L>
 void invert_law(const batch::InversionTask& task) {
-    switch (task.damping_law) {
-        case DampingLaw::constant:
-            return invert_task<Form<L, DampingLaw::constant>>(task);
-        case DampingLaw::contact_radius:
-            return invert_task<Form<L, DampingLaw::contact_radius>>(task);
-        case DampingLaw::tsuji:
-            return invert_task<Form<L, DampingLaw::tsuji>>(task);
-    }
+    with_form<L>(task.damping_law, [&](auto form) { invert_task<decltype(form)>(task); });
 }
 
 }  // namespace ashimpact::HWY_NAMESPACE
