@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "bench/machine.hpp"
-#include "solver/scale.hpp"
+#include "solver/motion/scale.hpp"
 #include "tests/oracles/deck.hpp"
 #include "tests/oracles/program.hpp"
 

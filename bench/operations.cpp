@@ -6,10 +6,10 @@
 
 #include <iostream>
 
-#include "solver/batch/block-inl.hpp"
+#include "solver/batch/lanes/block-inl.hpp"
 #include "solver/contact/registry.hpp"
-#include "solver/scale.hpp"
-#include "tests/solver/batch_sample.hpp"
+#include "solver/motion/scale.hpp"
+#include "tests/solver/batch/batch_sample.hpp"
 
 namespace ashimpact::HWY_NAMESPACE {
 namespace {

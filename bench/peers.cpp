@@ -8,7 +8,7 @@
 
 #include "solver/contact/dmt.hpp"
 #include "solver/gsl/ode.hpp"
-#include "solver/scale.hpp"
+#include "solver/motion/scale.hpp"
 
 namespace ashimpact::bench {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/impact.hpp"
+#include "solver/motion/impact.hpp"
 
 namespace ashimpact::bench {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "tests/solver/batch_sample.hpp"
+#include "tests/solver/batch/batch_sample.hpp"
 
 namespace ashimpact::bench {
 

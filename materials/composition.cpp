@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "materials/checks.hpp"
-#include "materials/text.hpp"
+#include "materials/base/checks.hpp"
+#include "materials/base/text.hpp"
 
 namespace ashimpact {
 

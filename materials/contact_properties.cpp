@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "materials/checks.hpp"
+#include "materials/base/checks.hpp"
 
 namespace ashimpact {
 

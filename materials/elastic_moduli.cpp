@@ -1,7 +1,7 @@
 #include "materials/elastic_moduli.hpp"
 
-#include "materials/checks.hpp"
-#include "materials/error.hpp"
+#include "materials/base/checks.hpp"
+#include "materials/base/error.hpp"
 
 namespace ashimpact {
 

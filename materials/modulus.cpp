@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 
-#include "materials/checks.hpp"
+#include "materials/base/checks.hpp"
+#include "materials/base/text.hpp"
 #include "materials/mixture_rules.hpp"
-#include "materials/text.hpp"
 
 namespace ashimpact {
 

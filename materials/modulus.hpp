@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "materials/base/uncertainty.hpp"
 #include "materials/composition.hpp"
 #include "materials/porosity.hpp"
-#include "materials/uncertainty.hpp"
 
 namespace ashimpact {
 

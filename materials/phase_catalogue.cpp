@@ -6,9 +6,9 @@
 #include <optional>
 #include <set>
 
-#include "materials/checks.hpp"
-#include "materials/quantity.hpp"
-#include "materials/text.hpp"
+#include "materials/base/checks.hpp"
+#include "materials/base/quantity.hpp"
+#include "materials/base/text.hpp"
 
 namespace ashimpact {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "materials/json_input.hpp"
+#include "materials/base/json_input.hpp"
 #include "materials/phase.hpp"
 
 namespace ashimpact {

@@ -3,11 +3,11 @@
 #include <array>
 #include <cmath>
 
-#include "materials/checks.hpp"
+#include "materials/base/checks.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/text.hpp"
 #include "materials/elastic_moduli.hpp"
-#include "materials/error.hpp"
 #include "materials/mixture_rules.hpp"
-#include "materials/text.hpp"
 
 namespace ashimpact {
 

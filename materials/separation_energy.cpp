@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "materials/checks.hpp"
+#include "materials/base/checks.hpp"
 #include "materials/contact_properties.hpp"
 
 namespace ashimpact {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "materials/checks.hpp"
-#include "materials/error.hpp"
+#include "materials/base/checks.hpp"
+#include "materials/base/error.hpp"
 
 namespace ashimpact {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "pipeline/cli/program.hpp"
 
 namespace {

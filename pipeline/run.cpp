@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "data/version.hpp"
-#include "materials/text.hpp"
+#include "materials/base/text.hpp"
 #include "pipeline/case/case_json.hpp"
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/case/detachment_json.hpp"

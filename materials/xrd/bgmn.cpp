@@ -3,8 +3,8 @@
 #include <map>
 #include <optional>
 
-#include "materials/text.hpp"
-#include "materials/xrd/number.hpp"
+#include "materials/base/number.hpp"
+#include "materials/base/text.hpp"
 #include "materials/xrd/readers.hpp"
 
 namespace ashimpact::xrd {

@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
-#include "materials/text.hpp"
-#include "materials/xrd/number.hpp"
+#include "materials/base/number.hpp"
+#include "materials/base/text.hpp"
 #include "materials/xrd/readers.hpp"
 
 namespace ashimpact::xrd {
@@ -111,7 +111,7 @@ void require_closed(const XrdSample& sample, const TextLines& file) {
 bool looks_like_gsas2(const TextLines& file) {
     if (file.text().find("GSAS-II") != std::string::npos) return true;
     return std::any_of(file.lines().begin(), file.lines().end(),
-                       [](const Line& line) { return is_weight_line(trimmed(line.text)); });
+                       [](const TextLine& line) { return is_weight_line(trimmed(line.text)); });
 }
 
 XrdResult read_gsas2(const TextLines& file) {

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "materials/text.hpp"
+#include "materials/base/text.hpp"
 
 namespace ashimpact::xrd {
 

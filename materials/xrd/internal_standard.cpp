@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "materials/checks.hpp"
-#include "materials/text.hpp"
+#include "materials/base/checks.hpp"
+#include "materials/base/text.hpp"
 #include "materials/xrd/xrd.hpp"
 
 namespace ashimpact {

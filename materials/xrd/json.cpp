@@ -2,10 +2,10 @@
 #include <optional>
 #include <set>
 
-#include "materials/json_input.hpp"
-#include "materials/quantity.hpp"
-#include "materials/text.hpp"
-#include "materials/xrd/json_lines.hpp"
+#include "materials/base/json_input.hpp"
+#include "materials/base/json_lines.hpp"
+#include "materials/base/quantity.hpp"
+#include "materials/base/text.hpp"
 #include "materials/xrd/readers.hpp"
 
 namespace ashimpact::xrd {

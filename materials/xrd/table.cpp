@@ -3,7 +3,7 @@
 #include <map>
 #include <optional>
 
-#include "materials/text.hpp"
+#include "materials/base/text.hpp"
 #include "materials/xrd/readers.hpp"
 #include "materials/xrd/table_layout.hpp"
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "materials/error.hpp"
-#include "materials/text.hpp"
-#include "materials/units.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/text.hpp"
+#include "materials/base/units.hpp"
 
 namespace ashimpact::xrd {
 
@@ -17,7 +17,7 @@ constexpr std::string_view heading_help =
 
 constexpr std::size_t most_cells = 500'000;
 
-std::vector<Heading> headings_of(const Row& row) {
+std::vector<Heading> headings_of(const TableRow& row) {
     std::vector<Heading> headings;
     for (const std::string& cell : row.cells) headings.push_back(read_heading(cell));
     return headings;
@@ -31,11 +31,11 @@ bool is_heading(const std::vector<Heading>& headings) {
 }
 
 /// Index of the heading line among the first lines; titles may stand above it.
-std::optional<std::size_t> find_heading(const std::vector<Line>& lines) {
+std::optional<std::size_t> find_heading(const std::vector<TextLine>& lines) {
     constexpr std::size_t most_titles = 20;
     for (std::size_t i = 0; i < std::min(lines.size(), most_titles); ++i) {
         try {
-            if (is_heading(headings_of(cut(lines[i], separator_of(lines[i].text))))) return i;
+            if (is_heading(headings_of(cut_row(lines[i], separator_of(lines[i].text))))) return i;
         } catch (const InputError&) {
             continue;  // a title with an odd quote
         }
@@ -43,8 +43,8 @@ std::optional<std::size_t> find_heading(const std::vector<Line>& lines) {
     return std::nullopt;
 }
 
-Row checked_row(const Line& line, const Table& table) {
-    Row row = cut(line, table.separator);
+TableRow checked_row(const TextLine& line, const Table& table) {
+    TableRow row = cut_row(line, table.separator);
     while (row.cells.size() > table.headings.size() && row.cells.back().empty()) row.cells.pop_back();
     if (row.cells.size() != table.headings.size())
         throw InputError("the line has " + std::to_string(row.cells.size()) + " cells, the heading has " +
@@ -87,7 +87,7 @@ std::optional<double> density_in(const std::string& cell, const Heading& heading
 /// One row a phase: phase and weight, or phase, intensity and RIR.
 std::vector<Entry> long_entries(const Table& table) {
     std::vector<Entry> entries;
-    for (const Row& row : table.rows) {
+    for (const TableRow& row : table.rows) {
         const auto cell = [&](Role role) -> std::string {
             const auto column = table.column(role);
             return column ? row.cells[*column] : std::string();
@@ -120,7 +120,7 @@ std::vector<Entry> long_entries(const Table& table) {
 std::vector<Entry> wide_entries(const Table& table, Role row_role) {
     const std::size_t label = *table.column(row_role);
     std::vector<Entry> entries;
-    for (const Row& row : table.rows) {
+    for (const TableRow& row : table.rows) {
         if (row.cells[label].empty())
             throw InputError("the first cell is empty", "a name").at(at_line(row.line));
         for (std::size_t i = 0; i < row.cells.size(); ++i) {
@@ -161,7 +161,7 @@ bool has_heading(const TextLines& file) {
 }
 
 Table parse_table(const TextLines& file) {
-    const std::vector<Line> lines = lines_with_content(file);
+    const std::vector<TextLine> lines = lines_with_content(file);
     const auto heading = find_heading(lines);
     if (!heading)
         throw InputError("no heading line was found", std::string(heading_help))
@@ -170,7 +170,7 @@ Table parse_table(const TextLines& file) {
                 .headings = {},
                 .rows = {},
                 .separator = separator_of(lines[*heading].text)};
-    table.headings = headings_of(cut(lines[*heading], table.separator));
+    table.headings = headings_of(cut_row(lines[*heading], table.separator));
     if (*heading > 0)
         table.warnings.push_back("the " + std::to_string(*heading) +
                                  " lines above the heading were not read");

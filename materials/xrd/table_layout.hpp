@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "materials/xrd/cells.hpp"
+#include "materials/base/cells.hpp"
+#include "materials/base/number.hpp"
+#include "materials/base/text_lines.hpp"
 #include "materials/xrd/headings.hpp"
-#include "materials/xrd/number.hpp"
-#include "materials/xrd/text_lines.hpp"
 
 namespace ashimpact::xrd {
 
@@ -30,7 +30,7 @@ struct Entry {
 struct Table {
     std::size_t heading_line = 0;
     std::vector<Heading> headings;
-    std::vector<Row> rows;
+    std::vector<TableRow> rows;
     char separator = ',';
     std::vector<std::string> warnings{};
 

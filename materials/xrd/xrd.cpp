@@ -2,14 +2,14 @@
 
 #include <array>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "materials/xrd/readers.hpp"
 
 namespace ashimpact {
 
 namespace {
 
-using xrd::TextLines;
+using TextLines;
 
 struct Reader {
     bool (*recognises)(const TextLines&);
@@ -25,14 +25,14 @@ constexpr std::array readers{
 };
 
 XrdResult read(std::string_view text) {
-    const TextLines file(text);
+    const TextLines file(text, {.content = "an XRD result", .bytes = longest_xrd_file});
     for (const Reader& reader : readers) {
         if (!reader.recognises(file)) continue;
         XrdResult result = reader.read(file);
         if (file.was_latin1()) result.warnings.emplace_back("the file is not UTF-8 and was read as Latin-1");
         return result;
     }
-    throw InputError("the format is not known", xrd::known_formats).at(xrd::at_line(1));
+    throw InputError("the format is not known", xrd::known_formats).at(at_line(1));
 }
 
 /// The file's name without folders and ending.

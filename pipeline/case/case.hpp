@@ -7,16 +7,16 @@
 #include <variant>
 #include <vector>
 
+#include "materials/base/quantity.hpp"
 #include "materials/composition.hpp"
 #include "materials/contact_properties.hpp"
 #include "materials/modulus.hpp"
-#include "materials/quantity.hpp"
 #include "materials/work_of_adhesion.hpp"
 #include "pipeline/case/law_map.hpp"
-#include "solver/calibration.hpp"
+#include "solver/calibration/calibration.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/measurement/measurement.hpp"
-#include "solver/uncertainty/propagation.hpp"
+#include "solver/uncertainty/propagation/propagation.hpp"
 
 namespace ashimpact {
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "materials/checks.hpp"
-#include "materials/text.hpp"
+#include "materials/base/checks.hpp"
+#include "materials/base/text.hpp"
 #include "materials/xrd/xrd.hpp"
 #include "pipeline/case/measurement_parts.hpp"
 

@@ -4,12 +4,12 @@
 #include <set>
 
 #include "data/embedded.hpp"
-#include "materials/checks.hpp"
+#include "materials/base/checks.hpp"
 #include "pipeline/case/case_parts.hpp"
 #include "pipeline/case/laws.hpp"
 #include "pipeline/case/measurement_parts.hpp"
 #include "pipeline/json/schema.hpp"
-#include "solver/impact.hpp"
+#include "solver/motion/impact.hpp"
 
 namespace ashimpact {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "solver/impact.hpp"
+#include "solver/motion/impact.hpp"
 
 namespace ashimpact {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "data/embedded.hpp"
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/files/sha256.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "solver/scaled_impact.hpp"
+#include "solver/motion/scaled_impact.hpp"
 
 namespace ashimpact {
 

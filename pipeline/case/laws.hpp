@@ -1,6 +1,6 @@
 #pragma once
 
-#include "materials/units.hpp"
+#include "materials/base/units.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/damping/damping.hpp"
 

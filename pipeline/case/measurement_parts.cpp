@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "materials/checks.hpp"
+#include "materials/base/checks.hpp"
 #include "pipeline/json/measurement_json.hpp"
 #include "pipeline/text/readable.hpp"
 #include "solver/measurement/binning.hpp"

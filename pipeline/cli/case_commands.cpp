@@ -3,8 +3,8 @@
 
 #include "pipeline/cli/argument_checks.hpp"
 #include "pipeline/cli/commands.hpp"
-#include "pipeline/commands/calibrate.hpp"
-#include "pipeline/commands/cross_check.hpp"
+#include "pipeline/commands/calibration/calibrate.hpp"
+#include "pipeline/commands/calibration/cross_check.hpp"
 #include "pipeline/commands/documents.hpp"
 #include "pipeline/commands/modulus.hpp"
 #include "pipeline/commands/run.hpp"

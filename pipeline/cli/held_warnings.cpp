@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "materials/text.hpp"
+#include "materials/base/text.hpp"
 
 namespace ashimpact {
 

@@ -10,8 +10,8 @@
 #include <sstream>
 
 #include "data/version.hpp"
-#include "materials/error.hpp"
-#include "materials/text.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/text.hpp"
 #include "pipeline/cli/argument_checks.hpp"
 #include "pipeline/cli/commands.hpp"
 #include "pipeline/cli/held_warnings.hpp"

@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <vector>
 
-#include "materials/text.hpp"
+#include "materials/base/text.hpp"
 
 namespace ashimpact {
 

@@ -4,10 +4,10 @@
 
 #include <limits>
 
-#include "materials/checks.hpp"
+#include "materials/base/checks.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/text.hpp"
 #include "materials/contact_properties.hpp"
-#include "materials/error.hpp"
-#include "materials/text.hpp"
 #include "pipeline/case/laws.hpp"
 
 namespace ashimpact {

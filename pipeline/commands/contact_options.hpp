@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
-#include "materials/units.hpp"
-#include "solver/impact.hpp"
+#include "materials/base/units.hpp"
+#include "solver/motion/impact.hpp"
 
 namespace ashimpact {
 

@@ -2,12 +2,12 @@
 
 #include <ostream>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "pipeline/commands/impact.hpp"
 #include "pipeline/commands/measured_damping.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/json/writer.hpp"
-#include "solver/damping_inversion.hpp"
+#include "solver/motion/damping_inversion.hpp"
 
 namespace ashimpact {
 

@@ -4,7 +4,7 @@
 #include <ostream>
 
 #include "data/embedded.hpp"
-#include "materials/text.hpp"
+#include "materials/base/text.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/json/schema.hpp"
 #include "pipeline/json/view.hpp"

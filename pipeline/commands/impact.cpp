@@ -5,16 +5,16 @@
 
 #include <ostream>
 
-#include "materials/error.hpp"
-#include "materials/text.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/text.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/json/writer.hpp"
-#include "pipeline/stages/regime_json.hpp"
+#include "pipeline/stages/json/regime_json.hpp"
 #include "pipeline/text/readable.hpp"
 #include "pipeline/text/table.hpp"
-#include "solver/explicit_scheme.hpp"
-#include "solver/trajectory.hpp"
+#include "solver/motion/explicit_scheme.hpp"
+#include "solver/motion/trajectory.hpp"
 
 namespace ashimpact {
 

@@ -4,8 +4,8 @@
 
 #include "pipeline/commands/contact_options.hpp"
 #include "pipeline/json/document.hpp"
-#include "solver/impact.hpp"
-#include "solver/regime.hpp"
+#include "solver/motion/impact.hpp"
+#include "solver/regime/regime.hpp"
 
 namespace ashimpact {
 

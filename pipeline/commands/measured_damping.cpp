@@ -6,15 +6,15 @@
 #include <numbers>
 #include <ostream>
 
-#include "materials/error.hpp"
-#include "materials/text.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/text.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/json/measurement_json.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/json/writer.hpp"
-#include "pipeline/stages/damping_fit_json.hpp"
-#include "pipeline/stages/inversion_json.hpp"
-#include "pipeline/stages/uncertainty_json.hpp"
+#include "pipeline/stages/json/damping_fit_json.hpp"
+#include "pipeline/stages/json/inversion_json.hpp"
+#include "pipeline/stages/json/uncertainty_json.hpp"
 #include "pipeline/text/readable.hpp"
 #include "pipeline/text/table.hpp"
 #include "solver/measurement/binning.hpp"

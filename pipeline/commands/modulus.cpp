@@ -5,7 +5,7 @@
 
 #include <ostream>
 
-#include "materials/text.hpp"
+#include "materials/base/text.hpp"
 #include "materials/xrd/xrd.hpp"
 #include "pipeline/commands/modulus_options.hpp"
 #include "pipeline/files/file.hpp"

@@ -1,8 +1,8 @@
 #include "pipeline/commands/modulus_options.hpp"
 
-#include "materials/checks.hpp"
-#include "materials/text.hpp"
-#include "materials/xrd/number.hpp"
+#include "materials/base/checks.hpp"
+#include "materials/base/number.hpp"
+#include "materials/base/text.hpp"
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/commands/contact_options.hpp"
 #include "pipeline/files/file.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 /// "0.42", "42 %", "42(2) %" or "0.42 +- 0.02".
 Quantity read_fraction(const char* option, const std::string& text) {
-    const auto number = xrd::read_number(text);
+    const auto number = read_number(text);
     if (!number)
         throw InputError("cannot read " + in_quotes(text), "a fraction: 0.42, \"42 %\", \"42 +- 2 %\"")
             .at(option);

@@ -5,7 +5,7 @@
 
 #include <ostream>
 
-#include "materials/text.hpp"
+#include "materials/base/text.hpp"
 #include "pipeline/run.hpp"
 #include "pipeline/text/comparison_table.hpp"
 

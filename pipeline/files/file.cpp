@@ -11,7 +11,7 @@
 #include <system_error>
 #include <vector>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 
 namespace ashimpact {
 

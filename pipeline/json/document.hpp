@@ -1,6 +1,6 @@
 #pragma once
 
-#include "materials/json_input.hpp"
+#include "materials/base/json_input.hpp"
 
 namespace ashimpact {
 

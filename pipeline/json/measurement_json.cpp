@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "materials/checks.hpp"
-#include "materials/text.hpp"
+#include "materials/base/checks.hpp"
+#include "materials/base/text.hpp"
 #include "pipeline/json/quantity_json.hpp"
 
 namespace ashimpact {

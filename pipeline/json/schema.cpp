@@ -6,11 +6,11 @@
 #include <stdexcept>
 
 #include "data/embedded.hpp"
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/text.hpp"
 #include "materials/modulus.hpp"
-#include "materials/text.hpp"
 #include "materials/work_of_adhesion.hpp"
-#include "solver/calibration.hpp"
+#include "solver/calibration/calibration.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/damping/damping.hpp"
 
@@ -52,8 +52,7 @@ Names adhesion_rules() {
 /// What stands for "@..." in the schema files: lists that live in the code.
 Names listed(const std::string& mark) {
     const auto by_name = [](const auto& entry) { return entry.name; };
-    if (mark == "@laws")
-        return names_in(RegisteredLaws::names, [](std::string_view name) { return name; });
+    if (mark == "@laws") return names_in(RegisteredLaws::names, [](std::string_view name) { return name; });
     if (mark == "@detachments") return names_in(detachment_names, by_name);
     if (mark == "@damping_laws") return names_in(damping_names, by_name);
     if (mark == "@calibration_quantities") return names_in(calibration_quantity_names, by_name);

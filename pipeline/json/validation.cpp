@@ -4,8 +4,8 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
-#include "materials/error.hpp"
-#include "materials/text.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/text.hpp"
 #include "pipeline/json/schema.hpp"
 
 namespace ashimpact {

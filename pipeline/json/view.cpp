@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "materials/checks.hpp"
+#include "materials/base/checks.hpp"
 
 namespace ashimpact {
 

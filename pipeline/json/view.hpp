@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "materials/quantity.hpp"
+#include "materials/base/quantity.hpp"
 #include "pipeline/json/document.hpp"
 
 namespace ashimpact {

@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 
 namespace ashimpact {
 

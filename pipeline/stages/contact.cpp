@@ -2,12 +2,12 @@
 
 #include <cmath>
 
-#include "materials/text.hpp"
+#include "materials/base/text.hpp"
 #include "pipeline/case/case_json.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/modulus.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
-#include "solver/impact.hpp"
+#include "solver/motion/impact.hpp"
 
 namespace ashimpact {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "materials/quantity.hpp"
+#include "materials/base/quantity.hpp"
 #include "pipeline/stages/stage.hpp"
 #include "solver/contact/pair.hpp"
 

@@ -10,12 +10,12 @@
 #include "pipeline/stages/contact.hpp"
 #include "pipeline/stages/fit.hpp"
 #include "pipeline/stages/in_parallel.hpp"
+#include "pipeline/stages/json/regime_json.hpp"
+#include "pipeline/stages/json/uncertainty_json.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
-#include "pipeline/stages/regime_json.hpp"
 #include "pipeline/stages/restitution.hpp"
-#include "pipeline/stages/uncertain_contact.hpp"
-#include "pipeline/stages/uncertainty_json.hpp"
-#include "pipeline/stages/velocity_uncertainty.hpp"
+#include "pipeline/stages/uncertainty/uncertain_contact.hpp"
+#include "pipeline/stages/uncertainty/velocity_uncertainty.hpp"
 #include "solver/gsl/distribution.hpp"
 
 namespace ashimpact {

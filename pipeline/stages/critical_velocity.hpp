@@ -6,7 +6,7 @@
 
 #include "pipeline/case/law_map.hpp"
 #include "pipeline/stages/stage.hpp"
-#include "solver/critical_velocity.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
 
 namespace ashimpact {
 

@@ -4,16 +4,16 @@
 
 #include <algorithm>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "pipeline/case/laws.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/contact.hpp"
-#include "pipeline/stages/contact_models.hpp"
 #include "pipeline/stages/in_parallel.hpp"
-#include "pipeline/stages/inversion_json.hpp"
+#include "pipeline/stages/json/inversion_json.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
 #include "pipeline/stages/restitution.hpp"
-#include "solver/damping_inversion.hpp"
+#include "pipeline/stages/uncertainty/contact_models.hpp"
+#include "solver/motion/damping_inversion.hpp"
 
 namespace ashimpact {
 

@@ -7,20 +7,20 @@
 #include <cmath>
 #include <set>
 
-#include "materials/checks.hpp"
+#include "materials/base/checks.hpp"
 #include "pipeline/case/laws.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/json/statistics_json.hpp"
 #include "pipeline/stages/attempt.hpp"
 #include "pipeline/stages/contact.hpp"
-#include "pipeline/stages/contact_models.hpp"
 #include "pipeline/stages/damping.hpp"
-#include "pipeline/stages/damping_fit_json.hpp"
 #include "pipeline/stages/in_parallel.hpp"
+#include "pipeline/stages/json/damping_fit_json.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
 #include "pipeline/stages/restitution.hpp"
-#include "solver/damping_fit.hpp"
-#include "solver/uncertainty/rebound_check.hpp"
+#include "pipeline/stages/uncertainty/contact_models.hpp"
+#include "solver/calibration/damping_fit.hpp"
+#include "solver/uncertainty/outcomes/rebound_check.hpp"
 
 namespace ashimpact {
 

@@ -6,7 +6,7 @@
 
 #include "pipeline/case/law_map.hpp"
 #include "pipeline/stages/stage.hpp"
-#include "solver/uncertainty/damping_curve_fit.hpp"
+#include "solver/uncertainty/likelihood/damping_curve_fit.hpp"
 
 namespace ashimpact {
 

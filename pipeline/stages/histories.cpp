@@ -10,9 +10,9 @@
 #include "pipeline/stages/fit.hpp"
 #include "pipeline/stages/in_parallel.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
-#include "solver/momentum_balance.hpp"
-#include "solver/reconstruction.hpp"
-#include "solver/trajectory.hpp"
+#include "solver/calibration/reconstruction.hpp"
+#include "solver/motion/momentum_balance.hpp"
+#include "solver/motion/trajectory.hpp"
 
 namespace ashimpact {
 

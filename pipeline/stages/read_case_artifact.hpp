@@ -1,6 +1,6 @@
 #pragma once
 
-#include "materials/text.hpp"
+#include "materials/base/text.hpp"
 #include "pipeline/case/case.hpp"
 #include "pipeline/stages/stage.hpp"
 

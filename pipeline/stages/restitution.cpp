@@ -10,7 +10,7 @@
 #include "pipeline/stages/in_parallel.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
 #include "pipeline/text/readable.hpp"
-#include "solver/reconstruction.hpp"
+#include "solver/calibration/reconstruction.hpp"
 
 namespace ashimpact {
 

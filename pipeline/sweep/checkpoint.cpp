@@ -1,7 +1,7 @@
 #include "pipeline/sweep/checkpoint.hpp"
 
 #include "data/version.hpp"
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/files/sha256.hpp"
 #include "pipeline/sweep/bytes.hpp"

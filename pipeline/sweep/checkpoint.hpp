@@ -4,8 +4,8 @@
 #include <optional>
 #include <string_view>
 
-#include "pipeline/sweep/plan.hpp"
-#include "pipeline/sweep/tally.hpp"
+#include "pipeline/sweep/crew/tally.hpp"
+#include "pipeline/sweep/spec/plan.hpp"
 
 namespace ashimpact {
 

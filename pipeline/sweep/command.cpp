@@ -6,18 +6,18 @@
 #include <csignal>
 #include <ostream>
 
-#include "materials/error.hpp"
-#include "materials/text.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/text.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/files/sha256.hpp"
 #include "pipeline/json/writer.hpp"
-#include "pipeline/sweep/crew.hpp"
+#include "pipeline/sweep/crew/crew.hpp"
 #include "pipeline/sweep/mpi/mpi_team.hpp"
-#include "pipeline/sweep/outputs.hpp"
 #include "pipeline/sweep/progress.hpp"
 #include "pipeline/sweep/result_json.hpp"
 #include "pipeline/sweep/sweep.hpp"
-#include "pipeline/sweep/table_file.hpp"
+#include "pipeline/sweep/table/outputs.hpp"
+#include "pipeline/sweep/table/table_file.hpp"
 #include "pipeline/text/artifact_text.hpp"
 
 namespace ashimpact {

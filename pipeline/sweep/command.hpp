@@ -3,7 +3,7 @@
 #include <iosfwd>
 
 #include "pipeline/commands/sweep.hpp"
-#include "pipeline/sweep/impact_columns.hpp"
+#include "pipeline/sweep/table/impact_columns.hpp"
 
 namespace ashimpact {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "pipeline/json/document.hpp"
-#include "pipeline/sweep/plan.hpp"
-#include "pipeline/sweep/tally.hpp"
+#include "pipeline/sweep/crew/tally.hpp"
+#include "pipeline/sweep/spec/plan.hpp"
 
 namespace ashimpact {
 

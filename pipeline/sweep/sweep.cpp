@@ -6,7 +6,7 @@
 #include <bit>
 #include <map>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "pipeline/sweep/bytes.hpp"
 #include "pipeline/sweep/progress.hpp"
 

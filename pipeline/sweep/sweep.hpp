@@ -4,9 +4,9 @@
 #include <functional>
 
 #include "pipeline/sweep/checkpoint.hpp"
-#include "pipeline/sweep/plan.hpp"
-#include "pipeline/sweep/row_log.hpp"
-#include "pipeline/sweep/team.hpp"
+#include "pipeline/sweep/crew/team.hpp"
+#include "pipeline/sweep/spec/plan.hpp"
+#include "pipeline/sweep/table/row_log.hpp"
 
 namespace ashimpact {
 

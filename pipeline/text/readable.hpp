@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "materials/quantity.hpp"
+#include "materials/base/quantity.hpp"
 
 namespace ashimpact {
 

@@ -1,6 +1,6 @@
 #include "solver/batch/columns.hpp"
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 
 #include <string>
 

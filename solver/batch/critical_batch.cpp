@@ -1,12 +1,12 @@
 #include "solver/batch/critical_batch.hpp"
 
-#include "materials/error.hpp"
-#include "solver/batch/critical_table.hpp"
+#include "materials/base/error.hpp"
 #include "solver/batch/parallel.hpp"
+#include "solver/batch/tables/critical_table.hpp"
 #include "solver/batch/task.hpp"
-#include "solver/scale.hpp"
-#include "solver/scaled_impact.hpp"
-#include "solver/velocity_scales.hpp"
+#include "solver/motion/scale.hpp"
+#include "solver/motion/scaled_impact.hpp"
+#include "solver/motion/velocity_scales.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "solver/batch/columns.hpp"
-#include "solver/critical_velocity.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
 
 #include <Eigen/Core>
 

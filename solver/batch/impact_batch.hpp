@@ -2,7 +2,7 @@
 
 #include "solver/batch/columns.hpp"
 #include "solver/batch/method.hpp"
-#include "solver/impact.hpp"
+#include "solver/motion/impact.hpp"
 
 #include <Eigen/Core>
 

@@ -1,6 +1,6 @@
 #include "solver/batch/instruction_set.hpp"
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 
 #include <hwy/highway.h>
 

@@ -1,8 +1,8 @@
 #include "solver/batch/inversion_batch.hpp"
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "solver/batch/parallel.hpp"
-#include "solver/batch/restitution_table.hpp"
+#include "solver/batch/tables/restitution_table.hpp"
 #include "solver/batch/task.hpp"
 
 #include <array>

@@ -2,7 +2,7 @@
 
 #include "solver/batch/columns.hpp"
 #include "solver/batch/method.hpp"
-#include "solver/damping_inversion.hpp"
+#include "solver/motion/damping_inversion.hpp"
 
 #include <Eigen/Core>
 

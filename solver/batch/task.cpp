@@ -1,7 +1,7 @@
 #include "solver/batch/task.hpp"
 
-#include "materials/checks.hpp"
-#include "materials/error.hpp"
+#include "materials/base/checks.hpp"
+#include "materials/base/error.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "solver/batch/columns.hpp"
 #include "solver/batch/kernel.hpp"
-#include "solver/impact.hpp"
+#include "solver/motion/impact.hpp"
 
 #include <atomic>
 #include <cstddef>

@@ -1,6 +1,6 @@
 #include "solver/contact/registry.hpp"
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 
 namespace ashimpact {
 

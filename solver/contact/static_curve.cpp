@@ -1,10 +1,10 @@
 #include "solver/contact/static_curve.hpp"
 
-#include "materials/checks.hpp"
-#include "materials/error.hpp"
-#include "materials/text.hpp"
+#include "materials/base/checks.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/text.hpp"
+#include "solver/motion/scaled_impact.hpp"
 #include "solver/numeric/series.hpp"
-#include "solver/scaled_impact.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "solver/damping/damping.hpp"
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #include "solver/gsl/minimum.hpp"
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "solver/gsl/status.hpp"
 
 #include <gsl/gsl_errno.h>

@@ -1,6 +1,6 @@
 #include "solver/gsl/nonlinear_fit.hpp"
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "solver/gsl/status.hpp"
 
 #include <gsl/gsl_blas.h>

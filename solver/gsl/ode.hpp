@@ -10,7 +10,7 @@
 #include <memory>
 #include <utility>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "solver/gsl/status.hpp"
 
 namespace ashimpact::gsl {

@@ -1,10 +1,10 @@
 #include "solver/measurement/contact_model.hpp"
 
-#include "materials/error.hpp"
-#include "solver/critical_velocity.hpp"
-#include "solver/impact.hpp"
-#include "solver/scaled_impact.hpp"
-#include "solver/velocity_scales.hpp"
+#include "materials/base/error.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/motion/impact.hpp"
+#include "solver/motion/scaled_impact.hpp"
+#include "solver/motion/velocity_scales.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "solver/measurement/damping_parts.hpp"
 
-#include "materials/error.hpp"
-#include "materials/text.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/text.hpp"
 
 #include <algorithm>
 #include <cmath>

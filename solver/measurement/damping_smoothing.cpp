@@ -1,6 +1,6 @@
 #include "solver/measurement/damping_smoothing.hpp"
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "solver/gsl/linear_fit.hpp"
 #include "solver/gsl/robust.hpp"
 #include "solver/gsl/statistics.hpp"

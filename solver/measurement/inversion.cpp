@@ -1,7 +1,7 @@
 #include "solver/measurement/inversion.hpp"
 
-#include "materials/error.hpp"
-#include "solver/damping_inversion.hpp"
+#include "materials/base/error.hpp"
+#include "solver/motion/damping_inversion.hpp"
 
 #include <algorithm>
 #include <cmath>

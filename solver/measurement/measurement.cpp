@@ -1,8 +1,8 @@
 #include "solver/measurement/measurement.hpp"
 
-#include "materials/checks.hpp"
-#include "materials/error.hpp"
-#include "materials/text.hpp"
+#include "materials/base/checks.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/text.hpp"
 
 #include <algorithm>
 #include <cmath>

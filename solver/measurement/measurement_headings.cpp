@@ -1,8 +1,8 @@
 #include "solver/measurement/measurement_headings.hpp"
 
-#include "materials/error.hpp"
-#include "materials/text.hpp"
-#include "materials/units.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/text.hpp"
+#include "materials/base/units.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -1,10 +1,10 @@
 #include "solver/measurement/measurement_reader.hpp"
 
-#include "materials/error.hpp"
-#include "materials/text.hpp"
-#include "materials/xrd/cells.hpp"
-#include "materials/xrd/number.hpp"
-#include "materials/xrd/text_lines.hpp"
+#include "materials/base/cells.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/number.hpp"
+#include "materials/base/text.hpp"
+#include "materials/base/text_lines.hpp"
 #include "solver/measurement/measurement_headings.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ class TableCells {
     TableCells(const MeasurementHeading& heading, bool decimal_comma)
         : heading_(heading), decimal_comma_(decimal_comma) {}
 
-    [[nodiscard]] Entry entry(const xrd::Row& row, MeasuredQuantity quantity) const {
+    [[nodiscard]] Entry entry(const TableRow& row, MeasuredQuantity quantity) const {
         const MeasuredColumn& column = *heading_.of(quantity);
         Entry entry = read(row, column);
         if (const auto& uncertainty = heading_.uncertainty_of(quantity)) {
@@ -39,15 +39,15 @@ class TableCells {
     }
 
   private:
-    [[noreturn]] static void fail(const MeasuredColumn& column, const xrd::Row& row,
+    [[noreturn]] static void fail(const MeasuredColumn& column, const TableRow& row,
                                   const std::string& problem, const std::string& allowed) {
         throw InputError(
             in_quotes(row.cells[column.position]) + " in column " + in_quotes(column.name) + " " + problem,
             allowed);
     }
 
-    [[nodiscard]] Entry read(const xrd::Row& row, const MeasuredColumn& column) const {
-        const auto number = xrd::read_number(row.cells[column.position], decimal_comma_);
+    [[nodiscard]] Entry read(const TableRow& row, const MeasuredColumn& column) const {
+        const auto number = read_number(row.cells[column.position], decimal_comma_);
         if (!number) fail(column, row, "is not a number", "a finite number; 0 for a capture");
         if (number->per_cent && column.to_si != 1.0 && column.to_si != 0.01)
             fail(column, row, "is in per cent", "the unit of the heading");
@@ -61,7 +61,7 @@ class TableCells {
     bool decimal_comma_;
 };
 
-void require_cells(const MeasurementHeading& heading, xrd::Row& row) {
+void require_cells(const MeasurementHeading& heading, TableRow& row) {
     while (row.cells.size() > heading.columns && row.cells.back().empty()) row.cells.pop_back();
     if (row.cells.size() == heading.columns) return;
     throw InputError("the line has " + std::to_string(row.cells.size()) + " cells, the heading " +
@@ -90,7 +90,7 @@ std::optional<VelocityNoise> noise_of_restitution(const Entry& velocity, const E
     return VelocityNoise::of_velocities(*velocity.standard_uncertainty, *velocity.standard_uncertainty);
 }
 
-Measurement measurement_of(const MeasurementHeading& heading, const TableCells& cells, const xrd::Row& row) {
+Measurement measurement_of(const MeasurementHeading& heading, const TableCells& cells, const TableRow& row) {
     const Entry velocity = cells.entry(row, MeasuredQuantity::velocity);
     if (!(velocity.value > 0.0))
         throw InputError("v_in is " + shortest(velocity.value) + " m/s", "> 0 m/s, a magnitude");
@@ -125,30 +125,30 @@ std::vector<std::string> warnings_of(const MeasurementHeading& heading) {
     return warnings;
 }
 
-MeasurementSet read_table(const xrd::TextLines& file, std::string_view name) {
-    const auto lines = xrd::lines_with_content(file);
+MeasurementSet read_table(const TextLines& file, std::string_view name) {
+    const auto lines = lines_with_content(file);
     if (lines.empty()) throw InputError("the file holds no table", "a heading and one line an impact");
-    const char separator = xrd::separator_of(lines.front().text);
+    const char separator = separator_of(lines.front().text);
     MeasurementHeading heading{};
     try {
-        heading = read_measurement_heading(xrd::cut(lines.front(), separator).cells);
+        heading = read_measurement_heading(cut_row(lines.front(), separator).cells);
     } catch (const InputError& error) {
-        throw error.at(xrd::at_line(lines.front().number));
+        throw error.at(at_line(lines.front().number));
     }
     const TableCells cells(heading, separator != ',');
     MeasurementSet set{.source = std::string(name), .points = {}, .warnings = warnings_of(heading)};
     for (std::size_t i = 1; i < lines.size(); ++i) {
-        xrd::Row row = xrd::cut(lines[i], separator);
+        TableRow row = cut_row(lines[i], separator);
         try {
             require_cells(heading, row);
             set.points.push_back(measurement_of(heading, cells, row));
         } catch (const InputError& error) {
-            throw error.at(xrd::at_line(row.line));
+            throw error.at(at_line(row.line));
         }
     }
     if (set.points.empty())
         throw InputError("there is no measurement below the heading", "one line an impact")
-            .at(xrd::at_line(file.last_line()));
+            .at(at_line(file.last_line()));
     return set;
 }
 
@@ -157,7 +157,7 @@ MeasurementSet read_table(const xrd::TextLines& file, std::string_view name) {
 MeasurementSet read_measurements(std::string_view text, std::string_view name) {
     try {
         if (trimmed(text).empty()) throw InputError("the file is empty", "a table of impacts").at("line 1");
-        MeasurementSet set = read_table(xrd::TextLines(text), name);
+        MeasurementSet set = read_table(TextLines(text, {.content = "a table of impacts"}), name);
         validate(set);
         return set;
     } catch (const InputError& error) {

@@ -1,6 +1,6 @@
 #include "solver/measurement/restitution_map.hpp"
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,14 +1,14 @@
 #include "solver/measurement/scaled_impacts.hpp"
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "solver/batch/impact_batch.hpp"
 #include "solver/batch/inversion_batch.hpp"
-#include "solver/critical_velocity.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/gsl/root.hpp"
-#include "solver/impact.hpp"
-#include "solver/orbit.hpp"
-#include "solver/scaled_impact.hpp"
-#include "solver/velocity_scales.hpp"
+#include "solver/motion/impact.hpp"
+#include "solver/motion/orbit.hpp"
+#include "solver/motion/scaled_impact.hpp"
+#include "solver/motion/velocity_scales.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -140,9 +140,8 @@ Eigen::ArrayXd ScaledImpacts::contact_times(const Eigen::ArrayXd& damping_number
     const UnitPairColumns unit;
     const Eigen::ArrayXd speed = velocities(x);
     const Eigen::ArrayXd damping = damping_number * damping_units(speed);
-    const auto solved =
-        solve_impacts({law_, detachment_, DampingLaw::constant, unit.columns(), damping, speed},
-                      {.turning_point = false});
+    const auto solved = solve_impacts(
+        {law_, detachment_, DampingLaw::constant, unit.columns(), damping, speed}, {.turning_point = false});
     return solved.contact_time / time_units(speed);
 }
 

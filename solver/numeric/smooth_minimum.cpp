@@ -1,6 +1,6 @@
 #include "solver/numeric/smooth_minimum.hpp"
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 
 #include <algorithm>
 #include <cmath>

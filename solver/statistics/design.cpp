@@ -3,7 +3,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "solver/statistics/philox.hpp"
 
 namespace ashimpact {

@@ -4,7 +4,7 @@
 #include <boost/random/niederreiter_base2.hpp>
 #include <boost/random/sobol.hpp>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 
 namespace ashimpact {
 

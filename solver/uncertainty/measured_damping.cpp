@@ -1,10 +1,10 @@
 #include "solver/uncertainty/measured_damping.hpp"
 
-#include "materials/error.hpp"
-#include "materials/text.hpp"
-#include "solver/critical_velocity.hpp"
-#include "solver/scaled_impact.hpp"
-#include "solver/uncertainty/rebound_check.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/text.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/motion/scaled_impact.hpp"
+#include "solver/uncertainty/outcomes/rebound_check.hpp"
 
 #include <algorithm>
 #include <cmath>

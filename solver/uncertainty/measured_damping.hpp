@@ -2,10 +2,10 @@
 
 #include "solver/measurement/damping_parts.hpp"
 #include "solver/measurement/inversion.hpp"
-#include "solver/uncertainty/critical_velocity_uncertainty.hpp"
-#include "solver/uncertainty/damping_curve_fit.hpp"
-#include "solver/uncertainty/measured_critical_velocity.hpp"
-#include "solver/uncertainty/random_contact.hpp"
+#include "solver/uncertainty/likelihood/damping_curve_fit.hpp"
+#include "solver/uncertainty/outcomes/measured_critical_velocity.hpp"
+#include "solver/uncertainty/propagation/critical_velocity_uncertainty.hpp"
+#include "solver/uncertainty/propagation/random_contact.hpp"
 
 #include <optional>
 #include <string>

@@ -6,9 +6,9 @@
 #include <numbers>
 #include <vector>
 
-#include "solver/critical_velocity.hpp"
-#include "solver/scale.hpp"
-#include "solver/scaled_impact.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/motion/scale.hpp"
+#include "solver/motion/scaled_impact.hpp"
 #include "tests/support/contact_cases.hpp"
 #include "tests/support/random.hpp"
 

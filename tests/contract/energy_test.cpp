@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "solver/contact/static_curve.hpp"
-#include "solver/orbit.hpp"
-#include "solver/scaled_impact.hpp"
+#include "solver/motion/orbit.hpp"
+#include "solver/motion/scaled_impact.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/contact_cases.hpp"
 #include "tests/support/quadrature.hpp"

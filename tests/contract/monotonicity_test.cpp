@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "solver/critical_velocity.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
 #include "tests/support/contact_cases.hpp"
 
 using namespace ashimpact;

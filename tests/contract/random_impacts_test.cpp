@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "tests/support/contact_cases.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/worst.hpp"

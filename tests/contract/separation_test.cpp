@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "materials/separation_energy.hpp"
-#include "solver/critical_velocity.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/contact_cases.hpp"
 #include "tests/support/worst.hpp"

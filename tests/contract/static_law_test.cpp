@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "solver/contact/registry.hpp"
+#include "solver/motion/scale.hpp"
 #include "solver/numeric/polynomial.hpp"
-#include "solver/scale.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/contact_cases.hpp"
 #include "tests/support/worst.hpp"

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "solver/critical_velocity.hpp"
-#include "solver/damping_inversion.hpp"
-#include "solver/trajectory.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/motion/damping_inversion.hpp"
+#include "solver/motion/trajectory.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/contact_cases.hpp"
 #include "tests/support/worst.hpp"

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "solver/critical_velocity.hpp"
-#include "solver/scale.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/motion/scale.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/contact_cases.hpp"
 

@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
+#include "tests/materials/base/messages.hpp"
 #include "tests/materials/catalogue.hpp"
-#include "tests/materials/messages.hpp"
 #include "tests/relative_difference.hpp"
 
 namespace ashimpact::test {

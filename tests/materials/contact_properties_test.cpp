@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "tests/relative_difference.hpp"
 
 namespace ashimpact::test {

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "materials/text.hpp"
+#include "materials/base/text.hpp"
+#include "tests/materials/base/messages.hpp"
 #include "tests/materials/catalogue.hpp"
-#include "tests/materials/messages.hpp"
 
 namespace ashimpact::test {
 

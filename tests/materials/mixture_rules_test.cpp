@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "tests/materials/catalogue.hpp"
 #include "tests/relative_difference.hpp"
 

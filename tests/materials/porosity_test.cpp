@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "tests/materials/messages.hpp"
+#include "tests/materials/base/messages.hpp"
 #include "tests/relative_difference.hpp"
 
 namespace ashimpact::test {

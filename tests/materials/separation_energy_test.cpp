@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "materials/base/error.hpp"
 #include "materials/contact_properties.hpp"
-#include "materials/error.hpp"
 #include "tests/relative_difference.hpp"
 
 namespace ashimpact::test {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "solver/critical_velocity.hpp"
-#include "solver/impact.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/motion/impact.hpp"
 #include "tests/oracles/dem_code.hpp"
 #include "tests/oracles/dem_impact.hpp"
 #include "tests/oracles/time_domain.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "solver/critical_velocity.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/gsl/ode.hpp"
 #include "tests/oracles/contact_force.hpp"
 #include "tests/oracles/impact_case.hpp"

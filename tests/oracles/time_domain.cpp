@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "solver/gsl/ode.hpp"
 #include "tests/oracles/contact_force.hpp"
 

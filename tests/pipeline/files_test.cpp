@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/files/sha256.hpp"
 #include "tests/pipeline/sandbox.hpp"

@@ -5,9 +5,9 @@
 
 #include "pipeline/run.hpp"
 #include "pipeline/stages/contact.hpp"
-#include "solver/critical_velocity.hpp"
-#include "solver/impact.hpp"
-#include "solver/reconstruction.hpp"
+#include "solver/calibration/reconstruction.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/motion/impact.hpp"
 #include "tests/pipeline/sandbox.hpp"
 #include "tests/relative_difference.hpp"
 

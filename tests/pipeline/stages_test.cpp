@@ -14,8 +14,8 @@
 #include "pipeline/stages/fit.hpp"
 #include "pipeline/stages/modulus.hpp"
 #include "pipeline/stages/restitution.hpp"
-#include "solver/critical_velocity.hpp"
-#include "solver/momentum_balance.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/motion/momentum_balance.hpp"
 #include "tests/pipeline/sandbox.hpp"
 #include "tests/relative_difference.hpp"
 

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "materials/text.hpp"
+#include "materials/base/text.hpp"
 #include "pipeline/text/artifact_text.hpp"
 #include "pipeline/text/readable.hpp"
 #include "pipeline/text/table.hpp"

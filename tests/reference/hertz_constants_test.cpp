@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "solver/critical_velocity.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/contact_cases.hpp"
 

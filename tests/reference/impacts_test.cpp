@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "solver/impact.hpp"
+#include "solver/motion/impact.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/data_file.hpp"
 #include "tests/support/worst.hpp"

@@ -4,8 +4,8 @@
 #include <numbers>
 #include <sstream>
 
-#include "solver/scale.hpp"
-#include "solver/scaled_impact.hpp"
+#include "solver/motion/scale.hpp"
+#include "solver/motion/scaled_impact.hpp"
 
 namespace ashimpact::test {
 

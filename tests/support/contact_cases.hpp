@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/impact.hpp"
+#include "solver/motion/impact.hpp"
 
 namespace ashimpact::test {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 
 namespace ashimpact::test {
 

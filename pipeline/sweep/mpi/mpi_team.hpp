@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "pipeline/sweep/crew/team.hpp"
 #include "pipeline/sweep/mpi/session.hpp"
-#include "pipeline/sweep/team.hpp"
 
 namespace ashimpact {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 
 namespace ashimpact {
 

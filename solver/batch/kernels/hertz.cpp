@@ -7,8 +7,8 @@
 #define HWY_TARGET_INCLUDE "solver/batch/kernels/hertz.cpp"
 #include <hwy/foreach_target.h>
 
-#include "solver/batch/impacts-inl.hpp"
-#include "solver/batch/inversions-inl.hpp"
+#include "solver/batch/lanes/impacts-inl.hpp"
+#include "solver/batch/lanes/inversions-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {

@@ -1,9 +1,9 @@
-#include "pipeline/sweep/chunk.hpp"
+#include "pipeline/sweep/crew/chunk.hpp"
 
 #include <doctest/doctest.h>
 
 #include "pipeline/sweep/bytes.hpp"
-#include "pipeline/sweep/tally.hpp"
+#include "pipeline/sweep/crew/tally.hpp"
 #include "tests/pipeline/sweep/specs.hpp"
 
 using namespace ashimpact;

@@ -1,4 +1,4 @@
-#include "pipeline/sweep/crew.hpp"
+#include "pipeline/sweep/crew/crew.hpp"
 
 #include <doctest/doctest.h>
 
@@ -6,7 +6,7 @@
 #include <set>
 #include <thread>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 
 using namespace ashimpact;
 

@@ -1,10 +1,10 @@
-#include "pipeline/sweep/spec.hpp"
+#include "pipeline/sweep/spec/spec.hpp"
 
 #include <doctest/doctest.h>
 
 #include <functional>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "tests/pipeline/sweep/process.hpp"
 #include "tests/pipeline/sweep/specs.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <thread>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "pipeline/cli/program.hpp"
 #include "pipeline/sweep/command.hpp"
 #include "pipeline/sweep/mpi/session.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "materials/contact_properties.hpp"
-#include "solver/impact.hpp"
+#include "solver/motion/impact.hpp"
 #include "tests/pipeline/sweep/process.hpp"
 #include "tests/pipeline/sweep/specs.hpp"
 #include "tests/relative_difference.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 
 using namespace ashimpact;
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "materials/base/error.hpp"
 #include "materials/contact_properties.hpp"
-#include "materials/error.hpp"
 
 namespace ashimpact::test {
 

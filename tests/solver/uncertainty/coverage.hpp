@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "solver/contact/registry.hpp"
-#include "solver/uncertainty/damping_curve_fit.hpp"
+#include "solver/uncertainty/likelihood/damping_curve_fit.hpp"
 #include "tests/solver/uncertainty/synthetic_laboratory.hpp"
 
 namespace ashimpact::test {

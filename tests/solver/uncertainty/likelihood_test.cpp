@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/uncertainty/impact_likelihood.hpp"
-#include "solver/uncertainty/rebound_density.hpp"
-#include "solver/uncertainty/rebound_selection.hpp"
+#include "solver/uncertainty/likelihood/impact_likelihood.hpp"
+#include "solver/uncertainty/likelihood/rebound_density.hpp"
+#include "solver/uncertainty/likelihood/rebound_selection.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/solver/uncertainty/coverage.hpp"
 

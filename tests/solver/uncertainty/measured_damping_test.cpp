@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "solver/gsl/statistics.hpp"
-#include "solver/uncertainty/rebound_check.hpp"
+#include "solver/uncertainty/outcomes/rebound_check.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/solver/uncertainty/coverage.hpp"
 #include "tests/support/errors.hpp"

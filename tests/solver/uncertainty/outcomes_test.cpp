@@ -2,16 +2,16 @@
 
 #include <cmath>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "solver/gsl/distribution.hpp"
 #include "solver/gsl/minimum.hpp"
 #include "solver/gsl/quadrature.hpp"
 #include "solver/gsl/random.hpp"
 #include "solver/measurement/binning.hpp"
 #include "solver/measurement/damping_parts.hpp"
-#include "solver/uncertainty/capture_transition.hpp"
-#include "solver/uncertainty/measured_critical_velocity.hpp"
-#include "solver/uncertainty/rebound_check.hpp"
+#include "solver/uncertainty/outcomes/capture_transition.hpp"
+#include "solver/uncertainty/outcomes/measured_critical_velocity.hpp"
+#include "solver/uncertainty/outcomes/rebound_check.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/solver/uncertainty/coverage.hpp"
 #include "tests/support/errors.hpp"

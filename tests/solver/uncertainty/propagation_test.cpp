@@ -1,14 +1,14 @@
-#include "solver/uncertainty/propagation.hpp"
+#include "solver/uncertainty/propagation/propagation.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "solver/critical_velocity.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/gsl/quasi_random.hpp"
-#include "solver/uncertainty/critical_velocity_uncertainty.hpp"
-#include "solver/velocity_scales.hpp"
+#include "solver/motion/velocity_scales.hpp"
+#include "solver/uncertainty/propagation/critical_velocity_uncertainty.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/solver/uncertainty/coverage.hpp"
 #include "tests/support/errors.hpp"

@@ -6,7 +6,7 @@
 
 #include "solver/gsl/distribution.hpp"
 #include "solver/gsl/random.hpp"
-#include "solver/uncertainty/measured_critical_velocity.hpp"
+#include "solver/uncertainty/outcomes/measured_critical_velocity.hpp"
 
 using namespace ashimpact;
 

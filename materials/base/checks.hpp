@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string_view>
+
+#include "materials/base/units.hpp"
+
+namespace ashimpact {
+
+/// Whether a positive number in SI is so far from the ends of floating point that products of powers of such
+/// numbers remain numbers.
+[[nodiscard]] constexpr bool is_computable(double value) {
+    return value >= 1e-40 && value <= 1e40;
+}
+/// What is_computable() allows, in words.
+inline constexpr std::string_view computable_range = "1e-40 to 1e40";
+
+/// Throws InputError "<name> is <value> <unit>; allowed: a positive <dimension>" unless value > 0, finite and
+/// computable.
+void require_positive(std::string_view name, double value, Dimension dimension);
+
+/// As require_positive, but infinity is allowed: a flat or fixed wall.
+void require_positive_or_infinite(std::string_view name, double value, Dimension dimension);
+
+/// Throws InputError unless value is 0 or within the range of require_positive.
+void require_not_negative(std::string_view name, double value, Dimension dimension);
+
+/// Throws InputError unless -1 < nu <= 0.5, the range in which an isotropic solid is stable.
+void require_poisson_ratio(std::string_view name, double value);
+
+/// Throws InputError unless 0 <= value <= 1.
+void require_fraction(std::string_view name, double value);
+
+}  // namespace ashimpact

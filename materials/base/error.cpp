@@ -1,0 +1,45 @@
+#include "materials/base/error.hpp"
+
+#include <utility>
+
+namespace ashimpact {
+
+namespace {
+
+std::string one_line(const std::string& place, const std::string& problem, const std::string& allowed) {
+    std::string line = place.empty() ? problem : place + ": " + problem;
+    if (!allowed.empty()) line += "; allowed: " + allowed;
+    return line;
+}
+
+/// Whether a place is, or begins with, that outer one already.
+bool stands_before(const std::string& outer, const std::string& place) {
+    return place == outer || place.starts_with(outer + ": ");
+}
+
+}  // namespace
+
+InputError::InputError(std::string problem, std::string allowed)
+    : InputError(std::string{}, std::move(problem), std::move(allowed), false) {}
+
+InputError::InputError(std::string place, std::string problem, std::string allowed, bool names_file)
+    : std::runtime_error(one_line(place, problem, allowed)),
+      place_(std::move(place)),
+      problem_(std::move(problem)),
+      allowed_(std::move(allowed)),
+      names_file_(names_file) {}
+
+InputError InputError::at(const std::string& place) const {
+    if (place.empty()) return *this;
+    if (place_.empty()) return {place, problem_, allowed_, names_file_};
+    if (!place.starts_with('/') && stands_before(place, place_)) return *this;
+    const bool one_pointer = !names_file_ && place.starts_with('/') && place_.starts_with('/');
+    return {one_pointer ? place + place_ : place + ": " + place_, problem_, allowed_, names_file_};
+}
+
+InputError InputError::in_file(const std::string& file) const {
+    if (names_file_ && stands_before(file, place_)) return *this;
+    return {place_.empty() ? file : file + ": " + place_, problem_, allowed_, true};
+}
+
+}  // namespace ashimpact

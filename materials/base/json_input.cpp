@@ -1,0 +1,171 @@
+#include "materials/base/json_input.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "materials/base/text.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+constexpr std::size_t deepest = 64;
+
+/// Follows the parser and refuses what the library would take silently.
+class Watcher {
+  public:
+    bool operator()(int /*depth*/, Json::parse_event_t event, const Json& parsed) {
+        using Event = Json::parse_event_t;
+        if (event == Event::object_start || event == Event::array_start) enter(event == Event::array_start);
+        if (event == Event::object_end || event == Event::array_end) leave();
+        if (event == Event::key) name(parsed.get<std::string>());
+        if (event == Event::value) count();
+        return true;
+    }
+
+    [[nodiscard]] std::string pointer() const {
+        std::string pointer;
+        for (const Level& level : levels_)
+            pointer =
+                level.is_array ? child_pointer(pointer, level.index) : child_pointer(pointer, level.key);
+        return pointer.empty() ? "/" : pointer;
+    }
+
+  private:
+    struct Level {
+        bool is_array = false;
+        std::size_t index = 0;
+        std::string key{};
+        std::set<std::string> keys{};
+    };
+
+    void enter(bool is_array) {
+        if (levels_.size() >= deepest)
+            throw InputError("nested too deeply", "64 levels or fewer").at(pointer());
+        levels_.push_back({.is_array = is_array});
+    }
+    void leave() {
+        levels_.pop_back();
+        count();
+    }
+    void count() {
+        if (!levels_.empty()) ++levels_.back().index;
+    }
+    void name(const std::string& key) {
+        Level& level = levels_.back();
+        level.key = key;
+        if (level.keys.insert(key).second || is_comment(key)) return;
+        throw InputError("this key is there twice", "each key once").at(pointer());
+    }
+    std::vector<Level> levels_;
+};
+
+/// "line N, column M" of a byte of the text; the library counts bytes from 1.
+std::string place_of(std::string_view text, std::size_t byte) {
+    const std::string_view before = text.substr(0, byte == 0 ? 0 : byte - 1);
+    const auto line_start = before.rfind('\n') + 1;  // npos + 1 is 0
+    return "line " + std::to_string(1 + std::count(before.begin(), before.end(), '\n')) + ", column " +
+           std::to_string(1 + before.size() - line_start);
+}
+
+/// What the library says, in one line without its own name and place.
+std::string reason_of(std::string message) {
+    for (const std::string_view before : {"] ", "parse error", ": "}) {
+        const auto found = message.find(before);
+        if (found != std::string::npos) message.erase(0, found + before.size());
+    }
+    return on_one_line(std::move(message));
+}
+
+std::string list(std::initializer_list<std::string_view> words) {
+    std::string joined;
+    for (const auto word : words) joined += (joined.empty() ? "" : ", ") + std::string(word);
+    return joined;
+}
+
+}  // namespace
+
+bool is_comment(std::string_view key) {
+    return key.starts_with("//");
+}
+
+std::string child_pointer(const std::string& pointer, std::string_view key) {
+    std::string child = pointer + "/";
+    for (const char c : key) {
+        if (c == '~')
+            child += "~0";
+        else if (c == '/')
+            child += "~1";
+        else
+            child += c;
+    }
+    return child;
+}
+
+std::string child_pointer(const std::string& pointer, std::size_t index) {
+    return pointer + "/" + std::to_string(index);
+}
+
+Json parse_json(std::string_view text) {
+    Watcher watcher;
+    try {
+        return Json::parse(text.begin(), text.end(), std::ref(watcher));
+    } catch (const Json::parse_error& error) {
+        throw InputError("this is not valid JSON: " + reason_of(error.what()), "JSON (RFC 8259)")
+            .at(place_of(text, error.byte));
+    } catch (const Json::out_of_range&) {
+        throw InputError("a number is out of the range of double precision", "finite numbers")
+            .at(watcher.pointer());
+    }
+}
+
+void require_keys(const Json& node, std::initializer_list<std::string_view> allowed) {
+    if (!node.is_object()) throw InputError("not an object", "an object with the keys " + list(allowed));
+    for (const auto& [key, _] : node.items()) {
+        if (std::find(allowed.begin(), allowed.end(), key) != allowed.end()) continue;
+        const std::vector<std::string> candidates(allowed.begin(), allowed.end());
+        const auto guess = nearest(key, candidates, 1);
+        throw InputError("unknown key " + in_quotes(key) +
+                             (guess.empty() ? "" : ", did you mean " + in_quotes(guess[0]) + "?"),
+                         list(allowed))
+            .at("/" + key);
+    }
+}
+
+const Json& required(const Json& node, std::string_view key) {
+    if (!node.is_object()) throw InputError("not an object", "an object with the key " + in_quotes(key));
+    const auto member = node.find(std::string(key));
+    if (member == node.end())
+        throw InputError("the key " + in_quotes(key) + " is missing", "an object with this key");
+    return *member;
+}
+
+std::string as_string(const Json& node) {
+    if (!node.is_string()) throw InputError("not a string", "a string");
+    return node.get<std::string>();
+}
+
+double as_number(const Json& node) {
+    if (!node.is_number()) throw InputError("not a number", "a finite number");
+    const auto value = node.get<double>();
+    if (!std::isfinite(value)) throw InputError("not finite", "a finite number");
+    return value;
+}
+
+const Json& as_array(const Json& node) {
+    if (!node.is_array()) throw InputError("not a list", "a list [...]");
+    return node;
+}
+
+std::vector<std::string> as_strings(const Json& node) {
+    std::vector<std::string> strings;
+    for (std::size_t i = 0; i < as_array(node).size(); ++i)
+        strings.push_back(at_place("/" + std::to_string(i), [&] { return as_string(node[i]); }));
+    return strings;
+}
+
+}  // namespace ashimpact

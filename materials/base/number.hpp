@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace ashimpact {
+
+/// A number as refinement programs and spreadsheets print it.
+struct PrintedNumber {
+    double value = 0;
+    std::optional<double> standard_uncertainty{};
+    bool per_cent = false;  ///< a "%" stands behind it; the value is not divided
+};
+
+/// Reads "0.2548+-0.0029", "12.3 ± 0.4", "12.3 +/- 0.4", "12.3(4)", "12,3 %". An uncertainty of zero is none.
+/// Returns nothing if the text is anything else, or a number that is not finite.
+[[nodiscard]] std::optional<PrintedNumber> read_number(std::string_view text, bool decimal_comma = false);
+
+/// Whether a cell or value says that there is no number: "", "-", "n.d.", "n/a", "UNDEF", "ERROR", "< 0.5".
+[[nodiscard]] bool says_no_number(std::string_view text);
+
+}  // namespace ashimpact

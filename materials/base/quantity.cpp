@@ -1,0 +1,81 @@
+#include "materials/base/quantity.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "materials/base/error.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+template <class Json>
+double finite_number(const Json& node, const std::string& key) {
+    if (!node.at(key).is_number()) throw InputError("not a number", "a finite number").at("/" + key);
+    const auto value = node.at(key).template get<double>();
+    if (!std::isfinite(value)) throw InputError("not finite", "a finite number").at("/" + key);
+    return value;
+}
+
+template <class Json>
+Quantity read_object(const Json& node, Dimension expected) {
+    for (const auto& [key, _] : node.items())
+        if (key != "value" && key != "unit" && key != "standard_uncertainty")
+            throw InputError("unknown key \"" + key + "\"", "value, unit, standard_uncertainty")
+                .at("/" + key);
+    for (const auto* key : {"value", "unit"})
+        if (!node.contains(key))
+            throw InputError("the key \"" + std::string(key) + "\" is missing",
+                             "value, unit, standard_uncertainty");
+    if (!node.at("unit").is_string())
+        throw InputError("not a string", "a unit of " + std::string(dimension_name(expected))).at("/unit");
+    const auto unit = node.at("unit").template get<std::string>();
+    Quantity quantity = make_quantity(to_si(finite_number(node, "value"), unit, expected), expected);
+    if (!node.contains("standard_uncertainty")) return quantity;
+    const double uncertainty = finite_number(node, "standard_uncertainty");
+    if (uncertainty < 0)
+        throw InputError("a standard uncertainty below zero", "zero or more").at("/standard_uncertainty");
+    quantity.standard_uncertainty = to_si(uncertainty, unit, expected);
+    return quantity;
+}
+
+template <class Json>
+Quantity read(const Json& node, Dimension expected) {
+    if (node.is_string())
+        return make_quantity(parse_quantity(node.template get<std::string>(), expected), expected);
+    if (node.is_number())
+        return make_quantity(to_si(node.template get<double>(), si_unit(expected), expected), expected);
+    if (node.is_object()) return read_object(node, expected);
+    throw InputError("not a quantity", "a number in " + std::string(si_unit(expected)) +
+                                           R"(, a string with its unit, or {"value", "unit"})");
+}
+
+template <class Json>
+void write(Json& node, const Quantity& quantity) {
+    node = Json{{"value", quantity.value}, {"unit", quantity.unit}};
+    if (quantity.standard_uncertainty) node["standard_uncertainty"] = *quantity.standard_uncertainty;
+}
+
+}  // namespace
+
+Quantity make_quantity(double value, Dimension dimension, std::optional<double> standard_uncertainty) {
+    return {.value = value,
+            .unit = std::string(si_unit(dimension)),
+            .standard_uncertainty = standard_uncertainty};
+}
+
+Quantity read_quantity(const nlohmann::json& node, Dimension expected) {
+    return read(node, expected);
+}
+Quantity read_quantity(const nlohmann::ordered_json& node, Dimension expected) {
+    return read(node, expected);
+}
+void to_json(nlohmann::json& node, const Quantity& quantity) {
+    write(node, quantity);
+}
+void to_json(nlohmann::ordered_json& node, const Quantity& quantity) {
+    write(node, quantity);
+}
+
+}  // namespace ashimpact

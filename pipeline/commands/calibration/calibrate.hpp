@@ -1,0 +1,28 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "pipeline/case/case.hpp"
+#include "pipeline/json/document.hpp"
+#include "pipeline/stages/stage.hpp"
+#include "solver/calibration/calibration.hpp"
+
+namespace ashimpact {
+
+struct CalibrateOptions {
+    std::string case_file;          ///< empty: the built-in case
+    std::vector<std::string> free;  ///< "density" or "density:each"; empty: what the case says
+    bool compare = false;           ///< hypotheses beside one another instead of one calibration
+    bool json = false;
+};
+
+/// `ashimpact calibrate`: the unknown constants of a case, from its published critical velocities and contact
+/// times.
+void run_calibrate_command(const CalibrateOptions& options, std::ostream& out);
+
+/// The calibration a case asks for; starts from its modulus and contact artifacts.
+[[nodiscard]] CalibrationProblem calibration_problem(const Case& data, const Artifacts& before);
+
+}  // namespace ashimpact

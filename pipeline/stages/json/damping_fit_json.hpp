@@ -1,0 +1,23 @@
+#pragma once
+
+#include "pipeline/json/view.hpp"
+#include "solver/uncertainty/likelihood/damping_curve_fit.hpp"
+
+namespace ashimpact {
+
+/// A fit of eta(e_n) to impacts: coefficients in ascending powers with covariance, critical damping and
+/// critical velocity (for the contact as given) with 95 % intervals, goodness, and for every rebound its
+/// residual, its leverage and what leaving it out changes.
+/// @param numbers of the impacts that the fit was given, from 1 on, in its order
+[[nodiscard]] Json damping_fit_json(const DampingCurveFit& fit, const std::vector<std::size_t>& numbers);
+
+/// What a propagation needs of a fit, from damping_fit_json().
+[[nodiscard]] DampingCurveFit read_damping_fit(const View& node);
+
+/// Orders of the polynomial beside each other, and why some are missing.
+[[nodiscard]] Json orders_json(const OrderComparison& comparison);
+
+/// What an extrapolated and a direct fit say of one another.
+[[nodiscard]] Json comparison_json(const FitComparison& comparison);
+
+}  // namespace ashimpact

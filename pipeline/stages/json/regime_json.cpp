@@ -1,0 +1,22 @@
+#include "pipeline/stages/json/regime_json.hpp"
+
+#include "pipeline/json/quantity_json.hpp"
+
+namespace ashimpact {
+
+Json regime_json(const Regime& regime) {
+    return {{"tabor_parameter", regime.tabor_parameter},
+            {"equilibrium_separation", quantity_json(equilibrium_separation, Dimension::length)},
+            {"adhesion", name_of(regime.adhesion)},
+            {"damping_number", regime.damping_number},
+            {"adhesion_number", regime.adhesion_number},
+            {"yield_velocity", quantity_json(regime.yield_velocity, Dimension::velocity)},
+            {"law_yield_velocity", quantity_json(regime.law_yield_velocity, Dimension::velocity)},
+            {"yields", regime.yields},
+            {"contact_radius", quantity_json(regime.contact_radius, Dimension::length)},
+            {"relative_contact_radius", regime.relative_contact_radius},
+            {"relative_overlap", regime.relative_overlap},
+            {"warnings", regime.warnings}};
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,68 @@
+#include "pipeline/stages/uncertainty/uncertain_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/composition.hpp"
+#include "materials/phase_catalogue.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+/// An input that cannot be negative.
+RandomInput positive(const char* name, const Quantity& quantity) {
+    return {.name = name,
+            .value = quantity.value,
+            .standard_uncertainty = quantity.standard_uncertainty.value_or(0),
+            .shape = quantity.value > 0 ? InputShape::lognormal : InputShape::normal};
+}
+
+RandomInput ratio(const char* name, const Quantity& quantity) {
+    return {.name = name,
+            .value = quantity.value,
+            .standard_uncertainty = quantity.standard_uncertainty.value_or(0)};
+}
+
+SphereOnWall sphere_of(const SampleContact& contact) {
+    Quantity diameter = contact.effective_radius;
+    diameter.value *= 2;
+    if (diameter.standard_uncertainty) *diameter.standard_uncertainty *= 2;
+    return {.diameter = positive("diameter", diameter),
+            .density = positive("density", contact.density),
+            .work_of_adhesion = positive("work of adhesion", contact.work_of_adhesion),
+            .yield_pressure = contact.pair.yield_pressure};
+}
+
+/// The same contact from its phases and wall, where the case describes it that way.
+std::optional<RandomContact> from_phases(const Case& data, const Sample& sample,
+                                         const SampleContact& contact) {
+    const auto* wall = data.wall ? std::get_if<ElasticWall>(&*data.wall) : nullptr;
+    if (wall == nullptr || sample.contact_modulus || !contact.poisson_ratio) return std::nullopt;
+    const PhaseCatalogue catalogue({PhaseSet{.name = "case", .phases = data.phases}});
+    SphereOnWall sphere = sphere_of(contact);
+    sphere.poisson_ratio = ratio("Poisson's ratio", *contact.poisson_ratio);
+    sphere.wall_young_modulus = positive("Young's modulus of the wall", wall->young_modulus.quantity);
+    sphere.wall_poisson_ratio = ratio("Poisson's ratio of the wall", wall->poisson_ratio.quantity);
+    sphere.mixture = PhaseMixture{compose(sample.analysis, catalogue),
+                                  {.rule = data.mixture_rule, .porosity = sample.porosity}};
+    RandomContact random = random_contact(sphere);
+    constexpr std::ptrdiff_t own = 3;  // size, density and w are not of the modulus
+    const bool uncertain = std::any_of(random.inputs.begin() + own, random.inputs.end(),
+                                       [](const RandomInput& in) { return in.standard_uncertainty > 0; });
+    const double modulus = random.nominal().contact_modulus;
+    const bool same = std::abs(modulus / contact.pair.contact_modulus - 1) < 1e-9;
+    if (!uncertain || !same) return std::nullopt;
+    return random;
+}
+
+}  // namespace
+
+RandomContact uncertain_contact(const Case& data, const Sample& sample, const SampleContact& contact) {
+    if (auto random = from_phases(data, sample, contact)) return *std::move(random);
+    SphereOnWall sphere = sphere_of(contact);
+    sphere.contact_modulus = positive("contact modulus", contact.contact_modulus);
+    return random_contact(sphere);
+}
+
+}  // namespace ashimpact

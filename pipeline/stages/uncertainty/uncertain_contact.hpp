@@ -1,0 +1,15 @@
+#pragma once
+
+#include "pipeline/case/case.hpp"
+#include "pipeline/stages/contact.hpp"
+#include "solver/uncertainty/propagation/random_contact.hpp"
+
+namespace ashimpact {
+
+/// The contact of a sample with what is known of its uncertainty: size, density and w as in 2-contact.json;
+/// the contact modulus from the XRD fractions, phase moduli and the wall of the case where one of those is
+/// uncertain and they give that modulus, else as it stands in 2-contact.json.
+[[nodiscard]] RandomContact uncertain_contact(const Case& data, const Sample& sample,
+                                              const SampleContact& contact);
+
+}  // namespace ashimpact

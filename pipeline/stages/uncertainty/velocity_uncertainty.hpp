@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/case/case.hpp"
+#include "pipeline/stages/contact.hpp"
+#include "pipeline/stages/fit.hpp"
+#include "pipeline/stages/restitution.hpp"
+#include "solver/uncertainty/outcomes/measured_critical_velocity.hpp"
+#include "solver/uncertainty/propagation/random_contact.hpp"
+
+namespace ashimpact {
+
+/// Everything that v_c of one law of one sample rests on.
+struct VelocityTask {
+    const Case& data;
+    const LawChoice& choice;
+    const SampleContact& contact;
+    const RandomContact& uncertain;
+    const RestitutionSeries* series;  ///< null: none was given
+    const LawFit& fit;
+    const std::optional<MeasuredCriticalVelocity>& measured;
+};
+
+/// The interval of v_c by propagation of everything that is uncertain, with the ranking of what dominates,
+/// the check against the measured one, and the same of the direct fit; keys that are added to those of the
+/// critical velocity. What cannot be had becomes a note.
+/// @param velocity v_c at the critical damping [m/s]
+[[nodiscard]] Json velocity_uncertainty_json(const VelocityTask& task, double velocity,
+                                             std::vector<std::string>& notes);
+
+}  // namespace ashimpact

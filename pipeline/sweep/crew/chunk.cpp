@@ -1,0 +1,171 @@
+#include "pipeline/sweep/crew/chunk.hpp"
+
+#include <limits>
+
+#include "materials/contact_properties.hpp"
+#include "pipeline/sweep/table/rows.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+using Columns = std::vector<std::vector<double>>;
+
+/// One chunk while it is computed. Its impacts stand in blocks of one for each point: a; or a, b, and a with
+/// each variable in turn from b.
+class Chunk {
+  public:
+    Chunk(const SweepPlan& plan, std::uint64_t number)
+        : plan_(plan), points_(plan.points_in(number)), first_(plan.first_point(number)) {
+        for (std::size_t variable = 0; variable < plan.design().variables(); ++variable)
+            variables_.push_back(values_of(variable));
+    }
+
+    void compute(const ImpactSolver& solver, BlockResult& into) {
+        const SweepSpec& spec = plan_.spec();
+        const ImpactColumns impacts = impact_columns();
+        Columns table = spec.table.empty() ? Columns{} : variables_;
+        into.sums.laws.resize(spec.laws.size());
+        into.counts.laws.resize(spec.laws.size());
+        for (std::size_t i = 0; i < spec.laws.size(); ++i) {
+            const ContactModel model{spec.laws[i].law, spec.laws[i].detachment, spec.damping_law};
+            const ResultColumns results = solver(model, impacts, plan_.wanted());
+            add_statistics(results, impacts, into.sums.laws[i], into.counts.laws[i]);
+            for (const Observable observable : spec.table)
+                table.push_back(values_of(observable, results, impacts));
+        }
+        if (!table.empty()) into.rows = pack_rows(in_order_of_points(table), plan_.rows_in_chunk());
+    }
+
+  private:
+    [[nodiscard]] std::size_t impacts() const { return points_ * plan_.impacts_a_point(); }
+
+    /// A variable in every impact.
+    [[nodiscard]] std::vector<double> values_of(std::size_t variable) const {
+        std::vector<double> values(impacts());
+        const std::span<double> all(values);
+        for (std::size_t sample = 0; sample < plan_.samples_a_point(); ++sample)
+            plan_.design().fill(sample, variable, first_, all.subspan(sample * points_, points_));
+        for (std::size_t block = plan_.samples_a_point(); block < plan_.impacts_a_point(); ++block) {
+            const std::size_t source = block - plan_.samples_a_point() == variable ? 1 : 0;
+            for (std::size_t i = 0; i < points_; ++i)
+                values[block * points_ + i] = values[source * points_ + i];
+        }
+        return values;
+    }
+
+    [[nodiscard]] std::vector<double> column(ImpactInput input, double fallback) const {
+        const SweepSpec& spec = plan_.spec();
+        for (std::size_t i = 0; i < spec.variables.size(); ++i)
+            if (spec.variables[i].input == input) return variables_[i];
+        return std::vector<double>(impacts(), spec.fixed[static_cast<std::size_t>(input)].value_or(fallback));
+    }
+
+    [[nodiscard]] ImpactColumns impact_columns() const {
+        constexpr double infinite = std::numeric_limits<double>::infinity();
+        ImpactColumns columns{.mass = column(ImpactInput::mass, 0),
+                              .effective_radius = column(ImpactInput::radius, 0),
+                              .contact_modulus = column(ImpactInput::contact_modulus, 0),
+                              .work_of_adhesion = column(ImpactInput::work_of_adhesion, 0),
+                              .yield_pressure = column(ImpactInput::yield_pressure, infinite),
+                              .damping = column(ImpactInput::damping, 0),
+                              .velocity = column(ImpactInput::velocity, 0)};
+        const std::vector<double> density = column(ImpactInput::density, 0);
+        for (std::size_t i = 0; i < density.size(); ++i)
+            if (density[i] > 0) columns.mass[i] = sphere_mass(columns.effective_radius[i], density[i]);
+        return columns;
+    }
+
+    [[nodiscard]] static std::vector<double> values_of(Observable observable, const ResultColumns& results,
+                                                       const ImpactColumns& impacts) {
+        if (observable == Observable::contact_time) return results.contact_time;
+        if (observable == Observable::maximum_overlap) return results.maximum_overlap;
+        std::vector<double> values = results.restitution;
+        if (observable == Observable::captured)
+            for (double& value : values) value = value > 0 ? 0 : 1;
+        if (observable == Observable::rebound_velocity)
+            for (std::size_t i = 0; i < values.size(); ++i) values[i] *= impacts.velocity[i];
+        return values;
+    }
+
+    void add_statistics(const ResultColumns& results, const ImpactColumns& impacts, LawSums& sums,
+                        std::vector<Histogram>& counts) const {
+        for (const ObservableStatistics& each : plan_.spec().statistics) {
+            std::vector<double> values = values_of(each.observable, results, impacts);
+            values.resize(points_ * plan_.samples_a_point());
+            counts.emplace_back().count(each.bins, values);
+            sums.observables.push_back(moments_by_group(values));
+        }
+        for (const Observable observable : plan_.spec().sensitivity)
+            sums.sensitivity.push_back(sobol_by_group(values_of(observable, results, impacts)));
+    }
+
+    /// Values of the points of one group, from as many blocks as there are.
+    [[nodiscard]] std::vector<double> group_of(std::span<const double> values, std::uint32_t group) const {
+        const std::uint32_t groups = plan_.design().groups();
+        const std::size_t start = (group + groups - first_ % groups) % groups;
+        std::vector<double> picked;
+        picked.reserve(values.size() / groups + values.size() / points_);
+        for (std::size_t block = 0; block < values.size(); block += points_)
+            for (std::size_t i = start; i < points_; i += groups) picked.push_back(values[block + i]);
+        return picked;
+    }
+
+    [[nodiscard]] std::vector<Moments> moments_by_group(const std::vector<double>& values) const {
+        std::vector<Moments> moments;
+        for (std::uint32_t group = 0; group < plan_.design().groups(); ++group) {
+            std::vector<double> picked = group_of(values, group);
+            std::erase_if(picked, [](double value) { return value != value; });
+            moments.push_back(Moments::of(picked));
+        }
+        return moments;
+    }
+
+    [[nodiscard]] std::vector<SobolSums> sobol_by_group(const std::vector<double>& values) const {
+        std::vector<SobolSums> sums;
+        const std::span<const double> all(values);
+        for (std::uint32_t group = 0; group < plan_.design().groups(); ++group) {
+            Columns blocks;
+            for (std::size_t block = 0; block < plan_.impacts_a_point(); ++block)
+                blocks.push_back(group_of(all.subspan(block * points_, points_), group));
+            sums.push_back(SobolSums::of({blocks[0], blocks[1], {blocks.begin() + 2, blocks.end()}}));
+        }
+        return sums;
+    }
+
+    /// Columns with the impacts of one point side by side.
+    [[nodiscard]] Columns in_order_of_points(const Columns& columns) const {
+        const std::size_t blocks = plan_.impacts_a_point();
+        Columns ordered;
+        for (const auto& column : columns) {
+            auto& rows = ordered.emplace_back(column.size());
+            for (std::size_t block = 0; block < blocks; ++block)
+                for (std::size_t i = 0; i < points_; ++i)
+                    rows[i * blocks + block] = column[block * points_ + i];
+        }
+        return ordered;
+    }
+
+    const SweepPlan& plan_;
+    std::size_t points_;
+    std::uint64_t first_;
+    Columns variables_;
+};
+
+}  // namespace
+
+BlockResult compute_block(const SweepPlan& plan, const ImpactSolver& solver, const Block& block) {
+    PairwiseMerge<SweepSums> sums;
+    BlockResult whole;
+    for (std::uint64_t chunk = block.first; chunk < block.first + block.chunks(); ++chunk) {
+        BlockResult part;
+        Chunk(plan, chunk).compute(solver, part);
+        sums.add(std::move(part.sums));
+        whole.counts.merge(part.counts);
+        whole.rows += part.rows;
+    }
+    whole.sums = sums.total();
+    return whole;
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+
+#include "pipeline/sweep/crew/sums.hpp"
+#include "pipeline/sweep/spec/plan.hpp"
+#include "solver/statistics/pairwise_merge.hpp"
+
+namespace ashimpact {
+
+/// 2^level chunks, the first of them a multiple of that: a node of the tree in which chunks are merged, and
+/// what one thread computes at a time.
+struct Block {
+    std::uint64_t first = 0;
+    unsigned level = 0;
+
+    [[nodiscard]] std::uint64_t chunks() const { return std::uint64_t{1} << level; }
+
+    template <class Archive>
+    void transfer(Archive& archive) {
+        archive(first, level);
+    }
+};
+
+/// What came of a block.
+struct BlockResult {
+    SweepSums sums;
+    SweepCounts counts;
+    std::string rows;  ///< of the full table, packed chunk by chunk
+
+    template <class Archive>
+    void transfer(Archive& archive) {
+        archive(sums, counts, rows);
+    }
+};
+
+/// Computes a block. The result depends on plan and block alone.
+[[nodiscard]] BlockResult compute_block(const SweepPlan& plan, const ImpactSolver& solver,
+                                        const Block& block);
+
+}  // namespace ashimpact

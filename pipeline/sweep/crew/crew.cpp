@@ -1,0 +1,62 @@
+#include "pipeline/sweep/crew/crew.hpp"
+
+#include <oneapi/tbb/info.h>
+
+#include <algorithm>
+#include <thread>
+
+namespace ashimpact {
+
+Crew::Crew(int threads, Work work)
+    : threads_(static_cast<std::size_t>(threads)),
+      work_(std::move(work)),
+      threads_allowed_(tbb::global_control::max_allowed_parallelism,
+                       threads_ + 1),  // they and the one that waits
+      arena_(threads, 0) {}
+
+Crew::~Crew() noexcept {
+    tasks_.cancel();
+    arena_.execute([this] { tasks_.wait(); });
+}
+
+void Crew::assign(const Block& block) {
+    ++assigned_;
+    arena_.enqueue(tasks_.defer([this, block] { compute(block); }));
+}
+
+void Crew::compute(const Block& block) {
+    FinishedBlock done{.block = block, .seconds = 0, .bytes = {}};
+    std::exception_ptr failure;
+    const auto start = std::chrono::steady_clock::now();
+    try {
+        done.bytes = work_(block);
+    } catch (...) {
+        failure = std::current_exception();
+    }
+    done.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const std::lock_guard lock(mutex_);
+    if (failure)
+        failure_ = failure;
+    else
+        finished_.push_back(std::move(done));
+    changed_.notify_one();
+}
+
+std::optional<FinishedBlock> Crew::finished(std::chrono::microseconds patience) {
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, patience, [this] { return failure_ != nullptr || !finished_.empty(); });
+    if (failure_) std::rethrow_exception(failure_);
+    if (finished_.empty()) return std::nullopt;
+    FinishedBlock done = std::move(finished_.front());
+    finished_.pop_front();
+    --assigned_;
+    return done;
+}
+
+int default_threads(int processes_here) {
+    const int allowed = tbb::info::default_concurrency();  // heeds the cores this process is bound to
+    const int share = static_cast<int>(std::thread::hardware_concurrency()) / std::max(processes_here, 1);
+    return std::max(1, std::min(allowed, share));
+}
+
+}  // namespace ashimpact

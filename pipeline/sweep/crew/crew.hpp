@@ -1,0 +1,52 @@
+#pragma once
+
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/task_arena.h>
+#include <oneapi/tbb/task_group.h>
+
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <mutex>
+
+#include "pipeline/sweep/crew/team.hpp"
+
+namespace ashimpact {
+
+/// The threads of this process. Each has one block in work and one waiting.
+class Crew : public Team {
+  public:
+    Crew(int threads, Work work);
+    ~Crew() noexcept override;
+    Crew(const Crew&) = delete;
+    Crew& operator=(const Crew&) = delete;
+    Crew(Crew&&) = delete;
+    Crew& operator=(Crew&&) = delete;
+
+    [[nodiscard]] std::size_t capacity() const override { return 2 * threads_; }
+    [[nodiscard]] std::size_t vacancies() const override { return capacity() - assigned_; }
+    void assign(const Block& block) override;
+    [[nodiscard]] std::optional<FinishedBlock> finished(std::chrono::microseconds patience) override;
+
+  private:
+    void compute(const Block& block);
+
+    std::size_t threads_;
+    Work work_;
+    std::size_t assigned_ = 0;  ///< and not yet handed over by finished()
+
+    std::mutex mutex_;  ///< guards the members below it
+    std::condition_variable changed_;
+    std::deque<FinishedBlock> finished_;
+    std::exception_ptr failure_;
+
+    tbb::global_control threads_allowed_;
+    tbb::task_arena arena_;
+    tbb::task_group tasks_;
+};
+
+/// Threads this process should have: the cores it may use, shared with the other processes of the job on this
+/// machine.
+[[nodiscard]] int default_threads(int processes_here);
+
+}  // namespace ashimpact

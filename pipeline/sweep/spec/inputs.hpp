@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "materials/base/units.hpp"
+#include "solver/damping/damping.hpp"
+
+namespace ashimpact {
+
+/// What a sweep may vary of an impact of a sphere on a flat wall.
+enum class ImpactInput {
+    radius,
+    density,
+    mass,
+    contact_modulus,
+    work_of_adhesion,
+    yield_pressure,
+    damping,
+    velocity
+};
+
+inline constexpr std::size_t impact_input_count = 8;
+
+[[nodiscard]] std::string_view name_of(ImpactInput input);
+/// The input of that name, which the schema has checked.
+[[nodiscard]] ImpactInput impact_input_named(std::string_view name);
+/// What an input measures; that of a damping goes with its law.
+[[nodiscard]] Dimension dimension_of(ImpactInput input, DampingLaw law);
+/// Whether zero is a value an input may have.
+[[nodiscard]] bool may_be_zero(ImpactInput input);
+
+/// What a sweep may look at.
+enum class Observable {
+    captured,          ///< 1 for a capture, 0 for a rebound
+    restitution,       ///< 0 for a capture
+    rebound_velocity,  ///< 0 for a capture
+    contact_time,      ///< of rebounds only
+    maximum_overlap,   ///< its supremum where the approach never turns
+};
+
+inline constexpr std::size_t observable_count = 5;
+
+[[nodiscard]] std::string_view name_of(Observable observable);
+[[nodiscard]] Observable observable_named(std::string_view name);
+[[nodiscard]] Dimension dimension_of(Observable observable);
+/// Whether every impact has a value, a capture too.
+[[nodiscard]] bool captures_count(Observable observable);
+
+}  // namespace ashimpact

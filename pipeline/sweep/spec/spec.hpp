@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/case/case.hpp"
+#include "pipeline/json/document.hpp"
+#include "pipeline/sweep/spec/inputs.hpp"
+#include "solver/statistics/design.hpp"
+#include "solver/statistics/histogram.hpp"
+
+namespace ashimpact {
+
+struct SweepVariable {
+    ImpactInput input;
+    Distribution distribution;  ///< [SI]
+};
+
+/// What is counted of an observable.
+struct ObservableStatistics {
+    Observable observable;
+    Bins bins;
+    std::vector<double> quantiles;  ///< probabilities
+};
+
+/// What a sweep is to do.
+struct SweepSpec {
+    std::vector<LawChoice> laws;
+    DampingLaw damping_law = DampingLaw::constant;
+    std::array<std::optional<double>, impact_input_count> fixed{};  ///< inputs that do not vary [SI]
+    std::vector<SweepVariable> variables;
+    Sampling sampling{};
+    std::vector<ObservableStatistics> statistics;  ///< `captured` first, always there
+    std::vector<Observable> sensitivity;           ///< whose Sobol indices are wanted
+    std::vector<Observable> table;                 ///< columns of the full table; empty: no table
+    std::vector<std::string> warnings;
+};
+
+/// A spec that was read, with the text that tells it from any other: comments and layout do not.
+struct LoadedSpec {
+    SweepSpec spec;
+    std::string canonical;
+};
+
+/// Reads and checks a spec. @throws InputError with the JSON pointer
+[[nodiscard]] LoadedSpec read_sweep_spec(const std::string& text);
+
+}  // namespace ashimpact

@@ -1,0 +1,90 @@
+#include "pipeline/sweep/table/impact_columns.hpp"
+
+#include <Eigen/Core>
+
+#include "materials/base/error.hpp"
+#include "materials/base/text.hpp"
+#include "solver/batch/impact_batch.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+Impact impact_at(const ContactModel& model, const ImpactColumns& impacts, std::size_t i) {
+    return {.law = model.law,
+            .detachment = model.detachment,
+            .damping = {model.damping_law, impacts.damping[i]},
+            .contact = {.mass = impacts.mass[i],
+                        .effective_radius = impacts.effective_radius[i],
+                        .contact_modulus = impacts.contact_modulus[i],
+                        .work_of_adhesion = impacts.work_of_adhesion[i],
+                        .yield_pressure = impacts.yield_pressure[i]},
+            .velocity = impacts.velocity[i]};
+}
+
+/// The command that computes an impact alone.
+std::string command_of(const Impact& impact) {
+    std::string command = "ashimpact impact --law " + std::string(impact.law.name()) + " --detachment " +
+                          std::string(name_of(impact.detachment)) + " --damping-law " +
+                          std::string(name_of(impact.damping.law));
+    const auto add = [&](const char* option, double value) {
+        command += std::string(" --") + option + " " + shortest(value);
+    };
+    add("mass", impact.contact.mass);
+    add("radius", impact.contact.effective_radius);
+    add("contact-modulus", impact.contact.contact_modulus);
+    add("work-of-adhesion", impact.contact.work_of_adhesion);
+    if (impact.law == Law::of<ThorntonNing>()) add("yield-pressure", impact.contact.yield_pressure);
+    add("damping", impact.damping.coefficient);
+    add("velocity", impact.velocity);
+    return command;
+}
+
+ImpactBatch batch_of(const ContactModel& model, const ImpactColumns& impacts) {
+    const auto column = [](const std::vector<double>& values) {
+        return Eigen::Map<const Eigen::ArrayXd>(values.data(), std::ssize(values));
+    };
+    return {model.law,
+            model.detachment,
+            model.damping_law,
+            {column(impacts.mass), column(impacts.effective_radius), column(impacts.contact_modulus),
+             column(impacts.work_of_adhesion), column(impacts.yield_pressure)},
+            column(impacts.damping),
+            column(impacts.velocity)};
+}
+
+/// The first impact that does not converge, as an error that says how to compute it alone.
+[[nodiscard]] ConvergenceError named(const ConvergenceError& error, const ContactModel& model,
+                                     const ImpactColumns& impacts) {
+    for (std::size_t i = 0; i < impacts.velocity.size(); ++i) {
+        const Impact impact = impact_at(model, impacts, i);
+        try {
+            static_cast<void>(solve_impact(impact));
+        } catch (const ConvergenceError& own) {
+            return ConvergenceError(std::string(own.what()) + "; the impact: " + command_of(impact));
+        }
+    }
+    return error;
+}
+
+}  // namespace
+
+ResultColumns solve_in_batch(const ContactModel& model, const ImpactColumns& impacts,
+                             const WantedResults& wanted) {
+    const auto values = [](const Eigen::ArrayXd& column) {
+        return std::vector<double>(column.begin(), column.end());
+    };
+    try {
+        const ImpactBatchResult solved = solve_impacts(
+            batch_of(model, impacts), {.turning_point = wanted.maximum_overlap, .method = wanted.method});
+        ResultColumns results;
+        results.restitution = values(solved.restitution);
+        if (wanted.contact_time) results.contact_time = values(solved.contact_time);
+        if (wanted.maximum_overlap) results.maximum_overlap = values(solved.maximum_overlap);
+        return results;
+    } catch (const ConvergenceError& error) {
+        throw named(error, model, impacts);
+    }
+}
+
+}  // namespace ashimpact

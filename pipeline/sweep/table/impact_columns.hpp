@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "solver/batch/method.hpp"
+#include "solver/motion/impact.hpp"
+
+namespace ashimpact {
+
+/// Many impacts, one entry each [SI].
+struct ImpactColumns {
+    std::vector<double> mass;
+    std::vector<double> effective_radius;
+    std::vector<double> contact_modulus;
+    std::vector<double> work_of_adhesion;
+    std::vector<double> yield_pressure;
+    std::vector<double> damping;
+    std::vector<double> velocity;
+};
+
+/// What is the same for all of them.
+struct ContactModel {
+    Law law;
+    Detachment detachment;
+    DampingLaw damping_law;
+};
+
+/// Which results are wanted beside the restitution, others are left empty; and how they are to be had.
+struct WantedResults {
+    bool contact_time = false;
+    bool maximum_overlap = false;
+    BatchMethod method = BatchMethod::integration;  ///< a table does not have the maximum overlap
+};
+
+/// What the impacts did, one entry each.
+struct ResultColumns {
+    std::vector<double> restitution;      ///< 0 for a capture
+    std::vector<double> contact_time;     ///< not a number for a capture [s]
+    std::vector<double> maximum_overlap;  ///< [m]
+};
+
+/// Solves many impacts. The result of an impact may not depend on the others beside it.
+using ImpactSolver =
+    std::function<ResultColumns(const ContactModel&, const ImpactColumns&, const WantedResults&)>;
+
+/// The batch solver, on the calling thread. @throws ConvergenceError naming the impact
+[[nodiscard]] ResultColumns solve_in_batch(const ContactModel& model, const ImpactColumns& impacts,
+                                           const WantedResults& wanted);
+
+}  // namespace ashimpact

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "pipeline/sweep/spec/plan.hpp"
+#include "pipeline/sweep/sweep.hpp"
+
+namespace ashimpact {
+
+/// Refuses, before anything is computed, an output that would take the place of something that is not this
+/// sweep's: of its spec, of a table that no sweep or another one wrote, of rows or a checkpoint that no sweep
+/// wrote; and one that cannot be written.
+/// @throws InputError naming the file
+void check_outputs(const SweepFiles& files, const std::filesystem::path& spec, const SweepPlan& plan);
+
+}  // namespace ashimpact

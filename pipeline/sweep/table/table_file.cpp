@@ -1,0 +1,203 @@
+#include "pipeline/sweep/table/table_file.hpp"
+
+#include <hdf5.h>
+
+#include <array>
+#include <fstream>
+#include <set>
+
+#include "data/version.hpp"
+#include "materials/base/error.hpp"
+#include "pipeline/sweep/table/row_log.hpp"
+#include "pipeline/sweep/table/rows.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+constexpr auto spec_attribute = "spec_sha256";
+
+/// What HDF5 refuses to do; its own messages are long and go to standard error unless asked not to.
+class Hdf5Error : public std::runtime_error {
+  public:
+    explicit Hdf5Error(const char* what) : std::runtime_error(std::string("HDF5: ") + what + " failed") {}
+};
+
+void check(herr_t status, const char* what) {
+    if (status < 0) throw Hdf5Error(what);
+}
+
+/// An HDF5 identifier, closed in the end.
+class Handle {
+  public:
+    using Close = herr_t (*)(hid_t);
+
+    Handle(hid_t id, Close closer, const char* what) : id_(id), close_(closer) {
+        if (id < 0) throw Hdf5Error(what);
+    }
+    Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+    Handle(const Handle&) = delete;
+    Handle& operator=(const Handle&) = delete;
+    Handle& operator=(Handle&&) = delete;
+    ~Handle() {
+        if (id_ >= 0) close_(id_);
+    }
+    [[nodiscard]] hid_t id() const { return id_; }
+    /// Closes it now and says whether all was written.
+    void close(const char* what) { check(close_(std::exchange(id_, -1)), what); }
+
+  private:
+    hid_t id_;
+    Close close_;
+};
+
+void silence() {
+    check(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr), "H5Eset_auto");
+}
+
+/// A property list without time stamps.
+Handle timeless(hid_t kind) {
+    Handle properties(H5Pcreate(kind), H5Pclose, "H5Pcreate");
+    check(H5Pset_obj_track_times(properties.id(), 0), "H5Pset_obj_track_times");
+    return properties;
+}
+
+void add_attribute(hid_t object, const char* name, const std::string& value) {
+    const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "H5Tcopy");
+    check(H5Tset_size(type.id(), value.size() + 1), "H5Tset_size");
+    const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "H5Screate");
+    const Handle attribute(H5Acreate2(object, name, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
+                           H5Aclose, "H5Acreate");
+    check(H5Awrite(attribute.id(), type.id(), value.c_str()), "H5Awrite");
+}
+
+std::string rows_text(const SweepPlan& plan) {
+    if (!plan.with_sensitivity()) return "row n is point n";
+    const std::string width = std::to_string(plan.impacts_a_point());
+    return "row " + width + " n + k is point n: k = 0 at a, 1 at b, 2 + i at a with variable i from b";
+}
+
+/// The file while it is filled.
+class TableFile {
+  public:
+    TableFile(const std::filesystem::path& path, const SweepPlan& plan)
+        : plan_(plan), file_(create(path)), properties_(dataset_properties()) {
+        add_attribute(file_.id(), "program", "ashimpact " + std::string(program_version()));
+        add_attribute(file_.id(), "revision", std::string(program_revision()));
+        add_attribute(file_.id(), spec_attribute, plan.hash());
+        add_attribute(file_.id(), "rows", rows_text(plan));
+        std::set<std::string> groups;
+        for (const TableColumn& column : plan.table_columns()) {
+            const std::string group = column.path.substr(0, column.path.find('/'));
+            if (groups.insert(group).second) add_group(group);
+            add_column(column);
+        }
+    }
+
+    [[nodiscard]] std::size_t columns() const { return columns_.size(); }
+
+    void add_chunk(std::size_t column, std::uint64_t chunk, const std::string& packed) {
+        const hsize_t offset = chunk * plan_.rows_in_chunk();
+        check(H5Dwrite_chunk(columns_[column].id(), H5P_DEFAULT, 0, &offset, packed.size(), packed.data()),
+              "H5Dwrite_chunk");
+    }
+
+    void close() {
+        for (Handle& column : columns_) column.close("H5Dclose");
+        file_.close("H5Fclose");
+    }
+
+  private:
+    static Handle create(const std::filesystem::path& path) {
+        silence();
+        const Handle properties = timeless(H5P_FILE_CREATE);
+        return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, properties.id(), H5P_DEFAULT), H5Fclose, "H5Fcreate"};
+    }
+
+    [[nodiscard]] Handle dataset_properties() const {
+        Handle properties = timeless(H5P_DATASET_CREATE);
+        const hsize_t rows = plan_.rows_in_chunk();
+        check(H5Pset_chunk(properties.id(), 1, &rows), "H5Pset_chunk");
+        check(H5Pset_shuffle(properties.id()), "H5Pset_shuffle");
+        check(H5Pset_deflate(properties.id(), deflate_level), "H5Pset_deflate");
+        return properties;
+    }
+
+    void add_group(const std::string& name) {
+        const Handle properties = timeless(H5P_GROUP_CREATE);
+        const Handle group(H5Gcreate2(file_.id(), name.c_str(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),
+                           H5Gclose, "H5Gcreate");
+    }
+
+    void add_column(const TableColumn& column) {
+        const hsize_t rows = plan_.rows();
+        const Handle space(H5Screate_simple(1, &rows, nullptr), H5Sclose, "H5Screate_simple");
+        columns_.emplace_back(H5Dcreate2(file_.id(), column.path.c_str(), H5T_IEEE_F64LE, space.id(),
+                                         H5P_DEFAULT, properties_.id(), H5P_DEFAULT),
+                              H5Dclose, "H5Dcreate");
+        add_attribute(columns_.back().id(), "unit", column.unit);
+        add_attribute(columns_.back().id(), "description", column.description);
+    }
+
+    const SweepPlan& plan_;
+    Handle file_;
+    Handle properties_;
+    std::vector<Handle> columns_;
+};
+
+void copy_rows(std::ifstream& rows, const SweepPlan& plan, TableFile& table) {
+    std::array<char, packed_length_size> prefix{};
+    std::string packed;
+    for (std::uint64_t chunk = 0; chunk < plan.chunks(); ++chunk) {
+        for (std::size_t column = 0; column < table.columns(); ++column) {
+            rows.read(prefix.data(), prefix.size());
+            packed.resize(rows ? packed_length({prefix.data(), prefix.size()}) : 0);
+            rows.read(packed.data(), static_cast<std::streamsize>(packed.size()));
+            if (!rows) throw Hdf5Error("reading the rows back");
+            table.add_chunk(column, chunk, packed);
+        }
+    }
+}
+
+std::string read_text_attribute(hid_t object, const char* name) {
+    const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, "H5Aopen");
+    const Handle type(H5Aget_type(attribute.id()), H5Tclose, "H5Aget_type");
+    if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) != 0)
+        throw Hdf5Error("reading a text");
+    std::string text(H5Tget_size(type.id()), '\0');
+    check(H5Aread(attribute.id(), type.id(), text.data()), "H5Aread");
+    return text.substr(0, text.find('\0'));
+}
+
+}  // namespace
+
+std::optional<std::string> spec_of_table(const std::filesystem::path& file) {
+    try {
+        silence();
+        const Handle opened(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "H5Fopen");
+        if (!read_text_attribute(opened.id(), "program").starts_with("ashimpact ")) return std::nullopt;
+        return read_text_attribute(opened.id(), spec_attribute);
+    } catch (const Hdf5Error&) {
+        return std::nullopt;
+    }
+}
+
+void write_table(const std::filesystem::path& file, const SweepPlan& plan,
+                 const std::filesystem::path& rows) {
+    const auto temporary = file.parent_path() / ("." + file.filename().string() + ".tmp");
+    try {
+        std::ifstream stream(rows, std::ios::binary);
+        stream.seekg(row_log_mark.size());
+        TableFile table(temporary, plan);
+        copy_rows(stream, plan, table);
+        table.close();
+        std::filesystem::rename(temporary, file);
+    } catch (const std::runtime_error& error) {  // HDF5's and the file system's
+        std::error_code ignored;
+        std::filesystem::remove(temporary, ignored);
+        throw InputError(std::string("cannot be written: ") + error.what(), "a place with room")
+            .in_file(file.string());
+    }
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "pipeline/sweep/spec/plan.hpp"
+
+namespace ashimpact {
+
+/// Writes the full table as an HDF5 file from the packed rows: a dataset of doubles a column, shuffled and
+/// deflated, unit and description as its attributes. No time stamps: the same rows give the same bytes. No
+/// reader ever sees half a file.
+/// @throws InputError if the file cannot be written
+void write_table(const std::filesystem::path& file, const SweepPlan& plan, const std::filesystem::path& rows);
+
+/// The hash of the spec (SweepPlan::hash) whose table a file is; nothing where no sweep wrote it.
+[[nodiscard]] std::optional<std::string> spec_of_table(const std::filesystem::path& file);
+
+}  // namespace ashimpact

@@ -1,0 +1,86 @@
+// Included once for each instruction set, so with no include guard but this.
+#if defined(ASHIMPACT_SOLVER_BATCH_BLOCK_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef ASHIMPACT_SOLVER_BATCH_BLOCK_INL_HPP
+#undef ASHIMPACT_SOLVER_BATCH_BLOCK_INL_HPP
+#else
+#define ASHIMPACT_SOLVER_BATCH_BLOCK_INL_HPP
+#endif
+
+#include "solver/batch/kernel.hpp"
+#include "solver/batch/lanes/leapfrog-inl.hpp"
+#include "solver/batch/lanes/orbit-inl.hpp"
+
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace ashimpact::HWY_NAMESPACE {
+
+inline constexpr std::size_t block_size = group_count * lane_count;
+inline constexpr int most_passes = 64;  ///< steps after which an impact is left to the scalar solver
+
+/// Scaled impacts of one block, and what became of them.
+struct Block {
+    HWY_ALIGN double adhesion[block_size];
+    HWY_ALIGN double damping[block_size];
+    HWY_ALIGN double speed[block_size];         ///< at the end of contact
+    HWY_ALIGN double time[block_size];          ///< of contact
+    HWY_ALIGN double turn_time[block_size];     ///< NaN where it never turns
+    HWY_ALIGN double turn_overlap[block_size];  ///< or its supremum
+    std::uint64_t rebound;                      ///< one bit a lane; sure
+    std::uint64_t capture;                      ///< one bit a lane; sure
+
+    [[nodiscard]] bool rebounds(std::size_t lane) const { return ((rebound >> lane) & 1U) != 0; }
+    [[nodiscard]] bool captures(std::size_t lane) const { return ((capture >> lane) & 1U) != 0; }
+    [[nodiscard]] batch::LaneEnd end(std::size_t lane) const {
+        if (rebounds(lane)) return batch::LaneEnd::rebound;
+        return captures(lane) ? batch::LaneEnd::capture : batch::LaneEnd::undecided;
+    }
+};
+
+[[nodiscard]] HWY_INLINE std::uint64_t bits_of(Mask mask) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(Tag(), mask, bytes);
+    return bytes[0];
+}
+
+/// Follows the impacts of a block to their ends.
+template <class F>
+HWY_NOINLINE void follow(Block& block, Detachment detachment, bool with_turn) {
+    using Orbit = LaneOrbit<F>;
+    Groups<Orbit> orbits;
+    for (std::size_t group = 0; group < group_count; ++group) {
+        const std::size_t first = group * lane_count;
+        const Equation<F> equation(Lanes::load(block.adhesion + first), Lanes::load(block.damping + first));
+        orbits[group] = Orbit(equation, detachment, with_turn);
+    }
+    for (int pass = 0; pass < most_passes; ++pass) {
+        Mask active = none();
+        for (Orbit& orbit : orbits) {
+            orbit.observe(pass);
+            active = either(active, orbit.active());
+        }
+        if (!any(active)) break;
+        Groups<LaneStep> steps;
+        ExtrapolatedLeapfrog<F, Orbit::sequences, Orbit>::step(orbits, steps);
+        for (std::size_t group = 0; group < group_count; ++group) orbits[group].take(steps[group]);
+    }
+    block.rebound = block.capture = 0;
+    for (std::size_t group = 0; group < group_count; ++group) {
+        const Orbit& orbit = orbits[group];
+        const std::size_t first = group * lane_count;
+        const LaneArrival end = orbit.end_point();
+        end.time.store(block.time + first);
+        end.speed.store(block.speed + first);
+        block.rebound |= bits_of(orbit.surely_ended(end)) << first;
+        block.capture |= bits_of(orbit.surely_captured()) << first;
+        if (!with_turn) continue;
+        const LaneTurn turn = orbit.turning_point();
+        block.capture &= ~(bits_of(orbit.turns_in_doubt(turn.time)) << first);
+        turn.time.store(block.turn_time + first);
+        turn.overlap.store(block.turn_overlap + first);
+    }
+}
+
+}  // namespace ashimpact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

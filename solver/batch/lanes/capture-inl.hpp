@@ -1,0 +1,85 @@
+// Included once for each instruction set, so with no include guard but this.
+#if defined(ASHIMPACT_SOLVER_BATCH_CAPTURE_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef ASHIMPACT_SOLVER_BATCH_CAPTURE_INL_HPP
+#undef ASHIMPACT_SOLVER_BATCH_CAPTURE_INL_HPP
+#else
+#define ASHIMPACT_SOLVER_BATCH_CAPTURE_INL_HPP
+#endif
+
+#include "solver/batch/lanes/equation-inl.hpp"
+#include "solver/batch/lanes/number-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace ashimpact::HWY_NAMESPACE {
+
+/// Places of a contact law for the adhesion numbers of the lanes, and the depth of its well.
+struct Places {
+    Lanes touch;
+    Lanes equilibrium;
+    Lanes end;  ///< where the contact ends, but where it ends by force
+    Lanes end_potential;
+    Lanes speed_squared;  ///< v^2 in the bottom of the well, undamped: 1 + 2 (U_touch - U_min)
+    Mask by_force;        ///< the contact ends where the total force vanishes
+};
+
+template <class F>
+[[nodiscard]] HWY_FLATTEN inline Places places_of(const Equation<F>& equation, Detachment detachment) {
+    const typename F::template ContactLaw<LaneNumber> law{LaneNumber(equation.adhesion)};
+    const auto place = [](const LaneNumber& u)
+                           HWY_ATTR { return F::squared ? u.lanes() * u.lanes() : u.lanes(); };
+    Places p;
+    p.touch = place(law.touch());
+    p.equilibrium = place(*law.detachment_point(Detachment::zero_force));
+    p.end = place(*law.detachment_point(detachment));
+    p.end_potential = equation.potential(p.end);
+    const Lanes fall = equation.potential(p.touch) - equation.potential(p.equilibrium);
+    p.speed_squared = multiply_add(fall, 2.0, 1.0);
+    p.by_force = detachment == Detachment::zero_force ? equation.damping > Lanes(0.0) : none();
+    return p;
+}
+
+/// Decides capture from the state, as CaptureTest does.
+template <class F>
+class LaneCapture {
+  public:
+    HWY_INLINE LaneCapture(const Equation<F>& equation, const Places& places)
+        : equation_(equation), places_(places) {}
+
+    /// v^2/2 + U(q) - U_end, after the turn: below zero the end is out of reach.
+    [[nodiscard]] HWY_INLINE Lanes energy_left(Lanes q, Lanes v) const {
+        return multiply_add(v * Lanes(0.5), v, equation_.potential(q) - places_.end_potential);
+    }
+    /// After the turn: so damped that it creeps back without ever reaching the end of contact.
+    [[nodiscard]] HWY_INLINE Mask creeping(Lanes q, Lanes v) const {
+        const Lanes way = equation_.overlap(q) - equation_.overlap(places_.end);
+        const Lanes least = equation_.damping_at(places_.equilibrium);
+        const Mask slow = v >= least * way * Lanes(-0.5);
+        const Mask soft = Lanes(4.0) * equation_.force(q) < least * least * way;
+        return without(either(both(q >= places_.equilibrium, both(slow, soft)), overdamped()),
+                       places_.by_force);
+    }
+    /// Before the turn: so damped that it creeps up to equilibrium and never turns.
+    [[nodiscard]] HWY_INLINE Mask creeping_up(Lanes q, Lanes v) const {
+        const Lanes at = places_.equilibrium;
+        const Lanes damping = equation_.damping_at(q);
+        const Lanes way = equation_.overlap(at) - equation_.overlap(q);
+        // eta^2 >= 4 dF/d(delta) at equilibrium, without the division
+        const Lanes stiffness = Lanes(4.0) * value_of<F::force_slope>(equation_.adhesion, at);
+        const Mask damped = damping * damping * value_of<F::slope>(equation_.adhesion, at) >= stiffness;
+        return both(q < at, both(damped, v <= damping * way * Lanes(0.5)));
+    }
+
+  private:
+    /// Tsuji's damping from sqrt(5) on captures whatever touches at q = 0.
+    [[nodiscard]] HWY_INLINE Mask overdamped() const {
+        if constexpr (F::damping != DampingLaw::tsuji) return none();
+        return both(places_.touch <= Lanes(0.0), equation_.damping * equation_.damping >= Lanes(5.0));
+    }
+
+    const Equation<F>& equation_;
+    const Places& places_;
+};
+
+}  // namespace ashimpact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,32 @@
+// Included once for each instruction set, so with no include guard but this.
+#if defined(ASHIMPACT_SOLVER_BATCH_GROUPS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef ASHIMPACT_SOLVER_BATCH_GROUPS_INL_HPP
+#undef ASHIMPACT_SOLVER_BATCH_GROUPS_INL_HPP
+#else
+#define ASHIMPACT_SOLVER_BATCH_GROUPS_INL_HPP
+#endif
+
+#include "solver/batch/lanes/equation-inl.hpp"
+
+#include <array>
+#include <cstddef>
+
+HWY_BEFORE_NAMESPACE();
+namespace ashimpact::HWY_NAMESPACE {
+
+/// Registers of lanes advanced together: the next one's arithmetic hides the latency of this one's.
+inline constexpr std::size_t group_count = 4;
+template <class T>
+using Groups = std::array<T, group_count>;
+
+/// What one step did to a state, and an estimate of its error.
+struct LaneStep {
+    LaneState change;
+    Lanes position_error;
+    Lanes momentum_error;
+    Lanes end_stiffness;  ///< h(q) at the end, to second order
+};
+
+}  // namespace ashimpact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,87 @@
+// Included once for each instruction set, so with no include guard but this.
+#if defined(ASHIMPACT_SOLVER_BATCH_IMPACTS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef ASHIMPACT_SOLVER_BATCH_IMPACTS_INL_HPP
+#undef ASHIMPACT_SOLVER_BATCH_IMPACTS_INL_HPP
+#else
+#define ASHIMPACT_SOLVER_BATCH_IMPACTS_INL_HPP
+#endif
+
+#include "solver/batch/lanes/block-inl.hpp"
+#include "solver/batch/order.hpp"
+#include "solver/batch/tables/lookup-inl.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+
+HWY_BEFORE_NAMESPACE();
+namespace ashimpact::HWY_NAMESPACE {
+
+inline void write(const batch::ImpactTask& task, const ScaledTask& scaled, std::size_t i, const Block& block,
+                  std::size_t lane) {
+    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+    const bool rebounds = block.rebounds(lane);
+    task.end[i] = block.end(lane);
+    task.restitution[i] = rebounds ? std::min(block.speed[lane], 1.0) : 0.0;
+    task.contact_time[i] = rebounds ? block.time[lane] * scaled.time[i] : nothing;
+    task.approach_time[i] = task.turning_point ? block.turn_time[lane] * scaled.time[i] : nothing;
+    task.maximum_overlap[i] = task.turning_point ? block.turn_overlap[lane] * scaled.length[i] : nothing;
+}
+
+/// Follows impacts, given by their numbers, in blocks of like ones, so that the lanes of a block end
+/// together.
+/// @param write takes (place of the impact, block, lane) of what has been followed
+template <class F, class Write>
+HWY_INLINE void follow_all(const batch::NumberColumns& numbers, std::span<const std::uint16_t> impacts,
+                           Detachment detachment, bool turning_point, const Write& write) {
+    batch::Order order;
+    order.sort(numbers, impacts);
+    for (std::size_t first = 0; first < impacts.size(); first += block_size) {
+        const std::size_t used = std::min(impacts.size() - first, block_size);
+        Block block;
+        for (std::size_t lane = 0; lane < block_size; ++lane) {
+            const std::size_t i = order[first + (lane < used ? lane : used - 1)];
+            block.adhesion[lane] = numbers.adhesion[i];
+            block.damping[lane] = numbers.damping[i];
+        }
+        follow<F>(block, detachment, turning_point);
+        for (std::size_t lane = 0; lane < used; ++lane) write(order[first + lane], block, lane);
+    }
+}
+
+/// Solves the impacts of a task: scales them, reads what a table tells, and follows the others.
+template <class F>
+HWY_NOINLINE void solve_task(const batch::ImpactTask& task) {
+    ScaledTask scaled;
+    scale_task<F>(task.inputs, task.count, scaled);
+    const PlaceList open = task.table != nullptr ? look_up(task, scaled) : PlaceList::all(task.count);
+    follow_all<F>({scaled.adhesion, scaled.damping}, open.places(), task.detachment, task.turning_point,
+                  [&](std::size_t i, const Block& block, std::size_t lane)
+                      HWY_ATTR { write(task, scaled, i, block, lane); });
+}
+
+/// Solves the impacts of a task that gives their numbers.
+template <class F>
+HWY_NOINLINE void solve_numbers(const batch::NumberTask& task) {
+    const PlaceList all = PlaceList::all(task.count);
+    follow_all<F>({task.adhesion, task.damping}, all.places(), task.detachment, false,
+                  [&](std::size_t i, const Block& block, std::size_t lane) HWY_ATTR {
+                      task.end[i] = block.end(lane);
+                      task.speed[i] = block.speed[lane];
+                      task.time[i] = block.time[lane];
+                  });
+}
+
+template <template <class> class L>
+void solve_law(const batch::ImpactTask& task) {
+    with_form<L>(task.damping_law, [&](auto form) { solve_task<decltype(form)>(task); });
+}
+
+template <template <class> class L>
+void solve_law_numbers(const batch::NumberTask& task) {
+    with_form<L>(task.damping_law, [&](auto form) { solve_numbers<decltype(form)>(task); });
+}
+
+}  // namespace ashimpact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

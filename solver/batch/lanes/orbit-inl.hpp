@@ -1,0 +1,150 @@
+// Included once for each instruction set, so with no include guard but this.
+#if defined(ASHIMPACT_SOLVER_BATCH_ORBIT_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef ASHIMPACT_SOLVER_BATCH_ORBIT_INL_HPP
+#undef ASHIMPACT_SOLVER_BATCH_ORBIT_INL_HPP
+#else
+#define ASHIMPACT_SOLVER_BATCH_ORBIT_INL_HPP
+#endif
+
+#include "solver/batch/lanes/arrivals-inl.hpp"
+#include "solver/batch/lanes/events-inl.hpp"
+#include "solver/batch/lanes/groups-inl.hpp"
+#include "solver/batch/lanes/pilot-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace ashimpact::HWY_NAMESPACE {
+
+/// Follows the impacts of one register of lanes, each on its own; a lane that has ended is left as it is.
+template <class F>
+class LaneOrbit {
+  public:
+    static constexpr int sequences = 8;
+    static constexpr int late = 5;  ///< steps from which on creeping is asked for: rare, and never in a hurry
+
+    LaneOrbit() = default;
+    /// @param with_turn whether turning_point() will be asked for; only then a step ends at the turn
+    HWY_INLINE LaneOrbit(const Equation<F>& equation, Detachment detachment, bool with_turn)
+        : equation_(equation),
+          places_(places_of(equation, detachment)),
+          pilot_(inward_step(equation, places_)),
+          error_scale_(Lanes(F::damping == DampingLaw::tsuji ? 3.0 : 1.0) / places_.speed_squared),
+          with_turn_(with_turn),
+          approaching_(every()),
+          active_(every()) {
+        state_.position = places_.touch;
+        state_.momentum = Lanes(1.0) + equation.damping_impulse(places_.touch);
+        state_.time = 0.0;
+        turn_ = end_ = state_;
+    }
+
+    [[nodiscard]] HWY_INLINE const Equation<F>& equation() const { return equation_; }
+    [[nodiscard]] HWY_INLINE const LaneState& state() const { return state_; }
+    [[nodiscard]] HWY_INLINE Lanes step() const { return step_; }
+    [[nodiscard]] HWY_INLINE Mask active() const { return active_; }
+
+    /// What has happened at the present state, and how far to go next.
+    HWY_INLINE void observe(int pass) {
+        const Lanes q = state_.position;
+        const Lanes v = equation_.velocity(state_);
+        const Rates r = rates_of(equation_, q, v);
+        const Lanes usual = pilot_.step();
+        if (!with_turn_) approaching_ = without(approaching_, v <= Lanes(0.0));
+        const NextEvent next(places_, approaching_);
+        Lanes event = next.time(q, v, r);
+        if (!with_turn_) event = select(approaching_, NextEvent::out_of_sight, event);
+        const Mask near = both(active_, abs(event) <= next.reach(q, v, usual));
+        const Mask turning = both(near, approaching_);
+        const Mask ending = both(without(near, approaching_), v < Lanes(0.0));
+        turn_ = select(turning, state_, turn_);
+        end_ = select(ending, state_, end_);
+        turned_ = either(turned_, turning);
+        ended_ = either(ended_, ending);
+        active_ = without(active_, ending);
+        approaching_ = without(approaching_, turning);
+        detect_capture(q, v, pass);
+        const Mask within = without(event < usual * pilot_.reach(), turning);
+        step_ = select(within, max(event, -usual), usual);
+        speed_ = abs(v);
+        stiffness_ = abs(r.stiffness);
+    }
+
+    /// Takes the step if it is good enough.
+    HWY_INLINE void take(const LaneStep& step) {
+        LaneState next;
+        next.position = state_.position + step.change.position;
+        next.momentum = state_.momentum + step.change.momentum;
+        next.time = state_.time + step.change.time;
+        const Lanes v = equation_.velocity(next);
+        const Lanes error = multiply_add(max(speed_, abs(v)), abs(step.momentum_error),
+                                         max(stiffness_, abs(step.end_stiffness)) * abs(step.position_error));
+        // A step that leaves and comes back may have been at the end of contact in between.
+        const Mask returned = without(v > Lanes(0.0), approaching_);
+        const Lanes judged = select(returned, returned_error, error * error_scale_);
+        const Mask good =
+            pilot_.template judge<2 * sequences - 1>(abs(step_), judged, v > Lanes(0.0), active_);
+        const Mask taken = both(good, active_);
+        state_ = select(taken, next, state_);
+    }
+
+    /// Greatest overlap and when it is reached; for a lane that never turns its supremum, and no time.
+    [[nodiscard]] HWY_INLINE LaneTurn turning_point() const {
+        return HWY_NAMESPACE::turning_point(equation_, places_, turn_, turned_);
+    }
+    /// Speed at the end of contact and when it is reached.
+    [[nodiscard]] HWY_INLINE LaneArrival end_point() const {
+        return HWY_NAMESPACE::end_point(equation_, places_, end_);
+    }
+
+    /// Lanes that have ended with a speed that is not in doubt.
+    [[nodiscard]] HWY_INLINE Mask surely_ended(const LaneArrival& end) const {
+        return both(both(ended_, end.found), end.speed * end.speed > places_.speed_squared * Lanes(doubt));
+    }
+    /// Captured lanes that the double precision of the energy leaves no doubt of.
+    [[nodiscard]] HWY_INLINE Mask surely_captured() const { return without(captured_, doubtful_); }
+    /// Lanes that turn while hardly anything pulls them back, so that rounding moves the time of the turn.
+    [[nodiscard]] HWY_INLINE Mask turns_in_doubt(Lanes time) const {
+        const Lanes pull = rates_of(equation_, turn_.position, Lanes(0.0)).acceleration * time;
+        return both(turned_, pull * pull < places_.speed_squared * Lanes(1e-3));
+    }
+
+  private:
+    static constexpr double doubt = 1e-9;  ///< energy, over that in the well, too near capture to tell here
+    static constexpr double returned_error = 1.0;  ///< has the pilot shorten the step as far as it ever does
+
+    HWY_INLINE void detect_capture(Lanes q, Lanes v, int pass) {
+        const LaneCapture<F> capture(equation_, places_);
+        const Mask leaving = without(without(active_, approaching_), places_.by_force);
+        const Lanes left = capture.energy_left(q, v);
+        const Lanes margin = places_.speed_squared * Lanes(doubt);
+        Mask caught = both(both(leaving, q > places_.end), left < Lanes(0.0));
+        doubtful_ = either(doubtful_, both(caught, left > -margin));
+        if (pass >= late) {
+            caught = either(caught, both(without(active_, approaching_), capture.creeping(q, v)));
+            caught = either(caught, both(both(active_, approaching_), capture.creeping_up(q, v)));
+        }
+        captured_ = either(captured_, caught);
+        active_ = without(active_, caught);
+    }
+
+    Equation<F> equation_;
+    Places places_;
+    Pilot pilot_;
+    Lanes error_scale_;  ///< 1/v^2 in the well; thrice for Tsuji, where estimates at times are low
+    LaneState state_;
+    LaneState turn_;  ///< next to the turning point
+    LaneState end_;   ///< next to the end of contact
+    Lanes step_;
+    Lanes speed_;
+    Lanes stiffness_;
+    bool with_turn_ = true;
+    Mask approaching_;
+    Mask active_;
+    Mask captured_ = none();
+    Mask turned_ = none();
+    Mask ended_ = none();
+    Mask doubtful_ = none();
+};
+
+}  // namespace ashimpact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,97 @@
+// Included once for each instruction set, so with no include guard but this.
+#if defined(ASHIMPACT_SOLVER_BATCH_PILOT_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef ASHIMPACT_SOLVER_BATCH_PILOT_INL_HPP
+#undef ASHIMPACT_SOLVER_BATCH_PILOT_INL_HPP
+#else
+#define ASHIMPACT_SOLVER_BATCH_PILOT_INL_HPP
+#endif
+
+#include "solver/batch/lanes/capture-inl.hpp"
+#include "solver/batch/lanes/roots-inl.hpp"
+
+#include <cmath>
+
+HWY_BEFORE_NAMESPACE();
+namespace ashimpact::HWY_NAMESPACE {
+
+/// Step for the way in: a part of the period of the motion about the estimated greatest q, where it is
+/// shortest. Potential and the impulse of damping, at some part of the incident speed, make up the incident
+/// energy there.
+template <class F>
+[[nodiscard]] HWY_INLINE Lanes inward_step(const Equation<F>& equation, const Places& places) {
+    constexpr double part = 1.3;         // of a radian
+    constexpr double mean_speed = 0.72;  // of v_in
+    constexpr int degree = F::potential.degree();
+    static const double free_turn = std::pow(1.0 / F::potential.at(degree, 0), 1.0 / degree);
+    static const double bound_turn =
+        std::pow(1.36 * 1.15, 5.0 / degree);  // of DMT; that of the other laws is less
+    const Lanes a = equation.adhesion;
+    const Lanes brake = equation.damping * Lanes(mean_speed);
+    const auto work = [&](Lanes q) HWY_ATTR {
+        return multiply_add(value_of<F::impulse>(a, q), brake, equation.potential(q));
+    };
+    const Lanes wanted = work(places.touch) + Lanes(0.5);
+    Lanes q = max(places.equilibrium * Lanes(bound_turn), free_turn);
+    for (int i = 0; i < 4; ++i) {  // convex and increasing there: Newton comes down to the root
+        const Lanes slope = multiply_add(value_of<F::drag>(a, q), brake, value_of<F::stiffness>(a, q));
+        q = q - (work(q) - wanted) / slope;
+    }
+    const Lanes drag = equation.damping * value_of<F::drag>(a, q);
+    return Lanes(part) / sqrt(multiply_add(drag, drag, value_of<F::stiffness_slope>(a, q)));
+}
+
+/// Chooses steps. On the way in they stay as they are, unless the error says that they are far from ideal. On
+/// the way out the ideal step grows from step to step by a factor that itself changes little (a predictive
+/// controller: Gustafsson 1994). So hardly a step has to be repeated.
+class Pilot {
+  public:
+    static constexpr double tolerance = 0.8e-12;  ///< of the estimate, which is far above the error
+    static constexpr double acceptable = 2.5;     ///< tolerances up to which a step is kept
+
+    Pilot() = default;
+    HWY_INLINE explicit Pilot(Lanes first) : log_step_(rough_log2(first)) {}
+
+    [[nodiscard]] HWY_INLINE Lanes step() const { return rough_exp2(log_step_); }
+    /// Longest step, in usual ones, to land on an event; no stretching where a step has just failed.
+    [[nodiscard]] HWY_INLINE Lanes reach() const { return reach_; }
+
+    /// Takes note of a step of size @p taken with the estimate @p error.
+    /// @param inward whether the overlap still grows
+    /// @return lanes whose step is good
+    template <int order>
+    HWY_INLINE Mask judge(Lanes taken, Lanes error, Mask inward, Mask active) {
+        constexpr double floor = 1e-6 * tolerance;
+        const Mask good = error <= Lanes(acceptable * tolerance);
+        const Lanes log_taken = rough_log2(taken);
+        const Lanes gain =
+            (rough_log2(Lanes(tolerance)) - rough_log2(max(error, floor))) * Lanes(1.0 / order);
+        const Lanes ideal = log_taken + gain;
+        const Lanes trend = min(max(ideal - last_ideal_, 0.0), 0.4);
+        const Mask left = leaving_ > Lanes(0.0);
+        const Lanes outward =
+            min(ideal + select(left, trend, first_trend), log_taken + select(left, Lanes(0.45), Lanes(0.25)));
+        const Lanes steady = log_taken + min(max(gain - Lanes(0.35), 0.0), 0.3) * touched_;
+        const Lanes next = select(good, select(inward, steady, outward), ideal - Lanes(0.1));
+        // A step cut short for an event, and good, says nothing of the next.
+        const Mask telling = without(active, both(good, log_taken < log_step_ - Lanes(0.2)));
+        log_step_ = select(telling, next, log_step_);
+        last_ideal_ = select(telling, ideal, last_ideal_);
+        leaving_ = select(both(telling, without(good, inward)), 1.0, leaving_);
+        touched_ = 1.0;
+        reach_ = select(good, longest_reach, 1.0);
+        return good;
+    }
+
+  private:
+    static constexpr double first_trend = 0.1;
+    static constexpr double longest_reach = 1.1;
+    Lanes log_step_;
+    Lanes last_ideal_{0.0};
+    Lanes leaving_{0.0};  ///< 1 where the last ideal step is one of the way out
+    Lanes touched_{0.0};  ///< 0 during the first step, in which too little happens to tell
+    Lanes reach_{longest_reach};
+};
+
+}  // namespace ashimpact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

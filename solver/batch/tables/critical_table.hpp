@@ -1,0 +1,56 @@
+#pragma once
+
+#include "solver/critical_velocity/critical_velocity.hpp"
+
+#include <array>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace ashimpact::batch {
+
+/// The critical velocity of one law, detachment and damping law with adhesion, as a function of its only
+/// number: the damping number beta in the scale in which the adhesion number is 1 (velocity V_a). Tabulated
+/// is the work of damping at v_c over beta, by Chebyshev polynomials through backward integrations on octaves
+/// of beta, halved until the last coefficients are below 1e-12. A piece is computed when it is first asked
+/// for.
+///
+/// Relative error of v_c below 1e-10 (1e-12 as measured in the tests). Next to the damping from which
+/// everything is captured the table does not tell.
+class CriticalTable {
+  public:
+    /// The table of that combination, one a process; any thread may ask.
+    [[nodiscard]] static CriticalTable& of(Law law, Detachment detachment, DampingLaw damping_law);
+
+    struct Entry {
+        CaptureVerdict verdict;
+        double value;  ///< v_c/V_a, where finite
+    };
+    /// At beta >= 0; none where the table does not tell.
+    [[nodiscard]] std::optional<Entry> at(double beta);
+
+  private:
+    static constexpr int lowest_octave = -40;  ///< below it v_c is that of its lower end, to its rounding
+    static constexpr int octaves = 64;
+    static constexpr int most_halvings = 16;
+
+    enum class State { finite, always_captured, halved, untold };
+    struct Piece {
+        std::once_flag computed;
+        State state = State::untold;
+        std::vector<double> coefficients{};            ///< of ln(work/beta), where finite
+        double detachment_energy = 0.0;                ///< in units of m V_a^2
+        std::array<std::unique_ptr<Piece>, 2> half{};  ///< where halved
+    };
+
+    void compute(double lower, double upper, bool may_halve, Piece& piece) const;
+    [[nodiscard]] CriticalVelocity solved(double beta) const;
+
+    Law law_ = Law::of<Hertz>();
+    Detachment detachment_ = Detachment::zero_overlap;
+    DampingLaw damping_law_ = DampingLaw::constant;
+    std::array<Piece, octaves> pieces_;
+};
+
+}  // namespace ashimpact::batch

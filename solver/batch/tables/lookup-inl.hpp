@@ -1,0 +1,113 @@
+// Included once for each instruction set, so with no include guard but this.
+#if defined(ASHIMPACT_SOLVER_BATCH_LOOKUP_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef ASHIMPACT_SOLVER_BATCH_LOOKUP_INL_HPP
+#undef ASHIMPACT_SOLVER_BATCH_LOOKUP_INL_HPP
+#else
+#define ASHIMPACT_SOLVER_BATCH_LOOKUP_INL_HPP
+#endif
+
+#include "solver/batch/tables/restitution_table.hpp"
+#include "solver/batch/tables/scaled_task-inl.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace ashimpact::HWY_NAMESPACE {
+
+/// The place of a number in a table: n/(1 + n).
+[[nodiscard]] HWY_INLINE Lanes place_of(Lanes number) {
+    const Lanes n = min(number, 1e300);
+    return n / (n + Lanes(1.0));
+}
+
+/// A place in a piece of a table, at which its polynomials are evaluated; a register holds powers of u.
+class PlaceInPiece {
+  public:
+    HWY_INLINE PlaceInPiece(double t, double u) : t_(t), powers_(1.0), next_(u) {
+        const hn::RebindToUnsigned<Tag> integers;
+        const auto lane = hn::Iota(integers, 0);
+        for (std::size_t bit = 1; bit < lane_count; bit *= 2) {
+            const Mask has_bit = hn::RebindMask(Tag(), hn::TestBit(lane, hn::Set(integers, bit)));
+            powers_ = select(has_bit, powers_ * next_, powers_);
+            next_ = next_ * next_;
+        }
+    }
+
+    [[nodiscard]] HWY_INLINE double value(const batch::RestitutionPolynomials::Coefficients& c) const {
+        constexpr std::size_t columns = batch::RestitutionPolynomials::columns;
+        constexpr std::size_t registers = columns / lane_count;
+        const auto at = [&](std::size_t i, std::size_t k)
+                            HWY_ATTR { return Lanes::load(c.data() + i * columns + k * lane_count); };
+        std::size_t i = batch::RestitutionPolynomials::rows - 1;
+        Lanes row[registers];
+        for (std::size_t k = 0; k < registers; ++k) row[k] = at(i, k);
+        while (i-- > 0) {
+            for (std::size_t k = 0; k < registers; ++k) row[k] = multiply_add(row[k], t_, at(i, k));
+        }
+        Lanes sum = row[registers - 1];
+        for (std::size_t k = registers - 1; k-- > 0;) sum = multiply_add(sum, next_, row[k]);
+        return hn::GetLane(hn::SumOfLanes(Tag(), (sum * powers_).v));
+    }
+
+  private:
+    Lanes t_;
+    Lanes powers_;  ///< 1, u, u^2, ...
+    Lanes next_;    ///< u to the number of lanes
+};
+
+/// What a table tells of an impact.
+struct Told {
+    batch::LaneEnd end;  ///< undecided: integrate
+    double speed;        ///< at the end of contact; 0 for a capture
+    double time;         ///< of contact; NaN for a capture
+};
+
+/// The impact at a place of a piece; none where the place is not a number.
+template <bool with_time>
+[[nodiscard]] HWY_INLINE Told told(const batch::RestitutionPiece* piece, double x, double y) {
+    using State = batch::RestitutionPiece::State;
+    constexpr double least_square = 1e-6;  ///< e^2 below which the error of a table weighs
+    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+    const State state = piece == nullptr ? State::untold : piece->state();
+    if (state == State::capture) return {batch::LaneEnd::capture, 0.0, nothing};
+    if (state != State::rebound) return {batch::LaneEnd::undecided, 0.0, nothing};
+    const PlaceInPiece place(piece->t(x), piece->u(y));
+    const double square = place.value(piece->polynomials().restitution_squared);
+    if (square < least_square) return {batch::LaneEnd::undecided, 0.0, nothing};
+    const double time = with_time ? place.value(piece->polynomials().contact_time) : nothing;
+    return {batch::LaneEnd::rebound, std::sqrt(std::min(square, 1.0)), time};
+}
+
+/// Places of a column of numbers in a table.
+inline void place_all(const double* numbers, std::size_t count, double* places) {
+    for (std::size_t i = 0; i < count; i += lane_count) {
+        place_of(Lanes::load(numbers + i)).store(places + i);
+    }
+}
+
+/// Reads the impacts of a task from its table. @return those that it does not tell
+HWY_NOINLINE inline PlaceList look_up(const batch::ImpactTask& task, const ScaledTask& scaled) {
+    HWY_ALIGN double x[ScaledTask::capacity];
+    HWY_ALIGN double y[ScaledTask::capacity];
+    place_all(scaled.adhesion, task.count, x);
+    place_all(scaled.damping, task.count, y);
+    const batch::RestitutionPiece* pieces[batch::most_impacts];
+    for (std::size_t i = 0; i < task.count; ++i) pieces[i] = task.table->at(x[i], y[i]);
+    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+    PlaceList open;
+    for (std::size_t i = 0; i < task.count; ++i) {
+        const Told impact = told<true>(pieces[i], x[i], y[i]);
+        if (impact.end == batch::LaneEnd::undecided) open.add(i);
+        task.end[i] = impact.end;
+        task.restitution[i] = impact.speed;
+        task.contact_time[i] = impact.time * scaled.time[i];
+        task.approach_time[i] = task.maximum_overlap[i] = nothing;
+    }
+    return open;
+}
+
+}  // namespace ashimpact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,163 @@
+#include "solver/batch/tables/restitution_table.hpp"
+
+#include "solver/batch/instruction_set.hpp"
+#include "solver/numeric/chebyshev.hpp"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <tuple>
+#include <vector>
+
+namespace ashimpact::batch {
+
+namespace {
+
+constexpr double square_tolerance = 2e-13;  ///< of e^2, in its last coefficients
+constexpr double time_tolerance = 1e-12;    ///< of the contact time, relative
+
+/// A or beta where x or y is @p place; infinite at 1.
+double number_at(double place) {
+    return place / (1.0 - place);
+}
+
+/// Impacts by their numbers, and what became of them.
+struct NumberedImpacts {
+    std::vector<double> adhesion{};
+    std::vector<double> damping{};
+    std::vector<LaneEnd> end{};
+    std::vector<double> speed{};
+    std::vector<double> time{};
+
+    void add(double x, double y) {
+        adhesion.push_back(number_at(x));
+        damping.push_back(number_at(y));
+    }
+    void solve(const Kernels& kernels, Detachment detachment, DampingLaw damping_law) {
+        const std::size_t count = adhesion.size();
+        end.resize(count);
+        speed.resize(count);
+        time.resize(count);
+        kernels.numbers({.damping_law = damping_law,
+                         .detachment = detachment,
+                         .count = count,
+                         .adhesion = adhesion.data(),
+                         .damping = damping.data(),
+                         .end = end.data(),
+                         .speed = speed.data(),
+                         .time = time.data()});
+    }
+};
+
+/// One coordinate of a piece: @p terms nodes, Chebyshev polynomials, powers.
+template <int terms>
+struct Coordinate {
+    using Matrix = Eigen::Matrix<double, terms, terms>;
+
+    Matrix chebyshev =
+        ChebyshevAxis{-1.0, 1.0, terms - 1}.analysis();  ///< coefficients of values at the nodes
+    Matrix powers = Matrix::Zero();                      ///< column k: T_k by powers
+
+    Coordinate() {
+        powers(0, 0) = powers(1, 1) = 1.0;
+        for (int k = 2; k < terms; ++k) {
+            powers.col(k) = -powers.col(k - 2);
+            powers.col(k).tail(terms - 1) += 2.0 * powers.col(k - 1).head(terms - 1);
+        }
+    }
+    [[nodiscard]] static const Coordinate& the() {
+        static const Coordinate only;
+        return only;
+    }
+};
+
+constexpr int rows = RestitutionPolynomials::rows;
+constexpr int columns = RestitutionPolynomials::columns;
+using Values = Eigen::Matrix<double, rows, columns>;
+
+/// Fits values at the nodes. @return whether the last coefficients are below @p allowed
+bool fit(const Values& values, double allowed, RestitutionPolynomials::Coefficients& out) {
+    const auto& t = Coordinate<rows>::the();
+    const auto& u = Coordinate<columns>::the();
+    const Values spectrum = t.chebyshev * values * u.chebyshev.transpose();
+    const double last =
+        std::max(spectrum.bottomRows(2).cwiseAbs().maxCoeff(), spectrum.rightCols(2).cwiseAbs().maxCoeff());
+    if (!(last < allowed)) return false;
+    Eigen::Map<Eigen::Matrix<double, rows, columns, Eigen::RowMajor>>(out.data()) =
+        t.powers * spectrum * u.powers.transpose();
+    return true;
+}
+
+}  // namespace
+
+RestitutionTable& RestitutionTable::of(Law law, Detachment detachment, DampingLaw damping_law) {
+    // A law's kernels differ between instruction sets, and between laws.
+    using Key = std::tuple<NumberKernel, Detachment, DampingLaw>;
+    static std::mutex access;
+    static std::map<Key, RestitutionTable> tables;
+    settle_instruction_set();
+    const Kernels kernels = kernels_of(law);
+    const std::scoped_lock lock(access);
+    return tables.try_emplace(Key{kernels.numbers, detachment, damping_law}, kernels, detachment, damping_law)
+        .first->second;
+}
+
+RestitutionPiece& RestitutionTable::entered(double x, double y, std::size_t place) {
+    RestitutionPiece* piece = &root_;
+    for (int depth = 0; depth < index_depth; ++depth) {
+        if (piece->state() == State::unknown) compute(*piece, depth);
+        if (piece->state() != State::quartered) break;
+        piece = &piece->quarter(x, y);
+    }
+    index_[place].store(piece, std::memory_order_release);
+    return *piece;
+}
+
+void RestitutionTable::compute(RestitutionPiece& piece, int depth) const {
+    piece.settle([&] {
+        const State state = judged(piece, depth);
+        if (state != State::unknown) return state;
+        return depth < most_depth ? State::quartered : State::untold;
+    });
+}
+
+RestitutionTable::State RestitutionTable::judged(RestitutionPiece& piece, int depth) const {
+    NumberedImpacts corners;
+    corners.add(piece.lower_x(), piece.lower_y());
+    const bool bounded = piece.upper_x() < 1.0 && piece.upper_y() < 1.0;
+    if (bounded) corners.add(piece.upper_x(), piece.upper_y());
+    corners.solve(kernels_, detachment_, damping_law_);
+    if (corners.end.front() == LaneEnd::capture) return State::capture;
+    if (!bounded || corners.end.back() != LaneEnd::rebound || depth < least_depth) return State::unknown;
+    return fitted(piece) ? State::rebound : State::unknown;
+}
+
+bool RestitutionTable::fitted(RestitutionPiece& piece) const {
+    const ChebyshevAxis x{piece.lower_x(), piece.upper_x(), rows - 1};
+    const ChebyshevAxis y{piece.lower_y(), piece.upper_y(), columns - 1};
+    NumberedImpacts nodes;
+    for (int i = 0; i < rows; ++i) {
+        for (int j = 0; j < columns; ++j) nodes.add(x.node(i), y.node(j));
+    }
+    nodes.solve(kernels_, detachment_, damping_law_);
+    Values squared;
+    Values time;
+    std::size_t k = 0;
+    for (int i = 0; i < rows; ++i) {
+        for (int j = 0; j < columns; ++j, ++k) {
+            if (nodes.end[k] != LaneEnd::rebound) return false;
+            squared(i, j) = nodes.speed[k] * nodes.speed[k];
+            time(i, j) = nodes.time[k];
+        }
+    }
+    auto polynomials = std::make_unique<RestitutionPolynomials>();
+    if (!fit(squared, square_tolerance, polynomials->restitution_squared) ||
+        !fit(time, time_tolerance * time.maxCoeff(), polynomials->contact_time)) {
+        return false;
+    }
+    piece.set(std::move(polynomials));
+    return true;
+}
+
+}  // namespace ashimpact::batch

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "solver/batch/kernel.hpp"
+#include "solver/batch/tables/restitution_piece.hpp"
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+
+namespace ashimpact::batch {
+
+/// The impacts of one law, detachment and damping law, all of them: scaled, they have but two numbers, the
+/// adhesion number A and the damping number beta. Tabulated are e^2 and the contact time by Chebyshev
+/// polynomials through impacts that the batch solver integrates, on squares of x = A/(1 + A) and
+/// y = beta/(1 + beta), quartered until the last coefficients are negligible. A square is computed when it
+/// is first asked for, and is the same whenever that is.
+///
+/// More adhesion and more damping capture more, so that two opposite corners tell whether a square
+/// rebounds or is captured as a whole. Those that are still cut by the edge of capture at the last quartering
+/// are not told: there the impact has to be integrated. docs/decisions/0010-tables.md
+class RestitutionTable {
+  public:
+    using State = RestitutionPiece::State;
+
+    /// The table of that combination for the present instruction set, one a process; any thread may ask.
+    [[nodiscard]] static RestitutionTable& of(Law law, Detachment detachment, DampingLaw damping_law);
+
+    RestitutionTable(Kernels kernels, Detachment detachment, DampingLaw damping_law)
+        : kernels_(kernels), detachment_(detachment), damping_law_(damping_law) {}
+
+    /// The piece of a place 0 <= x, y <= 1: it rebounds, is captured, or is untold; none for a place that is
+    /// not a number.
+    [[nodiscard]] const RestitutionPiece* at(double x, double y) {
+        if (!(x + y <= 2.0)) return nullptr;
+        const std::size_t place = index_of(x) * index_size + index_of(y);
+        RestitutionPiece* piece = index_[place].load(std::memory_order_acquire);
+        if (piece == nullptr) piece = &entered(x, y, place);
+        int depth = index_depth;
+        while (true) {
+            const State state = piece->state();
+            if (state == State::unknown) {
+                compute(*piece, depth);
+            } else if (state == State::quartered) {
+                piece = &piece->quarter(x, y);
+                ++depth;
+            } else {
+                return piece;
+            }
+        }
+    }
+
+  private:
+    static constexpr int least_depth = 4;  ///< quarterings before the first polynomials
+    static constexpr int most_depth = 9;
+    static constexpr int index_depth = 6;
+    static constexpr std::size_t index_size = std::size_t{1} << index_depth;
+
+    [[nodiscard]] static std::size_t index_of(double x) {
+        const auto place = static_cast<std::size_t>(x * index_size);
+        return place < index_size ? place : index_size - 1;
+    }
+
+    /// Enters the piece that holds a place of the index into it: one of index_depth, or a larger one that is
+    /// not quartered.
+    RestitutionPiece& entered(double x, double y, std::size_t place);
+    void compute(RestitutionPiece& piece, int depth) const;
+    /// As far as its corners and its fit tell; else unknown.
+    [[nodiscard]] State judged(RestitutionPiece& piece, int depth) const;
+    /// Fits the polynomials. @return whether they tell the piece
+    [[nodiscard]] bool fitted(RestitutionPiece& piece) const;
+
+    Kernels kernels_;
+    Detachment detachment_;
+    DampingLaw damping_law_;
+    RestitutionPiece root_;
+    std::array<std::atomic<RestitutionPiece*>, index_size * index_size> index_{};
+};
+
+}  // namespace ashimpact::batch

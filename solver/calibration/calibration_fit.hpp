@@ -1,0 +1,46 @@
+#pragma once
+
+#include "solver/calibration/calibration.hpp"
+#include "solver/gsl/nonlinear_fit.hpp"
+
+#include <Eigen/Dense>
+
+#include <optional>
+#include <vector>
+
+namespace ashimpact {
+
+/// One fitted number: a quantity of one sample, or of all.
+struct CalibrationSlot {
+    CalibrationQuantity quantity;
+    std::optional<std::size_t> sample;
+};
+
+[[nodiscard]] std::vector<CalibrationSlot> slots_of(const CalibrationProblem& problem);
+
+/// The logarithms of a problem's starting values.
+[[nodiscard]] Eigen::VectorXd starting_logarithms(const CalibrationProblem& problem);
+
+/// A problem's samples with these logarithms of the fitted numbers in place.
+[[nodiscard]] std::vector<CalibrationSample> samples_with(const CalibrationProblem& problem,
+                                                          const std::vector<CalibrationSlot>& slots,
+                                                          const Eigen::VectorXd& logarithms);
+
+/// Normalised residuals of a problem, uncorrelated; the weights stay those of the point they were computed
+/// at, so that chi^2 has one meaning during a fit.
+class CalibrationObjective {
+  public:
+    CalibrationObjective(const CalibrationProblem& problem, const Eigen::VectorXd& logarithms);
+
+    [[nodiscard]] Eigen::VectorXd residuals(const Eigen::VectorXd& logarithms) const;
+    /// Fit from @p start; where @p held is given, that number keeps its value. @throws ConvergenceError
+    [[nodiscard]] gsl::NonlinearFit fit(const Eigen::VectorXd& start,
+                                        std::optional<Eigen::Index> held = std::nullopt) const;
+
+  private:
+    const CalibrationProblem* problem_;
+    std::vector<CalibrationSlot> slots_;
+    Eigen::LLT<Eigen::MatrixXd> covariance_;
+};
+
+}  // namespace ashimpact

@@ -1,0 +1,90 @@
+#include "solver/critical_velocity/critical_velocity.hpp"
+
+#include "materials/base/checks.hpp"
+#include "solver/critical_velocity/backward_orbit.hpp"
+#include "solver/critical_velocity/plastic_critical_velocity.hpp"
+#include "solver/motion/scaled_impact.hpp"
+#include "solver/motion/velocity_scales.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ashimpact {
+
+namespace {
+
+/// Verdict known beforehand, or none where the critical orbit has to be followed.
+std::optional<CaptureVerdict> known_verdict(const CriticalVelocityProblem& problem, bool adhesive,
+                                            bool breaking_costs) {
+    const Damping& damping = problem.damping;
+    if (problem.detachment == Detachment::zero_force) return CaptureVerdict::never_captured;
+    if (damping.coefficient == 0.0 && !breaking_costs) return CaptureVerdict::never_captured;
+    return adhesive ? std::nullopt : verdict_without_adhesion(damping);
+}
+
+CriticalVelocity finite_result(const Motion<Extended>& motion, const Arrival& arrival,
+                               const MotionState<Extended>& turn, const MotionState<Extended>& touch,
+                               const Scale& scale) {
+    const Extended dissipated = arrival.dissipated_after - touch.dissipation;
+    const Extended released = motion.potential(*motion.end) - motion.potential(motion.touch);
+    CriticalVelocity result;
+    result.value = static_cast<double>(std::sqrt(2 * (dissipated + released))) * scale.velocity;
+    result.crossings = {*result.value};
+    if (arrival.time_after)
+        result.contact_time = static_cast<double>(*arrival.time_after - touch.time) * scale.time();
+    result.maximum_overlap = static_cast<double>(motion.overlap(turn.position)) * scale.length;
+    result.dissipated = static_cast<double>(dissipated) * scale.energy();
+    result.detachment_energy = static_cast<double>(released) * scale.energy();
+    return result;
+}
+
+}  // namespace
+
+std::string_view name_of(CaptureVerdict verdict) {
+    switch (verdict) {
+        case CaptureVerdict::finite:
+            return "finite";
+        case CaptureVerdict::always_captured:
+            return "always-captured";
+        case CaptureVerdict::never_captured:
+            return "never-captured";
+    }
+    return {};
+}
+
+std::optional<CaptureVerdict> verdict_without_adhesion(const Damping& damping) {
+    if (damping.coefficient == 0.0) return CaptureVerdict::never_captured;
+    if (damping.law == DampingLaw::constant) return std::nullopt;
+    const bool overdamped =
+        damping.law == DampingLaw::tsuji && damping.coefficient * damping.coefficient >= 5.0;
+    return overdamped ? CaptureVerdict::always_captured : CaptureVerdict::never_captured;
+}
+
+CriticalVelocity critical_velocity(const CriticalVelocityProblem& problem) {
+    validate(Impact{problem.law, problem.detachment, problem.damping, problem.contact, 1.0});
+    if (can_yield(problem.law, problem.contact)) return plastic_critical_velocity(problem);
+    const double adhesion_velocity = velocity_of_adhesion(problem.law, problem.contact);
+    const double unit = std::max({adhesion_velocity, velocity_of_damping(problem.damping, problem.contact),
+                                  std::numeric_limits<double>::min()});
+    const Scale scale = Scale::of(problem.contact, unit);
+    const Motion<Extended> motion = scaled_motion<Extended>(
+        {problem.law, problem.detachment, problem.damping, problem.contact, unit}, scale);
+    const bool breaking_costs = motion.end && motion.potential(*motion.end) > motion.potential(motion.touch);
+    if (const auto verdict = known_verdict(problem, adhesion_velocity > 0.0, breaking_costs)) {
+        return {.verdict = *verdict};
+    }
+    if (problem.damping.coefficient > 0.0)  // beyond the range of numbers there is no verdict to be had
+        require_positive("the velocity that this damping captures", unit, Dimension::velocity);
+    const std::optional<Arrival> arrival = critical_arrival(motion);
+    if (!arrival) return {.verdict = CaptureVerdict::never_captured};
+    int steps = 0;
+    const auto turn = back_to_turn(motion, arrival->state, steps);
+    if (!turn) return {.verdict = CaptureVerdict::always_captured};
+    const MotionState<Extended> touch = back_to(motion, *turn, motion.touch, steps);
+    CriticalVelocity result = finite_result(motion, *arrival, *turn, touch, scale);
+    result.steps = steps;
+    return result;
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "solver/motion/impact.hpp"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace ashimpact {
+
+enum class CaptureVerdict {
+    finite,           ///< captured below the critical velocity, rebounding above it
+    always_captured,  ///< captured at every velocity
+    never_captured,   ///< rebounding at every velocity
+};
+
+/// Name as used in artifacts.
+[[nodiscard]] std::string_view name_of(CaptureVerdict verdict);
+
+/// An impact whose velocity is asked for.
+struct CriticalVelocityProblem {
+    Law law;
+    Detachment detachment;
+    Damping damping;
+    ContactPair contact;
+};
+
+struct CriticalVelocity {
+    CaptureVerdict verdict = CaptureVerdict::finite;
+    std::optional<double> value{};            ///< v_c, where finite [m/s]
+    std::optional<double> contact_time{};     ///< first touch to arrival at rest; none: it never ends [s]
+    std::optional<double> maximum_overlap{};  ///< greatest overlap at v_c [m]
+    double dissipated = 0.0;                  ///< work taken by damping at v_c [J]
+    double plastic = 0.0;                     ///< work spent in yielding at v_c [J]
+    double detachment_energy = 0.0;           ///< U(end) - U(touch): what the break itself costs [J]
+    int steps = 0;                            ///< Taylor steps taken
+    std::vector<double> crossings{};  ///< every velocity at which capture and rebound change places [m/s]
+};
+
+/// What becomes of elastic impacts without adhesion that end at zero overlap, where it does not depend on
+/// velocity: undamped or with damping proportional to the contact radius they are never captured, with
+/// Tsuji's always from sqrt(5) on. None for constant damping.
+[[nodiscard]] std::optional<CaptureVerdict> verdict_without_adhesion(const Damping& damping);
+
+/// The dynamic critical velocity v_c: the velocity whose impact arrives at the end of contact with none left.
+///
+/// One backward integration from there, no root finding: orbits cannot cross, so rebound speed is monotone in
+/// the incident velocity. v_c^2 = 2 (D + U_end - U_touch)/m with the dissipated work D carried along, so
+/// nothing cancels for weak damping. Hertz with constant damping: v_c = 0.5476175 eta^5/(m^3 k^2).
+/// @throws InputError for inadmissible input, ConvergenceError if the step count runs away
+[[nodiscard]] CriticalVelocity critical_velocity(const CriticalVelocityProblem& problem);
+
+/// v_c m^3 k^2 / eta^5 of Hertz with constant damping and zero-overlap detachment [1].
+inline constexpr double hertz_critical_constant = 0.54761752963804861;
+
+}  // namespace ashimpact

@@ -1,0 +1,107 @@
+#include "solver/critical_velocity/rest_point.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace ashimpact {
+
+namespace {
+
+using Terms = Series<Extended>;
+
+/// Coefficient of z^power in p(z^2).
+Extended coefficient(const Polynomial<Extended>& p, int power) {
+    const bool present = power >= 0 && power % 2 == 0 && power / 2 <= p.degree;
+    return present ? p[power / 2] : 0;
+}
+
+/// Lowest power of x in p(x).
+int lowest_power(const Polynomial<Extended>& p) {
+    int power = 0;
+    while (p[power] == 0 && power < p.degree) ++power;
+    return power;
+}
+
+/// Integral of z^leading (c_0 + c_1 z + ...) from 0 to @p z.
+Extended integral(const Terms& terms, int leading, Extended z) {
+    Terms integrated = terms;
+    for (std::size_t n = 0; n < terms.size(); ++n)
+        integrated[n] /= static_cast<Extended>(leading + 1 + static_cast<int>(n));
+    return value(integrated, z) * std::pow(z, static_cast<Extended>(leading + 1));
+}
+
+/// The series of the critical orbit about the rest point.
+class RestPoint {
+  public:
+    explicit RestPoint(const Motion<Extended>& motion)
+        : fall_(Extended(-1) * motion.potential.shifted(*motion.end)),
+          slope_(motion.slope.shifted(*motion.end)),
+          drag_(motion.drag.shifted(*motion.end)) {
+        fall_[0] = 0;                         // U_end - U at the end itself
+        fall_[1] = slope_[0] = drag_[0] = 0;  // delta' = 0 there
+        order_ = lowest_power(fall_);
+        expand_speed();
+        expand_time();
+    }
+
+    /// The orbit where its series still hold to rounding.
+    [[nodiscard]] Arrival arrival(Extended end) const {
+        const Extended z = radius(speed_) / (std::numbers::e_v<Extended> * std::numbers::e_v<Extended>);
+        Arrival arrival;
+        arrival.state.position = end + z * z;
+        arrival.state.velocity = -std::pow(z, static_cast<Extended>(order_)) * value(speed_, z);
+        arrival.dissipated_after = integral(work_, order_ + 1 + 2 * lowest_power(drag_), z);
+        arrival.time_after = integral(pace_, time_order(), z);
+        return arrival;
+    }
+
+  private:
+    [[nodiscard]] int time_order() const { return 1 + 2 * lowest_power(slope_) - order_; }
+
+    /// w = z^order (c_0 + c_1 z + ...) from the equation of energy, term by term.
+    void expand_speed() {
+        speed_[0] = std::sqrt(2 * fall_[order_]);
+        for (std::size_t n = 1; n < speed_.size(); ++n) {
+            const int power = static_cast<int>(n) + 2 * order_;
+            Extended square = 2 * coefficient(fall_, power);
+            for (int j = 0; j < static_cast<int>(n); ++j) {
+                square += 4 * coefficient(drag_, power - 2 - order_ - j) *
+                          speed_[static_cast<std::size_t>(j)] / static_cast<Extended>(power);
+            }
+            for (std::size_t i = 1; i < n; ++i) square -= speed_[i] * speed_[n - i];
+            speed_[n] = square / (2 * speed_[0]);
+        }
+    }
+
+    /// Work of damping and time over dz: 2 z delta' eta w and 2 z delta'/w, without their leading powers.
+    void expand_time() {
+        const int slope_power = 2 * lowest_power(slope_);
+        const int drag_power = 2 * lowest_power(drag_);
+        for (std::size_t n = 0; n < speed_.size(); ++n) {
+            Extended pace = 2 * coefficient(slope_, slope_power + static_cast<int>(n));
+            for (std::size_t i = 0; i < n; ++i) {
+                pace -= pace_[i] * speed_[n - i];
+                work_[n] += 2 * coefficient(drag_, drag_power + static_cast<int>(n - i)) * speed_[i];
+            }
+            pace_[n] = pace / speed_[0];
+            work_[n] += 2 * coefficient(drag_, drag_power) * speed_[n];
+        }
+    }
+
+    Polynomial<Extended> fall_;   ///< U_end - U
+    Polynomial<Extended> slope_;  ///< delta'
+    Polynomial<Extended> drag_;   ///< delta' eta
+    int order_ = 0;               ///< leading power of the speed in z
+    Terms speed_{};
+    Terms work_{};
+    Terms pace_{};
+};
+
+}  // namespace
+
+Arrival arrival_at_rest_point(const Motion<Extended>& motion) {
+    return RestPoint(motion).arrival(*motion.end);
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "solver/motion/orbit.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace ashimpact {
+
+/// Overlap and velocity, scaled, below which a rebound has come to nothing: no instrument tells it from a
+/// capture, and its powers would underflow.
+inline constexpr double vanishing_overlap = 1e-100;
+
+template <class Real>
+CaptureTest<Real>::CaptureTest(const Motion<Real>& motion)
+    : motion_(motion), by_place_(motion.end.has_value()) {
+    const Real q = motion.equilibrium;
+    always_overdamped_ = motion.touch == Real(0) && !motion.squared && motion.damping.degree == 1 &&
+                         motion.damping[1] * motion.damping[1] >= Real(5);
+    end_overlap_ = by_place_ ? motion.overlap(*motion.end) : Real(0);
+    end_potential_ = by_place_ ? motion.potential(*motion.end) : Real(0);
+    equilibrium_overlap_ = motion.overlap(q);
+    force_slope_ = motion.force.derivative();
+    least_damping_ = motion.damping(q);
+}
+
+template <class Real>
+bool CaptureTest<Real>::bound(const MotionState<Real>& state) const {
+    const Real energy = state.velocity * state.velocity / Real(2) + motion_.potential(state.position);
+    return by_place_ && energy < end_potential_;
+}
+
+template <class Real>
+bool CaptureTest<Real>::creeping(const MotionState<Real>& state) const {
+    if (!by_place_) return false;
+    if (always_overdamped_) return true;
+    if (state.position < motion_.equilibrium) return false;
+    const Real way = motion_.overlap(state.position) - end_overlap_;
+    if (way < vanishing_overlap && state.velocity > -vanishing_overlap) return true;
+    // Below the line v = -(eta/2)(delta - delta_end) the motion cannot get while F <= (eta^2/4)(delta -
+    // delta_end).
+    return state.velocity >= -least_damping_ / Real(2) * way &&
+           Real(4) * motion_.force(state.position) < least_damping_ * least_damping_ * way;
+}
+
+template <class Real>
+bool CaptureTest<Real>::creeping_up(const MotionState<Real>& state) const {
+    if (state.position >= motion_.equilibrium) return false;
+    const Real damping = motion_.damping(state.position);
+    const Real way = equilibrium_overlap_ - motion_.overlap(state.position);
+    // A spiral so tight that it turns beneath rounding only looks like this one.
+    const Real rounding = 64 * std::numeric_limits<Real>::epsilon() * equilibrium_overlap_;
+    if (std::abs(way) <= rounding && state.velocity <= damping * rounding) return true;
+    if (state.velocity > damping / Real(2) * way) return false;
+    // Below the line v = (eta/2)(delta_eq - delta) it stays where dF/d(delta) <= eta^2/4 all the way.
+    const Polynomial<Real> excess = force_slope_ - damping * damping / Real(4) * motion_.slope;
+    return excess.upper_bound(state.position, motion_.equilibrium) <= Real(0);
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,146 @@
+#include "solver/motion/damping_inversion.hpp"
+
+#include "materials/base/error.hpp"
+#include "solver/gsl/root.hpp"
+#include "solver/motion/orbit.hpp"
+#include "solver/motion/scaled_impact.hpp"
+#include "solver/motion/velocity_scales.hpp"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <sstream>
+
+namespace ashimpact {
+
+namespace {
+
+bool is_adhesive(const DampingProblem& problem) {
+    return velocity_of_adhesion(problem.law, problem.contact) > 0.0;
+}
+
+/// Restitution as a function of the scaled damping coefficient.
+class RestitutionCurve {
+  public:
+    explicit RestitutionCurve(const DampingProblem& problem)
+        : problem_(problem), scale_(Scale::of(problem.contact, problem.velocity)) {}
+
+    template <class Real>
+    [[nodiscard]] Real at(double number) {
+        ++impacts;
+        return scaled_restitution<Real>(impact(number), scale_);
+    }
+    [[nodiscard]] Impact impact(double number) const {
+        return {problem_.law, problem_.detachment, damping(number), problem_.contact, problem_.velocity};
+    }
+    [[nodiscard]] Damping damping(double number) const {
+        return {problem_.damping_law, scale_.damping_coefficient(problem_.damping_law, number)};
+    }
+
+    int impacts = 0;
+
+  private:
+    const DampingProblem& problem_;
+    Scale scale_;
+};
+
+[[noreturn]] void unreachable_restitution(const DampingProblem& problem, double greatest, bool reaches_zero) {
+    std::ostringstream problem_text;
+    problem_text << "restitution " << problem.restitution << " cannot be reached by damping law '"
+                 << name_of(problem.damping_law) << "' with contact law '" << problem.law.name() << "' at "
+                 << problem.velocity << " m/s";
+    if (!(greatest > 0))
+        throw InputError(problem_text.str(), "0, or a velocity at which the impact rebounds without damping");
+    std::ostringstream allowed;
+    allowed.precision(8);
+    allowed << (reaches_zero ? "0 <= e <= " : "0 < e <= ") << greatest;
+    throw InputError(problem_text.str(), allowed.str());
+}
+
+/// Scaled damping that is certainly too much for @p restitution.
+double too_much(RestitutionCurve& curve, double restitution) {
+    double number =
+        1.2;  // captures every zero-overlap impact with constant damping: beta_c = 1.128 for Hertz
+    while (curve.at<double>(number) >= restitution) {
+        number *= 2.0;
+        if (!std::isfinite(number)) throw ConvergenceError("damping inversion: restitution does not fall");
+    }
+    return number;
+}
+
+/// Whether enough of the damping captures the impact, so that restitution zero is reachable: not where the
+/// contact ends by force, nor where without adhesion the damping vanishes with the contact radius.
+bool reaches_zero(const DampingProblem& problem) {
+    return problem.detachment != Detachment::zero_force &&
+           (problem.damping_law != DampingLaw::contact_radius || is_adhesive(problem));
+}
+
+/// Smallest damping that captures, by bisection down to neighbouring numbers.
+double smallest_capturing(const DampingProblem& problem, RestitutionCurve& curve) {
+    const bool linear = problem.damping_law == DampingLaw::tsuji && !is_adhesive(problem) &&
+                        !can_yield(problem.law, problem.contact);
+    if (linear) return std::sqrt(5.0);  // exactly; just below, rebounds are too slow for any arithmetic
+    double lower = 0.0;
+    double upper = too_much(curve, std::numeric_limits<double>::min());
+    while (true) {
+        const double middle = lower + (upper - lower) / 2.0;
+        if (middle <= lower || middle >= upper) return upper;
+        (curve.at<Extended>(middle) > 0.0 ? lower : upper) = middle;
+    }
+}
+
+constexpr double spacing = 2 * std::numeric_limits<double>::epsilon();
+
+/// The root in a bracket to the spacing of numbers, restitution in extended precision: what is left to damp
+/// may be so little, or restitution so steep, that double precision does not see it.
+double solution_within(RestitutionCurve& curve, double target, double lower, double upper) {
+    const auto miss = [&](double number) { return static_cast<double>(curve.at<Extended>(number) - target); };
+    return gsl::brent(miss, lower, upper, {.relative = spacing}).root;
+}
+
+/// A root of double precision, mended to the spacing of numbers by one step of Newton's method in extended
+/// precision; none where that does not do, since restitution is too steep or too flat there.
+std::optional<double> mended(RestitutionCurve& curve, double target, double root) {
+    const double step = 1e-6 * root;
+    const double slope = (target - curve.at<double>(root - step)) / step;
+    if (!(slope < 0.0)) return std::nullopt;
+    const auto miss = [&](double number) { return static_cast<double>(curve.at<Extended>(number) - target); };
+    const double next = root - miss(root) / slope;
+    if (!(std::abs(miss(next)) <= -slope * spacing * next)) return std::nullopt;
+    return next;
+}
+
+double scaled_solution(const DampingProblem& problem, RestitutionCurve& curve) {
+    const double target = problem.restitution;
+    if (target == 0.0) return smallest_capturing(problem, curve);
+    const double most = too_much(curve, target);
+    if (curve.at<double>(0.0) <= target) return solution_within(curve, target, 0.0, most);
+    const auto miss = [&](double number) { return curve.at<double>(number) - target; };
+    const double root = gsl::brent(miss, 0.0, most).root;
+    if (const auto solution = mended(curve, target, root)) return *solution;
+    for (double margin = 1e-12; margin < 0.1; margin *= 100) {
+        const double lower = root * (1 - margin);
+        const double upper = root * (1 + margin);
+        if (curve.at<Extended>(lower) > target && curve.at<Extended>(upper) <= target)
+            return solution_within(curve, target, lower, upper);
+    }
+    return solution_within(curve, target, 0.0, most);
+}
+
+}  // namespace
+
+DampingInversion damping_from_restitution(const DampingProblem& problem) {
+    RestitutionCurve curve(problem);
+    validate(curve.impact(0.0));
+    const double target = problem.restitution;
+    const auto greatest = static_cast<double>(curve.at<Extended>(0.0));
+    const bool reachable = target > 0.0 ? target <= greatest : target == 0.0 && reaches_zero(problem);
+    if (!reachable) unreachable_restitution(problem, greatest, reaches_zero(problem));
+    const double number = target < greatest ? scaled_solution(problem, curve) : 0.0;
+    return {.damping = curve.damping(number),
+            .greatest_restitution = greatest,
+            .impact = solve_impact(curve.impact(number)),
+            .impacts = curve.impacts};
+}
+
+}  // namespace ashimpact

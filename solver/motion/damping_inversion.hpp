@@ -1,0 +1,30 @@
+#pragma once
+
+#include "solver/motion/impact.hpp"
+
+namespace ashimpact {
+
+/// An impact whose damping coefficient is asked for.
+struct DampingProblem {
+    Law law;
+    Detachment detachment;
+    DampingLaw damping_law;
+    ContactPair contact;
+    double velocity;     ///< v_in [m/s]
+    double restitution;  ///< measured e_n, 0 <= e_n < 1 [1]
+};
+
+struct DampingInversion {
+    Damping damping;              ///< the coefficient that gives the measured restitution back
+    double greatest_restitution;  ///< reachable without damping: the upper end of the range [1]
+    ImpactResult impact;          ///< the impact with that damping
+    int impacts;                  ///< impacts solved on the way
+};
+
+/// Damping from restitution, with adhesion; Dong et al. 2013, section 4.2. Restitution falls monotonically
+/// with damping, so the answer is unique, and exact to the spacing of numbers; restitution 0 gives the
+/// smallest damping that captures.
+/// @throws InputError naming the reachable range where no damping gives the restitution; ConvergenceError
+[[nodiscard]] DampingInversion damping_from_restitution(const DampingProblem& problem);
+
+}  // namespace ashimpact

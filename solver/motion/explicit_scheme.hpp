@@ -1,0 +1,28 @@
+#pragma once
+
+#include "solver/motion/impact.hpp"
+
+namespace ashimpact {
+
+struct ExplicitSchemeOptions {
+    double time_step = 0.0;         ///< Dt, up to m/eta and a tenth of an undamped Hertz contact [s]
+    long most_steps = 100'000'000;  ///< then ConvergenceError
+};
+
+/// The paper's own scheme, kept as a second method to compare with:
+///
+///     (delta_i - 2 delta_{i+1} + delta_{i+2})/Dt^2 + eta/m (delta_{i+1} - delta_i)/Dt + F(delta_{i+1})/m = 0
+///
+/// from delta_0 = 0, delta_1 = v Dt; Dong et al. 2013, Eqs. 31-34. First order in Dt: the damping uses the
+/// velocity half a step behind. The contact ends at zero overlap (crossing by linear interpolation, the
+/// velocity there from the last two steps); a capture is the second turning point, or certain before it where
+/// the motion is so damped that it creeps (CaptureTest, as in solve_impact). Constant damping and laws whose
+/// force is a function of overlap only (not JKR). The ledger ends where solve_impact's does; its residual is
+/// the scheme's energy error.
+/// @throws InputError for what the scheme cannot treat, ConvergenceError at the step limit
+[[nodiscard]] ImpactResult solve_impact_explicit(const Impact& impact, const ExplicitSchemeOptions& options);
+
+/// A time step that gives about @p steps steps per undamped Hertz contact, and 100 in m/eta at least [s].
+[[nodiscard]] double explicit_time_step(const Impact& impact, double steps);
+
+}  // namespace ashimpact

@@ -1,0 +1,150 @@
+#include "solver/motion/impact.hpp"
+
+#include "materials/base/checks.hpp"
+#include "materials/base/error.hpp"
+#include "solver/motion/orbit.hpp"
+#include "solver/motion/scaled_impact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace ashimpact {
+
+namespace {
+
+[[noreturn]] void refuse(double value, std::string_view quantity, std::string_view unit,
+                         const std::string& allowed) {
+    std::ostringstream problem;
+    problem << quantity << " is " << value << ' ' << unit;
+    throw InputError(problem.str(), allowed + " " + std::string(unit));
+}
+
+void require_positive(double value, std::string_view quantity, std::string_view unit) {
+    if (!(value > 0.0) || std::isinf(value)) refuse(value, quantity, unit, "a finite number > 0");
+    if (!is_computable(value)) refuse(value, quantity, unit, std::string(computable_range));
+}
+
+void require_not_negative(double value, std::string_view quantity, std::string_view unit) {
+    if (!(value >= 0.0) || std::isinf(value)) refuse(value, quantity, unit, "a finite number >= 0");
+    if (value > 0.0 && !is_computable(value))
+        refuse(value, quantity, unit, "0, or " + std::string(computable_range));
+}
+
+/// One solved impact with what the ledger needs of its branches.
+struct Solved {
+    Orbit<Extended> orbit;
+    Motion<Extended> last;  ///< branch of the rebound
+    Extended touch_potential = 0;
+    Extended plastic_work = 0;
+    bool yielded = false;
+};
+
+Solved solved(const Impact& impact, const Scale& scale) {
+    constexpr auto unobserved = [](const Motion<Extended>&, const MotionExpansion<Extended>&, Extended) {};
+    if (can_yield(impact.law, impact.contact)) {
+        const auto motion = scaled_plastic_motion<Extended>(impact, scale);
+        PlasticOrbit<Extended> followed = follow_plastic(motion, 1.0L, unobserved);
+        return {followed.orbit, followed.last, motion.touch_potential(), followed.plastic_work,
+                followed.yielded};
+    }
+    const auto motion = scaled_motion<Extended>(impact, scale);
+    return {follow(motion, 1.0L), motion, motion.potential(motion.touch)};
+}
+
+EnergyLedger ledger_of(const Solved& impact, double unit) {
+    const bool rebound = impact.orbit.outcome == Outcome::rebound;
+    const MotionState<Extended>& last = rebound ? impact.orbit.end : impact.orbit.turn;
+    const Extended incident = 0.5L;  // the scale's velocity is v_in
+    const Extended remaining = last.velocity * last.velocity / 2;
+    const Extended potential = impact.last.potential(last.position);
+    const Extended spent = last.dissipation + impact.plastic_work;
+    const auto joule = [unit](Extended energy) { return static_cast<double>(energy) * unit; };
+    return {.incident = joule(incident),
+            .remaining = joule(remaining),
+            .at_touch = joule(impact.touch_potential),
+            .potential = joule(potential),
+            .dissipated = joule(last.dissipation),
+            .plastic = joule(impact.plastic_work),
+            .residual = joule(incident + impact.touch_potential - remaining - potential - spent),
+            .minimum = joule(impact.last.potential(impact.last.equilibrium))};
+}
+
+}  // namespace
+
+std::string_view name_of(Outcome outcome) {
+    return outcome == Outcome::rebound ? "rebound" : "capture";
+}
+
+std::optional<std::string> refusal(Law law, Detachment detachment) {
+    return law.visit<std::optional<std::string>>([&]<template <class> class L>()
+                                                     -> std::optional<std::string> {
+        const L<Extended> numeric{1.0L};  // whether it is admissible depends on no number
+        const auto point = numeric.detachment_point(detachment);
+        const std::string subject =
+            std::string(name_of(detachment)) + " does not end a contact of law " + std::string(law.name());
+        if (!point) return subject + ": the law has no such point";
+        const Motion<Extended> motion =
+            make_motion<L, Extended>(numeric.adhesion, DampingLaw::constant, 0.0L, detachment);
+        if (motion.potential(*motion.end) < motion.potential(motion.touch)) {
+            return subject +
+                   ": its potential there is below that at first touch, an undamped impact would gain energy";
+        }
+        return std::nullopt;
+    });
+}
+
+std::string admissible_detachments(Law law) {
+    std::string names;
+    for (const DetachmentName& entry : detachment_names) {
+        if (refusal(law, entry.detachment)) continue;
+        if (!names.empty()) names += ", ";
+        names += entry.name;
+    }
+    return names;
+}
+
+void validate(const ContactPair& contact) {
+    require_positive(contact.mass, "mass", "kg");
+    require_positive(contact.effective_radius, "effective_radius", "m");
+    require_positive(contact.contact_modulus, "contact_modulus", "Pa");
+    require_not_negative(contact.work_of_adhesion, "work_of_adhesion", "J/m2");
+    if (!(contact.yield_pressure > 0.0)) require_positive(contact.yield_pressure, "yield_pressure", "Pa");
+}
+
+void validate(const Impact& impact) {
+    validate(impact.contact);
+    require_positive(impact.velocity, "velocity", "m/s");
+    require_not_negative(impact.damping.coefficient, "damping", unit_of(impact.damping.law));
+    if (const auto reason = refusal(impact.law, impact.detachment)) {
+        throw InputError(*reason, admissible_detachments(impact.law));
+    }
+}
+
+ImpactResult solve_impact(const Impact& impact) {
+    validate(impact);
+    const Scale scale = Scale::of(impact.contact, impact.velocity);
+    const Solved followed = solved(impact, scale);
+    const Orbit<Extended>& orbit = followed.orbit;
+
+    const bool rebound = orbit.outcome == Outcome::rebound;
+    const auto seconds = [&](Extended time) { return static_cast<double>(time) * scale.time(); };
+    ImpactResult result{};
+    result.outcome = orbit.outcome;
+    // Undamped, rounding may put it a last bit above 1.
+    result.restitution = rebound ? std::min(static_cast<double>(std::abs(orbit.end.velocity)), 1.0) : 0.0;
+    result.rebound_velocity = result.restitution * impact.velocity;
+    if (rebound) result.contact_time = seconds(orbit.end.time);
+    if (orbit.turned) result.approach_time = seconds(orbit.turn.time);
+    result.maximum_overlap = static_cast<double>(orbit.maximum_overlap) * scale.length;
+    result.yielded = followed.yielded;
+    result.energy = ledger_of(followed, scale.energy());
+    result.steps = orbit.steps;
+    return result;
+}
+
+double restitution_of(const Impact& impact) {
+    return scaled_restitution<double>(impact, Scale::of(impact.contact, impact.velocity));
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "solver/motion/impact.hpp"
+
+#include <string>
+
+namespace ashimpact {
+
+/// Time, impulses and mean static force of one stage of an impact.
+struct StageMomentum {
+    double duration;         ///< [s]
+    double static_impulse;   ///< of the contact force F_tot, positive where it pushes the bodies apart [N s]
+    double damping_impulse;  ///< of the damping force, as a magnitude [N s]
+    double mean_force;       ///< static_impulse/duration [N]
+    double residual;         ///< what does not close: error of the quadrature [N s]
+};
+
+/// The momentum of one rebound, stage by stage; Dong et al. 2013, Eqs. 35-45.
+///
+/// Approach: static + damping impulse = m v_in (Eqs. 36, 38). Rebound: static - damping impulse = m v_rn (37,
+/// 39). The paper argues for (44) and (45) from equal mean forces (40) and speeds that fall all the way;
+/// neither holds exactly, so both are reported, not presumed.
+struct MomentumBalance {
+    StageMomentum approach;
+    StageMomentum rebound;
+    double incident_momentum;  ///< m v_in [N s]
+    /// Left of (44); for constant damping eta times the way there and back: 2 eta delta_m where the contact
+    /// ends at zero overlap, eta (2 delta_m - delta_f) where it ends at the overlap delta_f, which is
+    /// negative on the neck of a JKR contact, positive at zero force with adhesion [N s].
+    double damping_impulse;
+    double momentum_lost;  ///< right of (44), m (v_in - v_rn) [N s]
+
+    /// Of two sides equal but for rounding, as without damping, neither is the larger.
+    [[nodiscard]] bool damping_exceeds_loss() const;  ///< (44)
+    [[nodiscard]] bool rebound_is_longer() const;     ///< (45)
+    /// Mean static force of the rebound over that of the approach; the paper takes it for 1 (40) [1].
+    [[nodiscard]] double mean_force_ratio() const { return rebound.mean_force / approach.mean_force; }
+};
+
+/// What the balance says of (40), (44) and (45), in words with the numbers of both sides.
+[[nodiscard]] std::string verdict_of(const MomentumBalance& balance);
+
+/// The balance of an impact that rebounds: forces integrated over the solver's own dense output by
+/// Gauss-Legendre quadrature, step by step, so that residuals are of the order of rounding.
+/// @throws InputError for inadmissible input or an impact that ends in capture
+[[nodiscard]] MomentumBalance momentum_balance(const Impact& impact);
+
+}  // namespace ashimpact

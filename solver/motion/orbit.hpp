@@ -1,0 +1,73 @@
+#pragma once
+
+#include "solver/motion/impact.hpp"
+#include "solver/motion/motion_stepper.hpp"
+
+namespace ashimpact {
+
+/// What became of one impact, scaled.
+template <class Real>
+struct Orbit {
+    Outcome outcome = Outcome::capture;
+    bool turned = false;     ///< false: so damped that it only creeps towards equilibrium
+    MotionState<Real> turn;  ///< at greatest overlap; where it never turns, at rest where it creeps to, but
+                             ///< at the time of end
+    MotionState<Real> end;   ///< at detachment, or where capture was certain
+    Real maximum_overlap{};  ///< greatest overlap, or its supremum
+    int steps = 0;
+};
+
+/// Decides capture, exactly, from the state: nothing is waited for.
+template <class Real>
+class CaptureTest {
+  public:
+    explicit CaptureTest(const Motion<Real>& motion);
+
+    /// The energy no longer suffices to reach the end of contact.
+    [[nodiscard]] bool bound(const MotionState<Real>& state) const;
+    /// After the turn: so damped that it creeps back without ever reaching the end of contact.
+    [[nodiscard]] bool creeping(const MotionState<Real>& state) const;
+    /// Before the turn: so damped that it creeps up to equilibrium and never turns.
+    [[nodiscard]] bool creeping_up(const MotionState<Real>& state) const;
+
+  private:
+    const Motion<Real>& motion_;
+    bool by_place_;           ///< the contact ends at a place, so capture is possible at all
+    bool always_overdamped_;  ///< Tsuji's law from sqrt5 on
+    Real end_overlap_{};
+    Real end_potential_{};
+    Real equilibrium_overlap_{};
+    Polynomial<Real> force_slope_;  ///< dF/dq
+    Real least_damping_{};          ///< smallest eta(q) beyond equilibrium
+};
+
+enum class ApproachEnd {
+    turned,    ///< at greatest overlap
+    left,      ///< reached the place where the branch ends
+    creeping,  ///< never turns
+};
+
+/// The inward leg on one branch, until the motion turns, creeps, or reaches @p leave_at.
+/// @p observe is called with the branch, each expansion and the part of its step that was used.
+template <class Real, class Observer>
+ApproachEnd approach(const Motion<Real>& motion, MotionState<Real>& state,
+                     const std::optional<Real>& leave_at, Orbit<Real>& orbit, Observer& observe);
+
+/// The outward leg on one branch, until detachment or until capture is certain.
+template <class Real, class Observer>
+void rebound(const Motion<Real>& motion, MotionState<Real> state, Orbit<Real>& orbit, Observer& observe);
+
+/// Both legs of an impact on one branch that touches with scaled velocity @p velocity.
+/// @throws ConvergenceError if the step count runs away
+template <class Real, class Observer>
+[[nodiscard]] Orbit<Real> follow(const Motion<Real>& motion, Real velocity, Observer&& observe);
+
+/// follow() without an observer.
+template <class Real>
+[[nodiscard]] Orbit<Real> follow(const Motion<Real>& motion, Real velocity) {
+    return follow(motion, velocity, [](const Motion<Real>&, const MotionExpansion<Real>&, Real) {});
+}
+
+}  // namespace ashimpact
+
+#include "solver/motion/orbit_impl.hpp"

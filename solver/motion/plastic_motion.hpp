@@ -1,0 +1,129 @@
+#pragma once
+
+#include "solver/contact/thornton_ning.hpp"
+#include "solver/motion/motion.hpp"
+#include "solver/motion/orbit.hpp"
+
+#include <algorithm>
+
+namespace ashimpact {
+
+/// The branches of an elastic-plastic impact (ThorntonNing), scaled: elastic loading, plastic loading, and an
+/// unloading curve for every greatest contact.
+template <class Real>
+class PlasticMotion {
+  public:
+    PlasticMotion(const YieldedContact<Real>& contact, DampingLaw law, Real damping_number,
+                  Detachment detachment);
+
+    [[nodiscard]] const Motion<Real>& elastic() const { return elastic_; }
+    [[nodiscard]] const Motion<Real>& loading() const { return loading_; }
+    /// Unloading from the state u_greatest of greatest contact, which must not be below yield().
+    [[nodiscard]] Motion<Real> unloading(Real u_greatest) const;
+
+    /// State u at which plastic loading starts: the yield point, or first touch where adhesion alone yields.
+    [[nodiscard]] Real yield() const { return std::max(yield_, elastic_touch()); }
+    /// The contact yields by adhesion alone, at first touch.
+    [[nodiscard]] bool yields_at_touch() const { return yield_ < elastic_touch(); }
+    /// Potential at a state u of the loading branch; continuous with the elastic one at yield. Where adhesion
+    /// alone yields it is that of the sphere flattened by the touch, so that plastic work counts from there.
+    [[nodiscard]] Real loading_potential(Real u) const {
+        return loading_.potential(loading_.coordinate(u)) + offset_;
+    }
+    /// Potential at first touch.
+    [[nodiscard]] Real touch_potential() const {
+        return yields_at_touch() ? loading_potential(yield()) : elastic_.potential(elastic_.touch);
+    }
+
+  private:
+    [[nodiscard]] Real elastic_touch() const { return elastic_.root_radius(elastic_.touch); }
+
+    /// State u beyond yield at which the plastic branch carries no force; 0 where it is repulsive throughout.
+    [[nodiscard]] Real loading_equilibrium() const {
+        const Real start = yield();
+        if (contact_.plastic_force(start) >= Real(0)) return Real(0);
+        Real width = start;
+        while (contact_.plastic_force(start + width) < Real(0)) width *= Real(2);
+        return start + sign_change<Real>([&](Real x) { return -contact_.plastic_force(start + x); }, width);
+    }
+
+    YieldedContact<Real> contact_;
+    Polynomial<Real> damping_;
+    Detachment detachment_;
+    Motion<Real> elastic_;
+    Motion<Real> loading_;
+    Real yield_{};
+    Real offset_{};
+};
+
+/// An elastic-plastic impact that touches with scaled velocity @p velocity.
+template <class Real>
+struct PlasticOrbit {
+    Orbit<Real> orbit;
+    bool yielded = false;
+    Motion<Real> last;    ///< branch of the rebound, or of the rest that a creeping approach tends to
+    Motion<Real> path;    ///< branch of orbit.end
+    Real plastic_work{};  ///< spent in yielding
+};
+
+/// Follows an elastic-plastic impact; see follow().
+template <class Real, class Observer>
+[[nodiscard]] PlasticOrbit<Real> follow_plastic(const PlasticMotion<Real>& motion, Real velocity,
+                                                Observer&& observe) {
+    PlasticOrbit<Real> result;
+    Orbit<Real>& orbit = result.orbit;
+    const Motion<Real>& elastic = motion.elastic();
+    const Motion<Real>& loading = motion.loading();
+    MotionState<Real> state{.position = elastic.touch, .velocity = velocity};
+    if (!motion.yields_at_touch()) {
+        result.last = result.path = elastic;
+        const std::optional<Real> yield = elastic.coordinate(motion.yield());
+        const ApproachEnd end = approach<Real>(elastic, state, yield, orbit, observe);
+        if (end == ApproachEnd::turned) rebound(elastic, state, orbit, observe);
+        if (end != ApproachEnd::left) return result;
+    }
+    result.yielded = true;
+    state.position = loading.coordinate(motion.yield());
+    const ApproachEnd end = approach<Real>(loading, state, std::nullopt, orbit, observe);
+    const Real greatest = loading.root_radius(orbit.turn.position);
+    result.last = motion.unloading(greatest);
+    orbit.turn.position = result.last.coordinate(greatest);
+    result.plastic_work = motion.loading_potential(greatest) - result.last.potential(orbit.turn.position);
+    result.path = end == ApproachEnd::turned ? result.last : loading;
+    if (end == ApproachEnd::turned) rebound(result.last, orbit.turn, orbit, observe);
+    return result;
+}
+
+template <class Real>
+PlasticMotion<Real>::PlasticMotion(const YieldedContact<Real>& contact, DampingLaw law, Real damping_number,
+                                   Detachment detachment)
+    : contact_(contact),
+      damping_(damping_polynomial<Real>(law, damping_number)),
+      detachment_(detachment),
+      elastic_(make_motion<ThorntonNing, Real>(contact.adhesion, law, damping_number, detachment)),
+      yield_(contact.yield_point()) {
+    const auto u = Polynomial<Real>::identity();
+    loading_ = branch_motion<Real>(contact.plastic_overlap(u), contact.plastic_force(u), damping_);
+    loading_.touch = loading_.coordinate(yield());
+    loading_.equilibrium = loading_.coordinate(loading_equilibrium());
+    const Motion<Real> start = yields_at_touch() ? unloading(yield()) : elastic_;
+    offset_ = start.potential(start.coordinate(yield())) - loading_.potential(loading_.coordinate(yield()));
+}
+
+template <class Real>
+Motion<Real> PlasticMotion<Real>::unloading(Real u_greatest) const {
+    const auto u = Polynomial<Real>::identity();
+    const Real flattening = contact_.flattening(u_greatest);
+    const Real adhesion = contact_.adhesion;
+    Motion<Real> motion = branch_motion<Real>(
+        flattening * power<4>(u) - adhesion * u + Polynomial<Real>(contact_.permanent_overlap(u_greatest)),
+        flattening * power<6>(u) - (Real(1.5) * adhesion) * power<3>(u), damping_);
+    const ThorntonNing<Real> flattened{adhesion /
+                                       flattening};  // same points in u, in units of the flattened sphere
+    motion.touch = Real(0);
+    motion.equilibrium = motion.coordinate(*flattened.detachment_point(Detachment::zero_force));
+    motion.end = motion.coordinate(*flattened.detachment_point(detachment_));
+    return motion;
+}
+
+}  // namespace ashimpact

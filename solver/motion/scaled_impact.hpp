@@ -1,0 +1,54 @@
+#pragma once
+
+#include "solver/motion/impact.hpp"
+#include "solver/motion/motion.hpp"
+#include "solver/motion/plastic_motion.hpp"
+#include "solver/motion/scale.hpp"
+#include "solver/numeric/extended.hpp"
+
+#include <cmath>
+
+namespace ashimpact {
+
+/// The scaled equation of motion of an impact (its velocity is not used: the scale sets it).
+template <class Real>
+[[nodiscard]] Motion<Real> scaled_motion(const Impact& impact, const Scale& scale) {
+    return impact.law.visit<Motion<Real>>([&]<template <class> class L>() {
+        return make_motion<L, Real>(L<double>::adhesion_number(impact.contact, scale.length),
+                                    impact.damping.law, scale.damping_number(impact.damping),
+                                    impact.detachment);
+    });
+}
+
+/// Whether an impact's law has a plastic history and its contact can yield.
+[[nodiscard]] inline bool can_yield(Law law, const ContactPair& contact) {
+    return law == Law::of<ThorntonNing>() && std::isfinite(contact.yield_pressure);
+}
+
+/// The scaled branches of an elastic-plastic impact; requires can_yield().
+template <class Real>
+[[nodiscard]] PlasticMotion<Real> scaled_plastic_motion(const Impact& impact, const Scale& scale) {
+    return {{Real(ThorntonNing<double>::adhesion_number(impact.contact, scale.length)),
+             Real(ThorntonNing<double>::yield_number(impact.contact, scale.length))},
+            impact.damping.law,
+            Real(scale.damping_number(impact.damping)),
+            impact.detachment};
+}
+
+/// Follows an impact in its own scale, whatever its law; @p observe as in follow().
+template <class Real, class Observer>
+[[nodiscard]] Orbit<Real> scaled_orbit(const Impact& impact, const Scale& scale, Observer&& observe) {
+    return can_yield(impact.law, impact.contact)
+               ? follow_plastic(scaled_plastic_motion<Real>(impact, scale), Real(1), observe).orbit
+               : follow(scaled_motion<Real>(impact, scale), Real(1), observe);
+}
+
+/// Restitution of an impact in its own scale, without validation or results beside it [1].
+template <class Real>
+[[nodiscard]] Real scaled_restitution(const Impact& impact, const Scale& scale) {
+    constexpr auto unobserved = [](const Motion<Real>&, const MotionExpansion<Real>&, Real) {};
+    const Orbit<Real> orbit = scaled_orbit<Real>(impact, scale, unobserved);
+    return orbit.outcome == Outcome::rebound ? std::abs(orbit.end.velocity) : Real(0);
+}
+
+}  // namespace ashimpact

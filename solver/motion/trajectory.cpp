@@ -1,0 +1,139 @@
+#include "solver/motion/trajectory.hpp"
+
+#include "materials/base/error.hpp"
+#include "solver/motion/orbit.hpp"
+#include "solver/motion/scaled_impact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+
+namespace ashimpact {
+
+namespace {
+
+/// One Taylor step of a followed impact.
+struct Piece {
+    std::shared_ptr<const Motion<Extended>> branch;
+    MotionExpansion<Extended> expansion;
+    Extended used;
+    Extended end_time;
+};
+
+/// Keeps the pieces of a followed impact, one copy of each branch.
+struct Recorder {
+    std::vector<Piece> pieces;
+    const Motion<Extended>* last = nullptr;
+
+    void operator()(const Motion<Extended>& motion, const MotionExpansion<Extended>& x, Extended used) {
+        const bool same = &motion == last;
+        last = &motion;
+        pieces.push_back({same ? pieces.back().branch : std::make_shared<const Motion<Extended>>(motion), x,
+                          used, value(x.time, used)});
+    }
+};
+
+/// The pieces of a captured particle's ringing after @p state, until it rests to 1 % or @p most pieces.
+void ring(const Motion<Extended>& motion, MotionState<Extended> state, std::size_t most, Recorder& record) {
+    const MotionStepper<Extended> stepper(motion);
+    record.last = nullptr;  // the branch may have moved
+    const Extended rest = motion.potential(motion.equilibrium);
+    const auto energy = [&](const MotionState<Extended>& s) {
+        return s.velocity * s.velocity / 2 + motion.potential(s.position) - rest;
+    };
+    for (std::size_t i = 0; i < most && energy(state) > 0.5e-4L; ++i) {
+        const MotionExpansion<Extended> x = stepper.expand(state);
+        state = x.at(x.step);
+        record(motion, x, x.step);
+    }
+}
+
+/// Follows the impact, and its ringing where it is captured.
+Recorder recorded(const Impact& impact, const Scale& scale, std::size_t most) {
+    Recorder record;
+    if (can_yield(impact.law, impact.contact)) {
+        const auto followed = follow_plastic(scaled_plastic_motion<Extended>(impact, scale), 1.0L, record);
+        if (followed.orbit.outcome == Outcome::capture) ring(followed.path, followed.orbit.end, most, record);
+        return record;
+    }
+    const auto motion = scaled_motion<Extended>(impact, scale);
+    const Orbit<Extended> orbit = follow(motion, 1.0L, record);
+    if (orbit.outcome == Outcome::capture) ring(motion, orbit.end, most, record);
+    return record;
+}
+
+/// Pseudo-time within the piece at which its time series reaches @p time.
+Extended pseudo_time(const Piece& piece, Extended time) {
+    if (time <= piece.expansion.time[0]) return 0;
+    if (time >= piece.end_time) return piece.used;
+    return sign_change<Extended>([&](Extended h) { return time - value(piece.expansion.time, h); },
+                                 piece.used);
+}
+
+/// Turns scaled states into points with their forces.
+class Sampler {
+  public:
+    Sampler(const Impact& impact, const Scale& scale) : law_(impact.law), scale_(scale) {
+        adhesion_ = law_.visit<double>([&]<template <class> class L>() {
+            return L<double>::adhesion_number(impact.contact, scale.length);
+        });
+    }
+
+    [[nodiscard]] TrajectoryPoint at(const Motion<Extended>& motion, const MotionState<Extended>& s) const {
+        const Extended u = motion.root_radius(s.position);
+        const Extended force = motion.force(s.position);
+        const Extended attraction = attraction_at(u, force);
+        const auto newton = [&](Extended f) { return static_cast<double>(f) * scale_.force(); };
+        return {.time = static_cast<double>(s.time) * scale_.time(),
+                .overlap = static_cast<double>(motion.overlap(s.position)) * scale_.length,
+                .velocity = static_cast<double>(s.velocity) * scale_.velocity,
+                .contact_radius = static_cast<double>(u * u) * scale_.radius_length,
+                .repulsive_force = newton(std::max(0.0L, force - attraction)),
+                .attractive_force = newton(attraction),
+                .damping_force = newton(motion.damping(s.position) * s.velocity)};
+    }
+
+  private:
+    /// The law's attraction; on the branches of a yielded contact the tensile rim of JKR, or all of the force
+    /// where the contact is tensile throughout.
+    [[nodiscard]] Extended attraction_at(Extended u, Extended force) const {
+        const Extended adhesion = adhesion_;
+        if (law_ == Law::of<ThorntonNing>()) {
+            const Extended hertz_part = force + 1.5L * adhesion * power<3>(u);
+            if (2 * hertz_part <= adhesion * power<3>(u)) return force;
+            const Extended rim = adhesion * u;
+            const Extended flattening = hertz_part / power<6>(u);  // R*/R_p; the Hertz pressure falls with it
+            return -rim * std::sqrt(rim / (2 * flattening));
+        }
+        return law_.visit<Extended>(
+            [&]<template <class> class L>() { return L<Extended>{adhesion}.attractive_force(u); });
+    }
+
+    Law law_;
+    Scale scale_;
+    double adhesion_;
+};
+
+}  // namespace
+
+std::vector<TrajectoryPoint> trajectory(const Impact& impact, int count) {
+    validate(impact);
+    if (count < 2) throw InputError("trajectory has " + std::to_string(count) + " points", "at least 2");
+    const Scale scale = Scale::of(impact.contact, impact.velocity);
+    const std::vector<Piece> pieces = recorded(impact, scale, static_cast<std::size_t>(count)).pieces;
+    const Sampler sampler(impact, scale);
+    const Extended last = pieces.back().end_time;
+    std::vector<TrajectoryPoint> points;
+    points.reserve(static_cast<std::size_t>(count));
+    std::size_t at = 0;
+    for (int i = 0; i < count; ++i) {
+        const Extended time = last * i / (count - 1);
+        while (at + 1 < pieces.size() && pieces[at].end_time < time) ++at;
+        const Piece& piece = pieces[at];
+        points.push_back(sampler.at(*piece.branch, piece.expansion.at(pseudo_time(piece, time))));
+    }
+    return points;
+}
+
+}  // namespace ashimpact

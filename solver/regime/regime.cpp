@@ -1,0 +1,180 @@
+#include "solver/regime/regime.hpp"
+
+#include "materials/separation_energy.hpp"
+#include "solver/motion/scaled_impact.hpp"
+#include "solver/motion/velocity_scales.hpp"
+#include "solver/numeric/series.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+namespace ashimpact {
+
+namespace {
+
+/// yield_number/adhesion^(2/3) below which adhesion alone yields the contact at first touch.
+constexpr double yields_at_touch = 0.5;
+
+std::string text(double value) {
+    std::ostringstream stream;
+    stream.precision(3);
+    stream << value;
+    return stream.str();
+}
+
+AdhesionRegime adhesion_regime(double tabor_parameter) {
+    if (!(tabor_parameter > 0.0)) return AdhesionRegime::none;
+    if (tabor_parameter < dmt_limit) return AdhesionRegime::dmt;
+    return tabor_parameter > jkr_limit ? AdhesionRegime::jkr : AdhesionRegime::between;
+}
+
+/// JKR in which the contact yields where its own pressure, adhesion included, says so.
+bool is_jkr(Law law) {
+    return law == Law::of<Jkr>() || law == Law::of<ThorntonNing>();
+}
+
+/// The static law of an impact without damping, in the impact's scale.
+Motion<double> static_law(const Impact& impact, const Scale& scale) {
+    Impact undamped = impact;
+    undamped.damping = {};
+    return scaled_motion<double>(undamped, scale);
+}
+
+/// State u = sqrt(contact radius) of greatest overlap, at or beyond first touch.
+double greatest_root(const Motion<double>& motion, double overlap) {
+    const double touch = motion.root_radius(motion.touch);
+    const auto beyond = [&](double step) {
+        return motion.overlap(motion.coordinate(touch + step)) - overlap;
+    };
+    double step = std::max(touch, std::sqrt(std::sqrt(std::max(0.0, overlap))));
+    if (step == 0.0 || beyond(0.0) >= 0.0) return touch;
+    while (beyond(step) < 0.0) step *= 2.0;
+    return touch + sign_change<double>(beyond, step);
+}
+
+/// Judges one impact.
+class Judge {
+  public:
+    Judge(const Impact& impact, double maximum_overlap)
+        : impact_(impact),
+          contact_(impact.contact),
+          scale_(Scale::of(impact.contact, impact.velocity)),
+          motion_(static_law(impact, scale_)),
+          greatest_(greatest_root(motion_, maximum_overlap / scale_.length)) {
+        regime_.tabor_parameter = tabor_parameter({.work_of_adhesion = contact_.work_of_adhesion,
+                                                   .effective_radius = contact_.effective_radius,
+                                                   .contact_modulus = contact_.contact_modulus},
+                                                  equilibrium_separation);
+        regime_.adhesion = adhesion_regime(regime_.tabor_parameter);
+        regime_.damping_number = scale_.damping_number(impact.damping);
+        regime_.adhesion_number = impact.law.visit<double>(
+            [&]<template <class> class L>() { return L<double>::adhesion_number(contact_, scale_.length); });
+        regime_.contact_radius = greatest_ * greatest_ * scale_.radius_length;
+        regime_.relative_contact_radius = regime_.contact_radius / contact_.effective_radius;
+        regime_.relative_overlap = maximum_overlap / contact_.effective_radius;
+        if (std::isfinite(contact_.yield_pressure)) judge_yield();
+    }
+
+    [[nodiscard]] Regime judged() {
+        warn_of_tabor();
+        warn_of_left_out_adhesion();
+        warn_of_yield();
+        warn_of_geometry();
+        return regime_;
+    }
+
+  private:
+    void judge_yield() {
+        const double yield_number = ThorntonNing<double>::yield_number(contact_, scale_.length);
+        const double adhesion = is_jkr(impact_.law) ? regime_.adhesion_number : 0.0;
+        const double at_yield = YieldedContact<double>{adhesion, yield_number}.yield_point();
+        const double energy =
+            motion_.potential(motion_.coordinate(at_yield)) - motion_.potential(motion_.touch);
+        const bool at_touch = at_yield <= motion_.root_radius(motion_.touch);
+        regime_.yield_velocity = ashimpact::yield_velocity(contact_);
+        regime_.law_yield_velocity =
+            at_touch ? 0.0 : std::sqrt(2.0 * std::max(0.0, energy)) * scale_.velocity;
+        regime_.yields = greatest_ > at_yield;
+        const double ratio = yield_number / std::pow(regime_.adhesion_number, 2.0 / 3.0);
+        beyond_closure_ = impact_.law == Law::of<ThorntonNing>() && ratio < yields_at_touch;
+    }
+
+    void warn(const std::string& warning) { regime_.warnings.push_back(warning); }
+
+    void warn_of_tabor() {
+        const bool hard_law = impact_.law == Law::of<Dmt>();
+        const bool soft_law = is_jkr(impact_.law);
+        if (!hard_law && !soft_law) return;
+        const std::string source = " (Johnson & Greenwood 1997)";
+        const std::string mu = "Tabor parameter " + text(regime_.tabor_parameter);
+        if (regime_.adhesion == AdhesionRegime::between) {
+            warn(mu + " is between DMT (< 0.1) and JKR (> 5)" + source + ": neither limit holds for law " +
+                 std::string(impact_.law.name()));
+        }
+        if (hard_law && regime_.adhesion == AdhesionRegime::jkr)
+            warn(mu + " > 5: soft contact, JKR applies rather than DMT" + source);
+        if (soft_law && regime_.adhesion == AdhesionRegime::dmt)
+            warn(mu + " < 0.1: hard contact, DMT applies rather than JKR" + source);
+    }
+
+    void warn_of_left_out_adhesion() {
+        if (impact_.law != Law::of<Hertz>() || !(contact_.work_of_adhesion > 0.0)) return;
+        const double attraction =
+            2.0 * std::numbers::pi * contact_.work_of_adhesion * contact_.effective_radius;
+        const double repulsion = motion_.force(motion_.coordinate(greatest_)) * scale_.force();
+        warn("law hertz leaves out the adhesion of " + text(contact_.work_of_adhesion) +
+             " J/m2: 2 pi w R* is " + text(100.0 * attraction / repulsion) + " % of the greatest force");
+    }
+
+    void warn_of_yield() {
+        if (beyond_closure_)
+            warn(
+                "adhesion alone yields the contact at first touch: outside the range of the plastic closure");
+        if (!regime_.yields || impact_.law == Law::of<ThorntonNing>()) return;
+        warn("the contact yields: velocity " + text(impact_.velocity) + " m/s, yield velocity " +
+             text(*regime_.law_yield_velocity) +
+             " m/s (adhesion included, without damping); law thornton-ning "
+             "applies");
+    }
+
+    void warn_of_geometry() {
+        if (regime_.relative_overlap > 1.0) {
+            warn("overlap exceeds the radius: outside the theory");
+        } else if (regime_.relative_contact_radius > widest_contact) {
+            warn("contact radius is " + text(regime_.relative_contact_radius) +
+                 " of the radius: contact laws assume it small");
+        }
+    }
+
+    const Impact& impact_;
+    const ContactPair& contact_;
+    Scale scale_;
+    Motion<double> motion_;
+    double greatest_;  ///< state u of greatest overlap
+    bool beyond_closure_ = false;
+    Regime regime_;
+};
+
+}  // namespace
+
+std::string_view name_of(AdhesionRegime regime) {
+    switch (regime) {
+        case AdhesionRegime::none:
+            return "none";
+        case AdhesionRegime::dmt:
+            return "dmt";
+        case AdhesionRegime::between:
+            return "between";
+        case AdhesionRegime::jkr:
+            return "jkr";
+    }
+    return {};
+}
+
+Regime regime_of(const Impact& impact, double maximum_overlap) {
+    return Judge(impact, maximum_overlap).judged();
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "solver/motion/impact.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ashimpact {
+
+/// Which limit of adhesion a contact is near; Johnson & Greenwood 1997 (J. Colloid Interface Sci. 192:326).
+enum class AdhesionRegime {
+    none,     ///< no adhesion
+    dmt,      ///< Tabor parameter below dmt_limit: hard and small, attraction acts around the contact
+    between,  ///< neither limit holds
+    jkr,      ///< Tabor parameter above jkr_limit: soft and large, attraction acts within the contact
+};
+
+/// "none", "dmt", "between", "jkr".
+[[nodiscard]] std::string_view name_of(AdhesionRegime regime);
+
+/// The numbers that say whether a contact law applies, and what they say of the law chosen.
+struct Regime {
+    double tabor_parameter = 0.0;  ///< mu = (R* w^2/(E*^2 z0^3))^(1/3) [1]; Tabor 1977
+    AdhesionRegime adhesion = AdhesionRegime::none;
+    double damping_number = 0.0;           ///< beta (constant damping) or its like for the others [1]
+    double adhesion_number = 0.0;          ///< of the law, in the impact's own scale [1]
+    double contact_radius = 0.0;           ///< the law's own at greatest overlap [m]
+    double relative_contact_radius = 0.0;  ///< that over R* [1]
+    double relative_overlap = 0.0;         ///< greatest overlap over R* [1]
+    /// V_y of the closed form, without adhesion and damping; none without a yield pressure [m/s]
+    std::optional<double> yield_velocity{};
+    /// V_y of the law chosen, its adhesion included, without damping; 0 where adhesion alone yields [m/s]
+    std::optional<double> law_yield_velocity{};
+    bool yields = false;  ///< the impact goes beyond the yield pressure, damping included
+    std::vector<std::string> warnings{};
+};
+
+/// Equilibrium separation z0 of two surfaces, as usual in the Tabor parameter [m].
+inline constexpr double equilibrium_separation = 0.4e-9;
+
+/// Tabor parameters between these belong to neither limit (Johnson & Greenwood 1997): DMT below, JKR above.
+inline constexpr double dmt_limit = 0.1;
+inline constexpr double jkr_limit = 5.0;
+
+/// a/R* beyond which the parabolic geometry that every law here assumes is off by 2 % in overlap.
+inline constexpr double widest_contact = 0.3;
+
+/// Judges an impact, solved or to be solved. @p maximum_overlap as in ImpactResult [m]
+///
+/// Where JKR acts (jkr, thornton-ning) the centre yields at p_y = 2 E* a/(pi R*) - sqrt(2 w E*/(pi a)); in
+/// the other laws attraction acts outside the contact, so that p_y is Hertz's. Either way the law's own
+/// potential gives the velocity. Brach-Dunn is empirical and has no range of Tabor parameters.
+[[nodiscard]] Regime regime_of(const Impact& impact, double maximum_overlap);
+
+}  // namespace ashimpact

@@ -1,0 +1,129 @@
+#include "solver/uncertainty/likelihood/rebound_selection.hpp"
+
+#include "materials/base/error.hpp"
+#include "solver/gsl/linear_fit.hpp"
+#include "solver/uncertainty/likelihood/restitution_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+namespace ashimpact {
+
+namespace {
+
+constexpr double reach = 0.995;  ///< of the greatest restitution: the upper end of any curve
+constexpr double beyond = 0.02;  ///< how far a curve extends above the greatest measured restitution
+
+bool above_reach(const Measurement& point) {
+    if (!point.noise) return point.rebound >= point.velocity;
+    const double variance = point.noise->incident + point.noise->rebound - 2.0 * point.noise->covariance;
+    return point.rebound - point.velocity > 3.0 * std::sqrt(variance);
+}
+
+}  // namespace
+
+ReboundSelection select_rebounds(const ContactModel& model, const MeasurementSet& set) {
+    ReboundSelection selection{
+        .data = {{}, {}, {}, 0.0}, .indices = {}, .excluded = {}, .noise_known = set.has_noise()};
+    double greatest = 0.0;
+    double fastest = 0.0;
+    for (std::size_t i = 0; i < set.points.size(); ++i) {
+        const Measurement& point = set.points[i];
+        if (point.captured()) continue;
+        if (above_reach(point)) {
+            selection.excluded.push_back({i, Exclusion::above_reach});
+            continue;
+        }
+        selection.indices.push_back(i);
+        selection.data.rebounds.push_back(point);
+        if (!point.noise) selection.data.rebounds.back().noise = VelocityNoise{1.0, 1.0};
+        greatest = std::max(greatest, point.restitution());
+        fastest = std::max(fastest, point.velocity);
+    }
+    selection.data.weights.assign(selection.indices.size(), 1.0);
+    if (!selection.indices.empty()) {
+        selection.data.greatest_restitution =
+            std::min(greatest + beyond, reach * model.greatest_restitution(fastest));
+    }
+    return selection;
+}
+
+void require_enough(const ReboundSelection& selection, const MeasurementSet& set, int order) {
+    std::set<double> distinct;
+    for (const Measurement& point : selection.data.rebounds) distinct.insert(point.restitution());
+    const auto needed = static_cast<std::size_t>(order) + (selection.noise_known ? 1 : 2);
+    if (distinct.size() >= needed) return;
+    std::string problem = std::to_string(distinct.size()) + " distinct rebounds (and " +
+                          std::to_string(set.captures()) + " captures) for a damping curve of order " +
+                          std::to_string(order);
+    if (!selection.noise_known) problem += " with unknown uncertainties";
+    throw InputError(problem, "at least " + std::to_string(needed)).in_file(set.source);
+}
+
+Eigen::VectorXd starting_coefficients(const ContactModel& model, const RestitutionData& data, int order) {
+    const auto rows = static_cast<Eigen::Index>(data.rebounds.size());
+    Eigen::MatrixXd design(rows, order + 1);
+    Eigen::VectorXd damping(rows);
+    for (Eigen::Index i = 0; i < rows; ++i) {
+        const Measurement& point = data.rebounds[static_cast<std::size_t>(i)];
+        const double e = std::min(point.restitution(), reach * model.greatest_restitution(point.velocity));
+        design.row(i) = DampingPolynomial::powers(e, order).transpose();
+        damping[i] = model.damping(point.velocity, e).value;
+    }
+    for (int lower = order; lower >= 0; --lower) {
+        Eigen::VectorXd start = Eigen::VectorXd::Zero(order + 1);
+        start.head(lower + 1) = gsl::fit_linear(design.leftCols(lower + 1), damping, {}).parameters;
+        if (RestitutionCurve::of(model, {start}, data.greatest_restitution)) return start;
+    }
+    throw ConvergenceError("no damping curve through the measurements could be started");
+}
+
+std::vector<CapturedImpact> captures_of(const MeasurementSet& set) {
+    std::vector<CapturedImpact> captures;
+    for (const Measurement& point : set.points) {
+        if (point.captured())
+            captures.push_back({point.velocity, point.noise ? std::sqrt(point.noise->incident) : 1.0});
+    }
+    return captures;
+}
+
+RestitutionData away_from_fastest(const RestitutionData& data) {
+    if (data.rebounds.size() <= few_rebounds) return data;
+    const auto [slowest, fastest] = std::minmax_element(
+        data.rebounds.begin(), data.rebounds.end(),
+        [](const Measurement& a, const Measurement& b) { return a.velocity < b.velocity; });
+    double variance = 0.0;
+    for (const Measurement& point : data.rebounds)
+        variance += point.noise->incident / static_cast<double>(data.rebounds.size());
+    // As many lie above a place well within as there is room for up to the end.
+    const double room = 6.0 * std::sqrt(variance);
+    const double place = fastest->velocity - room;
+    if (place - room < slowest->velocity) return data;
+    const auto faster_than = [&](double velocity) {
+        return static_cast<double>(
+            std::count_if(data.rebounds.begin(), data.rebounds.end(),
+                          [&](const auto& point) { return point.velocity > velocity; }));
+    };
+    const double above = faster_than(place);
+    const double below = faster_than(place - room) - above;
+    const double end = place + room * std::min(1.0, above / std::max(1.0, below));
+    RestitutionData result{{}, {}, data.captures, data.greatest_restitution};
+    for (std::size_t i = 0; i < data.rebounds.size(); ++i) {
+        const Measurement& point = data.rebounds[i];
+        if (point.velocity > end - 3.0 * std::sqrt(point.noise->incident)) continue;
+        result.rebounds.push_back(point);
+        result.weights.push_back(data.weights[i]);
+    }
+    return result;
+}
+
+RestitutionData RestitutionData::with_noise_scaled(double factor) const {
+    RestitutionData result = *this;
+    for (Measurement& point : result.rebounds) point.noise = point.noise->scaled(factor);
+    for (CapturedImpact& capture : result.captures) capture.standard_uncertainty *= std::sqrt(factor);
+    return result;
+}
+
+}  // namespace ashimpact

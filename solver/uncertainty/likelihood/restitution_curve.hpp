@@ -1,0 +1,63 @@
+#pragma once
+
+#include "solver/measurement/contact_model.hpp"
+#include "solver/measurement/measurement.hpp"
+#include "solver/numeric/chebyshev.hpp"
+#include "solver/uncertainty/likelihood/damping_polynomial.hpp"
+
+#include <Eigen/Dense>
+
+#include <optional>
+
+namespace ashimpact {
+
+/// The curve of rebounds that a damping eta(e_n) implies through the dynamic model: the velocity v(e) at
+/// which an impact with eta(e) gives e back. In the plane (v_in, v_r) it is (v, e v); it begins at (v_c, 0),
+/// where e(v) rises vertically for adhesive laws while v(e) is smooth, hence the parameter e.
+class RestitutionCurve {
+  public:
+    /// None where the damping is not positive, or v leaves the model's range, for some e in
+    /// [0, greatest_restitution]. @param near a curve close by up to the same restitution, to start from
+    [[nodiscard]] static std::optional<RestitutionCurve> of(const ContactModel& model,
+                                                            DampingPolynomial damping,
+                                                            double greatest_restitution,
+                                                            const RestitutionCurve* near = nullptr);
+
+    struct Place {
+        double velocity;    ///< v(e) [m/s]
+        double slope;       ///< dv/de along the curve [m/s]
+        double by_damping;  ///< dv/d(eta) at fixed e [m/kg]
+    };
+    /// Place at @p e; beyond the ends of the curve its tangent.
+    [[nodiscard]] Place at(double e) const;
+    [[nodiscard]] const DampingPolynomial& damping() const { return damping_; }
+    [[nodiscard]] double greatest_restitution() const { return greatest_; }
+
+    /// Axis of the cube root of e, in which the curve is a Chebyshev series.
+    [[nodiscard]] static ChebyshevAxis axis(double greatest_restitution);
+    /// The series of ln v and of ln dv/d(eta).
+    [[nodiscard]] const auto& series() const { return coefficients_; }
+
+    /// The point of the curve nearest to a measurement, in units of its noise.
+    struct Projection {
+        double restitution;  ///< e of the nearest point
+        double distance;     ///< signed, in standard uncertainties
+        double by_damping;   ///< change of the distance with the damping at that e [s/kg]
+        double by_velocity;  ///< covariance of the distance with the error of v_in [m/s]
+        double velocity;     ///< v(e) of the nearest point [m/s]
+    };
+    /// @param start e of a point close by
+    [[nodiscard]] Projection project(const Measurement& point, const VelocityNoise& noise,
+                                     double start) const;
+
+  private:
+    RestitutionCurve(DampingPolynomial damping, double greatest_restitution);
+
+    DampingPolynomial damping_;
+    double greatest_;
+    static constexpr int degree = 20;
+    Eigen::Matrix<double, degree + 1, 2> nodes_;         ///< ln v and ln dv/d(eta) at the Chebyshev nodes
+    Eigen::Matrix<double, degree + 1, 2> coefficients_;  ///< of the same
+};
+
+}  // namespace ashimpact

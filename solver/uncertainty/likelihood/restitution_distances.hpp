@@ -1,0 +1,45 @@
+#pragma once
+
+#include "solver/measurement/contact_model.hpp"
+#include "solver/uncertainty/likelihood/restitution_curve.hpp"
+#include "solver/uncertainty/likelihood/restitution_data.hpp"
+
+#include <Eigen/Dense>
+
+#include <optional>
+#include <vector>
+
+namespace ashimpact {
+
+/// Distances of the rebounds, in units of their noise, from the curve that a damping implies in the plane
+/// (v_in, v_r), as a function of the coefficients of eta(e_n): orthogonal-distance regression, in which the
+/// errors of both velocities, hence the correlated ones of e and eta, are treated as what they are.
+class RestitutionDistances {
+  public:
+    RestitutionDistances(const ContactModel& model, const RestitutionData& data);
+
+    struct Rows {
+        Eigen::VectorXd residuals;  ///< signed distances times the roots of the weights
+        Eigen::MatrixXd jacobian;
+        std::vector<double> restitutions;  ///< of the nearest points of the curve
+    };
+    /// Rows for coefficients; where the curve does not exist, residuals too large for any fit to stay there.
+    [[nodiscard]] const Rows& rows(const Eigen::VectorXd& coefficients) const;
+
+  private:
+    [[nodiscard]] Rows computed(const Eigen::VectorXd& coefficients) const;
+    [[nodiscard]] double start_of(std::size_t rebound) const;
+
+    const ContactModel* model_;
+    const RestitutionData* data_;
+    // What the last coefficients gave: a fit asks for residuals and slopes one after the other, and the next
+    // coefficients are close by.
+    mutable Eigen::VectorXd last_;
+    mutable Rows rows_;
+    mutable std::optional<RestitutionCurve> curve_;
+};
+
+/// Covariance of coefficients from the slopes of normalised residuals.
+[[nodiscard]] Eigen::MatrixXd covariance_from(const Eigen::MatrixXd& jacobian);
+
+}  // namespace ashimpact

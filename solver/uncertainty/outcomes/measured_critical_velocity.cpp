@@ -1,0 +1,148 @@
+#include "solver/uncertainty/outcomes/measured_critical_velocity.hpp"
+
+#include "solver/gsl/distribution.hpp"
+#include "solver/uncertainty/outcomes/capture_transition.hpp"
+#include "solver/uncertainty/profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ashimpact {
+
+namespace {
+
+double mean_noise(const MeasurementSet& set) {
+    double sum = 0.0;
+    for (const Measurement& point : set.points) sum += point.noise ? point.noise->incident : 0.0;
+    return std::sqrt(sum / static_cast<double>(set.points.size()));
+}
+
+void note_range(const MeasurementSet& set, MeasuredCriticalVelocity& result) {
+    for (const Measurement& point : set.points) {
+        auto& end = point.captured() ? result.fastest_capture : result.slowest_rebound;
+        const bool further = !end || (point.captured() ? point.velocity > *end : point.velocity < *end);
+        if (further) end = point.velocity;
+    }
+}
+
+/// One outcome only: v_c is bounded on one side. Each impact bounds it by its velocity and error, and the
+/// bound that goes furthest is taken; it holds where all do. So each of n is let fail in (1 - confidence)/n
+/// of cases, as the fastest of many captures is likely to be the one with the largest error.
+void bound_one_side(const MeasurementSet& set, MeasuredCriticalVelocity& result) {
+    const double share = (1.0 - confidence) / static_cast<double>(set.points.size());
+    const double quantile = -gsl::normal_quantile(share);
+    double lower = 0.0;
+    double upper = std::numeric_limits<double>::infinity();
+    for (const Measurement& point : set.points) {
+        const double allowance = quantile * (point.noise ? std::sqrt(point.noise->incident) : 0.0);
+        lower = std::max(lower, point.velocity - allowance);
+        upper = std::min(upper, point.velocity + allowance);
+    }
+    if (result.fastest_capture) {
+        if (lower > 0.0) result.lower = lower;
+        result.note = "every impact was captured";
+    } else {
+        result.upper = upper;
+        result.note = "no impact was captured";
+    }
+}
+
+void take_gap(MeasuredCriticalVelocity& result) {
+    result.lower = result.fastest_capture;
+    result.upper = result.slowest_rebound;
+    result.value = 0.5 * (*result.lower + *result.upper);
+    result.standard_uncertainty = (*result.upper - *result.lower) / std::sqrt(12.0);
+    result.note = "between the fastest capture and the slowest rebound";
+}
+
+/// One velocity with both outcomes, of unknown uncertainty: v_c is there, and nothing says how closely.
+void take_common_velocity(MeasuredCriticalVelocity& result) {
+    result.value = result.fastest_capture;
+    result.standard_uncertainty = 0.0;
+    result.note = "captures end and rebounds begin at one velocity, whose uncertainty is not known";
+}
+
+void take_transition(const MeasurementSet& set, double noise, bool mixed, MeasuredCriticalVelocity& result) {
+    const double gap = std::abs(*result.fastest_capture - *result.slowest_rebound);
+    const OutcomeLikelihood likelihood(set, 1e-3 * std::max(noise, gap));
+    const auto found = mixed ? likelihood.best() : CaptureTransition{likelihood.best_center(0.0), 0.0};
+    if (!found || found->center <= 0.0) {
+        result.note = reversed_share(set) >= 0.5
+                          ? "outcomes contradict a threshold: captures are faster than rebounds"
+                          : "outcomes hang on the velocity too little for a threshold";
+        return;
+    }
+    const double width = std::sqrt(noise * noise + found->extra_variance);
+    const double least = likelihood.at(*found);
+    const double quantile = gsl::normal_quantile(0.5 + 0.5 * confidence);
+    const Interval interval =
+        profile_interval([&](double center) { return likelihood.profile(center) - least; },
+                         {.best = found->center,
+                          .deviation = std::max(width, 0.3 * gap),
+                          .rise = quantile * quantile,
+                          .quantile = quantile,
+                          .least = 0.0,
+                          .greatest = 10.0 * found->center});
+    result.value = interval.value;
+    result.standard_uncertainty = interval.standard_uncertainty;
+    result.lower = interval.lower;
+    result.upper = interval.upper;
+    result.width = width;
+    result.note = mixed ? "outcomes mix between the slowest rebound and the fastest capture"
+                        : "between the fastest capture and the slowest rebound, with their noise";
+}
+
+}  // namespace
+
+MeasuredCriticalVelocity measured_critical_velocity(const MeasurementSet& set) {
+    validate(set);
+    MeasuredCriticalVelocity result;
+    note_range(set, result);
+    if (!result.fastest_capture || !result.slowest_rebound) {
+        bound_one_side(set, result);
+        return result;
+    }
+    const double noise = mean_noise(set);
+    const bool mixed = *result.fastest_capture >= *result.slowest_rebound;
+    if (noise == 0.0 && !mixed)
+        take_gap(result);
+    else if (noise == 0.0 && *result.fastest_capture == *result.slowest_rebound)
+        take_common_velocity(result);
+    else
+        take_transition(set, noise, mixed, result);
+    return result;
+}
+
+std::string_view name_of(CriticalVelocityVerdict verdict) {
+    switch (verdict) {
+        case CriticalVelocityVerdict::agrees:
+            return "agrees";
+        case CriticalVelocityVerdict::model_too_low:
+            return "model-too-low";
+        case CriticalVelocityVerdict::model_too_high:
+            return "model-too-high";
+        case CriticalVelocityVerdict::not_comparable:
+            return "not-comparable";
+    }
+    return {};
+}
+
+CriticalVelocityCheck check(const Interval& model, const MeasuredCriticalVelocity& measured) {
+    if (!measured.value) {
+        const bool low = measured.lower && model.upper && *model.upper < *measured.lower;
+        const bool high = measured.upper && model.lower && *model.lower > *measured.upper;
+        if (low) return {CriticalVelocityVerdict::model_too_low, {}};
+        if (high) return {CriticalVelocityVerdict::model_too_high, {}};
+        return {CriticalVelocityVerdict::not_comparable, {}};
+    }
+    const double joint = std::hypot(model.standard_uncertainty, *measured.standard_uncertainty);
+    const double deviation = (model.value - *measured.value) / joint;
+    const double limit = gsl::normal_quantile(0.5 + 0.5 * confidence);
+    if (std::abs(deviation) <= limit) return {CriticalVelocityVerdict::agrees, deviation};
+    return {
+        deviation < 0.0 ? CriticalVelocityVerdict::model_too_low : CriticalVelocityVerdict::model_too_high,
+        deviation};
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,183 @@
+#include "solver/uncertainty/propagation/critical_velocity_uncertainty.hpp"
+
+#include "materials/base/error.hpp"
+#include "materials/base/text.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/gsl/distribution.hpp"
+#include "solver/uncertainty/likelihood/restitution_curve.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+namespace ashimpact {
+
+namespace {
+
+/// Coefficients of the damping curve from standard normal numbers: the first by the two halves of its
+/// interval, the others as they go with it, and their own scatter.
+class CurveSampler {
+  public:
+    explicit CurveSampler(const DampingCurveFit& fit) : best_(fit.damping.coefficients) {
+        const Eigen::Index others = best_.size() - 1;
+        const double quantile = gsl::normal_quantile(0.5 + 0.5 * confidence);
+        const double deviation = std::sqrt(fit.covariance(0, 0));
+        const Interval& interval = fit.critical_damping;
+        below_ = interval.lower ? (interval.value - *interval.lower) / quantile : deviation;
+        above_ = interval.upper ? (*interval.upper - interval.value) / quantile : deviation;
+        along_ = fit.covariance.col(0) / fit.covariance(0, 0);
+        const Eigen::MatrixXd rest =
+            fit.covariance.bottomRightCorner(others, others) -
+            fit.covariance(0, 0) * along_.tail(others) * along_.tail(others).transpose();
+        const Eigen::LDLT<Eigen::MatrixXd> split(rest);
+        const Eigen::VectorXd root = split.vectorD().cwiseMax(0.0).cwiseSqrt();
+        scatter_ = split.transpositionsP().transpose() * Eigen::MatrixXd(split.matrixL()) * root.asDiagonal();
+    }
+
+    [[nodiscard]] Eigen::Index size() const { return best_.size(); }
+    [[nodiscard]] Eigen::VectorXd coefficients(std::span<const double> normal) const {
+        const double shift = normal[0] * (normal[0] < 0.0 ? below_ : above_);
+        Eigen::VectorXd result = best_ + shift * along_;
+        const Eigen::Index others = size() - 1;
+        result.tail(others) += scatter_ * Eigen::Map<const Eigen::VectorXd>(normal.data() + 1, others);
+        return result;
+    }
+
+  private:
+    Eigen::VectorXd best_;
+    Eigen::VectorXd along_;
+    Eigen::MatrixXd scatter_;
+    double below_ = 0.0;
+    double above_ = 0.0;
+};
+
+/// Reads the damping again from places of a curve, for another contact.
+class Rereading {
+  public:
+    Rereading(const DampingCurveFit& fit, const ContactModel& model)
+        : model_(model), order_(fit.damping.order()) {
+        // Where the curve was measured; captures measure its beginning.
+        const double lower = fit.captures > 0 ? 0.0 : fit.restitutions[0];
+        greatest_ = std::min(fit.restitutions[1], 0.99);
+        const ChebyshevAxis axis{lower, greatest_, 3 * (order_ + 1)};
+        Eigen::MatrixXd powers(axis.degree + 1, order_ + 1);
+        for (int i = 0; i <= axis.degree; ++i) {
+            restitutions_.push_back(axis.node(i));
+            powers.row(i) = DampingPolynomial::powers(axis.node(i), order_).transpose();
+        }
+        to_coefficients_ = powers.completeOrthogonalDecomposition().pseudoInverse();
+    }
+
+    /// Velocities of the places on the curve of some damping; empty where there is none.
+    [[nodiscard]] std::vector<double> velocities(const Eigen::VectorXd& coefficients) const {
+        const auto curve = RestitutionCurve::of(model_, {coefficients}, greatest_);
+        std::vector<double> result;
+        if (!curve) return result;
+        for (const double e : restitutions_) result.push_back(curve->at(e).velocity);
+        return result;
+    }
+    /// eta_c that another contact reads from these places.
+    [[nodiscard]] double critical_damping(const ContactModel& other,
+                                          const std::vector<double>& velocities) const {
+        Eigen::VectorXd damping(static_cast<Eigen::Index>(velocities.size()));
+        for (std::size_t i = 0; i < velocities.size(); ++i)
+            damping[static_cast<Eigen::Index>(i)] = other.damping(velocities[i], restitutions_[i]).value;
+        return to_coefficients_.row(0).dot(damping);
+    }
+
+  private:
+    ContactModel model_;
+    int order_;
+    double greatest_;
+    std::vector<double> restitutions_;
+    Eigen::MatrixXd to_coefficients_;
+};
+
+/// The last curves, by what they were computed from: a row of the propagation uses two of them many times.
+struct CurveMemory {
+    struct Entry {
+        std::vector<double> key;
+        Eigen::VectorXd coefficients;
+        std::vector<double> velocities;
+    };
+    std::array<Entry, 2> entries;
+    std::size_t oldest = 0;
+};
+
+void require_same(const ContactPair& a, const ContactPair& b) {
+    const auto differ = [](double x, double y) { return std::abs(x - y) > 1e-6 * std::abs(y); };
+    if (differ(a.mass, b.mass) || differ(a.effective_radius, b.effective_radius) ||
+        differ(a.contact_modulus, b.contact_modulus) || differ(a.work_of_adhesion, b.work_of_adhesion))
+        throw InputError("the uncertain contact is not the one of the fit",
+                         "inputs whose values give the contact of the model");
+}
+
+}  // namespace
+
+double scaled_damping_factor(const RandomInput& damping, const RandomContact& contact) {
+    const auto share = [](const RandomInput& input) {
+        return input.standard_uncertainty > 0.0 ? input.standard_uncertainty / std::abs(input.value) : 0.0;
+    };
+    double spread = share(damping) + share(contact.inputs.front());  // the diameter, which counts twice
+    for (const RandomInput& input : contact.inputs) spread += share(input);
+    return std::exp(std::clamp(5.0 * spread, 0.05, 2.0));
+}
+
+Propagation propagate_critical_velocity(const DampingCurveFit& fit, const ContactModel& model,
+                                        const RandomContact& contact, DampingUnderChange change,
+                                        const PropagationOptions& options) {
+    require_same(contact.nominal(), model.contact());
+    const CurveSampler sampler(fit);
+    const Rereading rereading(fit, model);
+    std::vector<RandomInput> inputs;
+    for (Eigen::Index i = 0; i < sampler.size(); ++i)
+        inputs.push_back({.name = "c" + std::to_string(i),
+                          .value = 0.0,
+                          .standard_uncertainty = 1.0,
+                          .factor = fit_factor});
+    inputs.insert(inputs.end(), contact.inputs.begin(), contact.inputs.end());
+    const auto count = static_cast<std::size_t>(sampler.size());
+    CurveMemory memory;
+    const auto entry_of = [&](std::span<const double> normal) -> const CurveMemory::Entry& {
+        for (const CurveMemory::Entry& entry : memory.entries)
+            if (std::equal(entry.key.begin(), entry.key.end(), normal.begin(), normal.end())) return entry;
+        CurveMemory::Entry& entry = memory.entries[memory.oldest];
+        memory.oldest = 1 - memory.oldest;
+        entry.key.assign(normal.begin(), normal.end());
+        entry.coefficients = sampler.coefficients(normal);
+        if (change == DampingUnderChange::reread) entry.velocities = rereading.velocities(entry.coefficients);
+        return entry;
+    };
+    const auto critical = [&](std::span<const double> values) -> std::optional<double> {
+        const CurveMemory::Entry& entry = entry_of(values.first(count));
+        const ContactModel other(model.shared_map(), contact.contact(values.subspan(count)));
+        if (change == DampingUnderChange::held)
+            return other.critical_velocity_anywhere(entry.coefficients[0]);
+        if (entry.velocities.empty()) return std::nullopt;
+        return other.critical_velocity_anywhere(rereading.critical_damping(other, entry.velocities));
+    };
+    return propagate(inputs, critical, options);
+}
+
+Propagation propagate_critical_velocity(Law law, Detachment detachment, const RandomInput& critical_damping,
+                                        const RandomContact& contact, const PropagationOptions& options) {
+    const CriticalVelocity nominal = critical_velocity(
+        {law, detachment, {DampingLaw::constant, critical_damping.value}, contact.nominal()});
+    if (!nominal.value)
+        throw InputError("there is no finite critical velocity at the values of the inputs: " +
+                         std::string(name_of(nominal.verdict)));
+    const double v = *nominal.value;
+    const auto map = make_restitution_map(law, detachment, {contact.nominal()}, {0.1 * v, 10.0 * v});
+    std::vector<RandomInput> inputs{critical_damping};
+    inputs.insert(inputs.end(), contact.inputs.begin(), contact.inputs.end());
+    return propagate(
+        inputs,
+        [&](std::span<const double> values) {
+            return ContactModel(map, contact.contact(values.subspan(1)))
+                .critical_velocity_anywhere(values[0]);
+        },
+        options);
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "solver/measurement/contact_model.hpp"
+#include "solver/uncertainty/likelihood/damping_curve_fit.hpp"
+#include "solver/uncertainty/propagation/propagation.hpp"
+#include "solver/uncertainty/propagation/random_contact.hpp"
+
+namespace ashimpact {
+
+/// Name of the factor under which the scatter of a fit is ranked.
+inline constexpr const char* fit_factor = "damping fit";
+
+/// What becomes of the damping when the contact is not quite what was assumed.
+enum class DampingUnderChange {
+    /// The measured curve v_r(v_in) is what is known: the damping is read from it again with the other
+    /// contact. Its errors and those of the contact cancel to a large part in v_c.
+    reread,
+    /// The damping is known by itself, e.g. published: the errors do not cancel.
+    held,
+};
+
+/// Factor within which the scaled damping eta/(m^(3/5) k^(2/5) V^(1/5)) stays of its nominal value, V the
+/// velocity of adhesion: for five standard uncertainties of all inputs together. It goes with the square of
+/// the diameter (R^(9/5 + 1/5); R^1.83 for DMT) and with no more than the first power of every other input.
+/// @param contact by random_contact()
+[[nodiscard]] double scaled_damping_factor(const RandomInput& damping, const RandomContact& contact);
+
+/// v_c with an interval from everything: the fit's covariance (with the asymmetry of its interval), size,
+/// density, moduli, fractions, w; and the ranking of what dominates.
+/// @param contact whose values are those of @p model 's contact
+/// @throws InputError where the two contacts differ
+[[nodiscard]] Propagation propagate_critical_velocity(const DampingCurveFit& fit, const ContactModel& model,
+                                                      const RandomContact& contact,
+                                                      DampingUnderChange change = DampingUnderChange::reread,
+                                                      const PropagationOptions& options = {});
+
+/// The same from a critical damping that is known by itself, such as one of the paper's Table 3.
+[[nodiscard]] Propagation propagate_critical_velocity(Law law, Detachment detachment,
+                                                      const RandomInput& critical_damping,
+                                                      const RandomContact& contact,
+                                                      const PropagationOptions& options = {});
+
+}  // namespace ashimpact

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "materials/composition.hpp"
+#include "materials/modulus.hpp"
+#include "solver/contact/pair.hpp"
+#include "solver/uncertainty/propagation/propagation.hpp"
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ashimpact {
+
+/// A contact whose properties follow from uncertain inputs.
+struct RandomContact {
+    std::vector<RandomInput> inputs;
+    std::function<ContactPair(std::span<const double> values)> contact;  ///< for values of the inputs
+
+    /// The contact at the values of the inputs.
+    [[nodiscard]] ContactPair nominal() const;
+};
+
+/// The phases that a particle's Young's modulus follows from.
+struct PhaseMixture {
+    Composition composition;
+    ModulusOptions options{};
+};
+
+/// A sphere of one sieve size on a flat wall, as far as it is known. Exactly one of the three ways to a
+/// modulus is given.
+struct SphereOnWall {
+    RandomInput diameter;                                             ///< [m]
+    RandomInput density;                                              ///< of the particle [kg/m3]
+    RandomInput work_of_adhesion;                                     ///< [J/m2]
+    RandomInput poisson_ratio{};                                      ///< of the particle [1]
+    RandomInput wall_young_modulus{};                                 ///< [Pa]
+    RandomInput wall_poisson_ratio{};                                 ///< [1]
+    std::optional<PhaseMixture> mixture{};                            ///< XRD fractions and phase moduli, or
+    std::optional<RandomInput> young_modulus{};                       ///< of the particle [Pa], or
+    std::optional<RandomInput> contact_modulus{};                     ///< E* itself [Pa]
+    double yield_pressure = std::numeric_limits<double>::infinity();  ///< [Pa]
+};
+
+/// The inputs of a sphere on a wall: first its diameter, density, w, and what its contact modulus comes from;
+/// of a mixture, every fraction and every phase modulus whose uncertainty is known. Fractions below zero
+/// count as zero.
+/// @throws InputError unless exactly one way to a modulus is given
+[[nodiscard]] RandomContact random_contact(const SphereOnWall& sphere);
+
+}  // namespace ashimpact

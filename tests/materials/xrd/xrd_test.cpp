@@ -1,0 +1,249 @@
+#include "materials/xrd/xrd.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "materials/modulus.hpp"
+#include "tests/materials/base/messages.hpp"
+#include "tests/materials/catalogue.hpp"
+#include "tests/relative_difference.hpp"
+
+namespace ashimpact::test {
+
+namespace {
+
+XrdResult read(const std::string& file) {
+    return read_xrd(file_text(ASHIMPACT_TEST_DATA "/xrd/" + file), file);
+}
+
+/// "Quartz 0.1523" for each phase, rounded to four places.
+std::string digest(const XrdSample& sample) {
+    std::string text;
+    for (const PhaseFraction& phase : sample.analysis.phases)
+        text += (text.empty() ? "" : ", ") + phase.name + " " +
+                std::to_string(static_cast<int>(std::lround(phase.fraction * 1e4)));
+    return text;
+}
+
+double amorphous_of(const XrdSample& sample) {
+    return compose(sample.analysis, shipped_catalogue()).components.back().weight_fraction;
+}
+
+}  // namespace
+
+TEST_CASE("a complete BGMN list of six phases") {
+    const XrdResult result = read("fa07-corundum.lst");
+    CHECK(result.format == XrdFormat::bgmn_lst);
+    CHECK(xrd_format_name(result.format) == "BGMN/Profex .lst");
+    REQUIRE(result.samples.size() == 1);
+    const XrdSample& sample = result.samples[0];
+    CHECK(sample.name == "FA-07_10pct-corundum");
+    CHECK(sample.warnings.empty());
+    CHECK(digest(sample) ==
+          "Quartz 1523, Mullite 5610, Hematite 412, Magnetite 656, Anhydrite 480, Corundum 1319");
+    // GEWICHT=0.5049+-0.0038 over the sum 0.9
+    CHECK(relative_difference(sample.analysis.phases[1].fraction, 0.561) < 1e-14);
+    CHECK(relative_difference(*sample.analysis.phases[1].standard_uncertainty, 0.0038 / 0.9) < 1e-14);
+    CHECK(relative_difference(*sample.analysis.phases[1].density, 3166) < 1e-14);
+    CHECK(std::holds_alternative<AmorphousNotStated>(sample.analysis.amorphous));
+    CHECK(holds(refusal([&] { return compose(sample.analysis, shipped_catalogue()); }),
+                "nothing says how much"));
+}
+
+TEST_CASE("the internal standard turns it into fractions of the whole ash") {
+    const XrdSample sample = with_internal_standard(read("fa07-corundum.lst").samples[0], "corundum", 0.1);
+    CHECK(sample.analysis.phases.size() == 5);
+    // scale = 0.1/(0.1318888... 0.9); mullite 0.561 of the mixture; worked by hand in docs/materials.md
+    const Composition composition = compose(sample.analysis, shipped_catalogue());
+    REQUIRE(composition.components.size() == 6);
+    CHECK(relative_difference(composition.components[1].weight_fraction, 0.47262005) < 1e-8);
+    CHECK(relative_difference(composition.components[5].weight_fraction, 0.26865113) < 1e-7);
+    CHECK(composition.components[5].phase.name == "glass-dong2013");
+    const auto& remainder = std::get<AmorphousRemainder>(sample.analysis.amorphous);
+    CHECK(relative_difference(*remainder.standard_uncertainty, 0.84245998 * 0.0011 / 0.1187) < 1e-8);
+    const ModulusEstimate estimate = estimate_modulus(composition);
+    CHECK(relative_difference(estimate.young_modulus, 151.594727099569e9) < 1e-13);
+    CHECK(holds(refusal([&] { return with_internal_standard(sample, "corundum", 0.1); }),
+                "is not among the phases"));
+    const XrdSample mixture = read("fa07-corundum.lst").samples[0];
+    CHECK(
+        holds(refusal([&] { return with_internal_standard(mixture, "Corundum", 10); }), "above 0, below 1"));
+    CHECK(holds(refusal([&] { return with_internal_standard(mixture, "Corundum", 0.2); }),
+                "% of the sample are crystalline"));
+}
+
+TEST_CASE("the uncertainty of the weighing goes into the scale of an internal standard") {
+    const XrdSample mixture = read("fa07-corundum.lst").samples[0];
+    const auto scale_uncertainty = [&](std::optional<double> weighing) {
+        const XrdSample sample = with_internal_standard(mixture, "corundum", 0.1, weighing);
+        return *std::get<AmorphousRemainder>(sample.analysis.amorphous).standard_uncertainty;
+    };
+    // p = w/(c (1 - w)): u(w)/(w (1 - w)) = 0.001/0.09 beside u(c)/c = 0.0011/0.1187
+    CHECK(relative_difference(scale_uncertainty(0.001),
+                              0.842459983 * std::hypot(0.001 / 0.09, 0.0011 / 0.1187)) < 1e-8);
+    const std::string table = "phase,wt%,standard [%]\nQuartz,90,\nCorundum,10,5.0(1)\n";
+    const XrdSample read_sample = read_xrd(table, "t.csv").samples[0];
+    const auto& remainder = std::get<AmorphousRemainder>(read_sample.analysis.amorphous);
+    CHECK(relative_difference(*remainder.standard_uncertainty, 0.05 / (0.1 * 0.95) * 0.001 / (0.05 * 0.95)) <
+          1e-12);
+}
+
+TEST_CASE("phases keep the place at which their file has them") {
+    CHECK(read("fa07-corundum.lst").samples[0].analysis.phases[1].place == "line 50");
+    CHECK(read("fa07-gsas2.lst").samples[0].analysis.phases[1].place == "line 37");
+    CHECK(read("long-percent.csv").samples[0].analysis.phases[1].place == "line 4");
+    CHECK(read("peaks.csv").samples[0].analysis.phases[1].place == "line 4");
+    CHECK(read("samples.json").samples[0].analysis.phases[1].place == "line 7: /samples/0/phases/1");
+    CHECK(read("samples.json").samples[2].analysis.phases[1].place == "line 23: /samples/2/peaks/1");
+}
+
+TEST_CASE("a BGMN list with CRLF, UNDEF, ERROR, mean values and missing uncertainties") {
+    const XrdResult result = read("fa12-crlf-undef.lst");
+    REQUIRE(result.samples.size() == 1);
+    const XrdSample& sample = result.samples[0];
+    CHECK(sample.name == "FA-12");
+    CHECK(digest(sample) == "Quartz 3021, Mullite 6979");
+    CHECK(!sample.analysis.phases[0].standard_uncertainty);
+    CHECK(relative_difference(*sample.analysis.phases[1].standard_uncertainty, 0.0088) < 1e-14);
+    REQUIRE(sample.warnings.size() == 2);
+    CHECK(sample.warnings[0] == "the phase \"Lime\" has no weight (line 34) and is left out");
+    CHECK(sample.warnings[1] == "the phase \"Calcite\" has no weight (line 39) and is left out");
+}
+
+TEST_CASE("a BGMN goal that differs from the weights is reported") {
+    std::string text = file_text(ASHIMPACT_TEST_DATA "/xrd/fa07-corundum.lst");
+    text.replace(text.find("QMullite=0.5610"), 15, "QMullite=0.6010");
+    const XrdResult result = read_xrd(text, "fa07.lst");
+    REQUIRE(result.samples[0].warnings.size() == 1);
+    CHECK(holds(result.samples[0].warnings[0], "the goal QMullite is 0.601, GEWICHT gives 0.561"));
+}
+
+TEST_CASE("a GSAS-II list with two histograms") {
+    const XrdResult result = read("fa07-gsas2.lst");
+    CHECK(result.format == XrdFormat::gsas2_lst);
+    REQUIRE(result.samples.size() == 2);
+    CHECK(result.samples[0].name == "FA-07.xy Bank 1");
+    CHECK(digest(result.samples[0]) == "Quartz 1983, Mullite 3:2 7302, Hematite 715");
+    CHECK(digest(result.samples[1]) == "Quartz 2801, Mullite 3:2 7199");
+    const auto& phases = result.samples[0].analysis.phases;
+    CHECK(phases[0].standard_uncertainty == 0.00171);
+    CHECK(!phases[2].standard_uncertainty);
+    CHECK(relative_difference(*phases[1].density, 3160.2) < 1e-14);
+}
+
+TEST_CASE("tables as laboratories send them") {
+    const XrdResult long_table = read("long-percent.csv");
+    REQUIRE(long_table.samples.size() == 2);
+    CHECK(digest(long_table.samples[0]) == "Quartz 1231, Mullite (3:2) 2840, Hematite 190, Amorphous 5739");
+    CHECK(relative_difference(*long_table.samples[0].analysis.phases[1].standard_uncertainty, 0.0055) <
+          1e-14);
+    CHECK(relative_difference(*long_table.samples[0].analysis.phases[2].density, 5260) < 1e-14);
+    CHECK(digest(long_table.samples[1]) == "Quartz 805, Mullite 3195, Amorphous 6000");
+    CHECK(relative_difference(*long_table.samples[1].analysis.phases[0].standard_uncertainty, 0.0012) <
+          1e-12);
+    CHECK(relative_difference(*long_table.samples[1].analysis.phases[1].standard_uncertainty, 0.006) < 1e-14);
+    REQUIRE(long_table.samples[1].warnings.size() == 1);
+    CHECK(long_table.samples[1].warnings[0] == "\"Magnetite\" has no amount (line 9) and is left out");
+    REQUIRE(long_table.warnings.size() == 1);
+    CHECK(long_table.warnings[0] == "columns not read: Remark");
+    CHECK(relative_difference(amorphous_of(long_table.samples[0]), 0.5739) < 1e-14);
+
+    const XrdResult german = read("semicolon-comma.csv");
+    REQUIRE(german.samples.size() == 1);
+    CHECK(digest(german.samples[0]) == "Quarz 1182, Mullite 5, Amorphous 8813");
+    CHECK(relative_difference(*german.samples[0].analysis.phases[2].standard_uncertainty, 0.008) < 1e-14);
+
+    const XrdResult latin1 = read("latin1.csv");
+    CHECK(latin1.samples[0].name == "M\u00fcnchen");
+    CHECK(relative_difference(*latin1.samples[0].analysis.phases[0].standard_uncertainty, 0.003) < 1e-14);
+    CHECK(latin1.warnings == std::vector<std::string>{"the file is not UTF-8 and was read as Latin-1"});
+
+    const XrdResult bom = read("bom-crlf.csv");
+    CHECK(bom.samples[0].name == "bom-crlf");
+    CHECK(digest(bom.samples[0]) == "Quartz 2000, Mullite 3000, Glass 5000");
+}
+
+TEST_CASE("tables with one column a phase or one column a sample") {
+    const XrdResult phases = read("wide-phases.tsv");
+    REQUIRE(phases.samples.size() == 2);
+    CHECK(digest(phases.samples[0]) == "Quartz 1230, Mullite 2840, Anhydrite 130, Amorphous 5800");
+    CHECK(digest(phases.samples[1]) == "Quartz 810, Mullite 3200, Amorphous 5990");
+    CHECK(relative_difference(*phases.samples[0].analysis.phases[0].standard_uncertainty, 0.002) < 1e-14);
+
+    const XrdResult samples = read("wide-samples.csv");
+    REQUIRE(samples.samples.size() == 2);
+    CHECK(samples.samples[1].name == "FA-02");
+    CHECK(digest(samples.samples[1]) == "Quartz 810, Mullite 3200, Glass 5990");
+    REQUIRE(samples.warnings.size() == 1);
+    CHECK(holds(samples.warnings[0], "by their size they are fractions"));
+}
+
+TEST_CASE("Table 1 of the paper as a file: by volume, glass by difference from the crystalline total") {
+    const XrdResult result = read("volumes.csv");
+    REQUIRE(result.samples.size() == 3);
+    const XrdSample& sample = result.samples[2];
+    CHECK(sample.analysis.basis == FractionBasis::volume);
+    CHECK(relative_difference(std::get<CrystallineTotal>(sample.analysis.amorphous).value, 0.4928) < 1e-14);
+    const Composition composition = compose(sample.analysis, shipped_catalogue().preferring("dong2013"));
+    CHECK(relative_difference(composition.components[2].volume_fraction, 0.5072) < 1e-14);
+    CHECK(relative_difference(estimate_modulus(composition).young_modulus, 148.1256e9) < 1e-13);
+}
+
+TEST_CASE("peak intensities by the adiabatic principle, worked by hand") {
+    const XrdResult result = read("peaks.csv");
+    REQUIRE(result.samples.size() == 1);
+    const auto& phases = result.samples[0].analysis.phases;
+    // 3410/3.1 = 1100, 1890/2.5 = 756, 145/2.4 = 60.41667
+    const double sum = 1100 + 756 + 145 / 2.4;
+    CHECK(relative_difference(phases[0].fraction, 1100 / sum) < 1e-14);
+    CHECK(relative_difference(phases[2].fraction, 145 / 2.4 / sum) < 1e-14);
+    CHECK(relative_difference(*phases[0].standard_uncertainty, 60 / 3.1 / sum) < 1e-14);
+    CHECK(relative_difference(*phases[1].standard_uncertainty, std::hypot(18, 30.24) / sum) < 1e-14);
+    CHECK(std::holds_alternative<AmorphousNotStated>(result.samples[0].analysis.amorphous));
+    const std::vector<PhaseFraction> corundum =
+        adiabatic_fractions({{.name = "Corundum", .intensity = 500, .reference_intensity_ratio = 1},
+                             {.name = "Quartz", .intensity = 1550, .reference_intensity_ratio = 3.1}});
+    CHECK(relative_difference(corundum[0].fraction, 0.5) < 1e-15);
+}
+
+TEST_CASE("peaks with an internal standard give the amorphous part") {
+    // in the mixture 0.1 243/180 = 0.135 and 0.1 648/180 = 0.36; in the ash over 0.9: 0.15 and 0.40
+    for (const auto* file : {"peaks-standard.csv", "samples.json"}) {
+        CAPTURE(file);
+        const XrdSample sample = read(file).samples.back();
+        CHECK(sample.name == "FA-07");
+        const Composition composition = compose(sample.analysis, shipped_catalogue());
+        REQUIRE(composition.components.size() == 3);
+        CHECK(relative_difference(composition.components[0].weight_fraction, 0.15) < 1e-13);
+        CHECK(relative_difference(composition.components[1].weight_fraction, 0.40) < 1e-13);
+        CHECK(relative_difference(composition.components[2].weight_fraction, 0.45) < 1e-13);
+    }
+}
+
+TEST_CASE("the project's JSON") {
+    const XrdResult result = read("samples.json");
+    CHECK(result.format == XrdFormat::json);
+    REQUIRE(result.samples.size() == 3);
+    const auto& phases = result.samples[0].analysis.phases;
+    CHECK(digest(result.samples[0]) == "Quartz 1231, Mullite 3:2 2840");
+    CHECK(relative_difference(*phases[0].standard_uncertainty, 0.002) < 1e-14);
+    CHECK(phases[0].density == 2650);
+    CHECK(relative_difference(amorphous_of(result.samples[0]), 0.5929) < 1e-14);
+    CHECK(result.samples[1].analysis.basis == FractionBasis::volume);
+    CHECK(std::holds_alternative<AmorphousNone>(result.samples[1].analysis.amorphous));
+}
+
+TEST_CASE("intensities and ratios that make no sense are refused") {
+    const auto refused = [](double intensity, double ratio) {
+        return refusal([&] {
+            return adiabatic_fractions(
+                {{.name = "Quartz", .intensity = intensity, .reference_intensity_ratio = ratio}});
+        });
+    };
+    CHECK(holds(refused(-1, 3), "intensity of Quartz is -1"));
+    CHECK(holds(refused(1, 0), "reference intensity ratio of Quartz is 0"));
+    CHECK(holds(refused(0, 3), "all intensities are zero"));
+}
+
+}  // namespace ashimpact::test

@@ -1,0 +1,182 @@
+#include "solver/batch/impact_batch.hpp"
+#include "solver/batch/instruction_set.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <random>
+#include <string>
+#include <thread>
+
+#include "materials/base/error.hpp"
+#include "solver/batch/tables/restitution_table.hpp"
+#include "tests/solver/batch/batch_sample.hpp"
+
+using namespace ashimpact;
+using namespace ashimpact::test;
+
+namespace {
+
+std::vector<Eigen::Index> shuffled(Eigen::Index count) {
+    std::vector<Eigen::Index> places(static_cast<std::size_t>(count));
+    std::iota(places.begin(), places.end(), Eigen::Index{0});
+    std::shuffle(places.begin(), places.end(), std::mt19937_64(5));
+    return places;
+}
+
+ImpactBatchResult picked(const ImpactBatchResult& result, const std::vector<Eigen::Index>& places) {
+    return {.outcome = result.outcome(places),
+            .restitution = result.restitution(places),
+            .contact_time = result.contact_time(places),
+            .approach_time = result.approach_time(places),
+            .maximum_overlap = result.maximum_overlap(places)};
+}
+
+/// Every way to solve a batch; a table has no turning points.
+const std::vector<BatchOptions> every_method{
+    {.method = BatchMethod::integration},
+    {.turning_point = false, .method = BatchMethod::table},
+};
+
+BatchOptions on_threads(BatchOptions options, int threads) {
+    options.threads = threads;
+    return options;
+}
+
+/// Checks that results are the same, bit by bit, for any threads, order and number of impacts.
+void check_same_bits(const Impacts& impacts, const BatchOptions& options) {
+    const ImpactBatchResult whole = solve_impacts(impacts.batch(), options);
+    CHECK(identical(whole, solve_impacts(impacts.batch(), on_threads(options, 3))));
+    const auto order = shuffled(impacts.size());
+    CHECK(identical(picked(whole, order), solve_impacts(impacts.picked(order).batch(), options)));
+    const std::vector<Eigen::Index> few(order.begin(), order.begin() + 37);
+    CHECK(identical(picked(whole, few), solve_impacts(impacts.picked(few).batch(), options)));
+    for (const Eigen::Index one : {order[0], order[1]}) {
+        CHECK(identical(picked(whole, {one}), solve_impacts(impacts.picked({one}).batch(), options)));
+    }
+}
+
+#ifdef __SANITIZE_ADDRESS__
+constexpr int places_asked = 400;
+#else
+constexpr int places_asked = 10'000;
+#endif
+
+/// Random coordinates of a table, from 0 to where nothing rebounds.
+class Places {
+  public:
+    explicit Places(unsigned seed) : random_(seed) {}
+    double next() { return 0.6 * static_cast<double>(random_()) / static_cast<double>(std::mt19937::max()); }
+
+  private:
+    std::mt19937 random_;
+};
+
+/// Has an instruction set used for as long as it lives.
+class Prescribed {
+  public:
+    explicit Prescribed(std::string_view name) { use_instruction_set(name); }
+    ~Prescribed() { use_instruction_set({}); }
+    Prescribed(const Prescribed&) = delete;
+    Prescribed& operator=(const Prescribed&) = delete;
+};
+
+void check_sets_agree(const Impacts& impacts, const BatchOptions& options) {
+    use_instruction_set("baseline");
+    const ImpactBatchResult baseline = solve_impacts(impacts.batch(), options);
+    for (const std::string_view set : instruction_sets()) {
+        CAPTURE(set);
+        const Prescribed prescribed(set);
+        const ImpactBatchResult other = solve_impacts(impacts.batch(), options);
+        CHECK((other.outcome == baseline.outcome).all());
+        for (Eigen::Index i = 0; i < impacts.size(); ++i) {
+            const double difference = std::abs(other.restitution[i] * other.restitution[i] -
+                                               baseline.restitution[i] * baseline.restitution[i]);
+            if (difference <= 1e-12) continue;
+            CHECK(conditioned_error(other.restitution[i], solve_impact(impacts.at(i))) <= 1e-12);
+            CHECK(conditioned_error(baseline.restitution[i], solve_impact(impacts.at(i))) <= 1e-12);
+        }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("an impact's result does not depend, in any bit, on order, number and threads") {
+    const Eigen::Index count = 5000;
+    for (const std::string_view set : instruction_sets()) {
+        CAPTURE(set);
+        const Prescribed prescribed(set);
+        for (const Impacts& impacts : random_impacts(set == "baseline" ? count / 8 : count, 1.3, 21)) {
+            CAPTURE(impacts.law.name());
+            for (const BatchOptions& options : every_method) check_same_bits(impacts, options);
+        }
+    }
+}
+
+TEST_CASE("a piece of a table is the same, in every bit, whoever asked for it first, and when") {
+    const auto table = [] {
+        return std::make_unique<batch::RestitutionTable>(batch::kernels_of(Law::of<Dmt>()),
+                                                         Detachment::zero_overlap, DampingLaw::constant);
+    };
+    const auto ask = [](batch::RestitutionTable& of, unsigned seed) {
+        Places places(seed);
+        for (int i = 0; i < places_asked; ++i) {
+            const double x = places.next();
+            static_cast<void>(of.at(x, places.next()));
+        }
+    };
+    const auto one = table();
+    ask(*one, 1);
+    ask(*one, 2);
+    const auto other = table();
+    ask(*other, 2);
+    const auto shared = table();
+    std::thread first(ask, std::ref(*shared), 2);
+    ask(*shared, 3);
+    first.join();
+    int rebounds = 0;
+    int captures = 0;
+    int untold = 0;
+    Places places(4);
+    for (int i = 0; i < 2 * places_asked; ++i) {
+        const double x = places.next();
+        const double y = places.next();
+        const batch::RestitutionPiece& a = *one->at(x, y);
+        for (const auto* table_asked : {&other, &shared}) {
+            const batch::RestitutionPiece& b = *(*table_asked)->at(x, y);
+            REQUIRE(a.state() == b.state());
+            REQUIRE(a.t(x) == b.t(x));
+            REQUIRE(a.u(y) == b.u(y));
+            if (a.state() != batch::RestitutionPiece::State::rebound) continue;
+            REQUIRE(a.polynomials().restitution_squared == b.polynomials().restitution_squared);
+            REQUIRE(a.polynomials().contact_time == b.polynomials().contact_time);
+        }
+        rebounds += a.state() == batch::RestitutionPiece::State::rebound ? 1 : 0;
+        captures += a.state() == batch::RestitutionPiece::State::capture ? 1 : 0;
+        untold += a.state() == batch::RestitutionPiece::State::untold ? 1 : 0;
+    }
+    CHECK(rebounds > places_asked / 2);
+    CHECK(captures > places_asked / 2);
+    CHECK(untold > places_asked / 200);
+    CHECK(untold < places_asked / 10);
+    CHECK(one->at(std::numeric_limits<double>::quiet_NaN(), 0.5) == nullptr);
+}
+
+TEST_CASE("instruction sets agree within the bound of the solver") {
+    for (const Impacts& impacts : random_impacts(1000, 1.2, 22)) {
+        for (const BatchOptions& options : every_method) check_sets_agree(impacts, options);
+    }
+}
+
+TEST_CASE("instruction sets: the baseline is always there, an unknown one is refused by name") {
+    const auto sets = instruction_sets();
+    REQUIRE(!sets.empty());
+    CHECK(sets.back() == "baseline");
+    CHECK_THROWS_AS(use_instruction_set("mmx"), InputError);
+    use_instruction_set({});
+}

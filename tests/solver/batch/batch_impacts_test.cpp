@@ -1,0 +1,207 @@
+#include "solver/batch/impact_batch.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "materials/base/error.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
+#include "tests/relative_difference.hpp"
+#include "tests/solver/batch/batch_sample.hpp"
+
+using namespace ashimpact;
+using namespace ashimpact::test;
+
+namespace {
+
+constexpr double bound = 1e-12;  ///< |d(e^2)| over the conditioning of the problem
+
+/// Compares a batch with the scalar solver, impact by impact. The contact time near capture is as
+/// ill-conditioned as 1/e^2.
+void check_against_scalar(const Impacts& impacts) {
+    const ImpactBatchResult result = solve_impacts(impacts.batch());
+    CAPTURE(impacts.law.name());
+    CAPTURE(name_of(impacts.detachment));
+    CAPTURE(name_of(impacts.damping_law));
+    for (Eigen::Index i = 0; i < impacts.size(); ++i) {
+        CAPTURE(i);
+        const ImpactResult reference = solve_impact(impacts.at(i));
+        REQUIRE(result.outcome[i] == reference.outcome);
+        CHECK(conditioned_error(result.restitution[i], reference) <= bound);
+        CHECK(relative_difference(result.maximum_overlap[i], reference.maximum_overlap) <= 1e-9);
+        if (reference.contact_time) {
+            const double depth = 1.0 + std::abs(reference.energy.minimum) / reference.energy.incident;
+            const double condition = 1.0 + depth / std::pow(reference.restitution, 2.0);
+            CHECK(relative_difference(result.contact_time[i], *reference.contact_time) <= 1e-11 * condition);
+        } else {
+            CHECK(std::isnan(result.contact_time[i]));
+        }
+        if (reference.approach_time) {
+            CHECK(relative_difference(result.approach_time[i], *reference.approach_time) <= 1e-8);
+        } else {
+            CHECK(std::isnan(result.approach_time[i]));
+        }
+    }
+}
+
+/// Impacts at the critical velocity times each factor.
+Impacts around_critical(Impacts impacts, const std::vector<double>& factors) {
+    std::vector<Eigen::Index> places;
+    std::vector<double> velocities;
+    for (Eigen::Index i = 0; i < impacts.size(); ++i) {
+        const Impact impact = impacts.at(i);
+        const CriticalVelocity critical =
+            critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact});
+        if (!critical.value) continue;
+        for (const double factor : factors) {
+            places.push_back(i);
+            velocities.push_back(*critical.value * factor);
+        }
+    }
+    impacts = impacts.picked(places);
+    impacts.velocity =
+        Eigen::Map<const Eigen::ArrayXd>(velocities.data(), static_cast<Eigen::Index>(velocities.size()));
+    return impacts;
+}
+
+}  // namespace
+
+TEST_CASE("the batch does what the scalar solver does: every law, detachment and damping law") {
+    for (const Impacts& impacts : random_impacts(250, 1.2, 11)) check_against_scalar(impacts);
+}
+
+TEST_CASE("the batch does what the scalar solver does where damping captures almost everything") {
+    for (const Impacts& impacts : random_impacts(80, 2.2, 12)) check_against_scalar(impacts);
+}
+
+TEST_CASE("capture is decided exactly, down to a part in 1e9 of the critical velocity") {
+    for (const Impacts& impacts : random_impacts(12, 0.8, 13)) {
+        const Impacts near = around_critical(impacts, {1.0 - 1e-9, 1.0 + 1e-9, 1.0 - 1e-5, 1.0 + 1e-5, 1.01});
+        if (near.size() == 0) continue;
+        CAPTURE(near.law.name());
+        CAPTURE(name_of(near.detachment));
+        CAPTURE(name_of(near.damping_law));
+        const ImpactBatchResult result = solve_impacts(near.batch());
+        for (Eigen::Index i = 0; i < near.size(); ++i) {
+            CAPTURE(i);
+            CHECK((result.outcome[i] == Outcome::capture) == (i % 5 == 0 || i % 5 == 2));
+            CHECK(conditioned_error(result.restitution[i], solve_impact(near.at(i))) <= bound);
+        }
+    }
+}
+
+TEST_CASE("without damping all of the energy comes back, less what the break costs") {
+    for (Impacts& impacts : random_impacts(40, 1.0, 14)) {
+        impacts.damping.setZero();
+        const ImpactBatchResult result = solve_impacts(impacts.batch());
+        CAPTURE(impacts.law.name());
+        CAPTURE(name_of(impacts.detachment));
+        for (Eigen::Index i = 0; i < impacts.size(); ++i) {
+            const ImpactResult reference = solve_impact(impacts.at(i));
+            CHECK(result.outcome[i] == reference.outcome);
+            CHECK(conditioned_error(result.restitution[i], reference) <= bound);
+            const double depth = 1.0 + std::abs(reference.energy.minimum) / reference.energy.incident;
+            const double lost = 1.0 - result.restitution[i] * result.restitution[i];
+            if (impacts.law != Law::of<Jkr>()) CHECK(std::abs(lost) <= bound * depth);
+        }
+    }
+}
+
+TEST_CASE("a single value stands for all, and what is not asked for is not a number") {
+    Impacts impacts = random_impacts(40, 1.0, 15).back();
+    impacts.mass.setConstant(1e-12);
+    impacts.velocity.setConstant(2.0);
+    ImpactBatch batch = impacts.batch();
+    const ImpactBatchResult full = solve_impacts(batch);
+    const Eigen::ArrayXd mass = Eigen::ArrayXd::Constant(1, 1e-12);
+    const Eigen::ArrayXd velocity = Eigen::ArrayXd::Constant(1, 2.0);
+    const ImpactBatch single{
+        batch.law,
+        batch.detachment,
+        batch.damping_law,
+        {mass, impacts.effective_radius, impacts.contact_modulus, impacts.work_of_adhesion},
+        impacts.damping,
+        velocity};
+    CHECK(identical(full, solve_impacts(single)));
+    const ImpactBatchResult less = solve_impacts(single, {.turning_point = false});
+    CHECK(less.approach_time.isNaN().all());
+    CHECK(less.maximum_overlap.isNaN().all());
+    CHECK((less.outcome == full.outcome).all());
+    const ImpactBatchResult read =
+        solve_impacts(single, {.turning_point = false, .method = BatchMethod::table});
+    CHECK(read.approach_time.isNaN().all());
+    CHECK(read.maximum_overlap.isNaN().all());
+    CHECK((read.outcome == full.outcome).all());
+    CHECK_THROWS_WITH_AS(
+        static_cast<void>(solve_impacts(single, {.method = BatchMethod::table})),
+        "a table has no turning points; allowed: turning_point = false, or the method integration",
+        InputError);
+}
+
+TEST_CASE("a table tells most impacts, undamped ones and those of no adhesion too") {
+    for (Impacts& impacts : random_impacts(400, 1.0, 18)) {
+        CAPTURE(impacts.law.name());
+        CAPTURE(name_of(impacts.damping_law));
+        for (Eigen::Index i = 0; i < 100; ++i) impacts.damping[i] = 0.0;
+        for (Eigen::Index i = 50; i < 150; ++i) impacts.work_of_adhesion[i] = 0.0;
+        const ImpactBatchResult read =
+            solve_impacts(impacts.batch(), {.turning_point = false, .method = BatchMethod::table});
+        CHECK(read.scalar <= impacts.size() / 50);
+        for (Eigen::Index i = 0; i < impacts.size(); ++i) {
+            CAPTURE(i);
+            const ImpactResult reference = solve_impact(impacts.at(i));
+            REQUIRE(read.outcome[i] == reference.outcome);
+            CHECK(conditioned_error(read.restitution[i], reference) <= bound);
+            CHECK(read.restitution[i] <= 1.0);
+        }
+    }
+}
+
+TEST_CASE("an elastic-plastic law goes through the scalar solver") {
+    Impacts impacts = random_impacts(20, 0.3, 16).back();
+    impacts.law = Law::of<ThorntonNing>();
+    impacts.detachment = Detachment::pull_off;
+    ImpactBatch batch{impacts.law,
+                      impacts.detachment,
+                      impacts.damping_law,
+                      {impacts.mass, impacts.effective_radius, impacts.contact_modulus,
+                       impacts.work_of_adhesion, Eigen::ArrayXd::Constant(1, 2e9)},
+                      impacts.damping,
+                      impacts.velocity};
+    const ImpactBatchResult result = solve_impacts(batch);
+    CHECK(result.scalar == impacts.size());
+    for (Eigen::Index i = 0; i < impacts.size(); ++i) {
+        Impact impact = impacts.at(i);
+        impact.contact.yield_pressure = 2e9;
+        CHECK(result.restitution[i] == solve_impact(impact).restitution);
+    }
+}
+
+TEST_CASE("what is inadmissible is refused with the place of the first such impact") {
+    Impacts impacts = random_impacts(5000, 1.0, 17).front();
+    impacts.velocity[4321] = -1.0;
+    impacts.velocity[4500] = std::numeric_limits<double>::quiet_NaN();
+    CHECK_THROWS_WITH_AS(static_cast<void>(solve_impacts(impacts.batch(), {.threads = 2})),
+                         "impact 4321: velocity is -1 m/s; allowed: a finite number > 0 m/s", InputError);
+    impacts.velocity.conservativeResize(17);
+    CHECK_THROWS_AS(static_cast<void>(solve_impacts(impacts.batch())), InputError);
+    impacts = random_impacts(4, 1.0, 17).front();
+    impacts.detachment = Detachment::pull_off;
+    CHECK_THROWS_AS(static_cast<void>(solve_impacts(impacts.batch())), InputError);
+}
+
+TEST_CASE("numbers whose powers are no numbers are refused as one impact alone is") {
+    Impacts impacts = random_impacts(5, 1.0, 17).front();
+    impacts.mass[3] = 1e-41;
+    CHECK_THROWS_WITH_AS(static_cast<void>(solve_impacts(impacts.batch())),
+                         "impact 3: mass is 1e-41 kg; allowed: 1e-40 to 1e40 kg", InputError);
+    impacts.damping[2] = 1e-300;
+    CHECK_THROWS_WITH_AS(static_cast<void>(solve_impacts(impacts.batch())),
+                         "impact 2: damping is 1e-300 kg/s; allowed: 0, or 1e-40 to 1e40 kg/s", InputError);
+    impacts.work_of_adhesion[1] = 1e41;
+    CHECK_THROWS_WITH_AS(static_cast<void>(solve_impacts(impacts.batch())),
+                         "impact 1: work_of_adhesion is 1e+41 J/m2; allowed: 0, or 1e-40 to 1e40 J/m2",
+                         InputError);
+}

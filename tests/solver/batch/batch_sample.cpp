@@ -1,0 +1,109 @@
+#include "tests/solver/batch/batch_sample.hpp"
+
+#include "solver/motion/scale.hpp"
+
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <random>
+
+namespace ashimpact::test {
+
+namespace {
+
+class Random {
+  public:
+    explicit Random(std::uint64_t seed) : engine_(seed) {}
+    double uniform(double low, double high) { return low + (high - low) * unit(); }
+    /// Evenly in the logarithm.
+    double scale(double low, double high) { return low * std::pow(high / low, unit()); }
+
+  private:
+    double unit() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
+    std::mt19937_64 engine_;
+};
+
+Impacts random_impacts(Law law, Detachment detachment, DampingLaw damping_law, Eigen::Index count,
+                       double most_damping, Random& random) {
+    Impacts impacts{.law = law, .detachment = detachment, .damping_law = damping_law};
+    for (Eigen::ArrayXd* column : {&impacts.mass, &impacts.effective_radius, &impacts.contact_modulus,
+                                   &impacts.work_of_adhesion, &impacts.damping, &impacts.velocity}) {
+        column->resize(count);
+    }
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const double radius = random.scale(5e-7, 1e-4);
+        const double density = random.uniform(1500.0, 3000.0);
+        impacts.effective_radius[i] = radius;
+        impacts.mass[i] = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * density;
+        impacts.contact_modulus[i] = random.scale(3e10, 1.5e11);
+        impacts.work_of_adhesion[i] = random.scale(0.01, 1.0);
+        impacts.velocity[i] = random.scale(0.01, 20.0);
+        const Scale scale = Scale::of(impacts.at(i).contact, impacts.velocity[i]);
+        impacts.damping[i] = scale.damping_coefficient(damping_law, random.uniform(0.0, most_damping));
+    }
+    return impacts;
+}
+
+bool same_bits(const Eigen::ArrayXd& a, const Eigen::ArrayXd& b) {
+    return a.size() == b.size() &&
+           std::memcmp(a.data(), b.data(), sizeof(double) * static_cast<std::size_t>(a.size())) == 0;
+}
+
+}  // namespace
+
+ImpactBatch Impacts::batch() const {
+    return {law,     detachment, damping_law, {mass, effective_radius, contact_modulus, work_of_adhesion},
+            damping, velocity};
+}
+
+Impact Impacts::at(Eigen::Index i) const {
+    return {law,
+            detachment,
+            {damping_law, damping[i]},
+            {.mass = mass[i],
+             .effective_radius = effective_radius[i],
+             .contact_modulus = contact_modulus[i],
+             .work_of_adhesion = work_of_adhesion[i]},
+            velocity[i]};
+}
+
+Impacts Impacts::picked(const std::vector<Eigen::Index>& places) const {
+    return {.law = law,
+            .detachment = detachment,
+            .damping_law = damping_law,
+            .mass = mass(places),
+            .effective_radius = effective_radius(places),
+            .contact_modulus = contact_modulus(places),
+            .work_of_adhesion = work_of_adhesion(places),
+            .damping = damping(places),
+            .velocity = velocity(places)};
+}
+
+std::vector<Impacts> random_impacts(Eigen::Index count, double most_damping, std::uint64_t seed) {
+    Random random(seed);
+    std::vector<Impacts> sets;
+    for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()}) {
+        for (const DetachmentName& detachment : detachment_names) {
+            if (refusal(law, detachment.detachment)) continue;
+            for (const DampingName& damping : damping_names) {
+                sets.push_back(
+                    random_impacts(law, detachment.detachment, damping.law, count, most_damping, random));
+            }
+        }
+    }
+    return sets;
+}
+
+double conditioned_error(double restitution, const ImpactResult& reference) {
+    const double depth = std::abs(reference.energy.minimum) / reference.energy.incident;
+    return std::abs(restitution * restitution - reference.restitution * reference.restitution) /
+           (1.0 + depth);
+}
+
+bool identical(const ImpactBatchResult& a, const ImpactBatchResult& b) {
+    return (a.outcome == b.outcome).all() && same_bits(a.restitution, b.restitution) &&
+           same_bits(a.contact_time, b.contact_time) && same_bits(a.approach_time, b.approach_time) &&
+           same_bits(a.maximum_overlap, b.maximum_overlap);
+}
+
+}  // namespace ashimpact::test

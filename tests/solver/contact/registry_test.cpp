@@ -1,0 +1,75 @@
+#include "solver/contact/registry.hpp"
+
+#include <doctest/doctest.h>
+
+#include <set>
+#include <string>
+
+#include "solver/damping/damping.hpp"
+#include "solver/motion/impact.hpp"
+#include "tests/support/errors.hpp"
+
+using namespace ashimpact;
+using namespace ashimpact::test;
+
+TEST_CASE("every registered law is found by its name, and names are unique") {
+    std::set<std::string_view> names;
+    for (std::size_t i = 0; i < Law::count(); ++i) {
+        const Law law = Law::at(i);
+        CAPTURE(law.name());
+        CHECK(!law.name().empty());
+        CHECK(Law::named(law.name()) == law);
+        CHECK(law.index() == i);
+        CHECK(contains(law_names(), std::string(law.name())));
+        names.insert(law.name());
+    }
+    CHECK(names.size() == Law::count());
+    CHECK(Law::of<Hertz>().name() == "hertz");
+    CHECK(Law::of<Dmt>().name() == "dmt");
+    CHECK(Law::of<BrachDunn>().name() == "brach-dunn");
+    CHECK(Law::of<Jkr>().name() == "jkr");
+    CHECK(Law::of<Jkr>() != Law::of<Hertz>());
+}
+
+TEST_CASE("a visitor gets the template of the law it visits") {
+    for (std::size_t i = 0; i < Law::count(); ++i) {
+        const auto name =
+            Law::at(i).visit<std::string_view>([]<template <class> class L>() { return L<double>::name; });
+        CHECK(name == Law::at(i).name());
+    }
+}
+
+TEST_CASE("unknown names are refused with the known ones") {
+    CHECK(input_error_of([] { static_cast<void>(Law::named("JKR")); }) ==
+          "unknown contact law 'JKR'; allowed: " + law_names());
+    CHECK(input_error_of([] { static_cast<void>(detachment_named("")); }) ==
+          "unknown detachment ''; allowed: zero-overlap, zero-force, pull-off, load-controlled");
+    CHECK(input_error_of([] { static_cast<void>(damping_named("viscous")); }) ==
+          "unknown damping law 'viscous'; allowed: constant, contact-radius, tsuji");
+}
+
+TEST_CASE("detachments and damping laws are found by their names") {
+    for (const DetachmentName& entry : detachment_names) {
+        CHECK(detachment_named(entry.name) == entry.detachment);
+        CHECK(name_of(entry.detachment) == entry.name);
+    }
+    for (const DampingName& entry : damping_names) {
+        CHECK(damping_named(entry.name) == entry.law);
+        CHECK(name_of(entry.law) == entry.name);
+        CHECK(unit_of(entry.law) == entry.unit);
+    }
+    CHECK(unit_of(DampingLaw::constant) == "kg/s");
+    CHECK(unit_of(DampingLaw::contact_radius) == "Pa s");
+    CHECK(unit_of(DampingLaw::tsuji) == "1");
+}
+
+TEST_CASE("a law's default detachment is admissible: pull-off for JKR, zero overlap for the others") {
+    for (std::size_t i = 0; i < Law::count(); ++i) {
+        CAPTURE(Law::at(i).name());
+        CHECK(!refusal(Law::at(i), Law::at(i).default_detachment()));
+    }
+    CHECK(Law::of<Jkr>().default_detachment() == Detachment::pull_off);
+    for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>()}) {
+        CHECK(law.default_detachment() == Detachment::zero_overlap);
+    }
+}
