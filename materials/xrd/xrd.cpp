@@ -9,8 +9,6 @@ namespace ashimpact {
 
 namespace {
 
-using TextLines;
-
 struct Reader {
     bool (*recognises)(const TextLines&);
     XrdResult (*read)(const TextLines&);
