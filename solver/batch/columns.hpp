@@ -1,5 +1,7 @@
 #pragma once
 
+#include "solver/contact/registry.hpp"
+
 #include <Eigen/Core>
 
 #include <limits>
@@ -16,6 +18,15 @@ using Column = Eigen::Ref<const Eigen::ArrayXd>;
 inline const Eigen::ArrayXd never_yields =
     Eigen::ArrayXd::Constant(1, std::numeric_limits<double>::infinity());
 
+/// The values of a law parameter.
+struct ParameterColumn {
+    std::string_view name;  ///< that of a LawParameter; it must outlive the column
+    Column values;          ///< [SI]
+};
+
+/// Columns of one value each. @param values must outlive the columns
+[[nodiscard]] std::vector<ParameterColumn> single_columns(const ParameterValues<double>& values);
+
 /// The contact pairs of a batch, as ContactPair.
 struct ContactColumns {
     Column mass;                           ///< effective mass m* [kg]
@@ -23,6 +34,7 @@ struct ContactColumns {
     Column contact_modulus;                ///< E* [Pa]
     Column work_of_adhesion;               ///< w [J/m2]
     Column yield_pressure = never_yields;  ///< p_y [Pa]
+    std::vector<ParameterColumn> parameters{};  ///< of laws that declare their own
 };
 
 struct NamedColumn {

@@ -3,6 +3,7 @@
 #include "solver/contact/registry.hpp"
 #include "solver/damping/damping.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -19,6 +20,19 @@ struct Input {
     }
 };
 
+/// Law parameters by position; unused ones have no values.
+struct ParameterInputs {
+    std::array<const LawParameter*, most_parameter_values> parameter{};
+    std::array<Input, most_parameter_values> values{};
+    std::size_t count = 0;
+
+    [[nodiscard]] ParameterInputs from(std::size_t i) const {
+        ParameterInputs shifted = *this;
+        for (std::size_t k = 0; k < count; ++k) shifted.values[k] = values[k].from(i);
+        return shifted;
+    }
+};
+
 /// What the problems of a task are given; what its kind does not use stays empty.
 struct Inputs {
     Input mass{};
@@ -29,6 +43,7 @@ struct Inputs {
     Input damping{};
     Input velocity{};
     Input restitution{};
+    ParameterInputs parameters{};
 
     [[nodiscard]] Inputs from(std::size_t i) const {
         return {.mass = mass.from(i),
@@ -38,7 +53,8 @@ struct Inputs {
                 .yield_pressure = yield_pressure.from(i),
                 .damping = damping.from(i),
                 .velocity = velocity.from(i),
-                .restitution = restitution.from(i)};
+                .restitution = restitution.from(i),
+                .parameters = parameters.from(i)};
     }
 };
 
@@ -111,5 +127,6 @@ struct Kernels {
 [[nodiscard]] Kernels dmt_kernels();
 [[nodiscard]] Kernels brach_dunn_kernels();
 [[nodiscard]] Kernels jkr_kernels();
+[[nodiscard]] Kernels sjkr_kernels();
 
 }  // namespace ashimpact::batch

@@ -28,6 +28,7 @@ StaticCurve::StaticCurve(Law law, const ContactPair& contact) : law_(law), lengt
     require_positive("effective_radius", contact.effective_radius, Dimension::length);
     require_positive("contact_modulus", contact.contact_modulus, Dimension::pressure);
     require_not_negative("work_of_adhesion", contact.work_of_adhesion, Dimension::energy_per_area);
+    require_parameters(law, contact.parameters);
     if (can_yield(law, contact)) {
         throw InputError(
             "a contact of law '" + std::string(law.name()) + "' that can yield has no static curve",
@@ -41,6 +42,10 @@ StaticCurve::StaticCurve(Law law, const ContactPair& contact) : law_(law), lengt
 }
 
 StaticCurve StaticCurve::normalised(Law law) {
+    if (!law.parameters().empty())
+        throw InputError("the units of Eq. 21 leave no number of the pair in a law, but law '" +
+                             std::string(law.name()) + "' has parameters of its own",
+                         "a law that has none");
     // A pair with K = 1 and pi w R* = 1, whose SI units are those of Eq. 21.
     return {law,
             {.mass = 1.0,

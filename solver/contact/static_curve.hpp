@@ -30,6 +30,7 @@ class StaticCurve {
 
     /// The law in the units of Eq. 21: a/(pi w R*^2/K)^(1/3), F/(pi w R*), delta/(pi^2 w^2 R*/K^2)^(1/3) with
     /// K = (4/3) E*; no property of a particle is left in it.
+    /// @throws InputError for a law with parameters of its own
     [[nodiscard]] static StaticCurve normalised(Law law);
 
     /// The point where the curve begins.

@@ -114,6 +114,7 @@ void validate(const ContactPair& contact) {
 
 void validate(const Impact& impact) {
     validate(impact.contact);
+    require_parameters(impact.law, impact.contact.parameters);
     require_positive(impact.velocity, "velocity", "m/s");
     require_not_negative(impact.damping.coefficient, "damping", unit_of(impact.damping.law));
     if (const auto reason = refusal(impact.law, impact.detachment)) {

@@ -25,6 +25,12 @@ template <class Real>
     return law == Law::of<ThorntonNing>() && std::isfinite(contact.yield_pressure);
 }
 
+/// Whether the scaled impacts of this contact depend on its adhesion and damping number alone: the law is
+/// self-similar and the contact has no plastic history.
+[[nodiscard]] inline bool is_self_similar(Law law, const ContactPair& contact) {
+    return law.self_similar() && !can_yield(law, contact);
+}
+
 /// The scaled branches of an elastic-plastic impact; requires can_yield().
 template <class Real>
 [[nodiscard]] PlasticMotion<Real> scaled_plastic_motion(const Impact& impact, const Scale& scale) {

@@ -35,12 +35,54 @@ double unit_of_damping(DampingLaw law) {
     return 0.0;
 }
 
+/// The old SI unit of a dimension in the new one.
+double unit_of(Dimension dimension) {
+    switch (dimension) {
+        case Dimension::fraction:
+            return 1.0;
+        case Dimension::length:
+            return length;
+        case Dimension::mass:
+            return mass;
+        case Dimension::time:
+            return time_unit;
+        case Dimension::velocity:
+            return velocity;
+        case Dimension::density:
+            return mass / (length * length * length);
+        case Dimension::pressure:
+            return force / (length * length);
+        case Dimension::force:
+            return force;
+        case Dimension::energy:
+            return energy;
+        case Dimension::energy_per_area:
+            return energy / (length * length);
+        case Dimension::damping:
+            return mass / time_unit;
+        case Dimension::viscosity:
+            return mass / (length * time_unit);
+        case Dimension::impulse:
+            return mass * velocity;
+    }
+    return 0.0;
+}
+
+ParameterValues<double> in_other_units(const ParameterValues<double>& values) {
+    ParameterValues<double> converted;
+    for (const LawParameter& parameter : law_parameters())
+        if (values.has(parameter))
+            converted.set(parameter.name, values[parameter] * unit_of(parameter.dimension));
+    return converted;
+}
+
 ContactPair in_other_units(const ContactPair& pair) {
     return {.mass = pair.mass * mass,
             .effective_radius = pair.effective_radius * length,
             .contact_modulus = pair.contact_modulus * force / (length * length),
             .work_of_adhesion = pair.work_of_adhesion * energy / (length * length),
-            .yield_pressure = pair.yield_pressure * force / (length * length)};
+            .yield_pressure = pair.yield_pressure * force / (length * length),
+            .parameters = in_other_units(pair.parameters)};
 }
 
 Damping in_other_units(const Damping& damping) {

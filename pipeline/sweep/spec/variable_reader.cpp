@@ -154,7 +154,7 @@ void check_values(const View& node, const Distribution& distribution, ImpactInpu
     if (const auto* choice = std::get_if<Choice>(&distribution)) values = choice->values;
     node.located([&] {
         for (const double value : values)
-            if (value != 0 || !may_be_zero(input)) require_positive(name_of(input), value, dimension);
+            require_allowed(input, value, dimension);
     });
 }
 

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <functional>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "solver/batch/method.hpp"
@@ -18,6 +20,7 @@ struct ImpactColumns {
     std::vector<double> yield_pressure;
     std::vector<double> damping;
     std::vector<double> velocity;
+    std::vector<std::pair<std::string_view, std::vector<double>>> parameters;  ///< of contact laws, by name
 };
 
 /// What is the same for all of them.
