@@ -55,6 +55,14 @@ PressureProfile jkr_pressure(const ContactPair& contact, double a) {
     return profile;
 }
 
+PressureProfile pressure_profile(Law law, const ContactPair& contact, double a) {
+    if (contact.work_of_adhesion == 0.0 || a == 0.0) return hertz_pressure(contact, a);
+    if (law == Law::of<Jkr>() || law == Law::of<ThorntonNing>()) return jkr_pressure(contact, a);
+    if (law == Law::of<MaugisDugdale>())
+        return maugis_dugdale_pressure(contact, transition_parameter(contact), a);
+    return hertz_pressure(contact, a);
+}
+
 PressureProfile maugis_dugdale_pressure(const ContactPair& contact, double lambda, double a) {
     PressureProfile profile = hertz_pressure(contact, a);
     const MaugisUnits units = maugis_units(contact);

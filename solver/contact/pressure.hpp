@@ -34,6 +34,10 @@ struct PressureProfile {
 /// Returns the pressure under a JKR contact of radius @p a [m]. Eq. 17.
 [[nodiscard]] PressureProfile jkr_pressure(const ContactPair& contact, double a);
 
+/// Returns the pressure that a law has under a contact of radius @p a that has not yielded [m]: JKR of jkr
+/// and thornton-ning, Maugis-Dugdale of that law, Hertz of all others.
+[[nodiscard]] PressureProfile pressure_profile(Law law, const ContactPair& contact, double a);
+
 /// Returns the pressure under a Maugis-Dugdale contact of radius @p a [m].
 /// @param lambda transition parameter > 0 [1]
 [[nodiscard]] PressureProfile maugis_dugdale_pressure(const ContactPair& contact, double lambda, double a);

@@ -4,6 +4,7 @@
 #include "solver/contact/dmt.hpp"
 #include "solver/contact/hertz.hpp"
 #include "solver/contact/jkr.hpp"
+#include "solver/contact/maugis_dugdale.hpp"
 #include "solver/contact/sjkr.hpp"
 #include "solver/contact/thornton_ning.hpp"
 
@@ -39,7 +40,13 @@ struct LawList {
 };
 
 /// Every contact law with dynamics. Registering a law is one word here.
-using RegisteredLaws = LawList<Hertz, Dmt, BrachDunn, Jkr, ThorntonNing, Sjkr>;
+using RegisteredLaws = LawList<Hertz, Dmt, BrachDunn, Jkr, ThorntonNing, Sjkr, MaugisDugdale>;
+
+/// Whether overlap and force of a law are polynomials of u, as make_motion() takes them.
+template <template <class> class L>
+inline constexpr bool has_polynomials = requires(const L<double>& law) {
+    law.overlap(1.0);
+};
 
 /// A registered contact law, chosen at run time.
 class Law {
@@ -89,8 +96,8 @@ class Law {
 
 /// Parameters of which not as many are given as a law needs.
 struct ParameterFault {
-    std::vector<LawParameter> parameters;  ///< one, or those of a choice
-    int given;                             ///< 0, or two or more of a choice
+    std::vector<LawParameter> parameters;       ///< one, or those of a choice
+    int given;                                  ///< 0, or two or more of a choice
     [[nodiscard]] std::string problem() const;  ///< "cohesion_energy_density is missing"
     [[nodiscard]] std::string allowed() const;  ///< what each of them is, in words
 };

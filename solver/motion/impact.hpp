@@ -26,7 +26,7 @@ enum class Outcome { rebound, capture };
 
 /// Where the energy of an impact went, up to detachment, or for a capture up to the greatest overlap; where
 /// it never turns, up to the rest in equilibrium that it tends to [J]. incident + at_touch = remaining +
-/// potential + dissipated + plastic + residual.
+/// potential + dissipated + plastic + jumps + residual.
 struct EnergyLedger {
     double incident;    ///< m v_in^2/2
     double remaining;   ///< kinetic energy at the end of the ledger
@@ -34,6 +34,7 @@ struct EnergyLedger {
     double potential;   ///< potential at the end of the ledger
     double dissipated;  ///< work taken by damping
     double plastic;     ///< work spent in yielding; below 0 where a flattened contact gains more adhesion
+    double jumps;       ///< lost where the surfaces jump together and apart; law maugis-dugdale alone
     double residual;    ///< what does not close: integration error
     double minimum;     ///< U_min, potential at static equilibrium; the depth of the adhesive well
 };
@@ -55,6 +56,10 @@ struct ImpactResult {
 /// A detachment is admissible where the static potential there is not below that at first touch; otherwise an
 /// undamped impact would gain energy.
 [[nodiscard]] std::optional<std::string> refusal(Law law, Detachment detachment);
+
+/// The same for one contact: law maugis-dugdale admits load-controlled where the greatest tension lies beyond
+/// the reach of the cohesion, which depends on the transition parameter.
+[[nodiscard]] std::optional<std::string> refusal(Law law, const ContactPair& contact, Detachment detachment);
 
 /// The detachments admissible for a law, "pull-off, load-controlled, ...", for messages.
 [[nodiscard]] std::string admissible_detachments(Law law);

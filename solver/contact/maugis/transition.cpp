@@ -1,6 +1,9 @@
 #include "solver/contact/maugis/transition.hpp"
 
+#include "materials/base/error.hpp"
+#include "materials/base/text.hpp"
 #include "solver/contact/maugis/cohesive_zone.hpp"
+#include "solver/contact/maugis_dugdale.hpp"
 #include "solver/numeric/power.hpp"
 
 #include <cmath>
@@ -38,6 +41,22 @@ double transition_parameter(const ContactPair& contact, double cohesive_stress) 
     const double modulus = maugis_modulus(contact);
     return 2.0 * cohesive_stress *
            std::cbrt(contact.effective_radius / (pi * contact.work_of_adhesion * modulus * modulus));
+}
+
+double transition_parameter(const ContactPair& contact) {
+    const ParameterValues<double>& given = contact.parameters;
+    double lambda = 0.0;
+    if (given.has(tabor)) {
+        lambda = transition_per_tabor() * given[tabor];
+    } else {
+        const double stress = given.has(cohesive_stress)
+                                  ? given[cohesive_stress]
+                                  : cohesive_stress_of_range(contact.work_of_adhesion, given[cohesion_range]);
+        lambda = transition_parameter(contact, stress);
+    }
+    if (lambda >= 1e-4 && lambda <= 1e6) return lambda;
+    throw InputError("the transition parameter of law maugis-dugdale is " + shortest(lambda),
+                     "1e-4 to 1e6; law dmt below, law jkr above");
 }
 
 double transition_per_tabor() {

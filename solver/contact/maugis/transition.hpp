@@ -23,6 +23,10 @@ struct MaugisUnits {
 /// J. Colloid Interface Sci. 150:243. Requires w > 0.
 [[nodiscard]] double transition_parameter(const ContactPair& contact, double cohesive_stress);
 
+/// Returns the transition parameter of a pair that carries one parameter of law maugis-dugdale [1].
+/// @throws InputError where it is outside of what the law computes, 1e-4 to 1e6. Requires w > 0.
+[[nodiscard]] double transition_parameter(const ContactPair& contact);
+
 /// lambda/mu for the Tabor parameter mu = (R w^2/(E*^2 z0^3))^(1/3): (32/(9 sqrt 3)) (9/(16 pi))^(1/3)
 /// = 1.1570.
 [[nodiscard]] double transition_per_tabor();
