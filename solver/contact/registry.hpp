@@ -89,8 +89,8 @@ class Law {
 
 /// Parameters of which not as many are given as a law needs.
 struct ParameterFault {
-    std::vector<LawParameter> parameters;  ///< one, or those of a choice
-    int given;                             ///< 0, or two or more of a choice
+    std::vector<LawParameter> parameters;       ///< one, or those of a choice
+    int given;                                  ///< 0, or two or more of a choice
     [[nodiscard]] std::string problem() const;  ///< "cohesion_energy_density is missing"
     [[nodiscard]] std::string allowed() const;  ///< what each of them is, in words
 };
