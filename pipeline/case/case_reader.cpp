@@ -227,8 +227,9 @@ void check_whole(const Case& data, const View& document) {
         if (!data.wall && !sample.contact_modulus)
             nodes[i].fail("neither a wall nor a contact modulus is given",
                           "\"wall\" of the case, or contact_modulus here");
-        const bool adhesive = std::any_of(data.laws.begin(), data.laws.end(),
-                                          [](const LawChoice& choice) { return choice.law.uses_work_of_adhesion(); });
+        const bool adhesive = std::any_of(data.laws.begin(), data.laws.end(), [](const LawChoice& choice) {
+            return choice.law.uses_work_of_adhesion();
+        });
         if (adhesive && !sample.work_of_adhesion)
             nodes[i].fail("\"work_of_adhesion\" is missing, here and in the case",
                           "an energy per area, such as \"0.3 J/m2\"");

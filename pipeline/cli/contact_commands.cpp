@@ -23,6 +23,12 @@ std::string laws_where(Test&& test) {
     return joined(names);
 }
 
+std::string damping_law_names() {
+    std::vector<std::string> names;
+    for (const DampingName& entry : damping_names) names.emplace_back(entry.name);
+    return joined(names);
+}
+
 std::string laws_without_adhesion() {
     return laws_where([](Law law) { return !law.uses_work_of_adhesion(); });
 }
@@ -63,7 +69,7 @@ void add_contact_options(CLI::App& command, ContactOptions& options) {
         ->type_name("NAME");
     command
         .add_option("--damping-law", options.damping_law,
-                    "constant, contact-radius or tsuji; the unit of the damping goes with it")
+                    damping_law_names() + "; the unit of the damping goes with it")
         ->capture_default_str()
         ->type_name("NAME");
 }

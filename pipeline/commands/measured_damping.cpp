@@ -58,9 +58,8 @@ RandomContact exact(const ContactPair& contact) {
         .yield_pressure = contact.yield_pressure};
     for (const LawParameter& parameter : law_parameters())
         if (contact.parameters.has(parameter))
-            sphere.parameters.emplace_back(
-                parameter,
-                RandomInput{.name = std::string(parameter.name), .value = contact.parameters[parameter]});
+            sphere.parameters.emplace_back(parameter, RandomInput{.name = std::string(parameter.name),
+                                                                  .value = contact.parameters[parameter]});
     sphere.contact_modulus = RandomInput{.name = "contact modulus", .value = contact.contact_modulus};
     return random_contact(sphere);
 }

@@ -20,7 +20,7 @@ struct Input {
     }
 };
 
-/// Law parameters by position; unused ones have no values.
+/// The law parameters of a task by position: the first `count` have values.
 struct ParameterInputs {
     std::array<const LawParameter*, most_parameter_values> parameter{};
     std::array<Input, most_parameter_values> values{};
@@ -33,7 +33,7 @@ struct ParameterInputs {
     }
 };
 
-/// What the problems of a task are given; what its kind does not use stays empty.
+/// Inputs of the problems of a task; those that a kind of task does not use stay empty.
 struct Inputs {
     Input mass{};
     Input effective_radius{};
@@ -67,22 +67,22 @@ enum class LaneEnd : std::uint8_t {
 
 class RestitutionTable;
 
-/// Impacts that one thread solves in one go.
+/// A chunk of impacts for one thread.
 struct ImpactTask {
     DampingLaw damping_law;
     Detachment detachment;
     bool turning_point;
-    RestitutionTable* table;  ///< none: integrate all; does not tell turning points
+    RestitutionTable* table;  ///< none: integrate all; turning points are integrated in any case
     std::size_t count;
     Inputs inputs;
     LaneEnd* end;
     double* restitution;      ///< 0 where it is not a rebound [1]
     double* contact_time;     ///< NaN where it is not a rebound [s]
-    double* approach_time;    ///< NaN without turning_point, or where it never turns [s]
-    double* maximum_overlap;  ///< NaN without turning_point [m]
+    double* approach_time;    ///< NaN where it never turns; untouched without turning_point [s]
+    double* maximum_overlap;  ///< NaN where the turn is in doubt; untouched without turning_point [m]
 };
 
-/// Impacts that are given by their two numbers, for one thread; scaled results.
+/// A chunk of impacts given by their two numbers, for one thread; results are scaled.
 struct NumberTask {
     DampingLaw damping_law;
     Detachment detachment;
@@ -94,7 +94,7 @@ struct NumberTask {
     double* time;   ///< of contact, where it is a rebound
 };
 
-/// Restitutions whose damping one thread searches in one go.
+/// A chunk of restitutions whose damping one thread searches.
 struct InversionTask {
     DampingLaw damping_law;
     Detachment detachment;
@@ -121,12 +121,10 @@ struct Kernels {
     InversionKernel inversions;
 };
 
-/// The kernels of a law; those of a law with plastic history leave every impact to the scalar solver.
+/// The kernels of a law; those of a law without any leave every impact to the scalar solver.
 [[nodiscard]] Kernels kernels_of(Law law);
-[[nodiscard]] Kernels hertz_kernels();
-[[nodiscard]] Kernels dmt_kernels();
-[[nodiscard]] Kernels brach_dunn_kernels();
-[[nodiscard]] Kernels jkr_kernels();
-[[nodiscard]] Kernels sjkr_kernels();
+
+/// Whether the law has kernels: it is in the list of solver/CMakeLists.txt.
+[[nodiscard]] bool has_kernels(Law law);
 
 }  // namespace ashimpact::batch

@@ -2,6 +2,7 @@
 
 #include "materials/base/checks.hpp"
 #include "materials/base/error.hpp"
+#include "solver/batch/kernels/laws.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +62,8 @@ ParameterInputs parameter_inputs(Law law, const ContactColumns& contact) {
     const auto is_given = [&](const LawParameter& parameter) {
         return column_of(parameter) != contact.parameters.end();
     };
-    if (const auto fault = parameter_fault(law, is_given)) throw InputError(fault->problem(), fault->allowed());
+    if (const auto fault = parameter_fault(law, is_given))
+        throw InputError(fault->problem(), fault->allowed());
     ParameterInputs inputs;
     for (const LawParameter& parameter : law.parameters()) {
         if (!is_given(parameter)) continue;
@@ -97,13 +99,15 @@ void FirstFault::raise(const std::function<void(std::size_t)>& refuse) const {
     }
 }
 
+bool has_kernels(Law law) {
+    return std::find(BatchLaws::names.begin(), BatchLaws::names.end(), law.name()) != BatchLaws::names.end();
+}
+
 Kernels kernels_of(Law law) {
-    if (law == Law::of<Hertz>()) return hertz_kernels();
-    if (law == Law::of<Dmt>()) return dmt_kernels();
-    if (law == Law::of<BrachDunn>()) return brach_dunn_kernels();
-    if (law == Law::of<Jkr>()) return jkr_kernels();
-    if (law == Law::of<Sjkr>()) return sjkr_kernels();
-    return {leave_undecided, leave_undecided_numbers, leave_unsearched};
+    const auto place = std::find(BatchLaws::names.begin(), BatchLaws::names.end(), law.name());
+    if (place == BatchLaws::names.end()) return {leave_undecided, leave_undecided_numbers, leave_unsearched};
+    return BatchLaws::visit<Kernels>(static_cast<std::size_t>(place - BatchLaws::names.begin()),
+                                     []<template <class> class L>() { return law_kernels<L>(); });
 }
 
 }  // namespace ashimpact::batch

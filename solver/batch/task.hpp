@@ -40,17 +40,17 @@ namespace ashimpact::batch {
     return pair;
 }
 
-/// Whether all numbers that are given are what validate() of an Impact asks for, a restitution finite and not
+/// Whether all inputs that are given pass validate() of an Impact, and a restitution is finite and not
 /// negative.
 [[nodiscard]] bool admissible(const Inputs& in, std::size_t i);
 
-/// The first problem of a batch that is not admissible, found by several threads.
+/// Finds the first problem of a batch that is not admissible; several threads may check chunks.
 class FirstFault {
   public:
-    /// Looks through a chunk. @return whether all of it is admissible
+    /// Checks a chunk. @return whether all of it is admissible
     bool check(const Inputs& chunk, std::size_t first, std::size_t count);
-    /// Has @p refuse, which throws an InputError, say what is wrong with it, if there was one; adds the
-    /// place.
+    /// If a problem is not admissible: calls @p refuse with its place, and adds the place to the InputError
+    /// that it throws.
     void raise(const std::function<void(std::size_t)>& refuse) const;
 
   private:

@@ -108,8 +108,8 @@ std::optional<ParameterFault> parameter_fault(Law law,
     for (const LawParameter& parameter : law.parameters()) {
         ParameterFault group{.parameters = {}, .given = 0};
         for (const LawParameter& other : law.parameters()) {
-            const bool same = parameter.choice == 0 ? other.name == parameter.name
-                                                    : other.choice == parameter.choice;
+            const bool same =
+                parameter.choice == 0 ? other.name == parameter.name : other.choice == parameter.choice;
             if (!same) continue;
             group.parameters.push_back(other);
             group.given += is_given(other) ? 1 : 0;
@@ -132,7 +132,8 @@ void require_allowed(const LawParameter& parameter, double value) {
 
 void require_parameters(Law law, const ParameterValues<double>& values) {
     const auto is_given = [&](const LawParameter& parameter) { return values.has(parameter); };
-    if (const auto fault = parameter_fault(law, is_given)) throw InputError(fault->problem(), fault->allowed());
+    if (const auto fault = parameter_fault(law, is_given))
+        throw InputError(fault->problem(), fault->allowed());
     for (const LawParameter& parameter : law.parameters())
         if (values.has(parameter)) require_allowed(parameter, values[parameter]);
 }

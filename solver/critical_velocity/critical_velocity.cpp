@@ -75,10 +75,10 @@ std::string_view name_of(CaptureVerdict verdict) {
 
 std::optional<CaptureVerdict> verdict_without_adhesion(const Damping& damping) {
     if (damping.coefficient == 0.0) return CaptureVerdict::never_captured;
-    if (damping.law == DampingLaw::constant) return std::nullopt;
-    const bool overdamped =
-        damping.law == DampingLaw::tsuji && damping.coefficient * damping.coefficient >= 5.0;
-    return overdamped ? CaptureVerdict::always_captured : CaptureVerdict::never_captured;
+    if (!vanishes_at_touch(damping.law)) return std::nullopt;
+    const double limit = overdamped_squared(damping.law);  // only a coefficient without a unit has one
+    return damping.coefficient * damping.coefficient >= limit ? CaptureVerdict::always_captured
+                                                              : CaptureVerdict::never_captured;
 }
 
 CriticalVelocity critical_velocity(const CriticalVelocityProblem& problem) {

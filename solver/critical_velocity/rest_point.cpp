@@ -53,7 +53,7 @@ class RestPoint {
         arrival.state.position = end + z * z;
         arrival.state.velocity = -std::pow(z, static_cast<Extended>(order_)) * value(speed_, z);
         arrival.dissipated_after = integral(work_, order_ + 1 + 2 * lowest_power(drag_), z);
-        // Where the speed vanishes as the overlap does, or faster, the way to the end takes for ever.
+        // The time is infinite if the speed vanishes as the overlap does, or faster.
         if (time_order() < 0)
             arrival.time_after = std::nullopt;
         else

@@ -23,18 +23,6 @@ constexpr double velocity = length / time_unit;
 constexpr double energy = mass * velocity * velocity;
 constexpr double force = energy / length;
 
-double unit_of_damping(DampingLaw law) {
-    switch (law) {
-        case DampingLaw::constant:
-            return mass / time_unit;
-        case DampingLaw::contact_radius:
-            return mass / (length * time_unit);
-        case DampingLaw::tsuji:
-            return 1.0;
-    }
-    return 0.0;
-}
-
 /// The old SI unit of a dimension in the new one.
 double unit_of(Dimension dimension) {
     switch (dimension) {
@@ -86,7 +74,7 @@ ContactPair in_other_units(const ContactPair& pair) {
 }
 
 Damping in_other_units(const Damping& damping) {
-    return {damping.law, damping.coefficient * unit_of_damping(damping.law)};
+    return {damping.law, damping.coefficient * unit_of(dimension_of(damping.law))};
 }
 
 Impact in_other_units(const Impact& impact) {
@@ -189,7 +177,7 @@ TEST_CASE("damping from restitution scales with its unit") {
             problem.velocity *= velocity;
             const DampingInversion b = damping_from_restitution(problem);
             Comparison(name_of(c))
-                .same(a.damping.coefficient, b.damping.coefficient, unit_of_damping(c.damping_law))
+                .same(a.damping.coefficient, b.damping.coefficient, unit_of(dimension_of(c.damping_law)))
                 .same(a.greatest_restitution, b.greatest_restitution, 1.0);
         }
     }

@@ -14,15 +14,14 @@ struct InputEntry {
     Dimension dimension;  ///< of a damping: that of the constant law
 };
 
-constexpr std::array<InputEntry, 8> input_entries{
-    {{"radius", Dimension::length},
-     {"density", Dimension::density},
-     {"mass", Dimension::mass},
-     {"contact_modulus", Dimension::pressure},
-     {"work_of_adhesion", Dimension::energy_per_area},
-     {"yield_pressure", Dimension::pressure},
-     {"damping", Dimension::damping},
-     {"velocity", Dimension::velocity}}};
+constexpr std::array<InputEntry, 8> input_entries{{{"radius", Dimension::length},
+                                                   {"density", Dimension::density},
+                                                   {"mass", Dimension::mass},
+                                                   {"contact_modulus", Dimension::pressure},
+                                                   {"work_of_adhesion", Dimension::energy_per_area},
+                                                   {"yield_pressure", Dimension::pressure},
+                                                   {"damping", Dimension::damping},
+                                                   {"velocity", Dimension::velocity}}};
 
 constexpr std::array<InputEntry, observable_count> observable_entries{
     {{"captured", Dimension::fraction},

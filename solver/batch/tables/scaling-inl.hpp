@@ -50,7 +50,7 @@ template <class F>
     const auto scale = BasicScale<LaneNumber>::of(pair, LaneNumber(read(in.velocity, i, count)));
     ScaledLanes result;
     result.adhesion = F::template ContactLaw<LaneNumber>::adhesion_number(pair, scale.length).lanes();
-    result.damping = read(in.damping, i, count) / scale.damping_unit(F::damping).lanes();
+    result.damping = read(in.damping, i, count) / F::Damping::unit(scale).lanes();
     result.length = scale.length.lanes();
     result.time = scale.time().lanes();
     return result;

@@ -51,11 +51,6 @@ Impacts random_impacts(Law law, Detachment detachment, DampingLaw damping_law, E
     return impacts;
 }
 
-/// A law without kernels, such as one with a history, leaves its impacts to the scalar solver.
-bool has_kernels(Law law) {
-    return batch::kernels_of(law).impacts != batch::kernels_of(Law::of<ThorntonNing>()).impacts;
-}
-
 std::vector<ParameterColumn> parameter_columns(const Impacts::Parameters& parameters) {
     std::vector<ParameterColumn> columns;
     for (const auto& [name, values] : parameters) columns.push_back({name, values});
@@ -83,8 +78,13 @@ bool same_bits(const Eigen::ArrayXd& a, const Eigen::ArrayXd& b) {
 }  // namespace
 
 ImpactBatch Impacts::batch() const {
-    return {law,     detachment, damping_law, {mass, effective_radius, contact_modulus, work_of_adhesion, never_yields, parameter_columns(parameters)},
-            damping, velocity};
+    return {law,
+            detachment,
+            damping_law,
+            {mass, effective_radius, contact_modulus, work_of_adhesion, never_yields,
+             parameter_columns(parameters)},
+            damping,
+            velocity};
 }
 
 Impact Impacts::at(Eigen::Index i) const {
@@ -117,7 +117,7 @@ std::vector<Impacts> random_impacts(Eigen::Index count, double most_damping, std
     std::vector<Impacts> sets;
     for (std::size_t i = 0; i < Law::count(); ++i) {
         const Law law = Law::at(i);
-        if (!has_kernels(law)) continue;
+        if (!batch::has_kernels(law)) continue;
         for (const DetachmentName& detachment : detachment_names) {
             if (refusal(law, detachment.detachment)) continue;
             for (const DampingName& damping : damping_names) {
