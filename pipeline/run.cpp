@@ -126,13 +126,8 @@ Range range_of(const RunPlan& plan) {
     if (name.empty()) return {};
     const auto names = stage_names();
     const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) {
-        const auto guess = nearest(name, names, 1);
-        throw InputError("no stage is called " + in_quotes(name) +
-                             (guess.empty() ? "" : ", did you mean " + in_quotes(guess.front()) + "?"),
-                         joined(names))
-            .at(plan.only.empty() ? "--from" : "--only");
-    }
+    if (found == names.end())
+        throw unknown_name("stage", name, names).at(plan.only.empty() ? "--from" : "--only");
     if (plan.case_file)
         throw InputError("a case file and a stage to start from are both given", "one of the two")
             .in_file(*plan.case_file);

@@ -128,10 +128,7 @@ void require_keys(const Json& node, std::initializer_list<std::string_view> allo
     for (const auto& [key, _] : node.items()) {
         if (std::find(allowed.begin(), allowed.end(), key) != allowed.end()) continue;
         const std::vector<std::string> candidates(allowed.begin(), allowed.end());
-        const auto guess = nearest(key, candidates, 1);
-        throw InputError("unknown key " + in_quotes(key) +
-                             (guess.empty() ? "" : ", did you mean " + in_quotes(guess[0]) + "?"),
-                         list(allowed))
+        throw InputError("unknown key " + in_quotes(key) + did_you_mean(key, candidates), list(allowed))
             .at("/" + key);
     }
 }

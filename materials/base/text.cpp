@@ -75,6 +75,11 @@ std::vector<std::string> nearest(std::string_view word, const std::vector<std::s
     return words;
 }
 
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
+    const auto guess = nearest(word, candidates, 1);
+    return guess.empty() ? std::string{} : ", did you mean " + in_quotes(guess.front()) + "?";
+}
+
 std::string with_article(std::string_view noun) {
     const bool vowel =
         !noun.empty() && std::string_view("aeiou").find(noun.front()) != std::string_view::npos;

@@ -31,6 +31,9 @@ namespace ashimpact {
 [[nodiscard]] std::vector<std::string> nearest(std::string_view word,
                                                const std::vector<std::string>& candidates, std::size_t count);
 
+/// `, did you mean "..."?` with the nearest candidate; empty where none is near.
+[[nodiscard]] std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
+
 /// "a pressure", "an energy": the indefinite article by the first letter.
 [[nodiscard]] std::string with_article(std::string_view noun);
 

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "pipeline/case/case_json.hpp"
-#include "pipeline/case/laws.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/analytic.hpp"
 #include "pipeline/stages/contact.hpp"
@@ -16,6 +15,7 @@
 #include "pipeline/stages/modulus.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
 #include "pipeline/text/readable.hpp"
+#include "solver/damping/damping.hpp"
 
 namespace ashimpact {
 

@@ -73,7 +73,7 @@ Stated adhesion_of(const Sample& sample) {
     if (const auto* stated = std::get_if<Stated>(&*sample.work_of_adhesion)) return *stated;
     const auto& from = std::get<AdhesionFromSurfaces>(*sample.work_of_adhesion);
     return computed(work_of_adhesion(from.rule, from.energies), Dimension::energy_per_area,
-                    "surface energies, rule " + std::string(adhesion_rule_name(from.rule)));
+                    "surface energies, rule " + std::string(name_of(from.rule)));
 }
 
 Json contact_json(const Sample& sample, const std::optional<Wall>& wall, const SampleModulus& modulus,

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "pipeline/case/laws.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/attempt.hpp"
 #include "pipeline/stages/contact.hpp"
@@ -16,6 +15,7 @@
 #include "pipeline/stages/restitution.hpp"
 #include "pipeline/stages/uncertainty/uncertain_contact.hpp"
 #include "pipeline/stages/uncertainty/velocity_uncertainty.hpp"
+#include "solver/damping/damping.hpp"
 #include "solver/gsl/distribution.hpp"
 
 namespace ashimpact {

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "materials/base/error.hpp"
-#include "pipeline/case/laws.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/contact.hpp"
 #include "pipeline/stages/in_parallel.hpp"
@@ -13,6 +12,7 @@
 #include "pipeline/stages/read_case_artifact.hpp"
 #include "pipeline/stages/restitution.hpp"
 #include "pipeline/stages/uncertainty/contact_models.hpp"
+#include "solver/damping/damping.hpp"
 #include "solver/motion/damping_inversion.hpp"
 
 namespace ashimpact {

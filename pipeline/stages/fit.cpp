@@ -8,7 +8,6 @@
 #include <set>
 
 #include "materials/base/checks.hpp"
-#include "pipeline/case/laws.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/json/statistics_json.hpp"
 #include "pipeline/stages/attempt.hpp"
@@ -20,6 +19,7 @@
 #include "pipeline/stages/restitution.hpp"
 #include "pipeline/stages/uncertainty/contact_models.hpp"
 #include "solver/calibration/damping_fit.hpp"
+#include "solver/damping/damping.hpp"
 #include "solver/uncertainty/outcomes/rebound_check.hpp"
 
 namespace ashimpact {

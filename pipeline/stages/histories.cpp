@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/case/laws.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/contact.hpp"
 #include "pipeline/stages/critical_velocity.hpp"
@@ -11,6 +10,7 @@
 #include "pipeline/stages/in_parallel.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
 #include "solver/calibration/reconstruction.hpp"
+#include "solver/damping/damping.hpp"
 #include "solver/motion/momentum_balance.hpp"
 #include "solver/motion/trajectory.hpp"
 

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include <stdexcept>
+
 namespace ashimpact {
 
 namespace {
@@ -20,6 +22,18 @@ std::string_view name_of(DampingLaw law) {
 
 std::string_view unit_of(DampingLaw law) {
     return entry_of(law).unit;
+}
+
+Dimension dimension_of(DampingLaw law) {
+    switch (law) {
+        case DampingLaw::constant:
+            return Dimension::damping;
+        case DampingLaw::contact_radius:
+            return Dimension::viscosity;
+        case DampingLaw::tsuji:
+            return Dimension::fraction;
+    }
+    throw std::logic_error("damping law without a dimension");
 }
 
 DampingLaw damping_named(std::string_view name) {

@@ -379,7 +379,8 @@ TEST_CASE("wrong options: exit 2, one line that names the option") {
              Wrong{"calibrate --free density --free density:each", "--free: \"density\" is given twice"},
              Wrong{"impact --law dmt --velocity 1e308" + contact, "allowed: 1e-40 to 1e40"},
              Wrong{"critical-velocity --law dmt --damping 1e300" + contact, "allowed: 0, or 1e-40 to 1e40"},
-             Wrong{"calibrate --free speed", "--free: unknown constant \"speed\"; allowed: density"},
+             Wrong{"calibrate --free speed",
+                   "--free: no constant of a calibration is called \"speed\"; allowed: density"},
          }) {
         CAPTURE(wrong.arguments);
         const auto finished = ashimpact_program(sandbox, wrong.arguments);
