@@ -82,9 +82,7 @@ std::string reason_of(std::string message) {
 }
 
 std::string list(std::initializer_list<std::string_view> words) {
-    std::string joined;
-    for (const auto word : words) joined += (joined.empty() ? "" : ", ") + std::string(word);
-    return joined;
+    return joined(std::span(words.begin(), words.size()));
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "materials/base/text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -87,9 +89,11 @@ std::string with_article(std::string_view noun) {
 }
 
 std::string joined(const std::vector<std::string>& words) {
-    std::string list;
-    for (const auto& word : words) list += (list.empty() ? "" : ", ") + word;
-    return list;
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
+std::string joined(std::span<const std::string_view> words) {
+    return fmt::format("{}", fmt::join(words, ", "));
 }
 
 std::string without_controls(std::string_view text) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,7 @@ namespace ashimpact {
 
 /// The words with ", " between them.
 [[nodiscard]] std::string joined(const std::vector<std::string>& words);
+[[nodiscard]] std::string joined(std::span<const std::string_view> words);
 
 /// The text with "?" for each control character, of one byte or in UTF-8, but tabs and line ends: a terminal
 /// would obey them.

@@ -1,6 +1,6 @@
 #include "solver/damping/damping.hpp"
 
-#include "materials/base/error.hpp"
+#include "materials/base/checks.hpp"
 
 #include <string>
 
@@ -37,13 +37,12 @@ Dimension dimension_of(DampingLaw law) {
 }
 
 DampingLaw damping_named(std::string_view name) {
-    std::string allowed;
+    std::vector<std::string> names;
     for (const DampingName& entry : damping_names) {
         if (entry.name == name) return entry.law;
-        if (!allowed.empty()) allowed += ", ";
-        allowed += entry.name;
+        names.emplace_back(entry.name);
     }
-    throw InputError("unknown damping law '" + std::string(name) + "'", allowed);
+    throw unknown_name("damping law", name, names);
 }
 
 }  // namespace ashimpact

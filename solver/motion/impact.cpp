@@ -2,6 +2,7 @@
 
 #include "materials/base/checks.hpp"
 #include "materials/base/error.hpp"
+#include "materials/base/text.hpp"
 #include "solver/motion/orbit.hpp"
 #include "solver/motion/scaled_impact.hpp"
 
@@ -72,13 +73,10 @@ std::optional<std::string> refusal(Law law, Detachment detachment) {
 }
 
 std::string admissible_detachments(Law law) {
-    std::string names;
-    for (const DetachmentName& entry : detachment_names) {
-        if (refusal(law, entry.detachment)) continue;
-        if (!names.empty()) names += ", ";
-        names += entry.name;
-    }
-    return names;
+    std::vector<std::string> names;
+    for (const DetachmentName& entry : detachment_names)
+        if (!refusal(law, entry.detachment)) names.emplace_back(entry.name);
+    return joined(names);
 }
 
 void validate(const ContactPair& contact) {
