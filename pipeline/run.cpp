@@ -19,8 +19,6 @@ namespace ashimpact {
 
 namespace {
 
-constexpr std::string_view manifest_file = "manifest.json";
-
 std::string schema_of(std::string_view file) {
     return std::string(file.substr(0, file.rfind('.')));
 }
@@ -90,7 +88,7 @@ Artifact manifest_of(const RunPlan& plan, const std::vector<Artifact>& all,
                                               {"bytes", artifact.bytes.size()},
                                               {"written_by_this_run", is_new}});
     }
-    return sealed(manifest_file, "manifest", {}, output);
+    return sealed(manifest_artifact, "manifest", {}, output);
 }
 
 void write_artifacts(const std::filesystem::path& folder, const std::vector<Artifact>& artifacts) {
@@ -102,7 +100,7 @@ void write_artifacts(const std::filesystem::path& folder, const std::vector<Arti
 
 /// Refuses a folder in which the run would write over what it reads.
 void keep_inputs(const std::vector<InputFile>& inputs, const std::filesystem::path& folder) {
-    std::vector<std::string_view> files{case_artifact, manifest_file};
+    std::vector<std::string_view> files{case_artifact, manifest_artifact};
     for (const Stage& stage : stages()) files.push_back(stage.file);
     for (const InputFile& input : inputs)
         for (const std::string_view file : files)
@@ -126,13 +124,8 @@ Range range_of(const RunPlan& plan) {
     if (name.empty()) return {};
     const auto names = stage_names();
     const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) {
-        const auto guess = nearest(name, names, 1);
-        throw InputError("no stage is called " + in_quotes(name) +
-                             (guess.empty() ? "" : ", did you mean " + in_quotes(guess.front()) + "?"),
-                         joined(names))
-            .at(plan.only.empty() ? "--from" : "--only");
-    }
+    if (found == names.end())
+        throw unknown_name("stage", name, names).at(plan.only.empty() ? "--from" : "--only");
     if (plan.case_file)
         throw InputError("a case file and a stage to start from are both given", "one of the two")
             .in_file(*plan.case_file);

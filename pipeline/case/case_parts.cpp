@@ -212,14 +212,14 @@ Adhesion read_adhesion(const View& node) {
     const View energies = node.at("surface_energies");
     const auto energy = [&](const char* key) { return energies.at(key).number(Dimension::energy_per_area); };
     AdhesionFromSurfaces from{.energies = {.particle = energy("particle"), .wall = energy("wall")},
-                              .rule = adhesion_rule(node.at("rule").text())};
+                              .rule = named<AdhesionRule>(node.at("rule").text())};
     if (energies.has("interfacial")) from.energies.interfacial = energy("interfacial");
     node.located([&] { static_cast<void>(work_of_adhesion(from.rule, from.energies)); });
     return from;
 }
 
 Porosity read_porosity(const View& node) {
-    Porosity porosity{.law = porosity_law(node.at("law").text())};
+    Porosity porosity{.law = named<PorosityLaw>(node.at("law").text())};
     if (const auto value = node.find("value")) {
         const Quantity quantity = value->quantity(Dimension::fraction);
         porosity.value = quantity.value;

@@ -9,6 +9,7 @@
 #include "materials/base/text.hpp"
 #include "materials/contact_properties.hpp"
 #include "pipeline/case/laws.hpp"
+#include "solver/damping/damping.hpp"
 
 namespace ashimpact {
 

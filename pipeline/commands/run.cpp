@@ -22,7 +22,7 @@ void run_run_command(const RunOptions& options, std::ostream& out) {
             "warning: {} remarks on these results are in the artifacts under \"warnings\"; -v shows them",
             summary.warnings.size());
     for (const Artifact& artifact : summary.written)
-        if (artifact.file == "comparison.json")
+        if (artifact.file == comparison_artifact)
             out << comparison_text(View(artifact.document).at("result")) << '\n';
     out << fmt::format("{} artifacts in {}; `ashimpact inspect {}` shows one.\n", summary.written.size(),
                        plan.folder.string(),

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "pipeline/case/laws.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/attempt.hpp"
 #include "pipeline/stages/contact.hpp"
@@ -16,6 +15,7 @@
 #include "pipeline/stages/restitution.hpp"
 #include "pipeline/stages/uncertainty/uncertain_contact.hpp"
 #include "pipeline/stages/uncertainty/velocity_uncertainty.hpp"
+#include "solver/damping/damping.hpp"
 #include "solver/gsl/distribution.hpp"
 
 namespace ashimpact {
@@ -117,7 +117,7 @@ Json critical_velocity_json(const CriticalVelocityProblem& problem, const Critic
 
 StageOutput critical_velocity_stage(const Artifacts& before) {
     const Case data = read_case_artifact(before);
-    const auto contacts = before.read("2-contact.json", read_contacts);
+    const auto contacts = before.read(contact_artifact, read_contacts);
     StageOutput output{.citations = {"dong2013, section 4.3, Table 4"}};
     const PropagationOptions& propagation = data.uncertainty.propagation;
     output.options = {{"damping", "critical damping eta(0) of 6-fit.json"},
@@ -127,13 +127,13 @@ StageOutput critical_velocity_stage(const Artifacts& before) {
                       {"inputs", "taken as independent"}};
     output.result["samples"] = Json::array();
     const auto read = [&](const View& result) { return read_fits(result, dimension_of(data.damping_law)); };
-    const auto fits = before.read("6-fit.json", read);
-    const auto restitutions = before.read("4-restitution.json", read_restitutions);
+    const auto fits = before.read(fit_artifact, read);
+    const auto restitutions = before.read(restitution_artifact, read_restitutions);
     for (const Sample& sample : data.samples)
         output.result["samples"].push_back(
-            sample_json(data, sample, entry_named(contacts, sample.name, before, "2-contact.json"),
-                        entry_named(restitutions, sample.name, before, "4-restitution.json"),
-                        entry_named(fits, sample.name, before, "6-fit.json"), output.warnings));
+            sample_json(data, sample, entry_named(contacts, sample.name, before, contact_artifact),
+                        entry_named(restitutions, sample.name, before, restitution_artifact),
+                        entry_named(fits, sample.name, before, fit_artifact), output.warnings));
     return output;
 }
 

@@ -8,7 +8,6 @@
 #include <set>
 
 #include "materials/base/checks.hpp"
-#include "pipeline/case/laws.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/json/statistics_json.hpp"
 #include "pipeline/stages/attempt.hpp"
@@ -20,6 +19,7 @@
 #include "pipeline/stages/restitution.hpp"
 #include "pipeline/stages/uncertainty/contact_models.hpp"
 #include "solver/calibration/damping_fit.hpp"
+#include "solver/damping/damping.hpp"
 #include "solver/uncertainty/outcomes/rebound_check.hpp"
 
 namespace ashimpact {
@@ -209,12 +209,12 @@ StageOutput fit_stage(const Artifacts& before) {
     const auto read = [&](const View& result) {
         return read_dampings(result, dimension_of(data.damping_law));
     };
-    const auto contacts = before.read("2-contact.json", read_contacts);
-    const auto restitutions = before.read("4-restitution.json", read_restitutions);
-    for (const SampleDamping& sample : before.read("5-damping.json", read)) {
-        const SampleContact& contact = entry_named(contacts, sample.name, before, "2-contact.json");
+    const auto contacts = before.read(contact_artifact, read_contacts);
+    const auto restitutions = before.read(restitution_artifact, read_restitutions);
+    for (const SampleDamping& sample : before.read(damping_artifact, read)) {
+        const SampleContact& contact = entry_named(contacts, sample.name, before, contact_artifact);
         const SampleRestitution& series =
-            entry_named(restitutions, sample.name, before, "4-restitution.json");
+            entry_named(restitutions, sample.name, before, restitution_artifact);
         Json json{{"name", sample.name}};
         const auto fits = in_parallel(data.laws, [&](const LawChoice& choice) -> Fitted {
             const DampingSeries* inverted = sample.laws.find(choice.law);

@@ -41,18 +41,6 @@ CriticalVelocity finite_result(const Motion<Extended>& motion, const Arrival& ar
 
 }  // namespace
 
-std::string_view name_of(CaptureVerdict verdict) {
-    switch (verdict) {
-        case CaptureVerdict::finite:
-            return "finite";
-        case CaptureVerdict::always_captured:
-            return "always-captured";
-        case CaptureVerdict::never_captured:
-            return "never-captured";
-    }
-    return {};
-}
-
 std::optional<CaptureVerdict> verdict_without_adhesion(const Damping& damping) {
     if (damping.coefficient == 0.0) return CaptureVerdict::never_captured;
     if (damping.law == DampingLaw::constant) return std::nullopt;

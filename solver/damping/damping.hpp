@@ -1,5 +1,6 @@
 #pragma once
 
+#include "materials/base/units.hpp"
 #include "solver/contact/pair.hpp"
 
 #include <array>
@@ -34,6 +35,8 @@ inline constexpr std::array<DampingName, 3> damping_names{{
 
 /// Name as used on the command line and in artifacts.
 [[nodiscard]] std::string_view name_of(DampingLaw law);
+/// What the coefficient measures.
+[[nodiscard]] Dimension dimension_of(DampingLaw law);
 /// Unit of the coefficient.
 [[nodiscard]] std::string_view unit_of(DampingLaw law);
 /// The damping law of that name. @throws InputError naming the allowed ones

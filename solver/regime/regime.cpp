@@ -159,20 +159,6 @@ class Judge {
 
 }  // namespace
 
-std::string_view name_of(AdhesionRegime regime) {
-    switch (regime) {
-        case AdhesionRegime::none:
-            return "none";
-        case AdhesionRegime::dmt:
-            return "dmt";
-        case AdhesionRegime::between:
-            return "between";
-        case AdhesionRegime::jkr:
-            return "jkr";
-    }
-    return {};
-}
-
 Regime regime_of(const Impact& impact, double maximum_overlap) {
     return Judge(impact, maximum_overlap).judged();
 }

@@ -12,11 +12,6 @@ namespace {
 constexpr auto damping_unit = "kg/s";
 constexpr auto velocity_unit = "m/s";
 
-std::string_view name_of(IntervalMethod method) {
-    return method == IntervalMethod::profile_likelihood ? "profile likelihood"
-                                                        : "curvature of the likelihood";
-}
-
 /// The rebounds of a fit as columns.
 Json residuals_json(const DampingCurveFit& fit, const std::vector<std::size_t>& numbers) {
     std::vector<double> number, restitution, distance, leverage, deleted, influence, weight;

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "pipeline/case/laws.hpp"
+#include "solver/damping/damping.hpp"
 
 namespace ashimpact {
 

@@ -3,12 +3,12 @@
 
 #include "materials/base/checks.hpp"
 #include "materials/base/text.hpp"
-#include "pipeline/case/laws.hpp"
 #include "pipeline/json/schema.hpp"
 #include "pipeline/json/view.hpp"
 #include "pipeline/json/writer.hpp"
 #include "pipeline/sweep/spec/spec.hpp"
 #include "pipeline/sweep/spec/variable_reader.hpp"
+#include "solver/damping/damping.hpp"
 #include "solver/motion/impact.hpp"
 
 namespace ashimpact {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "materials/base/names.hpp"
 #include "solver/measurement/contact_model.hpp"
 #include "solver/measurement/measurement.hpp"
 #include "solver/uncertainty/interval.hpp"
@@ -43,6 +44,11 @@ struct FittedRebound {
 };
 
 enum class IntervalMethod { profile_likelihood, curvature };
+template <>
+struct Names<IntervalMethod> {
+    static constexpr std::string_view kind = "method";
+    static constexpr std::array<std::string_view, 2> all{"profile likelihood", "curvature of the likelihood"};
+};
 
 struct DampingCurveFit {
     DampingCurveOptions options;

@@ -114,20 +114,6 @@ MeasuredCriticalVelocity measured_critical_velocity(const MeasurementSet& set) {
     return result;
 }
 
-std::string_view name_of(CriticalVelocityVerdict verdict) {
-    switch (verdict) {
-        case CriticalVelocityVerdict::agrees:
-            return "agrees";
-        case CriticalVelocityVerdict::model_too_low:
-            return "model-too-low";
-        case CriticalVelocityVerdict::model_too_high:
-            return "model-too-high";
-        case CriticalVelocityVerdict::not_comparable:
-            return "not-comparable";
-    }
-    return {};
-}
-
 CriticalVelocityCheck check(const Interval& model, const MeasuredCriticalVelocity& measured) {
     if (!measured.value) {
         const bool low = measured.lower && model.upper && *model.upper < *measured.lower;
