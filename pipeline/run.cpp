@@ -13,6 +13,7 @@
 #include "pipeline/files/sha256.hpp"
 #include "pipeline/json/schema.hpp"
 #include "pipeline/json/writer.hpp"
+#include "pipeline/report/report.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
 
 namespace ashimpact {
@@ -91,11 +92,29 @@ Artifact manifest_of(const RunPlan& plan, const std::vector<Artifact>& all,
     return sealed(manifest_artifact, "manifest", {}, output);
 }
 
-void write_artifacts(const std::filesystem::path& folder, const std::vector<Artifact>& artifacts) {
-    std::vector<FileContent> files;
-    files.reserve(artifacts.size());
+/// @param files written before the artifacts, so that the manifest stays the last
+void write_artifacts(const std::filesystem::path& folder, const std::vector<Artifact>& artifacts,
+                     std::vector<FileContent> files) {
     for (const Artifact& artifact : artifacts) files.push_back({folder / artifact.file, artifact.bytes});
     write_files(files);
+}
+
+/// Report and figures of a run; of a part of one, where the folder has the artifacts of the rest.
+std::vector<FileContent> presentation(const RunPlan& plan, Artifacts artifacts, RunSummary& summary) {
+    if (!plan.report && !plan.figures) return {};
+    try {
+        for (const std::string_view file : report::report_artifacts())
+            if (!artifacts.has(file)) artifacts.add(loaded_artifact(plan.folder, file));
+        report::Presentation made = report::present(
+            std::move(artifacts), {.folder = plan.folder, .page = plan.report, .figures = plan.figures});
+        summary.report = made.page;
+        summary.figures = made.files.size() - (made.page.empty() ? 0 : 1);
+        return std::move(made.files);
+    } catch (const InputError& error) {
+        if (plan.from.empty() && plan.only.empty()) throw;
+        summary.warnings.push_back(std::string("no report: ") + error.what());
+        return {};
+    }
 }
 
 /// Refuses a folder in which the run would write over what it reads.
@@ -156,6 +175,12 @@ std::vector<std::string> stage_names() {
     return names;
 }
 
+Artifacts load_artifacts(const std::filesystem::path& folder, const std::vector<std::string_view>& files) {
+    Artifacts artifacts;
+    for (const std::string_view file : files) artifacts.add(loaded_artifact(folder, file));
+    return artifacts;
+}
+
 Artifacts compute_artifacts(const std::optional<std::string>& case_file, std::string_view last_stage) {
     Artifacts artifacts;
     artifacts.add(case_artifact_of(load_case(case_file)));
@@ -169,6 +194,7 @@ Artifacts compute_artifacts(const std::optional<std::string>& case_file, std::st
 RunSummary run_stages(const RunPlan& plan) {
     const Range range = range_of(plan);
     require_writable_folder(plan.folder);
+    if (plan.figures) report::require_figure_programs();
     Artifacts artifacts;
     std::vector<Artifact> all;
     RunSummary summary;
@@ -200,7 +226,7 @@ RunSummary run_stages(const RunPlan& plan) {
     summary.written.push_back(manifest_of(plan, all, summary.written));
     for (const Artifact& artifact : summary.written)
         for (const auto& warning : artifact.document.at("warnings")) summary.warnings.push_back(warning);
-    write_artifacts(plan.folder, summary.written);
+    write_artifacts(plan.folder, summary.written, presentation(plan, std::move(artifacts), summary));
     return summary;
 }
 

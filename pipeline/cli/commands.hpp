@@ -28,6 +28,9 @@ void add_contact_commands(CLI::App& program, Action& action);
 /// calibrate, inspect, init, schema
 void add_document_commands(CLI::App& program, Action& action);
 
+/// report, figure
+void add_report_commands(CLI::App& program, Action& action);
+
 /// sweep, which @p runner runs
 void add_sweep_command(CLI::App& program, Action& action, const SweepRunner& runner);
 

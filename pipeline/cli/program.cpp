@@ -124,6 +124,7 @@ int run_program(int argc, const char* const* argv, const SweepRunner& sweep) {
     add_case_commands(program, action);
     add_contact_commands(program, action);
     add_sweep_command(program, action, sweep);
+    add_report_commands(program, action);
     add_document_commands(program, action);
     refuse_empty_values(program);
     std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of its write

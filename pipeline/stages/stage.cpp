@@ -1,5 +1,6 @@
 #include "pipeline/stages/stage.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "pipeline/case/case_reader.hpp"
@@ -20,6 +21,11 @@ const Artifact& Artifacts::at(std::string_view file) const {
     for (const Artifact& artifact : artifacts_)
         if (artifact.file == file) return artifact;
     throw std::logic_error("a stage reads " + std::string(file) + ", which it does not list");
+}
+
+bool Artifacts::has(std::string_view file) const {
+    return std::any_of(artifacts_.begin(), artifacts_.end(),
+                       [&](const Artifact& each) { return each.file == file; });
 }
 
 const std::string& Artifacts::place_of(std::string_view file) const {

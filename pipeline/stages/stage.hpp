@@ -44,6 +44,9 @@ class Artifacts {
     /// The artifact of that file name. @throws std::logic_error if it was not added
     [[nodiscard]] const Artifact& at(std::string_view file) const;
 
+    /// Whether it was added.
+    [[nodiscard]] bool has(std::string_view file) const;
+
     /// What messages call an artifact.
     [[nodiscard]] const std::string& place_of(std::string_view file) const;
 
