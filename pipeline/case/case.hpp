@@ -95,6 +95,7 @@ struct Sample {
     std::optional<Stated> density{};          ///< apparent; else that of the phases, less the pores
     std::optional<Stated> contact_modulus{};  ///< instead of Eq. 7 [Pa]
     std::optional<Stated> yield_pressure{};   ///< for laws that yield; else never [Pa]
+    std::vector<std::pair<LawParameter, Stated>> parameters{};  ///< of laws that declare their own
     std::optional<Adhesion> work_of_adhesion{};
     std::optional<Stated> measured_critical_velocity{};
     std::optional<RestitutionSource> restitution{};

@@ -134,6 +134,8 @@ Json sample_json(const Sample& sample) {
     add("density", sample.density);
     add("contact_modulus", sample.contact_modulus);
     add("yield_pressure", sample.yield_pressure);
+    for (const auto& [parameter, stated] : sample.parameters)
+        json[std::string(parameter.name)] = stated_json(stated);
     if (sample.work_of_adhesion) json["work_of_adhesion"] = adhesion_json(*sample.work_of_adhesion);
     add("measured_critical_velocity", sample.measured_critical_velocity);
     if (sample.restitution) json["restitution"] = std::visit(RestitutionWriter{}, *sample.restitution);

@@ -11,14 +11,6 @@ namespace ashimpact {
 
 namespace {
 
-Stated read_stated(const View& node, Dimension dimension) {
-    Stated stated{.quantity = node.quantity(dimension)};
-    if (!node.is_object()) return stated;
-    if (const auto origin = node.find("origin")) stated.origin = origin->text();
-    if (const auto source = node.find("source")) stated.source = source->text();
-    return stated;
-}
-
 Law law_of(const View::Member& member) {
     return member.value.located([&] { return Law::named(member.key); });
 }
@@ -167,6 +159,14 @@ class Printed {
 };
 
 }  // namespace
+
+Stated read_stated(const View& node, Dimension dimension) {
+    Stated stated{.quantity = node.quantity(dimension)};
+    if (!node.is_object()) return stated;
+    if (const auto origin = node.find("origin")) stated.origin = origin->text();
+    if (const auto source = node.find("source")) stated.source = source->text();
+    return stated;
+}
 
 Stated read_positive(const View& node, std::string_view name, Dimension dimension) {
     Stated stated = read_stated(node, dimension);

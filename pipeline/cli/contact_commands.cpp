@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "materials/base/text.hpp"
 #include "pipeline/cli/argument_checks.hpp"
 #include "pipeline/cli/commands.hpp"
 #include "pipeline/commands/critical_velocity.hpp"
@@ -13,6 +14,29 @@ namespace {
 
 constexpr auto json_help = "print one JSON object, numbers with 17 significant digits";
 
+/// Names of the laws that pass a test, for help.
+template <class Test>
+std::string laws_where(Test&& test) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < Law::count(); ++i)
+        if (test(Law::at(i))) names.emplace_back(Law::at(i).name());
+    return joined(names);
+}
+
+std::string damping_law_names() {
+    std::vector<std::string> names;
+    for (const DampingName& entry : damping_names) names.emplace_back(entry.name);
+    return joined(names);
+}
+
+std::string laws_without_adhesion() {
+    return laws_where([](Law law) { return !law.uses_work_of_adhesion(); });
+}
+
+std::string laws_with(const LawParameter& parameter) {
+    return laws_where([&](Law law) { return law.takes(parameter); });
+}
+
 void add_contact_options(CLI::App& command, ContactOptions& options) {
     command.add_option("--law", options.law, "contact law: " + law_names())->required()->type_name("NAME");
     command.add_option("--radius", options.radius, "of the sphere, \"44 um\"")->required()->type_name("Q");
@@ -24,10 +48,19 @@ void add_contact_options(CLI::App& command, ContactOptions& options) {
         ->type_name("Q");
     command
         .add_option("--work-of-adhesion", options.work_of_adhesion,
-                    "w, \"0.3 J/m2\" (not a surface energy); not needed for hertz")
+                    "w, \"0.3 J/m2\" (not a surface energy); not for " + laws_without_adhesion())
         ->type_name("Q");
     command.add_option("--yield-pressure", options.yield_pressure, "p_y, \"35.3 MPa\", for thornton-ning")
         ->type_name("Q");
+    for (std::size_t i = 0; i < law_parameters().size(); ++i) {
+        const LawParameter& parameter = law_parameters()[i];
+        const bool quantity = parameter.dimension != Dimension::fraction;
+        command
+            .add_option(option_of(parameter), options.parameters[i],
+                        std::string(parameter.description) + ", \"" + std::string(parameter.example) +
+                            "\", for " + laws_with(parameter))
+            ->type_name(quantity ? "Q" : "X");
+    }
     command
         .add_option(
             "--detachment", options.detachment,
@@ -36,7 +69,7 @@ void add_contact_options(CLI::App& command, ContactOptions& options) {
         ->type_name("NAME");
     command
         .add_option("--damping-law", options.damping_law,
-                    "constant, contact-radius or tsuji; the unit of the damping goes with it")
+                    damping_law_names() + "; the unit of the damping goes with it")
         ->capture_default_str()
         ->type_name("NAME");
 }

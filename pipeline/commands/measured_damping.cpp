@@ -56,6 +56,10 @@ RandomContact exact(const ContactPair& contact) {
         .density = {.name = "density", .value = 3 * contact.mass / (4 * std::numbers::pi * r * r * r)},
         .work_of_adhesion = {.name = "work of adhesion", .value = contact.work_of_adhesion},
         .yield_pressure = contact.yield_pressure};
+    for (const LawParameter& parameter : law_parameters())
+        if (contact.parameters.has(parameter))
+            sphere.parameters.emplace_back(parameter, RandomInput{.name = std::string(parameter.name),
+                                                                  .value = contact.parameters[parameter]});
     sphere.contact_modulus = RandomInput{.name = "contact modulus", .value = contact.contact_modulus};
     return random_contact(sphere);
 }
