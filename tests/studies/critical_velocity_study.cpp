@@ -40,7 +40,7 @@ Tally tally(const studies::Row& row, const Law& law, int repetitions, bool verbo
     const double truth = laboratories.critical_velocity();
     const ContactPair ash{.mass = sphere_mass(48e-6, 2158.5), .effective_radius = 48e-6, .contact_modulus = 90e9, .work_of_adhesion = 0.2959};
     const ContactModel model = make_contact_model(law, law.default_detachment(), ash, {0.01 * truth, 100 * truth});
-    gsl::Random random(20130829);
+    test::Random random(20130829);
     Tally result;
     for (int i = 0; i < repetitions; ++i) {
         const MeasurementSet set = laboratories.measure(random);

@@ -14,7 +14,7 @@ constexpr double size_scatter = 0.05;
 constexpr int sizes = 21;
 
 /// A velocity as the slope of positions, each read to a whole pixel.
-double by_camera(gsl::Random& random, const Camera& camera, double velocity) {
+double by_camera(test::Random& random, const Camera& camera, double velocity) {
     const double step = velocity / (camera.frame_rate * camera.pixel_size);
     const double start = random.uniform(0.0, 1.0);
     double sum = 0.0;
@@ -55,12 +55,12 @@ Laboratories::Laboratories(const Row& row, oracles::Law law) : row_(row) {
     nominal_ = sizes / 2;
 }
 
-const TrueCurve& Laboratories::particle(gsl::Random& random) const {
+const TrueCurve& Laboratories::particle(test::Random& random) const {
     const auto last = static_cast<double>(curves_.size());
     return curves_[std::min(curves_.size() - 1, static_cast<std::size_t>(random.uniform(0.0, last)))];
 }
 
-Measurement Laboratories::seen(gsl::Random& random, double velocity, double rebound) const {
+Measurement Laboratories::seen(test::Random& random, double velocity, double rebound) const {
     if (row_.flaw == Flaw::camera) {
         const double seen_velocity = by_camera(random, camera_, velocity);
         return {.velocity = seen_velocity, .rebound = rebound > 0.0 ? by_camera(random, camera_, rebound) : 0.0};
@@ -79,7 +79,7 @@ Measurement Laboratories::seen(gsl::Random& random, double velocity, double rebo
     return point;
 }
 
-MeasurementSet Laboratories::measure(gsl::Random& random) const {
+MeasurementSet Laboratories::measure(test::Random& random) const {
     const double critical = critical_velocity();
     const int impacts = row_.flaw == Flaw::few ? 8 : static_cast<int>(random.uniform(15.0, 61.0));
     const bool evenly = random.uniform(0.0, 1.0) < 0.5;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/gsl/random.hpp"
+#include "tests/support/random.hpp"
 #include "solver/measurement/measurement.hpp"
 #include "tests/studies/truth.hpp"
 
@@ -30,11 +30,11 @@ class Laboratories {
     Laboratories(const Row& row, oracles::Law law);
 
     [[nodiscard]] double critical_velocity() const { return curves_[nominal_].critical_velocity(); }
-    [[nodiscard]] MeasurementSet measure(gsl::Random& random) const;
+    [[nodiscard]] MeasurementSet measure(test::Random& random) const;
 
   private:
-    [[nodiscard]] const TrueCurve& particle(gsl::Random& random) const;
-    [[nodiscard]] Measurement seen(gsl::Random& random, double velocity, double rebound) const;
+    [[nodiscard]] const TrueCurve& particle(test::Random& random) const;
+    [[nodiscard]] Measurement seen(test::Random& random, double velocity, double rebound) const;
 
     Row row_;
     std::vector<TrueCurve> curves_;  ///< by size; one where all are alike

@@ -66,7 +66,7 @@ Json from_damping(const VelocityTask& task) {
     const RandomInput damping{.name = fit_factor,
                               .value = task.critical_damping(),
                               .standard_uncertainty = task.critical_damping_uncertainty(),
-                              .shape = InputShape::lognormal};
+                              .distribution = lognormal_around};
     std::vector<RandomInput> inputs{damping};
     inputs.insert(inputs.end(), task.uncertain.inputs.begin(), task.uncertain.inputs.end());
     const CriticalVelocityCurve curve(task.choice.law, task.choice.detachment, task.contact.pair,

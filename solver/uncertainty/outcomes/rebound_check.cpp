@@ -3,7 +3,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/text.hpp"
 #include "solver/gsl/distribution.hpp"
-#include "solver/gsl/statistics.hpp"
+#include "solver/statistics/moments.hpp"
 
 #include <algorithm>
 #include <cmath>
