@@ -198,10 +198,10 @@ Json case_json(const Case& data) {
     json["histories"] = {{"points", data.histories.points},
                          {"critical_excess", data.histories.critical_excess}};
     json["fit"] = {{"order", data.fit.order},
-                   {"direct_order", data.fit.direct_order},
                    {"robust", data.fit.robust},
                    {"flatness", data.fit.flatness},
                    {"outlier", data.fit.outlier}};
+    if (data.fit.size_scatter) json["fit"]["size_scatter"] = *data.fit.size_scatter;
     json["uncertainty"] = {{"samples", data.uncertainty.propagation.samples},
                            {"replicates", data.uncertainty.propagation.replicates},
                            {"seed", data.uncertainty.propagation.seed},

@@ -144,6 +144,17 @@ void add_damping(CLI::App& program, Action& action) {
         ->type_name("X");
     command->add_option("--pixel-size", options->pixel_size, "of the camera, in the object, \"2 um\"")
         ->type_name("Q");
+    command->add_option("--frames", options->frames, "positions that each velocity is the slope of; default 2")
+        ->type_name("N")
+        ->check(whole_number(2, 10'000));
+    command
+        ->add_option("--size-scatter", options->size_scatter,
+                     "relative standard deviation of single diameters, such as of a sieve, \"5 %\"")
+        ->type_name("X");
+    command->add_option("--order", options->order, "of the polynomial that is extrapolated; default 2")
+        ->type_name("N")
+        ->check(whole_number(1, 6));
+    command->add_flag("--robust", options->robust, "bisquare weights in the extrapolated polynomial");
     command->add_option("--bin", options->bin, "rebounds to be put into one point")
         ->type_name("N")
         ->check(whole_number(1, 1'000'000));

@@ -1,9 +1,8 @@
-#include "tests/solver/uncertainty/coverage.hpp"
+#include "tests/solver/uncertainty/ash_laboratory.hpp"
 
 #include <array>
 #include <cmath>
 
-#include "materials/base/error.hpp"
 #include "materials/contact_properties.hpp"
 
 namespace ashimpact::test {
@@ -32,18 +31,6 @@ std::function<double(double)> true_damping(Law law, TrueDamping damping) {
 
 }  // namespace
 
-std::string_view name_of(TrueDamping damping) {
-    switch (damping) {
-        case TrueDamping::quadratic:
-            return "quadratic";
-        case TrueDamping::exponential:
-            return "exponential";
-        case TrueDamping::bent:
-            break;
-    }
-    return "bent";
-}
-
 ContactModel ash_model(Law law) {
     const ContactPair ash{.mass = sphere_mass(48e-6, 2158.5),
                           .effective_radius = 48e-6,
@@ -64,35 +51,6 @@ SyntheticLaboratory ash_laboratory(const ContactModel& model, TrueDamping dampin
     laboratory.slowest = 0.6 * laboratory.critical_velocity();
     laboratory.fastest = 3.0 * laboratory.critical_velocity();
     return laboratory;
-}
-
-Coverage coverage_of(const SyntheticLaboratory& laboratory, const DampingCurveOptions& options,
-                     int repetitions, unsigned long seed) {
-    Random random(seed);
-    Coverage coverage{.repetitions = repetitions};
-    const double truth = laboratory.critical_damping();
-    int fitted = 0;
-    int bounded = 0;
-    for (int i = 0; i < repetitions; ++i) {
-        const MeasurementSet set = laboratory.measure(random);
-        try {
-            const DampingCurveFit fit = fit_damping_curve(laboratory.model, set, options);
-            const Interval& interval = fit.critical_damping;
-            ++fitted;
-            if (interval.lower && *interval.lower > truth) ++coverage.damping_above;
-            if (interval.upper && *interval.upper < truth) ++coverage.damping_below;
-            if (fit.critical_velocity.contains(laboratory.critical_velocity())) ++coverage.velocity;
-            coverage.bias += interval.value / truth - 1.0;
-            if (!interval.lower || !interval.upper) continue;
-            ++bounded;
-            coverage.width += 0.5 * (*interval.upper - *interval.lower) / truth;
-        } catch (const ConvergenceError&) {
-            ++coverage.failures;
-        }
-    }
-    coverage.bias /= std::max(1, fitted);
-    coverage.width /= std::max(1, bounded);
-    return coverage;
 }
 
 }  // namespace ashimpact::test
