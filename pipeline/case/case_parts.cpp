@@ -11,6 +11,13 @@ namespace ashimpact {
 
 namespace {
 
+/// Refuses an uncertainty with which the value would say nothing.
+void require_uncertainty(const View& node, const Stated& stated, double most, const std::string& allowed) {
+    if (stated.quantity.standard_uncertainty.value_or(0) > most)
+        node.at("standard_uncertainty")
+            .fail("is " + shortest(*stated.quantity.standard_uncertainty), allowed);
+}
+
 Law law_of(const View::Member& member) {
     return member.value.located([&] { return Law::named(member.key); });
 }
@@ -171,12 +178,14 @@ Stated read_stated(const View& node, Dimension dimension) {
 Stated read_positive(const View& node, std::string_view name, Dimension dimension) {
     Stated stated = read_stated(node, dimension);
     node.located([&] { require_positive(name, stated.value(), dimension); });
+    require_uncertainty(node, stated, 10 * stated.value(), "ten times the value at most");
     return stated;
 }
 
 Stated read_poisson_ratio(const View& node) {
     Stated stated = read_stated(node, Dimension::fraction);
     node.located([&] { require_poisson_ratio("Poisson's ratio", stated.value()); });
+    require_uncertainty(node, stated, 0.5, "0 to 0.5");
     return stated;
 }
 

@@ -10,6 +10,7 @@
 #include "pipeline/case/laws.hpp"
 #include "pipeline/case/measurement_parts.hpp"
 #include "pipeline/json/schema.hpp"
+#include "pipeline/json/schema_version.hpp"
 #include "solver/motion/impact.hpp"
 
 namespace ashimpact {
@@ -285,6 +286,7 @@ LoadedCase load_case(const std::optional<std::string>& file) {
     const std::string text = files.read_case();
     return in_file(files.case_name(), [&] {
         const Json document = without_comments(parse_json(text));
+        require_schema_version(document, false);
         validate_document(document, "case");
         LoadedCase loaded;
         loaded.data = read_case_with(View(document), built_in_phases(), files, loaded.warnings);

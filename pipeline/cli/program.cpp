@@ -4,6 +4,8 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <filesystem>
 #include <iostream>
@@ -56,8 +58,19 @@ void print(const std::string& text) {
     if (!std::cout) throw InputError("cannot be written", "a place with room").at("standard output");
 }
 
+/// Prints what a command has done. Where the files are its result and are written, that no one hears of it is
+/// no error.
+void report(const std::string& text, bool writes_files) {
+    try {
+        print(text);
+    } catch (const InputError& error) {
+        if (!writes_files) throw;
+        spdlog::warn("warning: {}; all files were written", error.what());
+    }
+}
+
 /// Runs a command, which prints all that it has to say or nothing.
-void perform(const Action& action, HeldWarnings& messages) {
+void perform(const Action& action, bool writes_files, HeldWarnings& messages) {
     std::ostringstream out;
     try {
         action(out);
@@ -70,7 +83,7 @@ void perform(const Action& action, HeldWarnings& messages) {
             .in_file(shortened(error.path1().string()));
     }
     messages.release();
-    print(out.str());
+    report(out.str(), writes_files);
 }
 
 /// Neither quiet and verbose at once, wherever on the line they stand.
@@ -101,7 +114,9 @@ void obey(CLI::App& program, int argc, const char* const* argv, const Action& ac
         return;
     }
     check_common_options(program);
-    perform(action, messages);
+    constexpr std::array<std::string_view, 6> writing{"run", "sweep", "init", "export", "report", "figure"};
+    const std::string command = program.get_subcommands().front()->get_name();
+    perform(action, std::find(writing.begin(), writing.end(), command) != writing.end(), messages);
 }
 
 }  // namespace

@@ -30,7 +30,11 @@ bool Artifacts::has(std::string_view file) const {
 
 const std::string& Artifacts::place_of(std::string_view file) const {
     const Artifact& artifact = at(file);
-    return artifact.place.empty() ? artifact.file : artifact.place;
+    if (!artifact.place.empty()) return artifact.place;
+    for (const Artifact& each : artifacts_)
+        if (each.file == case_artifact && !each.place.empty())
+            return each.place;  // what it was computed from
+    return artifact.file;
 }
 
 const std::vector<Stage>& stages() {

@@ -34,7 +34,7 @@ struct Artifact {
     std::string file;
     Json document;
     std::string bytes;
-    std::string place{};  ///< where it was read from, for messages; empty: it was computed
+    std::string place{};  ///< where it, or the case, was read from, for messages; empty: it was computed
 };
 
 /// The artifacts of earlier stages.
@@ -54,7 +54,14 @@ class Artifacts {
     template <class Read>
     auto read(std::string_view file, Read&& read) const {
         const Artifact& artifact = at(file);
-        return in_file(place_of(file), [&] { return read(View(artifact.document).at("result")); });
+        return in_file(place_of(file), [&] {
+            if (!artifact.place.empty()) return read(View(artifact.document).at("result"));
+            try {
+                return read(View(artifact.document).at("result"));
+            } catch (const InputError& error) {  // a pointer into what is nowhere to be seen says nothing
+                throw InputError(error.problem(), error.allowed());
+            }
+        });
     }
 
   private:
