@@ -163,6 +163,12 @@ std::vector<std::string> stage_names() {
     return names;
 }
 
+Artifacts load_artifacts(const std::filesystem::path& folder, const std::vector<std::string_view>& files) {
+    Artifacts artifacts;
+    for (const std::string_view file : files) artifacts.add(loaded_artifact(folder, file));
+    return artifacts;
+}
+
 Artifacts compute_artifacts(const std::optional<std::string>& case_file, std::string_view last_stage) {
     Artifacts artifacts;
     artifacts.add(case_artifact_of(load_case(case_file)));

@@ -32,6 +32,10 @@ struct RunSummary {
 [[nodiscard]] Artifacts compute_artifacts(const std::optional<std::string>& case_file,
                                           std::string_view last_stage);
 
+/// Artifacts of a finished run, checked against their schemas. @throws InputError naming the file
+[[nodiscard]] Artifacts load_artifacts(const std::filesystem::path& folder,
+                                       const std::vector<std::string_view>& files);
+
 /// Names of the stages a run can start from.
 [[nodiscard]] std::vector<std::string> stage_names();
 

@@ -4,6 +4,7 @@
 #include <iosfwd>
 #include <string>
 
+#include "pipeline/export/command.hpp"
 #include "pipeline/commands/sweep.hpp"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's own name
@@ -30,5 +31,15 @@ void add_document_commands(CLI::App& program, Action& action);
 
 /// sweep, which @p runner runs
 void add_sweep_command(CLI::App& program, Action& action, const SweepRunner& runner);
+
+/// export, which @p runner runs
+void add_export_command(CLI::App& program, Action& action, const ExportRunner& runner);
+
+/// Whether a command can do without the options of a contact.
+enum class ContactNeeds { required, optional };
+
+/// The options that describe a contact, and its damping.
+void add_contact_options(CLI::App& command, ContactOptions& options, ContactNeeds needs);
+void add_damping_option(CLI::App& command, ContactOptions& options);
 
 }  // namespace ashimpact

@@ -13,45 +13,13 @@ namespace {
 
 constexpr auto json_help = "print one JSON object, numbers with 17 significant digits";
 
-void add_contact_options(CLI::App& command, ContactOptions& options) {
-    command.add_option("--law", options.law, "contact law: " + law_names())->required()->type_name("NAME");
-    command.add_option("--radius", options.radius, "of the sphere, \"44 um\"")->required()->type_name("Q");
-    command.add_option("--density", options.density, "of the sphere, \"2160 kg/m3\"")->type_name("Q");
-    command.add_option("--mass", options.mass, "of the sphere, instead of its density")->type_name("Q");
-    command
-        .add_option("--contact-modulus", options.contact_modulus, "E*, \"90 GPa\" (not a Young's modulus)")
-        ->required()
-        ->type_name("Q");
-    command
-        .add_option("--work-of-adhesion", options.work_of_adhesion,
-                    "w, \"0.3 J/m2\" (not a surface energy); not needed for hertz")
-        ->type_name("Q");
-    command.add_option("--yield-pressure", options.yield_pressure, "p_y, \"35.3 MPa\", for thornton-ning")
-        ->type_name("Q");
-    command
-        .add_option(
-            "--detachment", options.detachment,
-            "where the contact ends: zero-overlap, zero-force, pull-off, load-controlled; default: that "
-            "of the law")
-        ->type_name("NAME");
-    command
-        .add_option("--damping-law", options.damping_law,
-                    "constant, contact-radius or tsuji; the unit of the damping goes with it")
-        ->capture_default_str()
-        ->type_name("NAME");
-}
-
-void add_damping_option(CLI::App& command, ContactOptions& options) {
-    command.add_option("--damping", options.damping, "\"0.0141 kg/s\"; default: none")->type_name("Q");
-}
-
 void add_impact(CLI::App& program, Action& action) {
     auto* command = add_command(program, "impact", "One normal impact of a sphere on a flat wall",
                                 "ashimpact impact --law dmt --radius \"44 um\" --density \"2600 kg/m3\" "
                                 "--contact-modulus \"90 GPa\" --work-of-adhesion \"0.3 J/m2\" "
                                 "--damping \"0.0141 kg/s\" --velocity \"2 m/s\"");
     const auto options = std::make_shared<ImpactOptions>();
-    add_contact_options(*command, options->contact);
+    add_contact_options(*command, options->contact, ContactNeeds::required);
     add_damping_option(*command, options->contact);
     command->add_option("--velocity", options->velocity, "at first touch, \"2 m/s\"")
         ->required()
@@ -83,7 +51,7 @@ void add_critical_velocity(CLI::App& program, Action& action) {
                                 "--density \"2600 kg/m3\" --contact-modulus \"90 GPa\" "
                                 "--work-of-adhesion \"0.3 J/m2\" --damping \"0.0141 kg/s\"");
     const auto options = std::make_shared<CriticalVelocityOptions>();
-    add_contact_options(*command, options->contact);
+    add_contact_options(*command, options->contact, ContactNeeds::required);
     add_damping_option(*command, options->contact);
     command->add_flag("--json", options->json, json_help);
     command->callback([options, &action] {
@@ -98,7 +66,7 @@ void add_damping(CLI::App& program, Action& action) {
                                 "--velocity \"2 m/s\" --restitution 0.2\n"
                                 "  (the same with --impacts impacts.csv instead of the last two)");
     const auto options = std::make_shared<DampingOptions>();
-    add_contact_options(*command, options->contact);
+    add_contact_options(*command, options->contact, ContactNeeds::required);
     command->add_option("--velocity", options->velocity, "at first touch, \"2 m/s\"")->type_name("Q");
     command->add_option("--restitution", options->restitution, "e_n; 0: the smallest damping that captures")
         ->type_name("X");
@@ -121,6 +89,43 @@ void add_damping(CLI::App& program, Action& action) {
 }
 
 }  // namespace
+
+void add_contact_options(CLI::App& command, ContactOptions& options, ContactNeeds needs) {
+    const bool required = needs == ContactNeeds::required;
+    command.add_option("--law", options.law, "contact law: " + law_names())
+        ->required(required)
+        ->type_name("NAME");
+    command.add_option("--radius", options.radius, "of the sphere, \"44 um\"")
+        ->required(required)
+        ->type_name("Q");
+    command.add_option("--density", options.density, "of the sphere, \"2160 kg/m3\"")->type_name("Q");
+    command.add_option("--mass", options.mass, "of the sphere, instead of its density")->type_name("Q");
+    command
+        .add_option("--contact-modulus", options.contact_modulus, "E*, \"90 GPa\" (not a Young's modulus)")
+        ->required(required)
+        ->type_name("Q");
+    command
+        .add_option("--work-of-adhesion", options.work_of_adhesion,
+                    "w, \"0.3 J/m2\" (not a surface energy); not needed for hertz")
+        ->type_name("Q");
+    command.add_option("--yield-pressure", options.yield_pressure, "p_y, \"35.3 MPa\", for thornton-ning")
+        ->type_name("Q");
+    command
+        .add_option(
+            "--detachment", options.detachment,
+            "where the contact ends: zero-overlap, zero-force, pull-off, load-controlled; default: that "
+            "of the law")
+        ->type_name("NAME");
+    command
+        .add_option("--damping-law", options.damping_law,
+                    "constant, contact-radius or tsuji; the unit of the damping goes with it")
+        ->capture_default_str()
+        ->type_name("NAME");
+}
+
+void add_damping_option(CLI::App& command, ContactOptions& options) {
+    command.add_option("--damping", options.damping, "\"0.0141 kg/s\"; default: none")->type_name("Q");
+}
 
 void add_contact_commands(CLI::App& program, Action& action) {
     add_impact(program, action);
