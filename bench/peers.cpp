@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "solver/contact/dmt.hpp"
-#include "solver/gsl/ode.hpp"
 #include "solver/motion/scale.hpp"
+#include "tests/support/ode.hpp"
 
 namespace ashimpact::bench {
 
@@ -87,7 +87,7 @@ double gsl_rk8pd(const Impact& impact) {
     const Contact contact(impact);
     const auto in_time = [&](double, const State& x) { return contact.in_time(x); };
     const auto in_overlap = [&](double overlap, const State& x) { return contact.in_overlap(overlap, x); };
-    gsl::Ode<2, decltype(in_time)> inward(in_time, {tolerance, {tolerance, tolerance}});
+    test::Ode<2, decltype(in_time)> inward(in_time, {tolerance, {tolerance, tolerance}});
     State state{0.0, 1.0};
     double time = 0.0;
     double step = 0.05;
@@ -105,7 +105,7 @@ double gsl_rk8pd(const Impact& impact) {
         state = next;
         time = next_time;
     }
-    gsl::Ode<2, decltype(in_overlap)> last(in_overlap, {tolerance, {tolerance, tolerance}});
+    test::Ode<2, decltype(in_overlap)> last(in_overlap, {tolerance, {tolerance, tolerance}});
     last.integrate(state[0], 0.0, state);
     return -state[1];
 }

@@ -12,7 +12,7 @@ namespace {
 
 /// What must agree before a checkpoint is gone on with.
 struct Owner {
-    std::string format = std::string(checkpoint_mark) + " 1";
+    std::string format = std::string(checkpoint_mark) + " 2";
     std::string version{program_version()};
     std::string revision{program_revision()};
     std::string spec;

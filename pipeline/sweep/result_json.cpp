@@ -19,14 +19,16 @@ Json with_error(double value, Dimension dimension, const std::optional<double>& 
 /// One law's results as JSON.
 class LawResult {
   public:
-    LawResult(const SweepPlan& plan, const LawSums& sums, const std::vector<Histogram>& counts)
-        : plan_(plan), sums_(sums), counts_(counts) {}
+    LawResult(const SweepPlan& plan, const LawSums& sums, const std::vector<Histogram>& counts,
+              std::uint64_t failed)
+        : plan_(plan), sums_(sums), counts_(counts), failed_(failed) {}
 
     [[nodiscard]] Json json(const LawChoice& choice) const {
         Json law{{"law", choice.law.name()},
                  {"detachment", name_of(choice.detachment)},
                  {"impacts", counts_.front().total()},
                  {"captured", counts_.front().total() - counts_.front().zeros()},
+                 {"not_converged", failed_},
                  {"capture_fraction", with_error(whole(0).mean, Dimension::fraction, error_of_mean(0))},
                  {"observables", Json::array()}};
         for (std::size_t i = 1; i < plan_.spec().statistics.size(); ++i)
@@ -127,7 +129,19 @@ class LawResult {
     const SweepPlan& plan_;
     const LawSums& sums_;
     const std::vector<Histogram>& counts_;
+    std::uint64_t failed_;
 };
+
+/// The first impacts that did not converge, each with the command that computes it alone.
+Json failures_json(const SweepPlan& plan, const FailedImpacts& failed) {
+    Json list = Json::array();
+    for (const FailedImpacts::Listed& each : failed.listed)
+        list.push_back({{"law", plan.spec().laws[each.law].law.name()},
+                        {"row", each.row},
+                        {"reason", each.reason},
+                        {"command", each.command}});
+    return {{"count", failed.total()}, {"listed", std::move(list)}};
+}
 
 Json citations_of(const SweepPlan& plan) {
     Json citations = Json::array();
@@ -156,7 +170,13 @@ Json sweep_artifact(const SweepPlan& plan, const Tally& tally, const SpecFile& s
                 {"laws", Json::array()}};
     for (std::size_t i = 0; i < plan.spec().laws.size(); ++i)
         result["laws"].push_back(
-            LawResult(plan, sums.laws[i], tally.counts().laws[i]).json(plan.spec().laws[i]));
+            LawResult(plan, sums.laws[i], tally.counts().laws[i], tally.failed().counts.at(i))
+                .json(plan.spec().laws[i]));
+    result["not_converged"] = failures_json(plan, tally.failed());
+    std::vector<std::string> warnings = plan.spec().warnings;
+    if (tally.failed().total() > 0)
+        warnings.push_back(std::to_string(tally.failed().total()) + " of " + std::to_string(plan.impacts()) +
+                           " impacts did not converge; they are left out, see /result/not_converged");
     return {{"schema", "sweep-result"},
             {"stage", "sweep"},
             {"provenance",
@@ -166,7 +186,7 @@ Json sweep_artifact(const SweepPlan& plan, const Tally& tally, const SpecFile& s
               {"inputs", Json::array({{{"file", spec.name}, {"sha256", spec.sha256}}})},
               {"options", parse_json(plan.canonical())}}},
             {"citations", citations_of(plan)},
-            {"warnings", plan.spec().warnings},
+            {"warnings", warnings},
             {"result", std::move(result)}};
 }
 

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "materials/base/error.hpp"
+#include "materials/base/text.hpp"
 #include "pipeline/sweep/bytes.hpp"
 #include "pipeline/sweep/progress.hpp"
 
@@ -22,6 +23,8 @@ constexpr unsigned highest_level = 12;
 /// A block's rows of the full table are held in memory, and sent, as one.
 constexpr unsigned highest_level_with_table = 2;
 constexpr std::chrono::milliseconds patience{50};
+/// Share of the impacts that may fail to converge before the sweep does.
+constexpr double tolerated_failures = 0.01;
 
 /// The way of a sweep from its first chunk to its last.
 class Course {
@@ -130,8 +133,20 @@ class Course {
             if (rows_) rows_->append(result.rows);
             if (rows_) state_.row_bytes = rows_->size();
             state_.tally.add(done.block, std::move(result));
+            require_few_failures();
             seconds_a_chunk_ = done.seconds / static_cast<double>(done.block.chunks());
         }
+    }
+
+    /// @throws ConvergenceError with the first of them where too many impacts did not converge
+    void require_few_failures() const {
+        const FailedImpacts& failed = state_.tally.failed();
+        const auto impacts = static_cast<double>(plan_.impacts());
+        if (static_cast<double>(failed.total()) <= tolerated_failures * impacts) return;
+        const FailedImpacts::Listed& first = failed.listed.front();
+        throw ConvergenceError(std::to_string(failed.total()) + " impacts, more than " +
+                               shortest(100 * tolerated_failures) + " % of the sweep: " + first.reason +
+                               "; the first one: " + first.command);
     }
 
     Checkpoint& state_;

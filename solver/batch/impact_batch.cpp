@@ -5,8 +5,11 @@
 #include "solver/batch/tables/restitution_table.hpp"
 #include "solver/batch/task.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <mutex>
 #include <string>
 
 namespace ashimpact {
@@ -26,28 +29,81 @@ Impact impact_at(const ImpactBatch& batch, const batch::Inputs& in, std::size_t 
             in.velocity.at(i)};
 }
 
-void solve_alone(const Impact& impact, const ImpactTask& task, std::size_t i) {
-    const ImpactResult result = solve_impact(impact);
+void take_end(const ImpactResult& result, const ImpactTask& task, std::size_t i) {
     task.end[i] = result.outcome == Outcome::rebound ? LaneEnd::rebound : LaneEnd::capture;
     task.restitution[i] = result.restitution;
     task.contact_time[i] = result.contact_time.value_or(nothing);
-    task.approach_time[i] = task.turning_point ? result.approach_time.value_or(nothing) : nothing;
-    task.maximum_overlap[i] = task.turning_point ? result.maximum_overlap : nothing;
 }
 
-/// Solves a task, and alone what its kernel could not decide. @return how many those were
-std::int64_t solve(const ImpactBatch& batch, const ImpactTask& task, std::size_t first, Outcome* outcome) {
+void take_turn(const ImpactResult& result, const ImpactTask& task, std::size_t i) {
+    task.approach_time[i] = result.approach_time.value_or(nothing);
+    task.maximum_overlap[i] = result.maximum_overlap;
+}
+
+/// Whether what a kernel decided can be: 0 < e < 1 where damped, and a time that passes.
+bool is_possible_end(const ImpactTask& task, std::size_t i) {
+    if (task.end[i] == LaneEnd::capture) return true;
+    const double e = task.restitution[i];
+    const double time = task.contact_time[i];
+    const bool damped = task.inputs.damping.at(i) > 0.0;
+    return e > 0.0 && (damped ? e < 1.0 : e <= 1.0) && time > 0.0 && std::isfinite(time);
+}
+
+/// Whether the turning point can be, and fits the end of the impact: what rebounds has turned before.
+bool is_possible_turn(const ImpactTask& task, std::size_t i) {
+    const double time = task.approach_time[i];
+    const double overlap = task.maximum_overlap[i];
+    if (!(overlap > 0.0) || !std::isfinite(overlap)) return false;
+    const bool rebounds = task.end[i] == LaneEnd::rebound;
+    if (std::isnan(time)) return !rebounds;
+    return time > 0.0 && std::isfinite(time) && (!rebounds || time < task.contact_time[i]);
+}
+
+/// Impacts that did not converge, from several threads.
+class Failures {
+  public:
+    explicit Failures(bool keep) : keep_(keep) {}
+
+    /// Notes a failure. @throws ConvergenceError naming the impact, unless failures are kept
+    void add(const ImpactTask& task, std::size_t i, std::size_t first, const ConvergenceError& error) {
+        if (!keep_) throw ConvergenceError("impact " + std::to_string(first + i) + ": " + error.what());
+        task.end[i] = LaneEnd::capture;
+        task.restitution[i] = task.contact_time[i] = task.approach_time[i] = task.maximum_overlap[i] =
+            nothing;
+        const std::lock_guard lock(mutex_);
+        failed_.push_back({static_cast<std::int64_t>(first + i), error.what()});
+    }
+    [[nodiscard]] std::vector<FailedImpact> in_order() && {
+        std::sort(failed_.begin(), failed_.end(),
+                  [](const FailedImpact& a, const FailedImpact& b) { return a.place < b.place; });
+        return std::move(failed_);
+    }
+
+  private:
+    bool keep_;
+    std::mutex mutex_;
+    std::vector<FailedImpact> failed_;
+};
+
+/// Solves a task, and alone what its kernel could not decide or got impossibly. @return how many those were
+std::int64_t solve(const ImpactBatch& batch, const ImpactTask& task, std::size_t first, Outcome* outcome,
+                   Failures& failures) {
     batch::kernels_of(batch.law).impacts(task);
     std::int64_t alone = 0;
     for (std::size_t i = 0; i < task.count; ++i) {
-        if (task.end[i] == LaneEnd::undecided) {
+        const bool end_known = task.end[i] != LaneEnd::undecided && is_possible_end(task, i);
+        const bool turn_known = !task.turning_point || (end_known && is_possible_turn(task, i));
+        if (!end_known || !turn_known) {
             try {
-                solve_alone(impact_at(batch, task.inputs, i), task, i);
+                const ImpactResult result = solve_impact(impact_at(batch, task.inputs, i));
+                if (!end_known) take_end(result, task, i);
+                if (task.turning_point) take_turn(result, task, i);
             } catch (const ConvergenceError& error) {
-                throw ConvergenceError("impact " + std::to_string(first + i) + ": " + error.what());
+                failures.add(task, i, first, error);
             }
             ++alone;
         }
+        if (!task.turning_point) task.approach_time[i] = task.maximum_overlap[i] = nothing;
         outcome[i] = task.end[i] == LaneEnd::rebound ? Outcome::rebound : Outcome::capture;
     }
     return alone;
@@ -75,9 +131,6 @@ void solve_impacts(const ImpactBatch& batch, ImpactBatchResult& result, const Ba
         throw InputError(*reason, admissible_detachments(batch.law));
     }
     const bool tabulated = options.method == BatchMethod::table;
-    if (tabulated && options.turning_point) {
-        throw InputError("a table has no turning points", "turning_point = false, or the method integration");
-    }
     batch::RestitutionTable* const table =
         tabulated ? &batch::RestitutionTable::of(batch.law, batch.detachment, batch.damping_law) : nullptr;
     const Eigen::Index count =
@@ -86,6 +139,7 @@ void solve_impacts(const ImpactBatch& batch, ImpactBatchResult& result, const Ba
     resize(result, count);
     batch::FirstFault fault;
     std::atomic<std::int64_t> scalar = 0;
+    Failures failures(options.keep_failures);
     const auto chunk = [&](std::size_t first, std::size_t size) {
         const batch::Inputs own = inputs.from(first);
         if (!fault.check(own, first, size)) return;
@@ -101,10 +155,11 @@ void solve_impacts(const ImpactBatch& batch, ImpactBatchResult& result, const Ba
                               .contact_time = result.contact_time.data() + first,
                               .approach_time = result.approach_time.data() + first,
                               .maximum_overlap = result.maximum_overlap.data() + first};
-        scalar += solve(batch, task, first, result.outcome.data() + first);
+        scalar += solve(batch, task, first, result.outcome.data() + first, failures);
     };
     batch::for_chunks(static_cast<std::size_t>(count), batch::most_impacts, options.threads, chunk);
     result.scalar = scalar;
+    result.failed = std::move(failures).in_order();
     fault.raise([&](std::size_t i) { validate(impact_at(batch, inputs, i)); });
 }
 

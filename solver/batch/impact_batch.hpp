@@ -7,6 +7,8 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace ashimpact {
 
@@ -22,19 +24,27 @@ struct ImpactBatch {
 
 struct BatchOptions {
     int threads = 1;            ///< 0: as many as there are cores
-    bool turning_point = true;  ///< approach time and greatest overlap too; without them a sixth is saved,
-                                ///< and the last bits of the rest differ; a table does not have them
+    bool turning_point = true;  ///< approach time and greatest overlap too, in a second pass up to the turn;
+                                ///< restitution and contact time are the same bits without them
     BatchMethod method = BatchMethod::integration;
+    bool keep_failures = false;  ///< impacts that do not converge are listed; otherwise the first one throws
+};
+
+/// An impact of a batch that did not converge.
+struct FailedImpact {
+    std::int64_t place;  ///< in the batch
+    std::string reason;
 };
 
 /// What the impacts did; NaN where there is nothing: contact time of a capture, approach time of an approach
 /// that never turns, both columns of the turning point where they were not asked for.
 struct ImpactBatchResult {
     Eigen::Array<Outcome, Eigen::Dynamic, 1> outcome{};
-    Eigen::ArrayXd restitution{};      ///< e_n, 0 for a capture [1]
-    Eigen::ArrayXd contact_time{};     ///< first touch to detachment [s]
-    Eigen::ArrayXd approach_time{};    ///< first touch to greatest overlap [s]
-    Eigen::ArrayXd maximum_overlap{};  ///< greatest overlap, or its supremum where it never turns [m]
+    Eigen::ArrayXd restitution{};        ///< e_n, 0 for a capture [1]
+    Eigen::ArrayXd contact_time{};       ///< first touch to detachment [s]
+    Eigen::ArrayXd approach_time{};      ///< first touch to greatest overlap [s]
+    Eigen::ArrayXd maximum_overlap{};    ///< greatest overlap, or its supremum where it never turns [m]
+    std::vector<FailedImpact> failed{};  ///< by place; all their numbers are NaN, and they count as captures
     std::int64_t scalar = 0;  ///< left to solve_impact(): too near capture for double precision, or plastic
 };
 
@@ -43,7 +53,8 @@ struct ImpactBatchResult {
 ///
 /// Every impact goes its own way: its result does not depend, in any bit, on the others, on their number or
 /// order, or on the number of threads. Instruction sets differ within that bound.
-/// @throws InputError for inadmissible input, naming the first impact it concerns
+/// @throws InputError for inadmissible input, naming the first impact it concerns; ConvergenceError unless
+/// failures are kept
 [[nodiscard]] ImpactBatchResult solve_impacts(const ImpactBatch& batch, const BatchOptions& options = {});
 
 /// As above, into columns that exist already where they have the right length: nothing is allocated then.

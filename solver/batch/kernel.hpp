@@ -56,14 +56,14 @@ struct ImpactTask {
     DampingLaw damping_law;
     Detachment detachment;
     bool turning_point;
-    RestitutionTable* table;  ///< none: integrate all; does not tell turning points
+    RestitutionTable* table;  ///< none: integrate all; turning points are integrated in any case
     std::size_t count;
     Inputs inputs;
     LaneEnd* end;
     double* restitution;      ///< 0 where it is not a rebound [1]
     double* contact_time;     ///< NaN where it is not a rebound [s]
-    double* approach_time;    ///< NaN without turning_point, or where it never turns [s]
-    double* maximum_overlap;  ///< NaN without turning_point [m]
+    double* approach_time;    ///< NaN where it never turns; untouched without turning_point [s]
+    double* maximum_overlap;  ///< NaN where the turn is in doubt; untouched without turning_point [m]
 };
 
 /// Impacts that are given by their two numbers, for one thread; scaled results.

@@ -53,20 +53,8 @@ double chi_squared_exceedance(double chi_squared, int degrees_of_freedom) {
     return degrees_of_freedom > 0 ? gsl_cdf_chisq_Q(chi_squared, degrees_of_freedom) : 1.0;
 }
 
-double chi_squared_quantile(double probability, int degrees_of_freedom) {
-    return gsl_cdf_chisq_Pinv(probability, degrees_of_freedom);
-}
-
 double binomial_probability(unsigned most, double success, unsigned trials) {
     return gsl_cdf_binomial_P(most, success, trials);
-}
-
-double lognormal_quantile(double probability, double log_mean, double log_deviation) {
-    return gsl_cdf_lognormal_Pinv(probability, log_mean, log_deviation);
-}
-
-double uniform_quantile(double probability, double lower, double upper) {
-    return gsl_cdf_flat_Pinv(probability, lower, upper);
 }
 
 }  // namespace ashimpact::gsl

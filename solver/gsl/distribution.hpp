@@ -14,8 +14,7 @@ namespace ashimpact::gsl {
 /// Slope of normal_log_probability(): density over probability.
 [[nodiscard]] double normal_log_probability_slope(double x);
 
-/// Both in a tenth of the time. The logarithm has the rounding error of a number near 1, however small it is
-/// itself.
+/// The same two, ten times faster; absolute error about 1e-16.
 [[nodiscard]] double quick_normal_log_probability(double x);
 [[nodiscard]] double quick_normal_log_probability_slope(double x);
 
@@ -25,14 +24,7 @@ namespace ashimpact::gsl {
 /// Probability of a chi^2 at least this large; 1 without degrees of freedom.
 [[nodiscard]] double chi_squared_exceedance(double chi_squared, int degrees_of_freedom);
 
-/// The chi^2 below which the distribution falls with this probability.
-[[nodiscard]] double chi_squared_quantile(double probability, int degrees_of_freedom);
-
 /// Probability of @p most or fewer successes in @p trials.
 [[nodiscard]] double binomial_probability(unsigned most, double success, unsigned trials);
-
-/// Quantiles of the distributions that inputs are given in.
-[[nodiscard]] double lognormal_quantile(double probability, double log_mean, double log_deviation);
-[[nodiscard]] double uniform_quantile(double probability, double lower, double upper);
 
 }  // namespace ashimpact::gsl

@@ -4,6 +4,7 @@
 #include "solver/gsl/linear_fit.hpp"
 #include "solver/gsl/robust.hpp"
 #include "solver/gsl/statistics.hpp"
+#include "solver/statistics/moments.hpp"
 
 #include <algorithm>
 #include <array>
@@ -46,8 +47,8 @@ DampingSmoothing::Rows DampingSmoothing::Rows::averaged() const {
         const double root = std::sqrt(static_cast<double>(size));
         std::vector<double> middle(part(damping).begin(), part(damping).end());
         constexpr std::array half{0.5};  // the median, so that outliers do not spoil their group
-        result.add(gsl::moments(part(position)).mean, gsl::quantiles(middle, half).front(),
-                   root * gsl::moments(part(weight)).mean, index[i]);
+        result.add(Moments::of(part(position)).mean, gsl::quantiles(middle, half).front(),
+                   root * Moments::of(part(weight)).mean, index[i]);
     }
     return result;
 }

@@ -49,7 +49,15 @@ struct Triangular {
 
 using Distribution = std::variant<Choice, Uniform, LogUniform, Normal, LogNormal, Triangular>;
 
-/// Replaces probabilities of (0, 1) by the values below which the distribution has them.
+/// Distributions of a quantity from its value and standard uncertainty, both [SI].
+[[nodiscard]] Distribution normal_around(double value, double standard_uncertainty);
+/// The value is the median; the logarithm has the standard deviation standard_uncertainty/value. Never
+/// negative; needs value > 0.
+[[nodiscard]] Distribution lognormal_around(double value, double standard_uncertainty);
+/// Half width sqrt(3) standard_uncertainty.
+[[nodiscard]] Distribution uniform_around(double value, double standard_uncertainty);
+
+/// Replaces probabilities of (0, 1) by quantiles: the values below which the distribution has them.
 void to_quantiles(const Distribution& distribution, std::span<double> probabilities);
 
 /// The least and the greatest value a distribution can give, infinite where there is none.

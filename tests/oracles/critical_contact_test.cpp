@@ -7,10 +7,10 @@
 #include <string>
 
 #include "solver/critical_velocity/critical_velocity.hpp"
-#include "solver/gsl/ode.hpp"
 #include "tests/oracles/contact_force.hpp"
 #include "tests/oracles/impact_case.hpp"
 #include "tests/relative_difference.hpp"
+#include "tests/support/ode.hpp"
 
 namespace ashimpact::oracles {
 
@@ -55,7 +55,7 @@ CriticalContact backward_from_the_end(const ImpactCase& impact) {
         const double pace = by_overlap ? -1 / y[1] : 1.0;
         return {-pace * y[1], pace * deceleration, pace};
     };
-    gsl::Ode<3, decltype(derivative)> ode(
+    test::Ode<3, decltype(derivative)> ode(
         derivative,
         {1e-13, {1e-24 * force.overlap_scale(), 1e-16 * impact.velocity, 1e-13 * force.time_scale()}});
     double t = 0;

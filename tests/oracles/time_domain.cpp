@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "materials/base/error.hpp"
-#include "solver/gsl/ode.hpp"
 #include "tests/oracles/contact_force.hpp"
+#include "tests/support/ode.hpp"
 
 namespace ashimpact::oracles {
 
@@ -137,7 +137,7 @@ class Integration {
     Clock clock_ = Clock::time;
     ContactForce force_;
     Motion motion_;
-    gsl::Ode<3, Motion> ode_;
+    test::Ode<3, Motion> ode_;
     bool zero_force_;
     double incident_velocity_;
 };

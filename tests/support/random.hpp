@@ -5,6 +5,9 @@
 #include <cstdint>
 #include <random>
 
+#include "solver/gsl/distribution.hpp"
+#include "solver/statistics/philox.hpp"
+
 namespace ashimpact::test {
 
 /// The same numbers on every machine, unlike the distributions of the standard library.
@@ -18,6 +21,10 @@ class Random {
     }
     [[nodiscard]] double log_uniform(double lower, double upper) {
         return std::exp(uniform(std::log(lower), std::log(upper)));
+    }
+    /// A normal number of mean zero.
+    [[nodiscard]] double normal(double deviation) {
+        return deviation * gsl::normal_quantile(unit_interval(engine_()));
     }
     /// One of 0 ... count - 1.
     [[nodiscard]] std::size_t below(std::size_t count) {

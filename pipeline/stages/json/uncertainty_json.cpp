@@ -25,7 +25,7 @@ Json propagation_json(const Propagation& propagation, const std::vector<RandomIn
         else
             exact.push_back(input.name);
     }
-    return {{"method", fmt::format("Monte Carlo, {}", propagation.sequence)},
+    return {{"method", "Monte Carlo, sobol"},
             {"evaluations", propagation.evaluations},
             {"undefined", propagation.undefined},
             {"mean", quantity_json(propagation.mean, Dimension::velocity)},

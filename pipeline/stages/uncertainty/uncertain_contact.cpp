@@ -15,7 +15,7 @@ RandomInput positive(const char* name, const Quantity& quantity) {
     return {.name = name,
             .value = quantity.value,
             .standard_uncertainty = quantity.standard_uncertainty.value_or(0),
-            .shape = quantity.value > 0 ? InputShape::lognormal : InputShape::normal};
+            .distribution = quantity.value > 0 ? lognormal_around : normal_around};
 }
 
 RandomInput ratio(const char* name, const Quantity& quantity) {

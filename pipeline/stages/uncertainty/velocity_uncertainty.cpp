@@ -40,7 +40,7 @@ Json from_damping(const VelocityTask& task) {
     const RandomInput damping{.name = fit_factor,
                               .value = task.fit.critical_damping,
                               .standard_uncertainty = task.fit.critical_damping_uncertainty.value_or(0),
-                              .shape = InputShape::lognormal};
+                              .distribution = lognormal_around};
     std::vector<RandomInput> inputs{damping};
     inputs.insert(inputs.end(), task.uncertain.inputs.begin(), task.uncertain.inputs.end());
     const CriticalVelocityCurve curve(task.choice.law, task.choice.detachment, task.contact.pair,

@@ -1,5 +1,7 @@
 #include "pipeline/sweep/crew/chunk.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "materials/contact_properties.hpp"
@@ -16,7 +18,7 @@ using Columns = std::vector<std::vector<double>>;
 class Chunk {
   public:
     Chunk(const SweepPlan& plan, std::uint64_t number)
-        : plan_(plan), points_(plan.points_in(number)), first_(plan.first_point(number)) {
+        : plan_(plan), number_(number), points_(plan.points_in(number)), first_(plan.first_point(number)) {
         for (std::size_t variable = 0; variable < plan.design().variables(); ++variable)
             variables_.push_back(values_of(variable));
     }
@@ -27,14 +29,17 @@ class Chunk {
         Columns table = spec.table.empty() ? Columns{} : variables_;
         into.sums.laws.resize(spec.laws.size());
         into.counts.laws.resize(spec.laws.size());
+        into.failed.counts.resize(spec.laws.size());
         for (std::size_t i = 0; i < spec.laws.size(); ++i) {
             const ContactModel model{spec.laws[i].law, spec.laws[i].detachment, spec.damping_law};
             const ResultColumns results = solver(model, impacts, plan_.wanted());
             add_statistics(results, impacts, into.sums.laws[i], into.counts.laws[i]);
+            add_failures(results, i, into.failed);
             for (const Observable observable : spec.table)
                 table.push_back(values_of(observable, results, impacts));
         }
-        if (!table.empty()) into.rows = pack_rows(in_order_of_points(table), plan_.rows_in_chunk());
+        if (!table.empty())
+            into.rows = sealed_rows(number_, pack_rows(in_order_of_points(table), plan_.rows_in_chunk()));
     }
 
   private:
@@ -82,7 +87,7 @@ class Chunk {
         if (observable == Observable::maximum_overlap) return results.maximum_overlap;
         std::vector<double> values = results.restitution;
         if (observable == Observable::captured)
-            for (double& value : values) value = value > 0 ? 0 : 1;
+            for (double& value : values) value = std::isnan(value) ? value : value > 0 ? 0 : 1;
         if (observable == Observable::rebound_velocity)
             for (std::size_t i = 0; i < values.size(); ++i) values[i] *= impacts.velocity[i];
         return values;
@@ -100,6 +105,16 @@ class Chunk {
             sums.sensitivity.push_back(sobol_by_group(values_of(observable, results, impacts)));
     }
 
+    void add_failures(const ResultColumns& results, std::size_t law, FailedImpacts& failed) const {
+        failed.counts[law] += results.failed.size();
+        for (const FailedSolution& each : results.failed) {
+            if (failed.listed.size() == FailedImpacts::most_listed) break;
+            const std::uint64_t point = first_ + each.place % points_;
+            const std::uint64_t row = point * plan_.impacts_a_point() + each.place / points_;
+            failed.listed.push_back({law, row, each.reason, each.command});
+        }
+    }
+
     /// Values of the points of one group, from as many blocks as there are.
     [[nodiscard]] std::vector<double> group_of(std::span<const double> values, std::uint32_t group) const {
         const std::uint32_t groups = plan_.design().groups();
@@ -109,6 +124,21 @@ class Chunk {
         for (std::size_t block = 0; block < values.size(); block += points_)
             for (std::size_t i = start; i < points_; i += groups) picked.push_back(values[block + i]);
         return picked;
+    }
+
+    /// Leaves out the points of which an impact is not known: its part of the variance is not either.
+    static void remove_unknown(Columns& blocks) {
+        std::vector<std::size_t> known;
+        for (std::size_t i = 0; i < blocks[0].size(); ++i)
+            if (std::none_of(blocks.begin(), blocks.end(),
+                             [&](const std::vector<double>& block) { return std::isnan(block[i]); }))
+                known.push_back(i);
+        if (known.size() == blocks[0].size()) return;
+        for (auto& block : blocks) {
+            std::vector<double> kept;
+            for (const std::size_t i : known) kept.push_back(block[i]);
+            block = std::move(kept);
+        }
     }
 
     [[nodiscard]] std::vector<Moments> moments_by_group(const std::vector<double>& values) const {
@@ -128,6 +158,7 @@ class Chunk {
             Columns blocks;
             for (std::size_t block = 0; block < plan_.impacts_a_point(); ++block)
                 blocks.push_back(group_of(all.subspan(block * points_, points_), group));
+            remove_unknown(blocks);
             sums.push_back(SobolSums::of({blocks[0], blocks[1], {blocks.begin() + 2, blocks.end()}}));
         }
         return sums;
@@ -147,6 +178,7 @@ class Chunk {
     }
 
     const SweepPlan& plan_;
+    std::uint64_t number_;
     std::size_t points_;
     std::uint64_t first_;
     Columns variables_;
@@ -162,6 +194,7 @@ BlockResult compute_block(const SweepPlan& plan, const ImpactSolver& solver, con
         Chunk(plan, chunk).compute(solver, part);
         sums.add(std::move(part.sums));
         whole.counts.merge(part.counts);
+        whole.failed.merge(part.failed);
         whole.rows += part.rows;
     }
     whole.sums = sums.total();

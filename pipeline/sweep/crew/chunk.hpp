@@ -26,11 +26,12 @@ struct Block {
 struct BlockResult {
     SweepSums sums;
     SweepCounts counts;
+    FailedImpacts failed;
     std::string rows;  ///< of the full table, packed chunk by chunk
 
     template <class Archive>
     void transfer(Archive& archive) {
-        archive(sums, counts, rows);
+        archive(sums, counts, failed, rows);
     }
 };
 

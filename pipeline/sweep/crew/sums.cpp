@@ -1,5 +1,7 @@
 #include "pipeline/sweep/crew/sums.hpp"
 
+#include <numeric>
+
 namespace ashimpact {
 
 namespace {
@@ -26,6 +28,17 @@ void LawSums::merge(const LawSums& other) {
 
 void SweepSums::merge(const SweepSums& other) {
     merge_each(laws, other.laws);
+}
+
+std::uint64_t FailedImpacts::total() const {
+    return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+}
+
+void FailedImpacts::merge(const FailedImpacts& other) {
+    if (counts.empty()) counts.resize(other.counts.size());
+    for (std::size_t i = 0; i < other.counts.size(); ++i) counts[i] += other.counts[i];
+    for (const Listed& each : other.listed)
+        if (listed.size() < most_listed) listed.push_back(each);
 }
 
 void SweepCounts::merge(const SweepCounts& other) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "solver/statistics/histogram.hpp"
@@ -28,6 +31,33 @@ struct SweepSums {
     template <class Archive>
     void transfer(Archive& archive) {
         archive(laws);
+    }
+};
+
+/// Impacts of a sweep that did not converge: how many of each law, and the first of them.
+struct FailedImpacts {
+    static constexpr std::size_t most_listed = 100;
+
+    struct Listed {
+        std::uint64_t law;  ///< its place among those of the sweep
+        std::uint64_t row;  ///< of the full table
+        std::string reason;
+        std::string command;  ///< that computes this impact alone
+
+        template <class Archive>
+        void transfer(Archive& archive) {
+            archive(law, row, reason, command);
+        }
+    };
+    std::vector<std::uint64_t> counts;  ///< by law
+    std::vector<Listed> listed;
+
+    [[nodiscard]] std::uint64_t total() const;
+    void merge(const FailedImpacts& other);
+
+    template <class Archive>
+    void transfer(Archive& archive) {
+        archive(counts, listed);
     }
 };
 

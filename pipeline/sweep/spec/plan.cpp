@@ -10,7 +10,7 @@ namespace {
 
 /// Impacts of a chunk and law: a millisecond or less for a fast solver, buffers that stay in the cache.
 constexpr std::size_t chunk_impacts = 8192;
-constexpr std::uint64_t tabulated_from = 500'000;  ///< impacts of a law from which a table pays
+constexpr std::uint64_t tabulated_from = 500'000;  ///< points from which a table pays
 
 Design design_of(const SweepSpec& spec) {
     std::vector<Distribution> distributions;
@@ -62,10 +62,10 @@ std::size_t SweepPlan::points_in(std::uint64_t chunk) const {
 }
 
 WantedResults SweepPlan::wanted() const {
-    const bool maximum_overlap = asks_for(spec(), Observable::maximum_overlap);
-    const bool tabulated = rows() >= tabulated_from && !maximum_overlap;
+    // The method depends on nothing that is asked for: asking for more does not change a bit of the rest.
+    const bool tabulated = design_.points() >= tabulated_from;
     return {.contact_time = asks_for(spec(), Observable::contact_time),
-            .maximum_overlap = maximum_overlap,
+            .maximum_overlap = asks_for(spec(), Observable::maximum_overlap),
             .method = tabulated ? BatchMethod::table : BatchMethod::integration};
 }
 

@@ -41,7 +41,9 @@ class Handle {
     Close close_;
 };
 
-/// Keeps HDF5 from writing its messages to standard error.
+/// Keeps HDF5 from writing its messages to standard error. Before anything else is asked of HDF5: its clean-up
+/// at exit writes what a full disk refused before, and crashes over it; whatever is to be written is closed
+/// before, so nothing is left for it to do.
 void silence();
 /// A property list without time stamps.
 [[nodiscard]] Handle timeless(hid_t kind);

@@ -53,18 +53,17 @@ ImpactBatch batch_of(const ContactModel& model, const ImpactColumns& impacts) {
             column(impacts.velocity)};
 }
 
-/// The first impact that does not converge, as an error that says how to compute it alone.
-[[nodiscard]] ConvergenceError named(const ConvergenceError& error, const ContactModel& model,
-                                     const ImpactColumns& impacts) {
+/// The first impact that is no valid one, as an error of the variables that make it.
+[[noreturn]] void refuse_first(const ContactModel& model, const ImpactColumns& impacts,
+                               const InputError& error) {
     for (std::size_t i = 0; i < impacts.velocity.size(); ++i) {
-        const Impact impact = impact_at(model, impacts, i);
         try {
-            static_cast<void>(solve_impact(impact));
-        } catch (const ConvergenceError& own) {
-            return ConvergenceError(std::string(own.what()) + "; the impact: " + command_of(impact));
+            validate(impact_at(model, impacts, i));
+        } catch (const InputError& own) {
+            throw InputError("at a point of the sweep, " + own.problem(), own.allowed()).at("/variables");
         }
     }
-    return error;
+    throw error;
 }
 
 }  // namespace
@@ -74,17 +73,23 @@ ResultColumns solve_in_batch(const ContactModel& model, const ImpactColumns& imp
     const auto values = [](const Eigen::ArrayXd& column) {
         return std::vector<double>(column.begin(), column.end());
     };
+    ImpactBatchResult solved;
     try {
-        const ImpactBatchResult solved = solve_impacts(
-            batch_of(model, impacts), {.turning_point = wanted.maximum_overlap, .method = wanted.method});
-        ResultColumns results;
-        results.restitution = values(solved.restitution);
-        if (wanted.contact_time) results.contact_time = values(solved.contact_time);
-        if (wanted.maximum_overlap) results.maximum_overlap = values(solved.maximum_overlap);
-        return results;
-    } catch (const ConvergenceError& error) {
-        throw named(error, model, impacts);
+        solve_impacts(
+            batch_of(model, impacts), solved,
+            {.turning_point = wanted.maximum_overlap, .method = wanted.method, .keep_failures = true});
+    } catch (const InputError& error) {
+        refuse_first(model, impacts, error);
     }
+    ResultColumns results;
+    results.restitution = values(solved.restitution);
+    if (wanted.contact_time) results.contact_time = values(solved.contact_time);
+    if (wanted.maximum_overlap) results.maximum_overlap = values(solved.maximum_overlap);
+    for (const FailedImpact& failed : solved.failed) {
+        const auto place = static_cast<std::size_t>(failed.place);
+        results.failed.push_back({place, failed.reason, command_of(impact_at(model, impacts, place))});
+    }
+    return results;
 }
 
 }  // namespace ashimpact

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "solver/batch/method.hpp"
@@ -31,21 +33,30 @@ struct ContactModel {
 struct WantedResults {
     bool contact_time = false;
     bool maximum_overlap = false;
-    BatchMethod method = BatchMethod::integration;  ///< a table does not have the maximum overlap
+    BatchMethod method = BatchMethod::integration;
 };
 
-/// What the impacts did, one entry each.
+/// An impact that did not converge.
+struct FailedSolution {
+    std::uint64_t place;  ///< among the impacts
+    std::string reason;
+    std::string command;  ///< that computes this impact alone
+};
+
+/// What the impacts did, one entry each; not a number where an impact did not converge.
 struct ResultColumns {
     std::vector<double> restitution;      ///< 0 for a capture
     std::vector<double> contact_time;     ///< not a number for a capture [s]
     std::vector<double> maximum_overlap;  ///< [m]
+    std::vector<FailedSolution> failed{};
 };
 
 /// Solves many impacts. The result of an impact may not depend on the others beside it.
 using ImpactSolver =
     std::function<ResultColumns(const ContactModel&, const ImpactColumns&, const WantedResults&)>;
 
-/// The batch solver, on the calling thread. @throws ConvergenceError naming the impact
+/// The batch solver, on the calling thread. Impacts that do not converge are listed. @throws InputError
+/// naming what a variable may not be
 [[nodiscard]] ResultColumns solve_in_batch(const ContactModel& model, const ImpactColumns& impacts,
                                            const WantedResults& wanted);
 

@@ -2,8 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <istream>
+#include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace ashimpact {
@@ -16,8 +17,23 @@ namespace ashimpact {
 /// How hard the table is deflated: numbers at full precision shrink little however hard one tries.
 inline constexpr int deflate_level = 1;
 
-/// Reads the length that stands before a packed column.
-[[nodiscard]] std::uint32_t packed_length(std::string_view bytes);
-inline constexpr std::size_t packed_length_size = sizeof(std::uint32_t);
+/// The packed rows of a chunk with what proves them whole: a hash of them and of the chunk's number, and
+/// their length, before them.
+[[nodiscard]] std::string sealed_rows(std::uint64_t chunk, const std::string& packed);
+
+/// Rows that are not those that were sealed.
+class DamagedRows : public std::runtime_error {
+  public:
+    explicit DamagedRows(std::uint64_t chunk) : std::runtime_error("damaged rows"), chunk_(chunk) {}
+    [[nodiscard]] std::uint64_t chunk() const { return chunk_; }
+
+  private:
+    std::uint64_t chunk_;
+};
+
+/// Reads the packed columns of the next chunk, which must be that of this number.
+/// @throws DamagedRows unless they are there, unchanged
+[[nodiscard]] std::vector<std::string> read_sealed_rows(std::istream& stream, std::uint64_t chunk,
+                                                        std::size_t columns);
 
 }  // namespace ashimpact

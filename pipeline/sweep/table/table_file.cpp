@@ -98,16 +98,10 @@ class TableFile {
 };
 
 void copy_rows(std::ifstream& rows, const SweepPlan& plan, TableFile& table) {
-    std::array<char, packed_length_size> prefix{};
-    std::string packed;
     for (std::uint64_t chunk = 0; chunk < plan.chunks(); ++chunk) {
-        for (std::size_t column = 0; column < table.columns(); ++column) {
-            rows.read(prefix.data(), prefix.size());
-            packed.resize(rows ? packed_length({prefix.data(), prefix.size()}) : 0);
-            rows.read(packed.data(), static_cast<std::streamsize>(packed.size()));
-            if (!rows) throw Hdf5Error("reading the rows back");
-            table.add_chunk(column, chunk, packed);
-        }
+        const std::vector<std::string> packed = read_sealed_rows(rows, chunk, table.columns());
+        for (std::size_t column = 0; column < packed.size(); ++column)
+            table.add_chunk(column, chunk, packed[column]);
     }
 }
 
@@ -116,7 +110,10 @@ std::string read_text_attribute(hid_t object, const char* name) {
     const Handle type(H5Aget_type(attribute.id()), H5Tclose, "H5Aget_type");
     if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) != 0)
         throw Hdf5Error("reading a text");
-    std::string text(H5Tget_size(type.id()), '\0');
+    constexpr std::size_t longest_text = 1000;
+    const std::size_t size = H5Tget_size(type.id());
+    if (size == 0 || size > longest_text) throw Hdf5Error("reading a text");
+    std::string text(size, '\0');
     check(H5Aread(attribute.id(), type.id(), text.data()), "H5Aread");
     return text.substr(0, text.find('\0'));
 }
@@ -144,6 +141,13 @@ void write_table(const std::filesystem::path& file, const SweepPlan& plan,
         copy_rows(stream, plan, table);
         table.close();
         std::filesystem::rename(temporary, file);
+    } catch (const DamagedRows& damaged) {
+        std::error_code ignored;
+        std::filesystem::remove(temporary, ignored);
+        const std::uint64_t first = damaged.chunk() * plan.rows_in_chunk();
+        throw InputError("is damaged from row " + std::to_string(first) + " of the table on",
+                         "--restart to begin anew, or another -o")
+            .in_file(rows.string());
     } catch (const std::runtime_error& error) {  // HDF5's and the file system's
         std::error_code ignored;
         std::filesystem::remove(temporary, ignored);

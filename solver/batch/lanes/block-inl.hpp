@@ -28,9 +28,11 @@ struct Block {
     HWY_ALIGN double turn_overlap[block_size];  ///< or its supremum
     std::uint64_t rebound;                      ///< one bit a lane; sure
     std::uint64_t capture;                      ///< one bit a lane; sure
+    std::uint64_t turn;                         ///< one bit a lane; turning point known
 
     [[nodiscard]] bool rebounds(std::size_t lane) const { return ((rebound >> lane) & 1U) != 0; }
     [[nodiscard]] bool captures(std::size_t lane) const { return ((capture >> lane) & 1U) != 0; }
+    [[nodiscard]] bool turns(std::size_t lane) const { return ((turn >> lane) & 1U) != 0; }
     [[nodiscard]] batch::LaneEnd end(std::size_t lane) const {
         if (rebounds(lane)) return batch::LaneEnd::rebound;
         return captures(lane) ? batch::LaneEnd::capture : batch::LaneEnd::undecided;
@@ -43,15 +45,15 @@ struct Block {
     return bytes[0];
 }
 
-/// Follows the impacts of a block to their ends.
+/// Follows the impacts of a block to their ends, or only to their turning points.
 template <class F>
-HWY_NOINLINE void follow(Block& block, Detachment detachment, bool with_turn) {
+HWY_NOINLINE void follow(Block& block, Detachment detachment, bool to_turn) {
     using Orbit = LaneOrbit<F>;
     Groups<Orbit> orbits;
     for (std::size_t group = 0; group < group_count; ++group) {
         const std::size_t first = group * lane_count;
         const Equation<F> equation(Lanes::load(block.adhesion + first), Lanes::load(block.damping + first));
-        orbits[group] = Orbit(equation, detachment, with_turn);
+        orbits[group] = Orbit(equation, detachment, to_turn);
     }
     for (int pass = 0; pass < most_passes; ++pass) {
         Mask active = none();
@@ -64,20 +66,22 @@ HWY_NOINLINE void follow(Block& block, Detachment detachment, bool with_turn) {
         ExtrapolatedLeapfrog<F, Orbit::sequences, Orbit>::step(orbits, steps);
         for (std::size_t group = 0; group < group_count; ++group) orbits[group].take(steps[group]);
     }
-    block.rebound = block.capture = 0;
+    block.rebound = block.capture = block.turn = 0;
     for (std::size_t group = 0; group < group_count; ++group) {
         const Orbit& orbit = orbits[group];
         const std::size_t first = group * lane_count;
+        if (to_turn) {
+            const LaneTurn turn = orbit.turning_point();
+            block.turn |= bits_of(orbit.surely_turned(turn.time)) << first;
+            turn.time.store(block.turn_time + first);
+            turn.overlap.store(block.turn_overlap + first);
+            continue;
+        }
         const LaneArrival end = orbit.end_point();
         end.time.store(block.time + first);
         end.speed.store(block.speed + first);
         block.rebound |= bits_of(orbit.surely_ended(end)) << first;
         block.capture |= bits_of(orbit.surely_captured()) << first;
-        if (!with_turn) continue;
-        const LaneTurn turn = orbit.turning_point();
-        block.capture &= ~(bits_of(orbit.turns_in_doubt(turn.time)) << first);
-        turn.time.store(block.turn_time + first);
-        turn.overlap.store(block.turn_overlap + first);
     }
 }
 

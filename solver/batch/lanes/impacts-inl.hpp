@@ -17,15 +17,22 @@
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
 
-inline void write(const batch::ImpactTask& task, const ScaledTask& scaled, std::size_t i, const Block& block,
-                  std::size_t lane) {
+/// Notes what became of an impact.
+inline void write_end(const batch::ImpactTask& task, const ScaledTask& scaled, std::size_t i,
+                      const Block& block, std::size_t lane) {
     constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
     const bool rebounds = block.rebounds(lane);
     task.end[i] = block.end(lane);
     task.restitution[i] = rebounds ? std::min(block.speed[lane], 1.0) : 0.0;
     task.contact_time[i] = rebounds ? block.time[lane] * scaled.time[i] : nothing;
-    task.approach_time[i] = task.turning_point ? block.turn_time[lane] * scaled.time[i] : nothing;
-    task.maximum_overlap[i] = task.turning_point ? block.turn_overlap[lane] * scaled.length[i] : nothing;
+}
+
+/// Notes the turning point of an impact, or a greatest overlap of NaN where it is in doubt.
+inline void write_turn(const batch::ImpactTask& task, const ScaledTask& scaled, std::size_t i,
+                       const Block& block, std::size_t lane) {
+    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+    task.approach_time[i] = block.turn_time[lane] * scaled.time[i];
+    task.maximum_overlap[i] = block.turns(lane) ? block.turn_overlap[lane] * scaled.length[i] : nothing;
 }
 
 /// Follows impacts, given by their numbers, in blocks of like ones, so that the lanes of a block end
@@ -33,7 +40,7 @@ inline void write(const batch::ImpactTask& task, const ScaledTask& scaled, std::
 /// @param write takes (place of the impact, block, lane) of what has been followed
 template <class F, class Write>
 HWY_INLINE void follow_all(const batch::NumberColumns& numbers, std::span<const std::uint16_t> impacts,
-                           Detachment detachment, bool turning_point, const Write& write) {
+                           Detachment detachment, bool to_turn, const Write& write) {
     batch::Order order;
     order.sort(numbers, impacts);
     for (std::size_t first = 0; first < impacts.size(); first += block_size) {
@@ -44,20 +51,26 @@ HWY_INLINE void follow_all(const batch::NumberColumns& numbers, std::span<const 
             block.adhesion[lane] = numbers.adhesion[i];
             block.damping[lane] = numbers.damping[i];
         }
-        follow<F>(block, detachment, turning_point);
+        follow<F>(block, detachment, to_turn);
         for (std::size_t lane = 0; lane < used; ++lane) write(order[first + lane], block, lane);
     }
 }
 
-/// Solves the impacts of a task: scales them, reads what a table tells, and follows the others.
+/// Solves the impacts of a task: scales them, reads what a table tells, and follows the others. Turning
+/// points are looked for in a second pass, so that asking for them changes nothing else.
 template <class F>
 HWY_NOINLINE void solve_task(const batch::ImpactTask& task) {
     ScaledTask scaled;
     scale_task<F>(task.inputs, task.count, scaled);
     const PlaceList open = task.table != nullptr ? look_up(task, scaled) : PlaceList::all(task.count);
-    follow_all<F>({scaled.adhesion, scaled.damping}, open.places(), task.detachment, task.turning_point,
+    const batch::NumberColumns numbers{scaled.adhesion, scaled.damping};
+    follow_all<F>(numbers, open.places(), task.detachment, false,
                   [&](std::size_t i, const Block& block, std::size_t lane)
-                      HWY_ATTR { write(task, scaled, i, block, lane); });
+                      HWY_ATTR { write_end(task, scaled, i, block, lane); });
+    if (!task.turning_point) return;
+    follow_all<F>(numbers, PlaceList::all(task.count).places(), task.detachment, true,
+                  [&](std::size_t i, const Block& block, std::size_t lane)
+                      HWY_ATTR { write_turn(task, scaled, i, block, lane); });
 }
 
 /// Solves the impacts of a task that gives their numbers.

@@ -22,13 +22,14 @@ class LaneOrbit {
     static constexpr int late = 5;  ///< steps from which on creeping is asked for: rare, and never in a hurry
 
     LaneOrbit() = default;
-    /// @param with_turn whether turning_point() will be asked for; only then a step ends at the turn
-    HWY_INLINE LaneOrbit(const Equation<F>& equation, Detachment detachment, bool with_turn)
+    /// @param to_turn whether to follow the impacts only to their turning points, for turning_point(); only
+    /// then a step ends at the turn
+    HWY_INLINE LaneOrbit(const Equation<F>& equation, Detachment detachment, bool to_turn)
         : equation_(equation),
           places_(places_of(equation, detachment)),
           pilot_(inward_step(equation, places_)),
           error_scale_(Lanes(F::damping == DampingLaw::tsuji ? 3.0 : 1.0) / places_.speed_squared),
-          with_turn_(with_turn),
+          to_turn_(to_turn),
           approaching_(every()),
           active_(every()) {
         state_.position = places_.touch;
@@ -48,10 +49,10 @@ class LaneOrbit {
         const Lanes v = equation_.velocity(state_);
         const Rates r = rates_of(equation_, q, v);
         const Lanes usual = pilot_.step();
-        if (!with_turn_) approaching_ = without(approaching_, v <= Lanes(0.0));
+        if (!to_turn_) approaching_ = without(approaching_, v <= Lanes(0.0));
         const NextEvent next(places_, approaching_);
         Lanes event = next.time(q, v, r);
-        if (!with_turn_) event = select(approaching_, NextEvent::out_of_sight, event);
+        if (!to_turn_) event = select(approaching_, NextEvent::out_of_sight, event);
         const Mask near = both(active_, abs(event) <= next.reach(q, v, usual));
         const Mask turning = both(near, approaching_);
         const Mask ending = both(without(near, approaching_), v < Lanes(0.0));
@@ -61,6 +62,7 @@ class LaneOrbit {
         ended_ = either(ended_, ending);
         active_ = without(active_, ending);
         approaching_ = without(approaching_, turning);
+        if (to_turn_) active_ = without(active_, turning);
         detect_capture(q, v, pass);
         const Mask within = without(event < usual * pilot_.reach(), turning);
         step_ = select(within, max(event, -usual), usual);
@@ -99,15 +101,20 @@ class LaneOrbit {
     [[nodiscard]] HWY_INLINE Mask surely_ended(const LaneArrival& end) const {
         return both(both(ended_, end.found), end.speed * end.speed > places_.speed_squared * Lanes(doubt));
     }
+    /// Lanes whose turning point, or its absence, is not in doubt.
+    [[nodiscard]] HWY_INLINE Mask surely_turned(Lanes time) const {
+        return either(without(turned_, turns_in_doubt(time)), surely_captured());
+    }
     /// Captured lanes that the double precision of the energy leaves no doubt of.
     [[nodiscard]] HWY_INLINE Mask surely_captured() const { return without(captured_, doubtful_); }
+
+  private:
     /// Lanes that turn while hardly anything pulls them back, so that rounding moves the time of the turn.
     [[nodiscard]] HWY_INLINE Mask turns_in_doubt(Lanes time) const {
         const Lanes pull = rates_of(equation_, turn_.position, Lanes(0.0)).acceleration * time;
         return both(turned_, pull * pull < places_.speed_squared * Lanes(1e-3));
     }
 
-  private:
     static constexpr double doubt = 1e-9;  ///< energy, over that in the well, too near capture to tell here
     static constexpr double returned_error = 1.0;  ///< has the pilot shorten the step as far as it ever does
 
@@ -136,7 +143,7 @@ class LaneOrbit {
     Lanes step_;
     Lanes speed_;
     Lanes stiffness_;
-    bool with_turn_ = true;
+    bool to_turn_ = false;
     Mask approaching_;
     Mask active_;
     Mask captured_ = none();

@@ -95,7 +95,6 @@ HWY_NOINLINE inline PlaceList look_up(const batch::ImpactTask& task, const Scale
     place_all(scaled.damping, task.count, y);
     const batch::RestitutionPiece* pieces[batch::most_impacts];
     for (std::size_t i = 0; i < task.count; ++i) pieces[i] = task.table->at(x[i], y[i]);
-    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
     PlaceList open;
     for (std::size_t i = 0; i < task.count; ++i) {
         const Told impact = told<true>(pieces[i], x[i], y[i]);
@@ -103,7 +102,6 @@ HWY_NOINLINE inline PlaceList look_up(const batch::ImpactTask& task, const Scale
         task.end[i] = impact.end;
         task.restitution[i] = impact.speed;
         task.contact_time[i] = impact.time * scaled.time[i];
-        task.approach_time[i] = task.maximum_overlap[i] = nothing;
     }
     return open;
 }

@@ -3,7 +3,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/text.hpp"
 #include "solver/gsl/distribution.hpp"
-#include "solver/gsl/statistics.hpp"
+#include "solver/statistics/moments.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -69,8 +69,8 @@ std::optional<std::string> spacing_note(const MeasurementSet& set) {
         begin = velocities[i];
     }
     if (steps.size() < fewest) return std::nullopt;
-    const gsl::Moments moments = gsl::moments(steps);
-    if (moments.deviation > evenness * moments.mean) return std::nullopt;
+    const Moments moments = Moments::of(steps);
+    if (std::sqrt(moments.variance()) > evenness * moments.mean) return std::nullopt;
     return "the velocities stand in even steps of " + shortest(std::round(1e3 * moments.mean) / 1e3) +
            " m/s, " + shortest(std::round(10.0 * moments.mean / u) / 10.0) +
            " standard uncertainties: fits take all velocities as equally likely, and where a step lies at "

@@ -2,10 +2,9 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/text.hpp"
-#include "solver/gsl/distribution.hpp"
-#include "solver/gsl/quasi_random.hpp"
-#include "solver/gsl/random.hpp"
 #include "solver/gsl/statistics.hpp"
+#include "solver/statistics/design.hpp"
+#include "solver/statistics/moments.hpp"
 #include "solver/statistics/sensitivity.hpp"
 
 #include <algorithm>
@@ -42,7 +41,7 @@ void validate(const std::vector<RandomInput>& inputs, const PropagationOptions& 
             throw InputError(
                 "input " + in_quotes(input.name) + " is not finite or has a negative uncertainty",
                 "finite numbers, uncertainty >= 0");
-        if (input.shape == InputShape::lognormal && !(input.value > 0.0))
+        if (input.distribution == &lognormal_around && !(input.value > 0.0))
             throw InputError("input " + in_quotes(input.name) + " is " + shortest(input.value),
                              "> 0 for a lognormal distribution");
     }
@@ -50,26 +49,77 @@ void validate(const std::vector<RandomInput>& inputs, const PropagationOptions& 
         throw InputError("propagation with fewer than 2 samples or replicates", "at least 2 of each");
 }
 
-/// The model at rows A, B and at A with the columns of one factor from B (A, B, AB_1, AB_2, ...).
+/// Results of the model at points A and B, and at A with the inputs of one factor taken from B (A, B, AB_1,
+/// AB_2, ...).
 struct Row {
     std::vector<double> results;
     bool complete = true;
 };
 
+/// Evaluates the model at the points of a design.
 class Sampler {
   public:
-    Sampler(const std::vector<RandomInput>& inputs, const UncertainModel& model, std::vector<Factor> factors)
-        : inputs_(inputs), model_(model), factors_(std::move(factors)) {
-        for (const Factor& factor : factors_) random_ += static_cast<int>(factor.inputs.size());
+    Sampler(const std::vector<RandomInput>& inputs, const UncertainModel& model,
+            const PropagationOptions& options)
+        : model_(model), factors_(factors_of(inputs)), replicates_(size_of(options.replicates)) {
+        if (factors_.empty()) throw InputError("no input is uncertain", "at least one uncertainty > 0");
+        for (const RandomInput& input : inputs) nominal_.push_back(input.value);
+        draw(inputs, options);
     }
 
-    [[nodiscard]] int random_inputs() const { return random_; }
     [[nodiscard]] const std::vector<Factor>& factors() const { return factors_; }
+    [[nodiscard]] const std::vector<double>& nominal() const { return nominal_; }
 
-    /// @param point 2 x random_inputs() numbers in (0, 1)
-    [[nodiscard]] Row row(std::span<const double> point) const {
-        std::vector<double> a = values_of(point.first(point.size() / 2));
-        const std::vector<double> b = values_of(point.last(point.size() / 2));
+    /// Results at every point of one replicate.
+    [[nodiscard]] std::vector<Row> rows(std::size_t replicate) const {
+        std::vector<Row> rows;
+        for (std::size_t point = replicate; point < columns_.front().a.size(); point += replicates_)
+            rows.push_back(row(point));
+        return rows;
+    }
+
+  private:
+    /// An uncertain input, and its values at the points of both samples.
+    struct Column {
+        std::size_t input;
+        std::vector<double> a;
+        std::vector<double> b;
+    };
+
+    static std::size_t size_of(int number) { return static_cast<std::size_t>(number); }
+
+    void draw(const std::vector<RandomInput>& inputs, const PropagationOptions& options) {
+        std::vector<Distribution> distributions;
+        for (const Factor& factor : factors_) {
+            for (const std::size_t i : factor.inputs) {
+                distributions.push_back(
+                    inputs[i].distribution(inputs[i].value, inputs[i].standard_uncertainty));
+                columns_.push_back({.input = i, .a = {}, .b = {}});
+            }
+        }
+        const std::size_t points = size_of(options.samples) * replicates_;
+        const Design design(std::move(distributions),
+                            {.method = SamplingMethod::quasi_random,
+                             .points = points,
+                             .seed = options.seed,
+                             .shifts = static_cast<std::uint32_t>(replicates_)},
+                            2);
+        for (std::size_t variable = 0; variable < columns_.size(); ++variable) {
+            Column& column = columns_[variable];
+            column.a.resize(points);
+            column.b.resize(points);
+            design.fill(0, variable, 0, column.a);
+            design.fill(1, variable, 0, column.b);
+        }
+    }
+
+    [[nodiscard]] Row row(std::size_t point) const {
+        std::vector<double> a = nominal_;
+        std::vector<double> b = nominal_;
+        for (const Column& column : columns_) {
+            a[column.input] = column.a[point];
+            b[column.input] = column.b[point];
+        }
         Row row;
         evaluate(a, row);
         evaluate(b, row);
@@ -81,26 +131,17 @@ class Sampler {
         return row;
     }
 
-  private:
-    [[nodiscard]] std::vector<double> values_of(std::span<const double> probabilities) const {
-        std::vector<double> values;
-        for (const RandomInput& input : inputs_) values.push_back(input.value);
-        auto next = probabilities.begin();
-        for (const Factor& factor : factors_) {
-            for (const std::size_t i : factor.inputs) values[i] = inputs_[i].quantile(*next++);
-        }
-        return values;
-    }
     void evaluate(const std::vector<double>& values, Row& row) const {
         const std::optional<double> result = model_(values);
         row.complete = row.complete && result && std::isfinite(*result);
         row.results.push_back(result.value_or(0.0));
     }
 
-    const std::vector<RandomInput>& inputs_;
     const UncertainModel& model_;
     std::vector<Factor> factors_;
-    int random_ = 0;
+    std::size_t replicates_;
+    std::vector<double> nominal_;
+    std::vector<Column> columns_;
 };
 
 SobolSums sums_of(const std::vector<Row>& rows, std::size_t factors) {
@@ -125,57 +166,20 @@ std::vector<Influence> influences_of(const std::vector<Factor>& factors,
     return influences;
 }
 
-/// One replicate: the sequence from its beginning, shifted around the unit cube.
-std::vector<Row> replicate(const Sampler& sampler, int samples, gsl::Random& random) {
-    const int dimensions = 2 * sampler.random_inputs();
-    std::vector<double> shift;
-    for (int i = 0; i < dimensions; ++i) shift.push_back(random.uniform(0.0, 1.0));
-    gsl::QuasiRandom sequence(dimensions);
-    std::vector<double> point(shift.size());
-    std::vector<Row> rows;
-    for (int i = 0; i < samples; ++i) {
-        sequence.next(point);
-        for (std::size_t j = 0; j < point.size(); ++j) {
-            const double shifted = point[j] + shift[j];
-            point[j] = std::clamp(shifted - std::floor(shifted), 1e-12, 1.0 - 1e-12);
-        }
-        rows.push_back(sampler.row(point));
-    }
-    return rows;
-}
-
 }  // namespace
-
-double RandomInput::quantile(double probability) const {
-    switch (shape) {
-        case InputShape::normal:
-            return value + standard_uncertainty * gsl::normal_quantile(probability);
-        case InputShape::lognormal:
-            return gsl::lognormal_quantile(probability, std::log(value), standard_uncertainty / value);
-        case InputShape::uniform: {
-            const double half = std::sqrt(3.0) * standard_uncertainty;
-            return gsl::uniform_quantile(probability, value - half, value + half);
-        }
-    }
-    return value;
-}
 
 Propagation propagate(const std::vector<RandomInput>& inputs, const UncertainModel& model,
                       const PropagationOptions& options) {
     validate(inputs, options);
-    const Sampler sampler(inputs, model, factors_of(inputs));
-    if (sampler.factors().empty()) throw InputError("no input is uncertain", "at least one uncertainty > 0");
-    std::vector<double> nominal;
-    for (const RandomInput& input : inputs) nominal.push_back(input.value);
-    const std::optional<double> value = model(nominal);
+    const Sampler sampler(inputs, model, options);
+    const std::optional<double> value = model(sampler.nominal());
     if (!value) throw InputError("the propagated result does not exist at the values of the inputs");
 
     Propagation result{};
-    gsl::Random random(options.seed);
     std::vector<SobolSums> replicates;
     std::vector<double> samples;
     for (int i = 0; i < options.replicates; ++i) {
-        std::vector<Row> rows = replicate(sampler, options.samples, random);
+        std::vector<Row> rows = sampler.rows(static_cast<std::size_t>(i));
         const std::size_t all = rows.size();
         std::erase_if(rows, [](const Row& row) { return !row.complete; });
         result.undefined += all - rows.size();
@@ -187,13 +191,12 @@ Propagation propagate(const std::vector<RandomInput>& inputs, const UncertainMod
     if (replicates.size() < 2) throw ConvergenceError("propagation: nearly every sample is without a result");
 
     constexpr std::array fractions{0.5 - 0.5 * confidence, 0.5, 0.5 + 0.5 * confidence};
-    const gsl::Moments moments = gsl::moments(samples);
+    const Moments moments = Moments::of(samples);
     const std::vector<double> quantiles = gsl::quantiles(samples, fractions);
-    result.interval = {*value, moments.deviation, quantiles[0], quantiles[2]};
+    result.interval = {*value, std::sqrt(moments.variance()), quantiles[0], quantiles[2]};
     result.mean = moments.mean;
     result.median = quantiles[1];
     result.influences = influences_of(sampler.factors(), replicates);
-    result.sequence = gsl::QuasiRandom(2 * sampler.random_inputs()).name();
     return result;
 }
 

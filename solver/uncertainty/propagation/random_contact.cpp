@@ -35,7 +35,7 @@ void add_mixture(std::vector<RandomInput>& inputs, const Composition& compositio
         inputs.push_back({.name = "Young's modulus of " + component.phase.name,
                           .value = component.phase.young_modulus.value,
                           .standard_uncertainty = component.phase.young_modulus.uncertainty().value_or(0.0),
-                          .shape = InputShape::lognormal});
+                          .distribution = lognormal_around});
     }
 }
 

@@ -147,25 +147,64 @@ TEST_CASE("an interruption saves what is finished and ends the program as the si
     }
 }
 
-TEST_CASE("an impact that does not converge has status 3, and what is finished stays") {
+namespace {
+
+/// 30,000 impacts on a grid of velocities from 1 to 2 m/s and ten radii.
+Json velocity_grid() {
+    Json spec = test::full_spec(sample_count);
+    spec["variables"]["velocity"] = Json::parse(R"({"grid": "linear", "from": 1, "to": 2, "points": 3001})");
+    spec["variables"]["radius"] = Json::parse(
+        R"({"values": ["1 um", "2 um", "3 um", "4 um", "5 um", "6 um", "7 um", "8 um", "9 um", "10 um"]})");
+    spec["sampling"] = {{"method", "grid"}};
+    spec.erase("sensitivity");
+    return spec;
+}
+
+}  // namespace
+
+TEST_CASE("more than a hundredth of impacts that do not converge have status 3, and what is finished stays") {
     for (const int ranks : {0, 2}) {
         CAPTURE(ranks);
         const Sandbox sandbox;
-        Json spec = test::full_spec(sample_count);
-        spec["variables"]["velocity"] =
-            Json::parse(R"({"grid": "linear", "from": 1, "to": 2, "points": 3000})");
-        spec["variables"]["radius"] = Json::parse(
-            R"({"values": ["1 um", "2 um", "3 um", "4 um", "5 um", "6 um", "7 um", "8 um", "9 um", "10 um"]})");
-        spec["sampling"] = {{"method", "grid"}};
-        spec.erase("sensitivity");
-        sandbox.write("spec.json", spec.dump());
+        sandbox.write("spec.json", velocity_grid().dump());
         const Ended ended =
             test::run(sandbox, ranks == 0 ? watched_sweep : test::under_mpi(ranks, watched_sweep),
                       {"ASHIMPACT_FAIL=1.9"});
         CHECK(ended.status == 3);
-        CHECK(ended.err.find("not converged: the stand-in was told to fail") != std::string::npos);
+        CHECK_MESSAGE(
+            ended.err.find("more than 1 % of the sweep: the stand-in was told to fail; the first one: "
+                           "ashimpact impact ...") != std::string::npos,
+            ended.err);
         CHECK_FALSE(sandbox.has("out.json"));
         CHECK(sandbox.has("out.json.checkpoint"));
+    }
+}
+
+TEST_CASE("a few impacts that do not converge are counted, listed and left out") {
+    std::string bytes;
+    for (const int ranks : {0, 2}) {
+        CAPTURE(ranks);
+        const Sandbox sandbox;
+        sandbox.write("spec.json", velocity_grid().dump());
+        const Ended ended =
+            test::run(sandbox, ranks == 0 ? watched_sweep : test::under_mpi(ranks, watched_sweep),
+                      {"ASHIMPACT_FAIL=1.995"});
+        REQUIRE_MESSAGE(ended.status == 0, ended.err);
+        const Json artifact = sandbox.json("out.json");
+        const Json& result = artifact["result"];
+        const int failed = 16 * 10;  // velocities from 1.995 to 2 m/s, of each law
+        CHECK(result["not_converged"]["count"] == 2 * failed);
+        REQUIRE(result["not_converged"]["listed"].size() == 100);
+        CHECK(result["not_converged"]["listed"][0]["reason"] == "the stand-in was told to fail");
+        for (const Json& law : result["laws"]) {
+            CHECK(law["not_converged"] == failed);
+            CHECK(law["impacts"] == 30'010 - failed);
+            CHECK(law["observables"][0]["count"] == 30'010 - failed);
+        }
+        CHECK(artifact["warnings"].back() ==
+              "320 of 60020 impacts did not converge; they are left out, see /result/not_converged");
+        if (ranks == 0) bytes = sandbox.read("out.json");
+        CHECK(sandbox.read("out.json") == bytes);
     }
 }
 
@@ -206,6 +245,70 @@ TEST_CASE("a checkpoint of another sweep, or a damaged one, is not touched unles
     CHECK(test::run(sandbox, anew).status == 0);
     auto left = sandbox.everything();
     CHECK(left == undisturbed());
+}
+
+TEST_CASE("a flipped bit anywhere in the rows is found, with its place, and no table is written") {
+    const Sandbox sandbox;
+    write_spec(sandbox);
+    {
+        Process process(sandbox, watched_sweep, slowly);
+        await_checkpoint(sandbox);
+        sleep_for(0.3);
+        process.signal(SIGKILL);
+        static_cast<void>(process.wait());
+    }
+    const std::string checkpoint = sandbox.read("out.json.checkpoint");
+    const std::string rows = sandbox.read("out.json.rows");
+    std::minstd_rand random(7);
+    int found = 0;
+    for (int round = 0; round < 12; ++round) {
+        std::string flipped = rows;
+        const std::size_t place = 21 + random() % (rows.size() - 21);
+        flipped[place] = static_cast<char>(flipped[place] ^ (1 << (random() % 8)));
+        sandbox.write("out.json.checkpoint", checkpoint);
+        sandbox.write("out.json.rows", flipped);
+        const Ended ended = test::run(sandbox, watched_sweep);
+        CAPTURE(place);
+        if (ended.status == 0) {  // beyond what the checkpoint knows of: computed again
+            CHECK(sandbox.everything() == undisturbed());
+        } else {
+            ++found;
+            CHECK(ended.status == 2);
+            CHECK_MESSAGE(ended.err.find("out.json.rows: is damaged from row ") != std::string::npos,
+                          ended.err);
+            CHECK_FALSE(sandbox.has("out.h5"));
+            CHECK_FALSE(sandbox.has("out.json"));
+        }
+        for (const char* file : {"out.h5", "out.json"}) std::filesystem::remove(sandbox.path(file));
+    }
+    CHECK(found > 0);
+}
+
+TEST_CASE("a disk that is full at any moment is said in one line; no signal, nothing lost") {
+    const Sandbox whole;
+    write_spec(whole);
+    REQUIRE(test::run(whole, watched_sweep).status == 0);
+    const auto blocks = std::filesystem::file_size(whole.path("out.h5")) / 1024;
+    int refused = 0;
+    for (int part = 1; part <= 12; ++part)  // with no room at all not even the message finds a place {
+        const Sandbox sandbox;
+    write_spec(sandbox);
+    std::string command = "ulimit -f " + std::to_string(blocks * static_cast<std::uintmax_t>(part) / 11);
+    command += "; exec \"$@\"";
+    std::vector<std::string> limited{"bash", "-c", command, "bash"};
+    limited.insert(limited.end(), watched_sweep.begin(), watched_sweep.end());
+    const Ended ended = test::run(sandbox, limited);
+    CAPTURE(part);
+    CAPTURE(ended.err);
+    if (ended.status == 0) continue;
+    ++refused;
+    CHECK(ended.status == 2);
+    CHECK(ended.err.find("cannot be written") != std::string::npos);
+    CHECK_FALSE(sandbox.has("out.h5"));
+    CHECK(test::run(sandbox, watched_sweep).status == 0);
+    CHECK(sandbox.everything() == whole.everything());
+}
+CHECK(refused > 5);
 }
 
 TEST_CASE("two sweeps do not write one table") {

@@ -51,7 +51,14 @@ ResultColumns stand_in(const ContactModel& model, const ImpactColumns& impacts, 
     const double critical = 0.5 * static_cast<double>(model.law.index() + 1);
     for (std::size_t i = 0; i < count; ++i) {
         const double v = impacts.velocity[i];
-        if (v >= failure) throw ConvergenceError("the stand-in was told to fail");
+        if (v >= failure) {
+            const double unknown = std::numeric_limits<double>::quiet_NaN();
+            results.restitution[i] = unknown;
+            if (wanted.contact_time) results.contact_time[i] = unknown;
+            if (wanted.maximum_overlap) results.maximum_overlap[i] = unknown;
+            results.failed.push_back({i, "the stand-in was told to fail", "ashimpact impact ..."});
+            continue;
+        }
         const double e = v > critical ? 0.9 * (v - critical) / v : 0.0;
         results.restitution[i] = e;
         if (wanted.contact_time)

@@ -8,6 +8,7 @@
 
 #include "materials/base/error.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/motion/scale.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/solver/batch/batch_sample.hpp"
 
@@ -134,10 +135,42 @@ TEST_CASE("a single value stands for all, and what is not asked for is not a num
     CHECK(read.approach_time.isNaN().all());
     CHECK(read.maximum_overlap.isNaN().all());
     CHECK((read.outcome == full.outcome).all());
-    CHECK_THROWS_WITH_AS(
-        static_cast<void>(solve_impacts(single, {.method = BatchMethod::table})),
-        "a table has no turning points; allowed: turning_point = false, or the method integration",
-        InputError);
+    const ImpactBatchResult both = solve_impacts(single, {.method = BatchMethod::table});
+    CHECK((both.maximum_overlap == full.maximum_overlap).all());
+    CHECK((both.restitution == read.restitution).all());
+}
+
+TEST_CASE("asking for turning points changes no bit of the rest, however strong the damping") {
+    for (const double most_damping : {1.5, 1e3, 1e11}) {
+        for (const Impacts& impacts : random_impacts(150, most_damping, 19)) {
+            CAPTURE(impacts.law.name());
+            CAPTURE(name_of(impacts.detachment));
+            CAPTURE(name_of(impacts.damping_law));
+            ImpactBatchResult less;
+            try {
+                less = solve_impacts(impacts.batch(), {.turning_point = false});
+            } catch (const ConvergenceError&) {
+                continue;  // contact-radius damping that creeps back for ever
+            }
+            ImpactBatchResult more = solve_impacts(impacts.batch());
+            more.approach_time = less.approach_time;
+            more.maximum_overlap = less.maximum_overlap;
+            CHECK(identical(less, more));
+        }
+    }
+}
+
+TEST_CASE("captures by very strong damping are captures, with turning points too") {
+    Impacts impacts = random_impacts(2000, 1.0, 20).front();
+    for (Eigen::Index i = 0; i < impacts.size(); ++i) {
+        const Scale scale = Scale::of(impacts.at(i).contact, impacts.velocity[i]);
+        const double number = std::pow(10.0, 9.3 + 1.7 * static_cast<double>(i) / 2000.0);
+        impacts.damping[i] = scale.damping_coefficient(impacts.damping_law, number);
+    }
+    const ImpactBatchResult result = solve_impacts(impacts.batch());
+    CHECK((result.outcome == Outcome::capture).all());
+    CHECK((result.restitution == 0.0).all());
+    CHECK(result.contact_time.isNaN().all());
 }
 
 TEST_CASE("a table tells most impacts, undamped ones and those of no adhesion too") {

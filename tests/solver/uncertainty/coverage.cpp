@@ -68,7 +68,7 @@ SyntheticLaboratory ash_laboratory(const ContactModel& model, TrueDamping dampin
 
 Coverage coverage_of(const SyntheticLaboratory& laboratory, const DampingCurveOptions& options,
                      int repetitions, unsigned long seed) {
-    gsl::Random random(seed);
+    Random random(seed);
     Coverage coverage{.repetitions = repetitions};
     const double truth = laboratory.critical_damping();
     int fitted = 0;

@@ -18,7 +18,7 @@ MeasurementSet laboratory_of(const ContactModel& model, int impacts, int frames 
     SyntheticLaboratory laboratory = ash_laboratory(model, TrueDamping::quadratic);
     laboratory.impacts = impacts;
     laboratory.camera.frames = frames;
-    gsl::Random random(3);
+    Random random(3);
     return laboratory.measure(random);
 }
 

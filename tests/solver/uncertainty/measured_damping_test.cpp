@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/gsl/statistics.hpp"
+#include "solver/statistics/moments.hpp"
 #include "solver/uncertainty/outcomes/rebound_check.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/solver/uncertainty/coverage.hpp"
@@ -51,7 +51,7 @@ MeasurementSet measured(int impacts, int frames = 20, unsigned long seed = 7) {
     SyntheticLaboratory laboratory = ash_laboratory(model, TrueDamping::quadratic);
     laboratory.impacts = impacts;
     laboratory.camera.frames = frames;
-    gsl::Random random(seed);
+    Random random(seed);
     return laboratory.measure(random);
 }
 
@@ -129,7 +129,7 @@ TEST_CASE("the whole analysis of a good series") {
 TEST_CASE("uncertainties of inverted impacts are the scatter of repeated ones") {
     const ContactModel model = ash_model(Law::of<BrachDunn>());
     const Camera camera{.frame_rate = 80e3, .pixel_size = 8e-6, .frames = 20};
-    gsl::Random random(3);
+    Random random(3);
     const double u = camera.velocity_uncertainty();
     MeasurementSet set{.source = "lab", .points = {}};
     for (int i = 0; i < 2000; ++i)
@@ -138,8 +138,8 @@ TEST_CASE("uncertainties of inverted impacts are the scatter of repeated ones") 
     const std::vector<InvertedImpact> inverted = invert(model, set);
     std::vector<double> damping;
     for (const InvertedImpact& impact : inverted) damping.push_back(impact.damping.value());
-    CHECK(relative_difference(gsl::moments(damping).deviation, *inverted.front().standard_uncertainty) <
-          0.06);
+    CHECK(relative_difference(std::sqrt(Moments::of(damping).variance()),
+                              *inverted.front().standard_uncertainty) < 0.06);
 }
 
 TEST_CASE("the fit's leverage and influence are those of fits without a point") {
@@ -189,7 +189,7 @@ TEST_CASE(
     "impacts that no damping of such an order describes within their noise are fitted with more of it") {
     const Camera camera{.frame_rate = 80e3, .pixel_size = 2e-6, .frames = 5};
     constexpr double critical = 1.6;
-    gsl::Random random(11);
+    Random random(11);
     MeasurementSet set{.source = "lab", .points = {}};
     for (int i = 0; i < 300; ++i) {
         const double v = 1.4 + 6.6 * i / 299;

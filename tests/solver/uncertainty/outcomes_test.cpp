@@ -6,7 +6,6 @@
 #include "solver/gsl/distribution.hpp"
 #include "solver/gsl/minimum.hpp"
 #include "solver/gsl/quadrature.hpp"
-#include "solver/gsl/random.hpp"
 #include "solver/measurement/binning.hpp"
 #include "solver/measurement/damping_parts.hpp"
 #include "solver/uncertainty/outcomes/capture_transition.hpp"
@@ -15,6 +14,7 @@
 #include "tests/relative_difference.hpp"
 #include "tests/solver/uncertainty/coverage.hpp"
 #include "tests/support/errors.hpp"
+#include "tests/support/random.hpp"
 
 using namespace ashimpact;
 using namespace ashimpact::test;
@@ -67,7 +67,7 @@ TEST_CASE("mixed outcomes widen the transition") {
 TEST_CASE("captures and rebounds that overlap by about their noise: always a v_c, never far off") {
     constexpr double truth = 1.2;
     constexpr double noise = 0.058;
-    gsl::Random random(11);
+    Random random(11);
     int mixed = 0;
     int covered = 0;
     constexpr int laboratories = 300;
@@ -233,7 +233,7 @@ TEST_CASE("damping that falls all along has one part, and none of no length") {
 }
 
 TEST_CASE("velocities in even steps wider than their noise are told from random and from dense ones") {
-    gsl::Random random(5);
+    Random random(5);
     const auto series = [&](const auto& velocity) {
         MeasurementSet set{.source = "lab", .points = {}};
         for (int i = 0; i < 60; ++i)

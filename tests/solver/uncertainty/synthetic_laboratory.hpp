@@ -1,8 +1,8 @@
 #pragma once
 
-#include "solver/gsl/random.hpp"
 #include "solver/measurement/contact_model.hpp"
 #include "solver/measurement/measurement.hpp"
+#include "tests/support/random.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -35,7 +35,7 @@ struct SyntheticLaboratory {
     }
 
     /// One series of measurements, a new one each time.
-    [[nodiscard]] MeasurementSet measure(gsl::Random& random) const {
+    [[nodiscard]] MeasurementSet measure(Random& random) const {
         const double u = camera.velocity_uncertainty();
         MeasurementSet set{.source = "synthetic", .points = {}};
         for (int i = 0; i < impacts; ++i) {

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "solver/gsl/distribution.hpp"
-#include "solver/gsl/random.hpp"
 #include "solver/uncertainty/outcomes/measured_critical_velocity.hpp"
+#include "tests/support/random.hpp"
 
 using namespace ashimpact;
 
@@ -17,7 +17,7 @@ constexpr double uncertainty = 0.058;  // of v_in [m/s]
 constexpr unsigned long seed = 11;
 
 /// An impact aimed at @p velocity of a particle that rebounds from @p critical on, as measured.
-Measurement measured_impact(double velocity, double critical, gsl::Random& random) {
+Measurement measured_impact(double velocity, double critical, Random& random) {
     return {.velocity = velocity + random.normal(uncertainty),
             .rebound = velocity < critical ? 0.0 : 0.3 * velocity,
             .noise = VelocityNoise::of_velocities(uncertainty, uncertainty)};
@@ -31,7 +31,7 @@ struct OneSided {
 
 /// In how many series of @p repetitions the one bound there is excludes the truth.
 int wrong_bounds(const OneSided& laboratory, int repetitions) {
-    gsl::Random random(seed);
+    Random random(seed);
     const bool captures = laboratory.farthest < truth;
     int wrong = 0;
     for (int i = 0; i < repetitions; ++i) {
@@ -67,7 +67,7 @@ struct MixtureCoverage {
 };
 
 MixtureCoverage coverage_of(const Mixture& mixture, int repetitions) {
-    gsl::Random random(seed);
+    Random random(seed);
     MixtureCoverage result;
     for (int i = 0; i < repetitions; ++i) {
         MeasurementSet set{.source = "mixture", .points = {}};

@@ -13,7 +13,7 @@
 #include "materials/base/error.hpp"
 #include "solver/gsl/status.hpp"
 
-namespace ashimpact::gsl {
+namespace ashimpact::test {
 
 /// Adaptive integration of dy/dx = f(x, y) by GSL's Prince-Dormand pair of order 8(9).
 ///
@@ -35,7 +35,7 @@ class Ode {
 
     Ode(Derivative derivative, const Tolerance& tolerance)
         : derivative_(std::move(derivative)), system_{&Ode::evaluate, nullptr, n, this} {
-        quiet();
+        gsl::quiet();
         const double floor = std::max(tolerance.relative, 1e-16);
         State scale{};
         for (std::size_t i = 0; i < n; ++i) scale[i] = tolerance.absolute[i] / floor;
@@ -52,7 +52,7 @@ class Ode {
     /// Takes one accepted step from x towards limit, no further.
     /// @param stride the step to try; afterwards the step to try next
     void step(double& x, double limit, double& stride, State& state) {
-        check(gsl_odeiv2_evolve_apply(evolve_.get(), control_.get(), step_.get(), &system_, &x, limit,
+        gsl::check(gsl_odeiv2_evolve_apply(evolve_.get(), control_.get(), step_.get(), &system_, &x, limit,
                                       &stride, state.data()),
               "integrating an ODE");
     }
@@ -92,4 +92,4 @@ class Ode {
     Owner<gsl_odeiv2_evolve> evolve_{nullptr, gsl_odeiv2_evolve_free};
 };
 
-}  // namespace ashimpact::gsl
+}  // namespace ashimpact::test
