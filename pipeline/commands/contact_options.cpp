@@ -11,6 +11,7 @@
 #include "materials/contact_properties.hpp"
 #include "materials/roughness.hpp"
 #include "pipeline/case/laws.hpp"
+#include "solver/damping/damping.hpp"
 
 namespace ashimpact {
 

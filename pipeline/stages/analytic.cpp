@@ -54,7 +54,7 @@ StageOutput analytic_stage(const Artifacts& before) {
                       {"modulus", "contact modulus E* (the paper prints Young's modulus)"},
                       {"adhesion", "work of adhesion w (the paper prints a surface energy)"}};
     output.result["samples"] = Json::array();
-    for (const SampleContact& sample : before.read("2-contact.json", read_contacts))
+    for (const SampleContact& sample : before.read(contact_artifact, read_contacts))
         output.result["samples"].push_back(analytic_json(sample));
     return output;
 }

@@ -61,18 +61,6 @@ CriticalVelocity cohesive_critical_velocity(const CriticalVelocityProblem& probl
 
 }  // namespace
 
-std::string_view name_of(CaptureVerdict verdict) {
-    switch (verdict) {
-        case CaptureVerdict::finite:
-            return "finite";
-        case CaptureVerdict::always_captured:
-            return "always-captured";
-        case CaptureVerdict::never_captured:
-            return "never-captured";
-    }
-    return {};
-}
-
 std::optional<CaptureVerdict> verdict_without_adhesion(const Damping& damping) {
     if (damping.coefficient == 0.0) return CaptureVerdict::never_captured;
     if (!vanishes_at_touch(damping.law)) return std::nullopt;

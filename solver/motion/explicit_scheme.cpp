@@ -31,13 +31,10 @@ bool is_treatable(Law law) {
 }
 
 std::string treatable_laws() {
-    std::string names;
-    for (std::size_t i = 0; i < Law::count(); ++i) {
-        if (!is_treatable(Law::at(i))) continue;
-        if (!names.empty()) names += ", ";
-        names += Law::at(i).name();
-    }
-    return names;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < Law::count(); ++i)
+        if (is_treatable(Law::at(i))) names.emplace_back(Law::at(i).name());
+    return joined(names);
 }
 
 /// Beyond m/eta the damping term of the scheme alone would turn the motion round.

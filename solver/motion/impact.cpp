@@ -2,34 +2,16 @@
 
 #include "materials/base/checks.hpp"
 #include "materials/base/error.hpp"
+#include "materials/base/text.hpp"
 #include "solver/motion/orbit.hpp"
 #include "solver/motion/scaled_impact.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace ashimpact {
 
 namespace {
-
-[[noreturn]] void refuse(double value, std::string_view quantity, std::string_view unit,
-                         const std::string& allowed) {
-    std::ostringstream problem;
-    problem << quantity << " is " << value << ' ' << unit;
-    throw InputError(problem.str(), allowed + " " + std::string(unit));
-}
-
-void require_positive(double value, std::string_view quantity, std::string_view unit) {
-    if (!(value > 0.0) || std::isinf(value)) refuse(value, quantity, unit, "a finite number > 0");
-    if (!is_computable(value)) refuse(value, quantity, unit, std::string(computable_range));
-}
-
-void require_not_negative(double value, std::string_view quantity, std::string_view unit) {
-    if (!(value >= 0.0) || std::isinf(value)) refuse(value, quantity, unit, "a finite number >= 0");
-    if (value > 0.0 && !is_computable(value))
-        refuse(value, quantity, unit, "0, or " + std::string(computable_range));
-}
 
 /// One solved impact with what the ledger needs of its branches.
 struct Solved {
@@ -72,10 +54,6 @@ EnergyLedger ledger_of(const Solved& impact, double unit) {
 }
 
 }  // namespace
-
-std::string_view name_of(Outcome outcome) {
-    return outcome == Outcome::rebound ? "rebound" : "capture";
-}
 
 std::optional<std::string> refusal(Law law, Detachment detachment) {
     return law.visit<std::optional<std::string>>(
@@ -126,18 +104,18 @@ std::string admissible_detachments(Law law) {
 }
 
 void validate(const ContactPair& contact) {
-    require_positive(contact.mass, "mass", "kg");
-    require_positive(contact.effective_radius, "effective_radius", "m");
-    require_positive(contact.contact_modulus, "contact_modulus", "Pa");
-    require_not_negative(contact.work_of_adhesion, "work_of_adhesion", "J/m2");
-    if (!(contact.yield_pressure > 0.0)) require_positive(contact.yield_pressure, "yield_pressure", "Pa");
+    require_positive("mass", contact.mass, Dimension::mass);
+    require_positive("effective_radius", contact.effective_radius, Dimension::length);
+    require_positive("contact_modulus", contact.contact_modulus, Dimension::pressure);
+    require_not_negative("work_of_adhesion", contact.work_of_adhesion, Dimension::energy_per_area);
+    require_positive_or_infinite("yield_pressure", contact.yield_pressure, Dimension::pressure);
 }
 
 void validate(const Impact& impact) {
     validate(impact.contact);
     require_parameters(impact.law, impact.contact.parameters);
-    require_positive(impact.velocity, "velocity", "m/s");
-    require_not_negative(impact.damping.coefficient, "damping", unit_of(impact.damping.law));
+    require_positive("velocity", impact.velocity, Dimension::velocity);
+    require_not_negative("damping", impact.damping.coefficient, dimension_of(impact.damping.law));
     if (const auto reason = refusal(impact.law, impact.contact, impact.detachment)) {
         throw InputError(*reason, not_refused([&](Detachment other) {
             return refusal(impact.law, impact.contact, other);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "materials/base/names.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/damping/damping.hpp"
@@ -21,8 +22,11 @@ struct Impact {
 
 enum class Outcome { rebound, capture };
 
-/// "rebound" or "capture".
-[[nodiscard]] std::string_view name_of(Outcome outcome);
+template <>
+struct Names<Outcome> {
+    static constexpr std::string_view kind = "outcome";
+    static constexpr std::array<std::string_view, 2> all{"rebound", "capture"};
+};
 
 /// Where the energy of an impact went [J]. The ledger of a rebound ends at detachment, that of a capture at
 /// the greatest overlap, or at rest in equilibrium if the motion never turns. incident + at_touch = remaining

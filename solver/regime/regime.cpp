@@ -206,20 +206,6 @@ class Judge {
 
 }  // namespace
 
-std::string_view name_of(AdhesionRegime regime) {
-    switch (regime) {
-        case AdhesionRegime::none:
-            return "none";
-        case AdhesionRegime::dmt:
-            return "dmt";
-        case AdhesionRegime::between:
-            return "between";
-        case AdhesionRegime::jkr:
-            return "jkr";
-    }
-    return {};
-}
-
 double transition_parameter_of(const ContactPair& contact) {
     if (contact.work_of_adhesion == 0.0) return 0.0;
     const ParameterValues<double>& given = contact.parameters;

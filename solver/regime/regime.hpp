@@ -17,8 +17,11 @@ enum class AdhesionRegime {
     jkr,      ///< Tabor parameter above jkr_limit: soft and large, attraction acts within the contact
 };
 
-/// "none", "dmt", "between", "jkr".
-[[nodiscard]] std::string_view name_of(AdhesionRegime regime);
+template <>
+struct Names<AdhesionRegime> {
+    static constexpr std::string_view kind = "adhesion regime";
+    static constexpr std::array<std::string_view, 4> all{"none", "dmt", "between", "jkr"};
+};
 
 /// The numbers that say whether a contact law applies, and what they say of the law chosen.
 struct Regime {
