@@ -14,6 +14,7 @@ struct RunPlan {
     std::optional<std::string> case_file;  ///< none: the built-in case
     std::filesystem::path folder;          ///< of the artifacts
     std::string from{};  ///< stage to start from, with the artifacts before it as they are; empty: the case
+    bool allow_outside = false;  ///< the case may name files outside of its folder
     std::string only{};  ///< the one stage to run; empty: all from there on
 };
 

@@ -14,6 +14,7 @@ namespace ashimpact {
 void run_run_command(const RunOptions& options, std::ostream& out) {
     RunPlan plan{
         .case_file = std::nullopt, .folder = options.folder, .from = options.from, .only = options.only};
+    plan.allow_outside = options.allow_outside;
     if (!options.case_file.empty()) plan.case_file = options.case_file;
     const RunSummary summary = run_stages(plan);
     for (const std::string& warning : summary.warnings) spdlog::debug("warning: {}", warning);
