@@ -287,7 +287,7 @@ RunSummary run_stages(const RunPlan& plan) {
         artifacts.add(std::move(artifact));
     };
     if (range.with_case) {
-        const LoadedCase loaded = load_case(plan.case_file);
+        const LoadedCase loaded = load_case(plan.case_file, plan.allow_outside);
         keep_inputs(loaded.inputs, plan.folder);
         keep(case_artifact_of(loaded), true);
     } else if (is_read(range, case_artifact))
