@@ -22,13 +22,10 @@ Json member(const Json& object, const std::string& key) {
     return object.contains(key) ? object.at(key) : Json(nullptr);
 }
 
-/// The coefficients of the fit that the headline comes from.
+/// The coefficients of the fitted polynomial eta(e), ascending.
 std::vector<double> coefficients_of(const LawData& law) {
     if (law.fit == nullptr) return {};
-    const bool direct = law.headline.method.find("direct") != std::string::npos && law.fit->direct;
-    if (!direct) return {law.fit->c, law.fit->b, law.fit->a};
-    const Json& values = law.fit_json.at("direct").at("coefficients").at("values");
-    return values.get<std::vector<double>>();
+    return {law.fit->c, law.fit->b, law.fit->a};
 }
 
 /// Variance and covariance of the coefficients, ascending; the rounding of printed ones where that is all
@@ -41,10 +38,8 @@ std::vector<std::vector<double>> covariance_of(const LawData& law) {
         for (std::size_t i = 0; i < count; ++i) covariance[i][i] = u * u;
         return covariance;
     }
-    const bool direct = count != 3 || (law.headline.method.find("direct") != std::string::npos);
-    const char* which = direct ? "direct" : "extrapolated";
-    if (!law.fit_json.is_object() || !law.fit_json.contains(which)) return covariance;
-    const Json& values = law.fit_json.at(which).at("covariance").at("values");
+    if (!law.fit_json.is_object() || !law.fit_json.contains("extrapolated")) return covariance;
+    const Json& values = law.fit_json.at("extrapolated").at("covariance").at("values");
     if (values.size() != count) return covariance;
     return values.get<std::vector<std::vector<double>>>();
 }
