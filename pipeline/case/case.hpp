@@ -115,7 +115,8 @@ struct HistoryOptions {
 /// How the damping is read from measured impacts and fitted; see docs/case.md.
 struct FitChoices {
     int order = 2;         ///< of the extrapolated fit; the paper's is 2
-    int direct_order = 4;  ///< of the direct fit
+    /// Relative standard deviation of single diameters, such as of a sieve; none: what the impacts show [1].
+    std::optional<double> size_scatter{};
     bool robust = false;   ///< bisquare weights
     double flatness = 0.25;
     double outlier = 4.0;

@@ -10,6 +10,7 @@
 #include "pipeline/case/laws.hpp"
 #include "pipeline/case/measurement_parts.hpp"
 #include "pipeline/json/schema.hpp"
+#include "pipeline/json/schema_version.hpp"
 #include "solver/motion/impact.hpp"
 
 namespace ashimpact {
@@ -188,10 +189,8 @@ std::vector<FreeConstant> read_calibration(const View& document) {
     const auto calibration = document.find("calibration");
     if (!calibration) return free;
     for (const View& entry : calibration->at("free").elements()) {
-        const std::string name = entry.at("quantity").text();
-        for (const CalibrationQuantityName& known : calibration_quantity_names)
-            if (known.name == name)
-                free.push_back({known.quantity, entry.has("per_sample") && entry.at("per_sample").truth()});
+        free.push_back({named<CalibrationQuantity>(entry.at("quantity").text()),
+                        entry.has("per_sample") && entry.at("per_sample").truth()});
     }
     return free;
 }
@@ -242,7 +241,7 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
     Case data{.name = document.at("name").text()};
     const PhaseCatalogue catalogue = catalogue_of(document, built_in);
     const PublishedSets published(document, files);
-    if (const auto rule = document.find("mixture_rule")) data.mixture_rule = mixture_rule(rule->text());
+    if (const auto rule = document.find("mixture_rule")) data.mixture_rule = named<MixtureRule>(rule->text());
     if (const auto wall = document.find("wall")) data.wall = read_wall(*wall);
     Defaults defaults{.particle = document.find("particle"),
                       .work_of_adhesion = {},
@@ -282,11 +281,13 @@ Case read_case(const View& document, const PhaseCatalogue& catalogue, InputFiles
     return read_case_with(document, catalogue, files, warnings);
 }
 
-LoadedCase load_case(const std::optional<std::string>& file) {
+LoadedCase load_case(const std::optional<std::string>& file, bool allow_outside) {
     InputFiles files = file ? InputFiles::beside(*file) : InputFiles::built_in(built_in_case);
+    if (allow_outside) files.allow_outside();
     const std::string text = files.read_case();
     return in_file(files.case_name(), [&] {
         const Json document = without_comments(parse_json(text));
+        require_schema_version(document, false);
         validate_document(document, "case");
         LoadedCase loaded;
         loaded.data = read_case_with(View(document), built_in_phases(), files, loaded.warnings);

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "materials/base/units.hpp"
 #include "solver/contact/registry.hpp"
-#include "solver/damping/damping.hpp"
 
 namespace ashimpact {
 

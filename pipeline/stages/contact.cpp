@@ -73,7 +73,7 @@ Stated adhesion_of(const Sample& sample) {
     if (const auto* stated = std::get_if<Stated>(&*sample.work_of_adhesion)) return *stated;
     const auto& from = std::get<AdhesionFromSurfaces>(*sample.work_of_adhesion);
     return computed(work_of_adhesion(from.rule, from.energies), Dimension::energy_per_area,
-                    "surface energies, rule " + std::string(adhesion_rule_name(from.rule)));
+                    "surface energies, rule " + std::string(name_of(from.rule)));
 }
 
 Json contact_json(const Sample& sample, const std::optional<Wall>& wall, const SampleModulus& modulus,
@@ -103,12 +103,12 @@ Json contact_json(const Sample& sample, const std::optional<Wall>& wall, const S
 
 StageOutput contact_stage(const Artifacts& before) {
     const Case data = read_case_artifact(before);
-    const auto moduli = before.read("1-modulus.json", read_moduli);
+    const auto moduli = before.read(modulus_artifact, read_moduli);
     StageOutput output{.citations = {"dong2013, Eqs. 6, 7, 11"}};
     output.options = {{"geometry", "sphere on a flat wall: R* = r, m* = m"}};
     output.result["samples"] = Json::array();
     for (const Sample& sample : data.samples) {
-        const SampleModulus& modulus = entry_named(moduli, sample.name, before, "1-modulus.json");
+        const SampleModulus& modulus = entry_named(moduli, sample.name, before, modulus_artifact);
         output.result["samples"].push_back(contact_json(sample, data.wall, modulus, output.warnings));
     }
     return output;

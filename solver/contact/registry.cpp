@@ -8,20 +8,6 @@
 
 namespace ashimpact {
 
-namespace {
-
-template <class Names>
-std::string joined(const Names& names) {
-    std::string text;
-    for (const std::string_view name : names) {
-        if (!text.empty()) text += ", ";
-        text += name;
-    }
-    return text;
-}
-
-}  // namespace
-
 std::string law_names() {
     return joined(RegisteredLaws::names);
 }
@@ -30,7 +16,7 @@ Law Law::named(std::string_view name) {
     for (std::size_t index = 0; index < RegisteredLaws::size; ++index) {
         if (RegisteredLaws::names[index] == name) return Law(index);
     }
-    throw InputError("unknown contact law '" + std::string(name) + "'", law_names());
+    throw unknown_name("contact law", name, {RegisteredLaws::names.begin(), RegisteredLaws::names.end()});
 }
 
 Detachment Law::default_detachment() const {
@@ -154,12 +140,12 @@ std::string_view name_of(Detachment detachment) {
 }
 
 Detachment detachment_named(std::string_view name) {
-    std::array<std::string_view, detachment_names.size()> names;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        names[i] = detachment_names[i].name;
-        if (names[i] == name) return detachment_names[i].detachment;
+    std::vector<std::string> names;
+    for (const DetachmentName& entry : detachment_names) {
+        if (entry.name == name) return entry.detachment;
+        names.emplace_back(entry.name);
     }
-    throw InputError("unknown detachment '" + std::string(name) + "'", joined(names));
+    throw unknown_name("detachment", name, names);
 }
 
 }  // namespace ashimpact

@@ -4,6 +4,7 @@
 #include "solver/contact/dmt.hpp"
 #include "solver/contact/hertz.hpp"
 #include "solver/contact/jkr.hpp"
+#include "solver/contact/maugis_dugdale.hpp"
 #include "solver/contact/sjkr.hpp"
 #include "solver/contact/thornton_ning.hpp"
 
@@ -39,7 +40,13 @@ struct LawList {
 };
 
 /// Every contact law with dynamics. Registering a law is one word here.
-using RegisteredLaws = LawList<Hertz, Dmt, BrachDunn, Jkr, ThorntonNing, Sjkr>;
+using RegisteredLaws = LawList<Hertz, Dmt, BrachDunn, Jkr, ThorntonNing, Sjkr, MaugisDugdale>;
+
+/// Whether overlap and force of a law are polynomials of u, as make_motion() takes them.
+template <template <class> class L>
+inline constexpr bool has_polynomials = requires(const L<double>& law) {
+    law.overlap(1.0);
+};
 
 /// A registered contact law, chosen at run time.
 class Law {

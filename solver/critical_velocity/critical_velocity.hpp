@@ -14,8 +14,11 @@ enum class CaptureVerdict {
     never_captured,   ///< rebounding at every velocity
 };
 
-/// Name as used in artifacts.
-[[nodiscard]] std::string_view name_of(CaptureVerdict verdict);
+template <>
+struct Names<CaptureVerdict> {
+    static constexpr std::string_view kind = "verdict";
+    static constexpr std::array<std::string_view, 3> all{"finite", "always-captured", "never-captured"};
+};
 
 /// An impact whose velocity is asked for.
 struct CriticalVelocityProblem {

@@ -1,8 +1,10 @@
 #include "solver/damping/damping.hpp"
 
-#include "materials/base/error.hpp"
+#include "materials/base/checks.hpp"
 
 #include <string>
+
+#include <stdexcept>
 
 namespace ashimpact {
 
@@ -18,14 +20,25 @@ std::string_view unit_of(DampingLaw law) {
     return si_unit(dimension_of(law));
 }
 
+Dimension dimension_of(DampingLaw law) {
+    switch (law) {
+        case DampingLaw::constant:
+            return Dimension::damping;
+        case DampingLaw::contact_radius:
+            return Dimension::viscosity;
+        case DampingLaw::tsuji:
+            return Dimension::fraction;
+    }
+    throw std::logic_error("damping law without a dimension");
+}
+
 DampingLaw damping_named(std::string_view name) {
-    std::string allowed;
+    std::vector<std::string> names;
     for (const DampingName& entry : damping_names) {
         if (entry.name == name) return entry.law;
-        if (!allowed.empty()) allowed += ", ";
-        allowed += entry.name;
+        names.emplace_back(entry.name);
     }
-    throw InputError("unknown damping law '" + std::string(name) + "'", allowed);
+    throw unknown_name("damping law", name, names);
 }
 
 bool vanishes_at_touch(DampingLaw law) {

@@ -116,6 +116,7 @@ int lowest_power(const Polynomial<Extended>& p) {
 /// d(delta) ~ x^d dx and U_end - U ~ x^k at the end, the time integral of x^d dx/sqrt(x^k + excess) misses
 /// excess^((d + 1)/k - 1/2). One half but where attraction vanishes with the root of the overlap.
 double power_of_lateness(const Impact& impact) {
+    if (is_cohesive(impact.law, impact.contact)) return 0.5;  // its force is not zero at any end
     const auto motion = scaled_motion<Extended>(impact, Scale::of(impact.contact, impact.velocity));
     Polynomial<Extended> fall = motion.potential.shifted(*motion.end);
     fall[0] = 0;

@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "materials/base/checks.hpp"
-#include "pipeline/case/laws.hpp"
+#include "solver/damping/damping.hpp"
 
 namespace ashimpact {
 

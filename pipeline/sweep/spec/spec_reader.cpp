@@ -3,12 +3,13 @@
 
 #include "materials/base/checks.hpp"
 #include "materials/base/text.hpp"
-#include "pipeline/case/laws.hpp"
 #include "pipeline/json/schema.hpp"
+#include "pipeline/json/schema_version.hpp"
 #include "pipeline/json/view.hpp"
 #include "pipeline/json/writer.hpp"
 #include "pipeline/sweep/spec/spec.hpp"
 #include "pipeline/sweep/spec/variable_reader.hpp"
+#include "solver/damping/damping.hpp"
 #include "solver/motion/impact.hpp"
 
 namespace ashimpact {
@@ -211,8 +212,11 @@ void check_sampling(const View& document, const SweepSpec& spec) {
         if (static_cast<double>(design.points()) > most_samples)
             throw InputError("too many points", "1e15 at most");
         if (design.points() < design.groups())
-            throw InputError("\"samples\" is less than the number of shifts",
-                             "a sample or more for each shift");
+            throw InputError(
+                "\"samples\" is " + std::to_string(design.points()),
+                spec.sampling.method == SamplingMethod::random
+                    ? "16 or more: errors are estimated by leaving out a sixteenth at a time"
+                    : std::to_string(design.groups()) + " or more, a sample for each of the \"shifts\"");
     });
 }
 
@@ -220,6 +224,7 @@ void check_sampling(const View& document, const SweepSpec& spec) {
 
 LoadedSpec read_sweep_spec(const std::string& text) {
     const Json json = without_comments(parse_json(text));
+    require_schema_version(json, false);
     validate_document(json, "sweep");
     const View document(json);
     SweepSpec spec;

@@ -107,7 +107,7 @@ const Spoiled spoiled_cases[]{
     {"file without an end", [](Json& c) { c["samples"][0]["restitution"]["file"] = "/dev/zero"; },
      "/samples/0/restitution/file", "/dev/zero: is longer than 256 MiB"},
     {"detachment of no law", [](Json& c) { c["detachments"]["dtm"] = "pull-off"; }, "/detachments/dtm",
-     "unknown contact law 'dtm'"},
+     "no contact law is called \"dtm\", did you mean \"dmt\"?"},
     {"unknown damping law", [](Json& c) { c["damping_law"] = "viscous"; }, "/damping_law",
      "allowed: constant, contact-radius, tsuji"},
     {"same name twice", [](Json& c) { c["samples"][1]["name"] = "fine"; }, "/samples/1/name",
@@ -327,7 +327,7 @@ TEST_CASE("wrong options: exit 2, one line that names the option") {
              Wrong{"impact --law dmt --velocity 2 --radius '44 um' --density 2600 --contact-modulus '90 GPa'",
                    "--work-of-adhesion: is missing"},
              Wrong{"impact --law dtm --velocity 2" + contact,
-                   "--law: unknown contact law 'dtm'; allowed: hertz"},
+                   "--law: no contact law is called \"dtm\", did you mean \"dmt\"?; allowed: hertz"},
              Wrong{"impact --law dmt --velocity '2 m'" + contact,
                    "--velocity: the unit \"m\" is not one of velocity"},
              Wrong{"impact --law dmt --velocity -2" + contact, "--velocity: velocity is -2 m/s"},
@@ -385,7 +385,8 @@ TEST_CASE("wrong options: exit 2, one line that names the option") {
              Wrong{"calibrate --free density --free density:each", "--free: \"density\" is given twice"},
              Wrong{"impact --law dmt --velocity 1e308" + contact, "allowed: 1e-40 to 1e40"},
              Wrong{"critical-velocity --law dmt --damping 1e300" + contact, "allowed: 0, or 1e-40 to 1e40"},
-             Wrong{"calibrate --free speed", "--free: unknown constant \"speed\"; allowed: density"},
+             Wrong{"calibrate --free speed",
+                   "--free: no constant of a calibration is called \"speed\"; allowed: density"},
          }) {
         CAPTURE(wrong.arguments);
         const auto finished = ashimpact_program(sandbox, wrong.arguments);
