@@ -170,7 +170,10 @@ ImpactResult solve_impact(const Impact& impact) {
 }
 
 double restitution_of(const Impact& impact) {
-    return scaled_restitution<double>(impact, Scale::of(impact.contact, impact.velocity));
+    const Scale scale = Scale::of(impact.contact, impact.velocity);
+    const double restitution = scaled_restitution<double>(impact, scale);
+    if (std::isfinite(restitution)) return restitution;
+    return static_cast<double>(scaled_restitution<Extended>(impact, scale));  // beyond the range of double
 }
 
 }  // namespace ashimpact
