@@ -15,14 +15,13 @@
 #include "pipeline/json/schema.hpp"
 #include "pipeline/json/schema_version.hpp"
 #include "pipeline/json/writer.hpp"
+#include "pipeline/report/report.hpp"
 #include "pipeline/run_identity.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
 
 namespace ashimpact {
 
 namespace {
-
-constexpr std::string_view manifest_file = "manifest.json";
 
 std::string schema_of(std::string_view file) {
     return std::string(file.substr(0, file.rfind('.')));
@@ -125,11 +124,29 @@ Artifact manifest_of(const RunPlan& plan, const std::vector<Artifact>& all,
                                               {"bytes", artifact.bytes.size()},
                                               {"written_by_this_run", is_new}});
     }
-    return sealed(manifest_file, "manifest", {}, output, run_of(written.front().document));
+    return sealed(manifest_artifact, "manifest", {}, output, run_of(written.front().document));
+}
+
+/// Report and figures of a run; of a part of one, where the folder has the artifacts of the rest.
+std::vector<FileContent> presentation(const RunPlan& plan, Artifacts artifacts, RunSummary& summary) {
+    if (!plan.report && !plan.figures) return {};
+    try {
+        for (const std::string_view file : report::report_artifacts())
+            if (!artifacts.has(file)) artifacts.add(loaded_artifact(plan.folder, file));
+        report::Presentation made = report::present(
+            std::move(artifacts), {.folder = plan.folder, .page = plan.report, .figures = plan.figures});
+        summary.report = made.page;
+        summary.figures = made.files.size() - (made.page.empty() ? 0 : 1);
+        return std::move(made.files);
+    } catch (const InputError& error) {
+        if (plan.from.empty() && plan.only.empty()) throw;
+        summary.warnings.push_back(std::string("no report: ") + error.what());
+        return {};
+    }
 }
 
 std::vector<std::string> artifact_names() {
-    std::vector<std::string> names{std::string(case_artifact), std::string(manifest_file)};
+    std::vector<std::string> names{std::string(case_artifact), std::string(manifest_artifact)};
     for (const Stage& stage : stages()) names.emplace_back(stage.file);
     return names;
 }
@@ -143,15 +160,23 @@ class RunFolder {
         if (std::filesystem::is_directory(folder_)) take();
     }
 
-    void write(const std::vector<Artifact>& artifacts) {
+    /// Replaces the artifacts and the report as one; figures, which have a folder of their own, after them.
+    void write(const std::vector<Artifact>& artifacts, std::vector<FileContent> presentation) {
         if (!lock_) {
             make_folder(folder_);
             take();
         }
         std::vector<NamedContent> files;
-        files.reserve(artifacts.size());
+        std::vector<FileContent> figures;
+        for (FileContent& file : presentation) {
+            if (file.path.parent_path().filename() == "figures")
+                figures.push_back(std::move(file));
+            else
+                files.push_back({file.path.filename().string(), std::move(file.content)});
+        }
         for (const Artifact& artifact : artifacts) files.push_back({artifact.file, artifact.bytes});
         replace_files(folder_, files);
+        if (!figures.empty()) write_files(figures);
     }
 
   private:
@@ -191,13 +216,8 @@ Range range_of(const RunPlan& plan) {
     if (name.empty()) return {};
     const auto names = stage_names();
     const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) {
-        const auto guess = nearest(name, names, 1);
-        throw InputError("no stage is called " + in_quotes(name) +
-                             (guess.empty() ? "" : ", did you mean " + in_quotes(guess.front()) + "?"),
-                         joined(names))
-            .at(plan.only.empty() ? "--from" : "--only");
-    }
+    if (found == names.end())
+        throw unknown_name("stage", name, names).at(plan.only.empty() ? "--from" : "--only");
     if (plan.case_file)
         throw InputError("a case file and a stage to start from are both given", "one of the two")
             .in_file(*plan.case_file);
@@ -237,6 +257,12 @@ std::vector<std::string> stage_names() {
     return names;
 }
 
+Artifacts load_artifacts(const std::filesystem::path& folder, const std::vector<std::string_view>& files) {
+    Artifacts artifacts;
+    for (const std::string_view file : files) artifacts.add(loaded_artifact(folder, file));
+    return artifacts;
+}
+
 Artifacts compute_artifacts(const std::optional<std::string>& case_file, std::string_view last_stage) {
     Artifacts artifacts;
     artifacts.add(case_artifact_of(load_case(case_file)));
@@ -249,6 +275,7 @@ Artifacts compute_artifacts(const std::optional<std::string>& case_file, std::st
 
 RunSummary run_stages(const RunPlan& plan) {
     const Range range = range_of(plan);
+    if (plan.figures) report::require_figure_programs();
     RunFolder folder(plan.folder);
     Artifacts artifacts;
     std::vector<Artifact> all;
@@ -292,7 +319,7 @@ RunSummary run_stages(const RunPlan& plan) {
     summary.written.push_back(manifest_of(plan, all, summary.written));
     for (const Artifact& artifact : summary.written)
         for (const auto& warning : artifact.document.at("warnings")) summary.warnings.push_back(warning);
-    folder.write(summary.written);
+    folder.write(summary.written, presentation(plan, std::move(artifacts), summary));
     return summary;
 }
 

@@ -1,5 +1,7 @@
 #include "materials/base/text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -99,6 +101,11 @@ std::vector<std::string> nearest(std::string_view word, const std::vector<std::s
     return words;
 }
 
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
+    const auto guess = nearest(word, candidates, 1);
+    return guess.empty() ? std::string{} : ", did you mean " + in_quotes(guess.front()) + "?";
+}
+
 std::string with_article(std::string_view noun) {
     const bool vowel =
         !noun.empty() && std::string_view("aeiou").find(noun.front()) != std::string_view::npos;
@@ -106,9 +113,11 @@ std::string with_article(std::string_view noun) {
 }
 
 std::string joined(const std::vector<std::string>& words) {
-    std::string list;
-    for (const auto& word : words) list += (list.empty() ? "" : ", ") + word;
-    return list;
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
+std::string joined(std::span<const std::string_view> words) {
+    return fmt::format("{}", fmt::join(words, ", "));
 }
 
 std::string without_controls(std::string_view text) {

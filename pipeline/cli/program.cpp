@@ -129,7 +129,7 @@ CLI::App* add_command(CLI::App& program, const std::string& name, const std::str
     return command;
 }
 
-int run_program(int argc, const char* const* argv, const SweepRunner& sweep) {
+int run_program(int argc, const char* const* argv, const SweepRunner& sweep, const ExportRunner& exporter) {
     const auto messages = set_up_messages();
     CLI::App program(purpose, "ashimpact");
     add_common_options(program);
@@ -139,6 +139,8 @@ int run_program(int argc, const char* const* argv, const SweepRunner& sweep) {
     add_case_commands(program, action);
     add_contact_commands(program, action);
     add_sweep_command(program, action, sweep);
+    add_report_commands(program, action);
+    add_export_command(program, action, exporter);
     add_document_commands(program, action);
     refuse_empty_values(program);
     std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of its write

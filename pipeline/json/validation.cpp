@@ -71,11 +71,6 @@ std::string last_quoted(const std::string& text) {
     return text.substr(start + 1, end - start - 1);
 }
 
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
-    const auto guess = nearest(word, candidates, 1);
-    return guess.empty() ? std::string{} : ", did you mean " + in_quotes(guess.front()) + "?";
-}
-
 std::string pointer_to(const Path& path) {
     std::string pointer;
     for (const std::string& key : path) pointer = child_pointer(pointer, key);

@@ -1,6 +1,7 @@
 #include "solver/batch/critical_batch.hpp"
 
 #include "materials/base/error.hpp"
+#include "solver/batch/admissibility.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/batch/tables/critical_table.hpp"
 #include "solver/batch/task.hpp"
@@ -25,7 +26,7 @@ Damping damping_at(const CriticalVelocityBatch& batch, const batch::Inputs& in, 
 /// Verdict and v_c where they take no integration, or none.
 std::optional<CriticalVelocity> quick(const CriticalVelocityBatch& batch, const ContactPair& contact,
                                       const Damping& damping) {
-    if (can_yield(batch.law, contact)) return std::nullopt;
+    if (!is_self_similar(batch.law, contact)) return std::nullopt;
     if (batch.detachment == Detachment::zero_force)
         return CriticalVelocity{.verdict = CaptureVerdict::never_captured};
     if (damping.coefficient == 0.0) return std::nullopt;
@@ -46,11 +47,9 @@ std::optional<CriticalVelocity> quick(const CriticalVelocityBatch& batch, const 
 }  // namespace
 
 CriticalVelocityBatchResult critical_velocities(const CriticalVelocityBatch& batch, int threads) {
-    if (const auto reason = refusal(batch.law, batch.detachment)) {
-        throw InputError(*reason, admissible_detachments(batch.law));
-    }
+    batch::require_admissible(batch.law, batch.detachment);
     const Eigen::Index count = common_size(batch.contact, {{"damping", batch.damping.size()}});
-    batch::Inputs inputs = batch::inputs_of(batch.contact);
+    batch::Inputs inputs = batch::inputs_of(batch.law, batch.contact);
     inputs.damping = batch::input_of(batch.damping);
     CriticalVelocityBatchResult result;
     result.verdict.resize(count);

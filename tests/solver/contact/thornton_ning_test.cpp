@@ -446,7 +446,7 @@ TEST_CASE("where damping leaves hardly any speed, impacts still tell the upper c
 
 TEST_CASE("a yield pressure that is none is refused; the law admits pull-off and load-controlled ends") {
     CHECK(input_error_of([] { static_cast<void>(solve_impact(undamped(yielding_ash(0.3, 0.0), 2.0))); }) ==
-          "yield_pressure is 0 Pa; allowed: a finite number > 0 Pa");
+          "yield_pressure is 0 Pa; allowed: a positive pressure [Pa]");
     CHECK(admissible_detachments(Law::of<ThorntonNing>()) == "pull-off, load-controlled");
     CHECK(contains(refusal(Law::of<ThorntonNing>(), Detachment::zero_overlap).value(), "no such point"));
 }
