@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace ashimpact {
 
@@ -53,13 +54,14 @@ EnergyLedger ledger_of(const Solved& impact, double unit) {
             .minimum = joule(impact.last.potential(impact.last.equilibrium))};
 }
 
-/// Refuses what the closure of the elastic-plastic law does not carry: results that are not finite, energy that
-/// is not accounted for, or, inside the closure's range, a flattened sphere that gains more by adhesion than the
-/// work spent on it (docs/decisions/0003-plastic-closure.md).
+/// Refuses what the closure of the elastic-plastic law does not carry: results that are not finite, energy
+/// that is not accounted for, or, inside the closure's range, a flattened sphere that gains more by adhesion
+/// than the work spent on it (docs/decisions/0003-plastic-closure.md).
 void require_within_closure(const Impact& impact, const Scale& scale, const ImpactResult& result) {
     constexpr double least_ratio = 0.5;  // below it adhesion alone yields the contact at first touch
-    const double ratio = ThorntonNing<double>::yield_number(impact.contact, scale.length) /
-                         std::pow(ThorntonNing<double>::adhesion_number(impact.contact, scale.length), 2.0 / 3.0);
+    const double ratio =
+        ThorntonNing<double>::yield_number(impact.contact, scale.length) /
+        std::pow(ThorntonNing<double>::adhesion_number(impact.contact, scale.length), 2.0 / 3.0);
     const EnergyLedger& energy = result.energy;
     const double size = std::max({energy.incident, std::abs(energy.minimum), std::abs(energy.at_touch)});
     const bool closed = std::isfinite(size) && std::abs(energy.residual) <= 1e-9 * size;
