@@ -13,6 +13,7 @@
 #include "pipeline/report/page/run_page.hpp"
 #include "pipeline/report/report.hpp"
 #include "pipeline/run.hpp"
+#include "pipeline/run_identity.hpp"
 
 namespace ashimpact {
 
@@ -31,13 +32,16 @@ Artifacts gathered(const std::vector<std::string>& given) {
     const std::filesystem::path first(given.front());
     const auto folder = std::filesystem::is_directory(first) ? first : first.parent_path();
     Artifacts artifacts;
+    std::vector<Artifact> of_one_run;
     for (const std::string_view file : report::report_artifacts()) {
         auto from = folder;
         for (const std::string& name : given)
             if (std::filesystem::path(name).filename() == file)
                 from = std::filesystem::path(name).parent_path();
-        artifacts.add(load_artifacts(from, {file}).at(file));
+        of_one_run.push_back(load_artifacts(from, {file}).at(file));
     }
+    require_one_run(of_one_run);
+    for (Artifact& artifact : of_one_run) artifacts.add(std::move(artifact));
     for (const std::string& name : given) {
         bool known = std::filesystem::is_directory(name);
         for (const std::string_view file : report::report_artifacts())

@@ -176,8 +176,9 @@ CriticalVelocity plastic_critical_velocity(const CriticalVelocityProblem& proble
     }
     result.value = result.crossings.front();
     result.steps = capture.steps;
-    for (const double number : {*result.value, result.contact_time.value_or(0.0), result.maximum_overlap.value_or(0.0),
-                                result.dissipated, result.plastic, result.detachment_energy})
+    for (const double number :
+         {*result.value, result.contact_time.value_or(0.0), result.maximum_overlap.value_or(0.0),
+          result.dissipated, result.plastic, result.detachment_energy})
         if (!std::isfinite(number)) refuse_outside(problem);
     return result;
 }

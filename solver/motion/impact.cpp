@@ -54,13 +54,14 @@ EnergyLedger ledger_of(const Solved& impact, double unit) {
             .minimum = joule(impact.last.potential(impact.last.equilibrium))};
 }
 
-/// Refuses what the closure of the elastic-plastic law does not carry: results that are not finite, energy that
-/// is not accounted for, or, inside the closure's range, a flattened sphere that gains more by adhesion than the
-/// work spent on it (docs/decisions/0003-plastic-closure.md).
+/// Refuses what the closure of the elastic-plastic law does not carry: results that are not finite, energy
+/// that is not accounted for, or, inside the closure's range, a flattened sphere that gains more by adhesion
+/// than the work spent on it (docs/decisions/0003-plastic-closure.md).
 void require_within_closure(const Impact& impact, const Scale& scale, const ImpactResult& result) {
     constexpr double least_ratio = 0.5;  // below it adhesion alone yields the contact at first touch
-    const double ratio = ThorntonNing<double>::yield_number(impact.contact, scale.length) /
-                         std::pow(ThorntonNing<double>::adhesion_number(impact.contact, scale.length), 2.0 / 3.0);
+    const double ratio =
+        ThorntonNing<double>::yield_number(impact.contact, scale.length) /
+        std::pow(ThorntonNing<double>::adhesion_number(impact.contact, scale.length), 2.0 / 3.0);
     const EnergyLedger& energy = result.energy;
     const double size = std::max({energy.incident, std::abs(energy.minimum), std::abs(energy.at_touch)});
     const bool closed = std::isfinite(size) && std::abs(energy.residual) <= 1e-9 * size;
@@ -174,7 +175,10 @@ ImpactResult solve_impact(const Impact& impact) {
 }
 
 double restitution_of(const Impact& impact) {
-    return scaled_restitution<double>(impact, Scale::of(impact.contact, impact.velocity));
+    const Scale scale = Scale::of(impact.contact, impact.velocity);
+    const double restitution = scaled_restitution<double>(impact, scale);
+    if (std::isfinite(restitution)) return restitution;
+    return static_cast<double>(scaled_restitution<Extended>(impact, scale));  // beyond the range of double
 }
 
 }  // namespace ashimpact

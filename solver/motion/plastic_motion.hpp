@@ -39,7 +39,8 @@ class PlasticMotion {
         const Real way = loading_.overlap(loading_.equilibrium) - elastic_.overlap(state.position);
         if (!(state.velocity <= damping / Real(2) * way)) return false;
         const auto is_soft = [&](const Motion<Real>& branch, const Real& from, const Real& to) {
-            const Polynomial<Real> excess = branch.force.derivative() - damping * damping / Real(4) * branch.slope;
+            const Polynomial<Real> excess =
+                branch.force.derivative() - damping * damping / Real(4) * branch.slope;
             return excess.upper_bound(from, to) <= Real(0);
         };
         return is_soft(elastic_, state.position, elastic_.coordinate(yield())) &&
@@ -103,7 +104,8 @@ template <class Real, class Observer>
     result.yielded = true;
     ApproachEnd end = ApproachEnd::creeping;
     if (passes) {
-        const Real spent = elastic.potential(state.position) - motion.loading_potential(loading.root_radius(loading.equilibrium));
+        const Real spent = elastic.potential(state.position) -
+                           motion.loading_potential(loading.root_radius(loading.equilibrium));
         orbit.turn = {.position = loading.equilibrium,
                       .velocity = Real(0),
                       .time = state.time,

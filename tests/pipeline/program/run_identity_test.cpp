@@ -64,9 +64,10 @@ TEST_CASE("the same case gives the same run and the same bytes") {
     run_case(sandbox, quick_case(), "one");
     CHECK(sandbox.everything() == before);
     CHECK(ashimpact_program(sandbox, "run -o one --from comparison").status == 0);
-    CHECK(sandbox.read("one/comparison.json") == std::find_if(before.begin(), before.end(), [](const auto& file) {
-                                                     return file.first == "one/comparison.json";
-                                                 })->second);
+    CHECK(sandbox.read("one/comparison.json") ==
+          std::find_if(before.begin(), before.end(), [](const auto& file) {
+              return file.first == "one/comparison.json";
+          })->second);
 }
 
 TEST_CASE("an edited artifact is taken and said to be edited; another layout is no edit") {
@@ -82,9 +83,10 @@ TEST_CASE("an edited artifact is taken and said to be edited; another layout is 
     sandbox.write("one/3-analytic.json", artifact.dump());
     run = ashimpact_program(sandbox, "run -o one --only comparison");
     CHECK(run.status == 0);
-    CHECK_MESSAGE(run.err.find("one/3-analytic.json: was edited after ashimpact wrote it; its values count") !=
-                      std::string::npos,
-                  run.err);
+    CHECK_MESSAGE(
+        run.err.find("one/3-analytic.json: was edited after ashimpact wrote it; its values count") !=
+            std::string::npos,
+        run.err);
     const Json comparison = sandbox.json("one/comparison.json");
     CHECK(comparison["result"]["samples"][0]["analytic_critical_velocity"]["value"] == 0.25);
     CHECK(comparison["warnings"].dump().find("3-analytic.json was edited after ashimpact wrote it") !=
@@ -132,7 +134,8 @@ TEST_CASE("artifacts and cases of another schema version are refused by version"
     Json artifact = whole;
     artifact.erase("schema_version");
     sandbox.write("one/3-analytic.json", artifact.dump());
-    check_refused(sandbox, "run -o one --only comparison", "\"schema_version\" is missing: an artifact of an earlier");
+    check_refused(sandbox, "run -o one --only comparison",
+                  "\"schema_version\" is missing: an artifact of an earlier");
     artifact["schema_version"] = 2;
     sandbox.write("one/3-analytic.json", artifact.dump());
     check_refused(sandbox, "run -o one --only comparison", "/schema_version: is 2; allowed: 1");
@@ -154,11 +157,13 @@ TEST_CASE("impossible numbers of a case, a NUL in a name and endless lists are r
         check_refused(sandbox, "run case.json -o out", says);
     };
     refused("/wall/poisson_ratio", {{"value", 0.3}, {"unit", "1"}, {"standard_uncertainty", 1e30}},
-            "case.json: /wall/poisson_ratio/standard_uncertainty: a standard uncertainty of 1e+30; allowed: 0 to 1");
+            "case.json: /wall/poisson_ratio/standard_uncertainty: a standard uncertainty of 1e+30; allowed: "
+            "0 to 1");
     refused("/samples/0/density", {{"value", 2500}, {"unit", "kg/m3"}, {"standard_uncertainty", 1e308}},
             "case.json: /samples/0/density/standard_uncertainty: a standard uncertainty of 1e+308");
-    refused("/samples/0/density", {{"value", 2500}, {"unit", "kg/m3"}, {"standard_uncertainty", 1e6}},
-            "case.json: /samples/0/density/standard_uncertainty: is 1e+06; allowed: ten times the value at most");
+    refused(
+        "/samples/0/density", {{"value", 2500}, {"unit", "kg/m3"}, {"standard_uncertainty", 1e6}},
+        "case.json: /samples/0/density/standard_uncertainty: is 1e+06; allowed: ten times the value at most");
     refused("/samples/0/restitution/file", std::string("impacts.csv\0x", 13),
             "case.json: /samples/0/restitution/file: holds a NUL character");
     refused("/laws", std::vector<std::string>(10'000, "hertz"), "case.json: /laws: is a list of 10000");
@@ -168,10 +173,12 @@ TEST_CASE("a case names files of its own folder only, through links too, unless 
     const Sandbox sandbox;
     test::write_example(sandbox, quick_case());
     Json document = quick_case();
-    for (const char* name : {"ash.csv", "impacts.csv"}) sandbox.write(std::string("inside/") + name, sandbox.read(name));
+    for (const char* name : {"ash.csv", "impacts.csv"})
+        sandbox.write(std::string("inside/") + name, sandbox.read(name));
     document["samples"][0]["restitution"]["file"] = "../impacts.csv";
     sandbox.write("inside/case.json", document.dump());
-    check_refused(sandbox, "run inside/case.json -o out", "impacts.csv: lies outside of the folder of the case");
+    check_refused(sandbox, "run inside/case.json -o out",
+                  "impacts.csv: lies outside of the folder of the case");
     CHECK(ashimpact_program(sandbox, "run inside/case.json -o allowed --allow-outside").status == 0);
     std::filesystem::create_symlink("../impacts.csv", sandbox.folder() / "inside/link.csv");
     document["samples"][0]["restitution"]["file"] = "link.csv";
@@ -185,7 +192,8 @@ TEST_CASE("a case names files of its own folder only, through links too, unless 
 TEST_CASE("a run whose standard output is closed has written its files, and says so with status 0") {
     const Sandbox sandbox;
     test::write_example(sandbox, quick_case());
-    const auto run = ashimpact_program(sandbox, "run case.json -o out >/dev/full 2>err; echo $? >status; true");
+    const auto run =
+        ashimpact_program(sandbox, "run case.json -o out >/dev/full 2>err; echo $? >status; true");
     CHECK(sandbox.read("status") == "0\n");
     CHECK(sandbox.read("err").find("warning: standard output: cannot be written") != std::string::npos);
     CHECK(sandbox.has("out/comparison.json"));

@@ -1,7 +1,8 @@
-// Loaded before the program (LD_PRELOAD), it has one system call of the write phase fail, or kills the process there.
-// The write phase begins when the folder of the new files is made, or with ASHIMPACT_FAULT_FROM=0 at once.
-// ASHIMPACT_FAULT_CALL: which call, from 1 on; ASHIMPACT_FAULT_ERROR: the errno it fails with, or "kill".
-// ASHIMPACT_FAULT_COUNT: a file that gets one byte for each call seen, so that a test knows how many there are.
+// Loaded before the program (LD_PRELOAD), it has one system call of the write phase fail, or kills the
+// process there. The write phase begins when the folder of the new files is made, or with
+// ASHIMPACT_FAULT_FROM=0 at once. ASHIMPACT_FAULT_CALL: which call, from 1 on; ASHIMPACT_FAULT_ERROR: the
+// errno it fails with, or "kill". ASHIMPACT_FAULT_COUNT: a file that gets one byte for each call seen, so
+// that a test knows how many there are.
 #ifndef _GNU_SOURCE
 #define _GNU_SOURCE 1
 #endif
@@ -45,8 +46,8 @@ void count_call() {
     close_file(stream);
 }
 
-/// Whether this is the first process that comes here: the one that renames counts its calls, too, and one failure
-/// is asked for.
+/// Whether this is the first process that comes here: the one that renames counts its calls, too, and one
+/// failure is asked for.
 bool is_first() {
     const char* file = setting("ASHIMPACT_FAULT_COUNT");
     if (file == nullptr) return true;

@@ -1,5 +1,5 @@
-// Whatever fails or kills a run while it writes, its folder is the old run or the new one. ASHIMPACT_WHOLE: whole
-// runs instead of single stages.
+// Whatever fails or kills a run while it writes, its folder is the old run or the new one. ASHIMPACT_WHOLE:
+// whole runs instead of single stages.
 #include <doctest/doctest.h>
 #include <sys/stat.h>
 
@@ -30,8 +30,8 @@ bool whole() {
 
 const std::vector<std::string>& command() {
     static const std::vector<std::string> full{ASHIMPACT_PROGRAM, "run", "case.json", "-o", "out"};
-    static const std::vector<std::string> short_one{ASHIMPACT_PROGRAM, "run",   "-o",
-                                                    "out",             "--only", "comparison"};
+    static const std::vector<std::string> short_one{ASHIMPACT_PROGRAM, "run",       "-o", "out",
+                                                    "--only",          "comparison"};
     return whole() ? full : short_one;
 }
 
@@ -125,7 +125,8 @@ TEST_CASE("each system call of the write phase fails once: the folder is the old
             const Sandbox sandbox;
             const Sandbox counts;
             scene.restore(sandbox);
-            const Ended ended = test::run(sandbox, command(), with_fault(counts, call, std::to_string(error)));
+            const Ended ended =
+                test::run(sandbox, command(), with_fault(counts, call, std::to_string(error)));
             CAPTURE(error);
             CAPTURE(call);
             CAPTURE(ended.err);
@@ -204,7 +205,8 @@ TEST_CASE("twenty runs into one folder: one at a time, the others say so, and th
         const Ended ended = run->wait();
         CAPTURE(ended.err);
         CHECK((ended.status == 0 || ended.status == 2));
-        if (ended.status == 2) CHECK(ended.err.find("another run is at work in this folder") != std::string::npos);
+        if (ended.status == 2)
+            CHECK(ended.err.find("another run is at work in this folder") != std::string::npos);
         done += ended.status == 0 ? 1 : 0;
     }
     CHECK(done >= 1);

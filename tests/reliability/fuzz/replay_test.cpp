@@ -1,5 +1,5 @@
-// The corpora of the fuzz targets, each file as it is and changed at random: bytes flipped, cut out, doubled, and
-// numbers and words of other files put in. Needs no clang.
+// The corpora of the fuzz targets, each file as it is and changed at random: bytes flipped, cut out, doubled,
+// and numbers and words of other files put in. Needs no clang.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -32,9 +32,10 @@ std::vector<std::string> corpus_of(const std::string& target) {
 }
 
 /// Pieces that break what they are put into.
-constexpr const char* pieces[] = {"1e999", "-1",  "nan", "1e-320", "0",    "null", "\"\"", "[",      "{",   "}",    "\xff",
-                                  "\n",    "\t",  ",",   ";",      "\"//", "é",    "µm",  "1,5",    "..",  "e_n",  "v_in [m/s]",
-                                  "%",     "2e5", "±",   "\r\n",   "\\u0000", "true", "[[]]", "100.01", "Inf"};
+constexpr const char* pieces[] = {"1e999", "-1",   "nan",     "1e-320", "0",    "null",       "\"\"", "[",
+                                  "{",     "}",    "\xff",    "\n",     "\t",   ",",          ";",    "\"//",
+                                  "é",     "µm",   "1,5",     "..",     "e_n",  "v_in [m/s]", "%",    "2e5",
+                                  "±",     "\r\n", "\\u0000", "true",   "[[]]", "100.01",     "Inf"};
 
 std::string changed(std::string bytes, const std::vector<std::string>& corpus, Random& random) {
     const std::size_t changes = 1 + random.below(6);
@@ -42,11 +43,21 @@ std::string changed(std::string bytes, const std::vector<std::string>& corpus, R
         const std::size_t at = random.below(bytes.size());
         const std::size_t length = 1 + random.below(std::min<std::size_t>(40, bytes.size() - at));
         switch (random.below(6)) {
-            case 0: bytes[at] = static_cast<char>(random.below(256)); break;
-            case 1: bytes.erase(at, length); break;
-            case 2: bytes.insert(at, bytes.substr(at, length)); break;
-            case 3: bytes.insert(at, pieces[random.below(std::size(pieces))]); break;
-            case 4: bytes.replace(at, length, pieces[random.below(std::size(pieces))]); break;
+            case 0:
+                bytes[at] = static_cast<char>(random.below(256));
+                break;
+            case 1:
+                bytes.erase(at, length);
+                break;
+            case 2:
+                bytes.insert(at, bytes.substr(at, length));
+                break;
+            case 3:
+                bytes.insert(at, pieces[random.below(std::size(pieces))]);
+                break;
+            case 4:
+                bytes.replace(at, length, pieces[random.below(std::size(pieces))]);
+                break;
             default: {
                 const std::string& other = corpus[random.below(corpus.size())];
                 if (!other.empty()) bytes.insert(at, other.substr(random.below(other.size()), length));

@@ -35,7 +35,8 @@ void feed_case(std::string_view bytes) {
 }
 
 void check_fractions(const XrdResult& result) {
-    for (const XrdSample& sample : result.samples) require(!sample.name.empty() || result.samples.size() == 1, "a name");
+    for (const XrdSample& sample : result.samples)
+        require(!sample.name.empty() || result.samples.size() == 1, "a name");
 }
 
 constexpr TextLimits limits{};
@@ -96,7 +97,8 @@ Impact impact_from(std::string_view bytes) {
     const bool adhesive = numbers.below(4) != 0;
     return {.law = law,
             .detachment = detachment,
-            .damping = {damping_law, damped ? numbers.around(damping_law == DampingLaw::tsuji ? 0.3 : 0.01) : 0.0},
+            .damping = {damping_law,
+                        damped ? numbers.around(damping_law == DampingLaw::tsuji ? 0.3 : 0.01) : 0.0},
             .contact = {.mass = numbers.around(1e-9),
                         .effective_radius = numbers.around(44e-6),
                         .contact_modulus = numbers.around(90e9),
@@ -113,11 +115,13 @@ void feed_solver(std::string_view bytes) {
     require(!alone.contact_time || *alone.contact_time > 0.0, "a contact takes time");
     const auto one = [](double value) { return Eigen::ArrayXd::Constant(1, value).eval(); };
     const ContactPair& pair = impact.contact;
-    const Eigen::ArrayXd mass = one(pair.mass), radius = one(pair.effective_radius), modulus = one(pair.contact_modulus),
-                         adhesion = one(pair.work_of_adhesion), yield = one(pair.yield_pressure),
-                         damping = one(impact.damping.coefficient), velocity = one(impact.velocity);
-    const ImpactBatch batch{impact.law,     impact.detachment, impact.damping.law,
-                            {mass, radius, modulus, adhesion, yield}, damping, velocity};
+    const Eigen::ArrayXd mass = one(pair.mass), radius = one(pair.effective_radius),
+                         modulus = one(pair.contact_modulus), adhesion = one(pair.work_of_adhesion),
+                         yield = one(pair.yield_pressure), damping = one(impact.damping.coefficient),
+                         velocity = one(impact.velocity);
+    const ImpactBatch batch{
+        impact.law, impact.detachment, impact.damping.law, {mass, radius, modulus, adhesion, yield},
+        damping,    velocity};
     const ImpactBatchResult with_turn = solve_impacts(batch);
     const ImpactBatchResult without = solve_impacts(batch, {.turning_point = false});
     const double conditioning = 1.0 + std::abs(alone.energy.minimum) / alone.energy.incident;
