@@ -25,7 +25,7 @@ namespace {
 namespace numbers = std::numbers;
 constexpr double maugis_lambdas[] = {0.01, 0.05, 0.2, 0.5, 0.7, 0.93, 0.95, 1.5, 5.0, 50.0, 1000.0};
 
-/// Angles of stable touching states, from far inside outwards.
+/// Stable touching states, from the edge of the branch inwards.
 template <class Visit>
 void for_each_stable_state(const CohesiveZone& zone, Visit&& visit) {
     const Extended edge = zone.pull_off().angle;
@@ -44,7 +44,10 @@ TEST_CASE("states solve Maugis' equations as printed, in m = c/a") {
         const CohesiveZone zone(lambda);
         const Extended l = lambda;
         Extended worst = 0;
+        int seen = 0;
         for_each_stable_state(zone, [&](const CohesiveState& state) {
+            if (state.angle < 2e-3L) return;  // the printed forms cancel
+            ++seen;
             const Extended a = state.contact_radius();
             const Extended m = state.cohesive_radius / a;
             const Extended s = std::tan(state.angle);
@@ -53,14 +56,13 @@ TEST_CASE("states solve Maugis' equations as printed, in m = c/a") {
                                  4 * l * l * a / 3 * (s * state.angle - m + 1);
             const Extended overlap = a * a - 4 * l / 3 * a * s;
             const Extended total = a * a * a - l * a * a * (s + m * m * state.angle);
-            // The printed forms cancel where the angle is small.
-            const Extended rounding = 1e-17L / (state.angle * state.angle);
-            worst = std::max(worst, std::abs(one - 1) / (1 + 1e3L * rounding * (1 + l * a * s)));
+            worst = std::max(worst, std::abs(one - 1));
             worst = std::max(worst, std::abs(zone.overlap(state) - overlap) / (a * a + 1));
             worst = std::max(worst, std::abs(zone.force(state) - total) / (a * a * a + 2));
             worst = std::max(worst, std::abs(theta - state.angle));
         });
-        CHECK(worst < 1e-9);
+        CHECK(worst < 1e-11);
+        CHECK((seen > 10 || lambda > 100.0));
     }
 }
 
@@ -69,8 +71,8 @@ TEST_CASE("the force is the slope of the potential, and stiffness rises all alon
         CAPTURE(lambda);
         const CohesiveZone zone(lambda);
         Extended worst = 0;
-        Extended stiffest = std::numeric_limits<Extended>::infinity();
-        int falls = 0;
+        Extended softer = -std::numeric_limits<Extended>::infinity();
+        int rises = 0;
         for_each_stable_state(zone, [&](const CohesiveState& state) {
             const CohesiveState in = zone.at_angle(state.angle * (1 - 1e-6L));
             const CohesiveState out = zone.at_angle(state.angle * (1 + 1e-6L));
@@ -78,15 +80,14 @@ TEST_CASE("the force is the slope of the potential, and stiffness rises all alon
             const Extended work = zone.potential(in) - zone.potential(out);
             const Extended size = std::abs(zone.force(state)) + 1;
             worst = std::max(worst, std::abs(work / way - zone.force(state)) / size);
-            // From far inside outwards the stiffness falls.
-            const Extended stiffness = zone.stiffness(state);
-            falls += stiffness < stiffest ? 1 : 0;
-            stiffest = stiffness;
+            const Extended stiffness = zone.stiffness(state);  // from the fold inwards
+            rises += stiffness > softer ? 1 : 0;
+            softer = stiffness;
             CHECK(zone.at_contact_radius(state.contact_radius()).angle ==
                   doctest::Approx(static_cast<double>(state.angle)).epsilon(1e-15));
         });
         CHECK(worst < 1e-8);
-        CHECK(falls == 199);
+        CHECK(rises == 199);
     }
 }
 
