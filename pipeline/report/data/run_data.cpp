@@ -22,14 +22,21 @@ Json member(const Json& object, const std::string& key) {
     return object.contains(key) ? object.at(key) : Json(nullptr);
 }
 
-/// The coefficients of the fitted polynomial eta(e), ascending.
-std::vector<double> coefficients_of(const LawData& law) {
-    if (law.fit == nullptr) return {};
-    return {law.fit->c, law.fit->b, law.fit->a};
+/// The fit eta(e) of measured impacts, null for others.
+const Json* curve_fit(const LawData& law) {
+    if (!law.fit_json.is_object() || !law.fit_json.contains("extrapolated")) return nullptr;
+    const Json& fit = law.fit_json.at("extrapolated");
+    return fit.is_object() && fit.contains("coefficients") ? &fit : nullptr;
 }
 
-/// Variance and covariance of the coefficients, ascending; the rounding of printed ones where that is all
-/// there is.
+std::vector<double> coefficients_of(const LawData& law) {
+    if (law.fit == nullptr) return {};
+    const Json* fit = curve_fit(law);
+    if (fit == nullptr) return {law.fit->c, law.fit->b, law.fit->a};
+    return fit->at("coefficients").at("values").get<std::vector<double>>();
+}
+
+/// Covariance of the coefficients, ascending; of a reconstructed series the rounding of the printed ones.
 std::vector<std::vector<double>> covariance_of(const LawData& law) {
     const std::size_t count = law.coefficients.size();
     std::vector<std::vector<double>> covariance(count, std::vector<double>(count, 0.0));
@@ -38,8 +45,9 @@ std::vector<std::vector<double>> covariance_of(const LawData& law) {
         for (std::size_t i = 0; i < count; ++i) covariance[i][i] = u * u;
         return covariance;
     }
-    if (!law.fit_json.is_object() || !law.fit_json.contains("extrapolated")) return covariance;
-    const Json& values = law.fit_json.at("extrapolated").at("covariance").at("values");
+    const Json* fit = curve_fit(law);
+    if (fit == nullptr) return covariance;
+    const Json& values = fit->at("covariance").at("values");
     if (values.size() != count) return covariance;
     return values.get<std::vector<std::vector<double>>>();
 }
@@ -130,6 +138,9 @@ void RunData::read_sample(const Sample& sample) {
                     .histories = member(histories, key)};
         if (law.velocity_json.is_object()) law.headline = headline_of(law.velocity_json);
         law.coefficients = coefficients_of(law);
+        const Json* fit_of_curve = curve_fit(law);
+        law.curve_start =
+            fit_of_curve != nullptr ? number_in(*fit_of_curve, "critical_velocity") : law.headline.value;
         entry.laws.push_back(std::move(law));
     }
     samples_.push_back(std::move(entry));
