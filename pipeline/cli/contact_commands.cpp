@@ -13,6 +13,47 @@ namespace {
 
 constexpr auto json_help = "print one JSON object, numbers with 17 significant digits";
 
+}  // namespace
+
+void add_contact_options(CLI::App& command, ContactOptions& options, ContactNeeds needs) {
+    const bool required = needs == ContactNeeds::required;
+    command.add_option("--law", options.law, "contact law: " + law_names())
+        ->required(required)
+        ->type_name("NAME");
+    command.add_option("--radius", options.radius, "of the sphere, \"44 um\"")
+        ->required(required)
+        ->type_name("Q");
+    command.add_option("--density", options.density, "of the sphere, \"2160 kg/m3\"")->type_name("Q");
+    command.add_option("--mass", options.mass, "of the sphere, instead of its density")->type_name("Q");
+    command
+        .add_option("--contact-modulus", options.contact_modulus, "E*, \"90 GPa\" (not a Young's modulus)")
+        ->required(required)
+        ->type_name("Q");
+    command
+        .add_option("--work-of-adhesion", options.work_of_adhesion,
+                    "w, \"0.3 J/m2\" (not a surface energy); not needed for hertz")
+        ->type_name("Q");
+    command.add_option("--yield-pressure", options.yield_pressure, "p_y, \"35.3 MPa\", for thornton-ning")
+        ->type_name("Q");
+    command
+        .add_option(
+            "--detachment", options.detachment,
+            "where the contact ends: zero-overlap, zero-force, pull-off, load-controlled; default: that "
+            "of the law")
+        ->type_name("NAME");
+    command
+        .add_option("--damping-law", options.damping_law,
+                    "constant, contact-radius or tsuji; the unit of the damping goes with it")
+        ->capture_default_str()
+        ->type_name("NAME");
+}
+
+void add_damping_option(CLI::App& command, ContactOptions& options) {
+    command.add_option("--damping", options.damping, "\"0.0141 kg/s\"; default: none")->type_name("Q");
+}
+
+namespace {
+
 void add_impact(CLI::App& program, Action& action) {
     auto* command = add_command(program, "impact", "One normal impact of a sphere on a flat wall",
                                 "ashimpact impact --law dmt --radius \"44 um\" --density \"2600 kg/m3\" "
@@ -89,43 +130,6 @@ void add_damping(CLI::App& program, Action& action) {
 }
 
 }  // namespace
-
-void add_contact_options(CLI::App& command, ContactOptions& options, ContactNeeds needs) {
-    const bool required = needs == ContactNeeds::required;
-    command.add_option("--law", options.law, "contact law: " + law_names())
-        ->required(required)
-        ->type_name("NAME");
-    command.add_option("--radius", options.radius, "of the sphere, \"44 um\"")
-        ->required(required)
-        ->type_name("Q");
-    command.add_option("--density", options.density, "of the sphere, \"2160 kg/m3\"")->type_name("Q");
-    command.add_option("--mass", options.mass, "of the sphere, instead of its density")->type_name("Q");
-    command
-        .add_option("--contact-modulus", options.contact_modulus, "E*, \"90 GPa\" (not a Young's modulus)")
-        ->required(required)
-        ->type_name("Q");
-    command
-        .add_option("--work-of-adhesion", options.work_of_adhesion,
-                    "w, \"0.3 J/m2\" (not a surface energy); not needed for hertz")
-        ->type_name("Q");
-    command.add_option("--yield-pressure", options.yield_pressure, "p_y, \"35.3 MPa\", for thornton-ning")
-        ->type_name("Q");
-    command
-        .add_option(
-            "--detachment", options.detachment,
-            "where the contact ends: zero-overlap, zero-force, pull-off, load-controlled; default: that "
-            "of the law")
-        ->type_name("NAME");
-    command
-        .add_option("--damping-law", options.damping_law,
-                    "constant, contact-radius or tsuji; the unit of the damping goes with it")
-        ->capture_default_str()
-        ->type_name("NAME");
-}
-
-void add_damping_option(CLI::App& command, ContactOptions& options) {
-    command.add_option("--damping", options.damping, "\"0.0141 kg/s\"; default: none")->type_name("Q");
-}
 
 void add_contact_commands(CLI::App& program, Action& action) {
     add_impact(program, action);
