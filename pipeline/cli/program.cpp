@@ -114,18 +114,24 @@ CLI::App* add_command(CLI::App& program, const std::string& name, const std::str
     return command;
 }
 
-int run_program(int argc, const char* const* argv, const SweepRunner& sweep) {
-    const auto messages = set_up_messages();
-    CLI::App program(purpose, "ashimpact");
+void set_up_commands(CLI::App& program, Action& action, const SweepRunner& sweep) {
+    program.name("ashimpact");
+    program.description(purpose);
     add_common_options(program);
     program.require_subcommand(1);
     program.footer("Example:\n  ashimpact run\n`ashimpact COMMAND --help` says more about each.");
-    Action action;
     add_case_commands(program, action);
     add_contact_commands(program, action);
     add_sweep_command(program, action, sweep);
     add_document_commands(program, action);
     refuse_empty_values(program);
+}
+
+int run_program(int argc, const char* const* argv, const SweepRunner& sweep) {
+    const auto messages = set_up_messages();
+    CLI::App program;
+    Action action;
+    set_up_commands(program, action, sweep);
     std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of its write
     try {
         obey(program, argc, argv, action, *messages);
