@@ -46,7 +46,7 @@ struct XrdResult {
 
 /// Rescales a sample to which a known weight of a standard was added before the measurement: w_i = w_s
 /// c_i/c_s in the mixture, divided by 1 - w_s in the sample; the rest is amorphous. The standard is taken out
-/// of the phases. Source: Chung 1974, J. Appl. Cryst. 7:519 (matrix flushing). `added_fraction` is the weight
+/// of the phases. Source: Chung 1974a, J. Appl. Cryst. 7:519 (matrix flushing). `added_fraction` is the weight
 /// of the standard over that of the mixture [1], `added_uncertainty` that of the weighing [1]. Errors:
 /// InputError if the standard is not among the phases, has no fraction, or says that more than 100 % of the
 /// sample is crystalline.
@@ -65,7 +65,7 @@ struct PeakIntensity {
 };
 
 /// Returns weight fractions of the crystalline part [1] by the adiabatic principle:
-/// w_i = (I_i/RIR_i)/sum_j(I_j/RIR_j). Source: Chung 1974, J. Appl. Cryst. 7:526 (Ref. 27 of Dong et al.
+/// w_i = (I_i/RIR_i)/sum_j(I_j/RIR_j). Source: Chung 1974b, J. Appl. Cryst. 7:526 (Ref. 27 of Dong et al.
 /// 2013). Validity: every crystalline phase is listed. Errors: InputError for intensities below zero, ratios
 /// not above zero.
 [[nodiscard]] std::vector<PhaseFraction> adiabatic_fractions(const std::vector<PeakIntensity>& peaks);

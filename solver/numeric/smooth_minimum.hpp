@@ -19,8 +19,7 @@ struct SmoothMinimumOptions {
     double first_step = 1.0;  ///< length of the longest first step
     /// A minimum is found where the model of the function says that no step lowers it by more than this.
     double tolerance = 1e-8;
-    /// It has been found, too, where the search cannot go on for want of digits and that much is left at
-    /// most.
+    /// Also converged if rounding stops the search with at most this decrease predicted.
     double acceptable = 1e-3;
     int most_evaluations = 100;
 };
@@ -33,9 +32,8 @@ struct SmoothMinimum {
     bool converged;
 };
 
-/// Minimum by a quasi-Newton method with a trust region and the symmetric rank-one update (A. R. Conn, N. I.
-/// M. Gould & Ph. L. Toint, Trust-Region Methods, SIAM 2000, ch. 8.4), which takes steps that run into places
-/// where the function is not defined back, and learns from those that fail. The variables should be of a size
+/// Minimum by a quasi-Newton method with a trust region and the symmetric rank-one update (Conn, Gould &
+/// Toint 2000, ch. 8.4). Rejects steps into undefined regions and learns from failed ones. The variables should be of a size
 /// at which the curvature is near one.
 /// @throws ConvergenceError where the function is not defined at the start; whatever the function throws
 [[nodiscard]] SmoothMinimum minimise(const SmoothFunction& function, const Eigen::VectorXd& start,

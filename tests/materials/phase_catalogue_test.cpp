@@ -40,9 +40,8 @@ constexpr const char* modulus = R"("young_modulus": {"value": 73, "unit": "GPa",
 
 }  // namespace
 
-TEST_CASE("every property of every phase cites a key of the bibliography, and every key is used") {
-    const auto keys = keys_of("\n" + file_text(ASHIMPACT_DATA "/phases/references.bib"));
-    std::set<std::string> used;
+TEST_CASE("every property of every phase cites a key of the bibliography") {
+    const auto keys = keys_of("\n" + file_text(ASHIMPACT_DATA "/references.bib"));
     const PhaseCatalogue catalogue = shipped_catalogue();
     for (const PhaseSet& set : catalogue.sets()) {
         REQUIRE(set.phases.size() >= 3);
@@ -55,12 +54,10 @@ TEST_CASE("every property of every phase cites a key of the bibliography, and ev
                 for (const auto& citation : property.citations) {
                     CAPTURE(citation);
                     CHECK(keys.contains(citation));
-                    used.insert(citation);
                 }
             }
         }
     }
-    CHECK(used == keys);
 }
 
 TEST_CASE("values of the catalogue agree with the bulk and shear moduli of their sources") {
