@@ -26,3 +26,7 @@ endif()
 # time, and no run is slower for it.
 add_library(ashimpact_cold_code INTERFACE)
 target_compile_options(ashimpact_cold_code INTERFACE $<$<CONFIG:RelWithDebInfo>:-O1>)
+
+# For what becomes part of libashimpact or of the Python module, as add_compile_options() of its folder: it can be loaded
+# anywhere, and is seen from outside only where it says so.
+set(ASHIMPACT_LIBRARY_OPTIONS -fPIC -fvisibility=hidden -fvisibility-inlines-hidden)

@@ -17,10 +17,34 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(blank) - first + 1);
 }
 
+namespace {
+
+/// Whether a byte goes on with a UTF-8 character that begins before it.
+bool continues(char byte) {
+    return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U;
+}
+
+/// The longest beginning of at most @p most bytes that ends with a whole UTF-8 character.
+std::string_view whole_start(std::string_view text, std::size_t most) {
+    if (text.size() <= most) return text;
+    std::size_t end = most;
+    while (end > 0 && most - end < 3 && continues(text[end])) --end;
+    return text.substr(0, end);
+}
+
+/// The longest end of at most @p most bytes that begins with a whole UTF-8 character.
+std::string_view whole_end(std::string_view text, std::size_t most) {
+    std::size_t start = text.size() > most ? text.size() - most : 0;
+    for (int i = 0; i < 3 && start < text.size() && continues(text[start]); ++i) ++start;
+    return text.substr(start);
+}
+
+}  // namespace
+
 std::string in_quotes(std::string_view text) {
     constexpr std::size_t longest = 60;
     std::string shown = "\"";
-    for (const char c : text.substr(0, longest)) {
+    for (const char c : whole_start(text, longest)) {
         const auto byte = static_cast<unsigned char>(c);
         shown += byte < 0x20 || byte == 0x7f ? ' ' : c;
     }
@@ -114,7 +138,7 @@ std::string shortened(const std::string& text) {
     constexpr std::size_t longest = 120;
     constexpr std::size_t kept = 50;
     if (text.size() <= longest) return text;
-    return text.substr(0, kept) + "..." + text.substr(text.size() - kept);
+    return std::string(whole_start(text, kept)) + "..." + std::string(whole_end(text, kept));
 }
 
 std::string shell_word(const std::string& text) {

@@ -134,6 +134,8 @@ Json sample_json(const Sample& sample) {
     add("density", sample.density);
     add("contact_modulus", sample.contact_modulus);
     add("yield_pressure", sample.yield_pressure);
+    for (const auto& [parameter, stated] : sample.parameters)
+        json[std::string(parameter.name)] = stated_json(stated);
     if (sample.work_of_adhesion) json["work_of_adhesion"] = adhesion_json(*sample.work_of_adhesion);
     add("measured_critical_velocity", sample.measured_critical_velocity);
     if (sample.restitution) json["restitution"] = std::visit(RestitutionWriter{}, *sample.restitution);
@@ -196,10 +198,10 @@ Json case_json(const Case& data) {
     json["histories"] = {{"points", data.histories.points},
                          {"critical_excess", data.histories.critical_excess}};
     json["fit"] = {{"order", data.fit.order},
-                   {"direct_order", data.fit.direct_order},
                    {"robust", data.fit.robust},
                    {"flatness", data.fit.flatness},
                    {"outlier", data.fit.outlier}};
+    if (data.fit.size_scatter) json["fit"]["size_scatter"] = *data.fit.size_scatter;
     json["uncertainty"] = {{"samples", data.uncertainty.propagation.samples},
                            {"replicates", data.uncertainty.propagation.replicates},
                            {"seed", data.uncertainty.propagation.seed},

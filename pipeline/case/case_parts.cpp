@@ -11,12 +11,11 @@ namespace ashimpact {
 
 namespace {
 
-Stated read_stated(const View& node, Dimension dimension) {
-    Stated stated{.quantity = node.quantity(dimension)};
-    if (!node.is_object()) return stated;
-    if (const auto origin = node.find("origin")) stated.origin = origin->text();
-    if (const auto source = node.find("source")) stated.source = source->text();
-    return stated;
+/// Refuses an uncertainty with which the value would say nothing.
+void require_uncertainty(const View& node, const Stated& stated, double most, const std::string& allowed) {
+    if (stated.quantity.standard_uncertainty.value_or(0) > most)
+        node.at("standard_uncertainty")
+            .fail("is " + shortest(*stated.quantity.standard_uncertainty), allowed);
 }
 
 Law law_of(const View::Member& member) {
@@ -168,15 +167,25 @@ class Printed {
 
 }  // namespace
 
+Stated read_stated(const View& node, Dimension dimension) {
+    Stated stated{.quantity = node.quantity(dimension)};
+    if (!node.is_object()) return stated;
+    if (const auto origin = node.find("origin")) stated.origin = origin->text();
+    if (const auto source = node.find("source")) stated.source = source->text();
+    return stated;
+}
+
 Stated read_positive(const View& node, std::string_view name, Dimension dimension) {
     Stated stated = read_stated(node, dimension);
     node.located([&] { require_positive(name, stated.value(), dimension); });
+    require_uncertainty(node, stated, 10 * stated.value(), "ten times the value at most");
     return stated;
 }
 
 Stated read_poisson_ratio(const View& node) {
     Stated stated = read_stated(node, Dimension::fraction);
     node.located([&] { require_poisson_ratio("Poisson's ratio", stated.value()); });
+    require_uncertainty(node, stated, 0.5, "0 to 0.5");
     return stated;
 }
 

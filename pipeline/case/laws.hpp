@@ -4,9 +4,6 @@
 
 namespace ashimpact {
 
-/// Whether the law has any attraction.
-[[nodiscard]] bool is_adhesive(Law law);
-
 /// Whether the law knows a yield pressure.
 [[nodiscard]] bool yields(Law law);
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "pipeline/commands/sweep.hpp"
+#include "pipeline/export/command.hpp"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's own name
 class App;
@@ -28,7 +29,20 @@ void add_contact_commands(CLI::App& program, Action& action);
 /// calibrate, inspect, init, schema
 void add_document_commands(CLI::App& program, Action& action);
 
+/// report, figure
+void add_report_commands(CLI::App& program, Action& action);
+
 /// sweep, which @p runner runs
 void add_sweep_command(CLI::App& program, Action& action, const SweepRunner& runner);
+
+/// export, which @p runner runs
+void add_export_command(CLI::App& program, Action& action, const ExportRunner& runner);
+
+/// Whether a command can do without the options of a contact.
+enum class ContactNeeds { required, optional };
+
+/// The options that describe a contact, and its damping.
+void add_contact_options(CLI::App& command, ContactOptions& options, ContactNeeds needs);
+void add_damping_option(CLI::App& command, ContactOptions& options);
 
 }  // namespace ashimpact

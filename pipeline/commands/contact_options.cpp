@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "materials/base/checks.hpp"
@@ -41,9 +42,10 @@ double read_mass(const ContactOptions& options, double radius) {
 
 double read_work_of_adhesion(const ContactOptions& options, Law law) {
     constexpr auto option = "--work-of-adhesion";
-    if (!is_adhesive(law) && !options.work_of_adhesion.empty())
-        spdlog::warn("warning: {}: {} has no attraction, so it changes nothing", option, law.name());
-    if (!is_adhesive(law) && options.work_of_adhesion.empty()) return 0;
+    const bool used = law.uses_work_of_adhesion();
+    if (!used && !options.work_of_adhesion.empty())
+        spdlog::warn("warning: {}: {} does not use it, so it changes nothing", option, law.name());
+    if (!used && options.work_of_adhesion.empty()) return 0;
     const double value = read_option(option, options.work_of_adhesion, Dimension::energy_per_area);
     return at_option(option, [&] {
         require_not_negative("work of adhesion", value, Dimension::energy_per_area);
@@ -59,6 +61,37 @@ double read_yield_pressure(const ContactOptions& options, Law law) {
     return std::numeric_limits<double>::infinity();
 }
 
+/// One or more of the options are missing, or more are given than may be.
+[[noreturn]] void refuse_options(const ParameterFault& fault) {
+    std::string names;
+    for (const LawParameter& parameter : fault.parameters)
+        names += (names.empty() ? "" : ", ") + option_of(parameter);
+    const std::string problem = fault.parameters.size() == 1 ? "is missing"
+                                : fault.given == 0           ? "none is given"
+                                                             : std::to_string(fault.given) + " are given";
+    throw InputError(problem, fault.allowed()).at(names);
+}
+
+ParameterValues<double> read_parameters(const ContactOptions& options, Law law) {
+    ParameterValues<double> values;
+    for (std::size_t i = 0; i < options.parameters.size(); ++i) {
+        const LawParameter& parameter = law_parameters()[i];
+        const std::string option = option_of(parameter);
+        const std::string& text = options.parameters[i];
+        if (text.empty()) continue;
+        if (!law.takes(parameter)) {
+            spdlog::warn("warning: {}: {} does not use it, so it changes nothing", option, law.name());
+            continue;
+        }
+        const double value = read_option(option, text, parameter.dimension);
+        at_option(option, [&] { require_allowed(parameter, value); });
+        values.set(parameter.name, value);
+    }
+    const auto is_given = [&](const LawParameter& parameter) { return values.has(parameter); };
+    if (const auto fault = parameter_fault(law, is_given)) refuse_options(*fault);
+    return values;
+}
+
 Detachment read_detachment(const std::string& name, Law law) {
     if (name.empty()) return law.default_detachment();
     return at_option("--detachment", [&] {
@@ -70,6 +103,12 @@ Detachment read_detachment(const std::string& name, Law law) {
 }
 
 }  // namespace
+
+std::string option_of(const LawParameter& parameter) {
+    std::string option = "--" + std::string(parameter.name);
+    std::replace(option.begin(), option.end(), '_', '-');
+    return option;
+}
 
 double read_option(const std::string& option, const std::string& text, Dimension dimension) {
     return at_option(option, [&] {
@@ -97,7 +136,8 @@ ContactChoice read_contact(const ContactOptions& options) {
                               .contact_modulus = read_positive_option(
                                   "--contact-modulus", options.contact_modulus, Dimension::pressure),
                               .work_of_adhesion = read_work_of_adhesion(options, law),
-                              .yield_pressure = read_yield_pressure(options, law)};
+                              .yield_pressure = read_yield_pressure(options, law),
+                              .parameters = read_parameters(options, law)};
     return {law, detachment, contact};
 }
 

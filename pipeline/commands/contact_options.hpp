@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "materials/base/units.hpp"
 #include "solver/motion/impact.hpp"
@@ -18,6 +19,7 @@ struct ContactOptions {
     std::string contact_modulus;
     std::string work_of_adhesion;
     std::string yield_pressure;
+    std::vector<std::string> parameters = std::vector<std::string>(law_parameters().size());  ///< their order
     std::string damping_law = "constant";
     std::string damping;
 };
@@ -28,6 +30,9 @@ struct ContactChoice {
     Detachment detachment;
     ContactPair contact;
 };
+
+/// The option of a law parameter: "--cohesion-energy-density".
+[[nodiscard]] std::string option_of(const LawParameter& parameter);
 
 /// @throws InputError naming the option
 [[nodiscard]] ContactChoice read_contact(const ContactOptions& options);

@@ -25,6 +25,7 @@ Json energy_json(const EnergyLedger& energy) {
     return {{"incident", joule(energy.incident)},     {"at_touch", joule(energy.at_touch)},
             {"remaining", joule(energy.remaining)},   {"potential", joule(energy.potential)},
             {"dissipated", joule(energy.dissipated)}, {"plastic", joule(energy.plastic)},
+            {"jumps", joule(energy.jumps)},
             {"residual", joule(energy.residual)},     {"minimum", joule(energy.minimum)}};
 }
 

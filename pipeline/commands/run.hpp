@@ -10,6 +10,8 @@ struct RunOptions {
     std::string folder = "results";
     std::string from;
     std::string only;
+    bool no_report = false;
+    bool figures = false;
 };
 
 /// `ashimpact run`: every stage, its artifacts in a folder, the comparison as a table.

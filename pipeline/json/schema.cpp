@@ -41,6 +41,22 @@ std::vector<std::string> listed(const std::string& mark) {
     throw std::logic_error("no list for " + mark);
 }
 
+/// Puts a property for each parameter of a contact law in the place of "@law_parameters".
+void list_parameters(Json& properties) {
+    constexpr auto mark = "@law_parameters";
+    const bool quantity = properties.at(mark) == "quantity";
+    properties.erase(mark);
+    for (const LawParameter& parameter : law_parameters()) {
+        const std::string text = std::string(parameter.description) + ": a number in " +
+                                 std::string(si_unit(parameter.dimension)) + " or such as \"" +
+                                 std::string(parameter.example) + '"';
+        properties[std::string(parameter.name)] =
+            quantity ? Json{{"description", text},
+                            {"allOf", {{{"$ref", "common.json#/definitions/quantity_form"}}}}}
+                     : Json{{"$ref", "#/definitions/variable"}};
+    }
+}
+
 Json schema_file(const std::string& name) {
     const auto text = embedded_file(std::string(schema_folder) + name + std::string(suffix));
     if (!text) throw std::logic_error("no schema file " + name);
@@ -67,6 +83,7 @@ class Bundle {
             const auto only = node["enum"][0].get<std::string>();
             if (only.starts_with('@')) node["enum"] = listed(only);
         }
+        if (node.is_object() && node.contains("@law_parameters")) list_parameters(node);
         if (node.is_object() && node.contains("$ref")) node["$ref"] = reference(node["$ref"]);
         if (node.is_structured())
             for (Json& child : node) resolve(child);

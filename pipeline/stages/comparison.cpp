@@ -132,6 +132,7 @@ std::vector<std::pair<std::string, double>> read_volume_fractions(const View& re
 /// The dynamic critical velocities with what belongs to each.
 struct DynamicColumns {
     Json velocity = Json::object();
+    Json extrapolated = Json::object();
     Json interval = Json::object();
     Json interval_note = Json::object();
     Json verdict = Json::object();
@@ -144,7 +145,8 @@ DynamicColumns dynamic_columns(const SampleResults& of, const std::vector<LawCho
         const LawCriticalVelocity* velocity = of.velocities.find(choice.law);
         const std::string name(choice.law.name());
         const bool finite = velocity != nullptr && velocity->value;
-        columns.velocity[name] = finite ? Json(*velocity->value) : Json(nullptr);
+        columns.velocity[name] = finite ? velocity->headline : Json(nullptr);
+        if (finite && !velocity->extrapolated.is_null()) columns.extrapolated[name] = velocity->extrapolated;
         columns.interval[name] = finite ? velocity->interval : Json(nullptr);
         if (finite && !velocity->interval_note.is_null())
             columns.interval_note[name] = velocity->interval_note;
@@ -208,6 +210,7 @@ StageOutput comparison_stage(const Artifacts& before) {
             {"verdict", dynamic.verdict},
             {"measured_critical_velocity", measured_json(sample, measured)},
             {"check", dynamic.check}};
+        if (!dynamic.extrapolated.empty()) json["extrapolated_critical_velocity"] = dynamic.extrapolated;
         if (!dynamic.interval_note.empty()) json["interval_note"] = dynamic.interval_note;
         if (sample.published) json["published"] = published_beside_json(*sample.published, of);
         output.result["samples"].push_back(std::move(json));

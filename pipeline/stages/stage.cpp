@@ -1,5 +1,6 @@
 #include "pipeline/stages/stage.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "pipeline/case/case_reader.hpp"
@@ -22,9 +23,18 @@ const Artifact& Artifacts::at(std::string_view file) const {
     throw std::logic_error("a stage reads " + std::string(file) + ", which it does not list");
 }
 
+bool Artifacts::has(std::string_view file) const {
+    return std::any_of(artifacts_.begin(), artifacts_.end(),
+                       [&](const Artifact& each) { return each.file == file; });
+}
+
 const std::string& Artifacts::place_of(std::string_view file) const {
     const Artifact& artifact = at(file);
-    return artifact.place.empty() ? artifact.file : artifact.place;
+    if (!artifact.place.empty()) return artifact.place;
+    for (const Artifact& each : artifacts_)
+        if (each.file == case_artifact && !each.place.empty())
+            return each.place;  // what it was computed from
+    return artifact.file;
 }
 
 const std::vector<Stage>& stages() {

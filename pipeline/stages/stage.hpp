@@ -34,7 +34,7 @@ struct Artifact {
     std::string file;
     Json document;
     std::string bytes;
-    std::string place{};  ///< where it was read from, for messages; empty: it was computed
+    std::string place{};  ///< where it, or the case, was read from, for messages; empty: it was computed
 };
 
 /// The artifacts of earlier stages.
@@ -44,6 +44,9 @@ class Artifacts {
     /// The artifact of that file name. @throws std::logic_error if it was not added
     [[nodiscard]] const Artifact& at(std::string_view file) const;
 
+    /// Whether it was added.
+    [[nodiscard]] bool has(std::string_view file) const;
+
     /// What messages call an artifact.
     [[nodiscard]] const std::string& place_of(std::string_view file) const;
 
@@ -51,7 +54,14 @@ class Artifacts {
     template <class Read>
     auto read(std::string_view file, Read&& read) const {
         const Artifact& artifact = at(file);
-        return in_file(place_of(file), [&] { return read(View(artifact.document).at("result")); });
+        return in_file(place_of(file), [&] {
+            if (!artifact.place.empty()) return read(View(artifact.document).at("result"));
+            try {
+                return read(View(artifact.document).at("result"));
+            } catch (const InputError& error) {  // a pointer into what is nowhere to be seen says nothing
+                throw InputError(error.problem(), error.allowed());
+            }
+        });
     }
 
   private:

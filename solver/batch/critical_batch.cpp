@@ -25,7 +25,7 @@ Damping damping_at(const CriticalVelocityBatch& batch, const batch::Inputs& in, 
 /// Verdict and v_c where they take no integration, or none.
 std::optional<CriticalVelocity> quick(const CriticalVelocityBatch& batch, const ContactPair& contact,
                                       const Damping& damping) {
-    if (can_yield(batch.law, contact)) return std::nullopt;
+    if (!is_self_similar(batch.law, contact)) return std::nullopt;
     if (batch.detachment == Detachment::zero_force)
         return CriticalVelocity{.verdict = CaptureVerdict::never_captured};
     if (damping.coefficient == 0.0) return std::nullopt;
@@ -50,7 +50,7 @@ CriticalVelocityBatchResult critical_velocities(const CriticalVelocityBatch& bat
         throw InputError(*reason, admissible_detachments(batch.law));
     }
     const Eigen::Index count = common_size(batch.contact, {{"damping", batch.damping.size()}});
-    batch::Inputs inputs = batch::inputs_of(batch.contact);
+    batch::Inputs inputs = batch::inputs_of(batch.law, batch.contact);
     inputs.damping = batch::input_of(batch.damping);
     CriticalVelocityBatchResult result;
     result.verdict.resize(count);

@@ -26,8 +26,7 @@ struct Unloading {
 class PlasticCapture {
   public:
     PlasticCapture(const CriticalVelocityProblem& problem, const Scale& scale)
-        : overdamped_(problem.damping.law == DampingLaw::tsuji &&
-                      problem.damping.coefficient * problem.damping.coefficient >= 5.0),
+        : overdamped_(is_overdamped(problem.damping.law, scale.damping_number(problem.damping))),
           scale_(scale),
           motion_(scaled_plastic_motion<Extended>(
               {problem.law, problem.detachment, problem.damping, problem.contact, scale.velocity}, scale)) {}
@@ -88,7 +87,7 @@ class PlasticCapture {
         return unloading;
     }
 
-    bool overdamped_;  ///< Tsuji's damping from sqrt5 on captures, whatever the radius
+    bool overdamped_;  ///< captures, whatever the radius of the flattened sphere
     Scale scale_;
     PlasticMotion<Extended> motion_;
 };

@@ -48,6 +48,7 @@ EnergyLedger ledger_of(const Solved& impact, double unit) {
             .potential = joule(potential),
             .dissipated = joule(last.dissipation),
             .plastic = joule(impact.plastic_work),
+            .jumps = 0.0,
             .residual = joule(incident + impact.touch_potential - remaining - potential - spent),
             .minimum = joule(impact.last.potential(impact.last.equilibrium))};
 }
@@ -55,28 +56,51 @@ EnergyLedger ledger_of(const Solved& impact, double unit) {
 }  // namespace
 
 std::optional<std::string> refusal(Law law, Detachment detachment) {
-    return law.visit<std::optional<std::string>>([&]<template <class> class L>()
-                                                     -> std::optional<std::string> {
-        const L<Extended> numeric{1.0L};  // whether it is admissible depends on no number
-        const auto point = numeric.detachment_point(detachment);
-        const std::string subject =
-            std::string(name_of(detachment)) + " does not end a contact of law " + std::string(law.name());
-        if (!point) return subject + ": the law has no such point";
-        const Motion<Extended> motion =
-            make_motion<L, Extended>(numeric.adhesion, DampingLaw::constant, 0.0L, detachment);
-        if (motion.potential(*motion.end) < motion.potential(motion.touch)) {
-            return subject +
-                   ": its potential there is below that at first touch, an undamped impact would gain energy";
-        }
-        return std::nullopt;
-    });
+    return law.visit<std::optional<std::string>>(
+        [&]<template <class> class L>() -> std::optional<std::string> {
+            if constexpr (!has_polynomials<L>) {
+                // Any zone that is short of reach; refusal() of a contact knows which it is.
+                return cohesive_refusal(CohesiveZone(2), detachment);
+            } else {
+                const L<Extended> numeric{1.0L};  // whether it is admissible depends on no number
+                const auto point = numeric.detachment_point(detachment);
+                const std::string subject = std::string(name_of(detachment)) +
+                                            " does not end a contact of law " + std::string(law.name());
+                if (!point) return subject + ": the law has no such point";
+                const Motion<Extended> motion =
+                    make_motion<L, Extended>(numeric.adhesion, DampingLaw::constant, 0.0L, detachment);
+                if (motion.potential(*motion.end) < motion.potential(motion.touch)) {
+                    return subject +
+                           ": its potential there is below that at first touch, an undamped impact would "
+                           "gain energy";
+                }
+                return std::nullopt;
+            }
+        });
 }
 
+std::optional<std::string> refusal(Law law, const ContactPair& contact, Detachment detachment) {
+    if (const auto reason = refusal(law, detachment)) return reason;
+    return is_cohesive(law, contact) ? cohesive_refusal(contact, detachment) : std::nullopt;
+}
+
+namespace {
+
+template <class Refusal>
+std::string not_refused(Refusal&& refusal) {
+    std::string names;
+    for (const DetachmentName& entry : detachment_names) {
+        if (refusal(entry.detachment)) continue;
+        if (!names.empty()) names += ", ";
+        names += entry.name;
+    }
+    return names;
+}
+
+}  // namespace
+
 std::string admissible_detachments(Law law) {
-    std::vector<std::string> names;
-    for (const DetachmentName& entry : detachment_names)
-        if (!refusal(law, entry.detachment)) names.emplace_back(entry.name);
-    return joined(names);
+    return not_refused([&](Detachment detachment) { return refusal(law, detachment); });
 }
 
 void validate(const ContactPair& contact) {
@@ -89,15 +113,19 @@ void validate(const ContactPair& contact) {
 
 void validate(const Impact& impact) {
     validate(impact.contact);
+    require_parameters(impact.law, impact.contact.parameters);
     require_positive("velocity", impact.velocity, Dimension::velocity);
     require_not_negative("damping", impact.damping.coefficient, dimension_of(impact.damping.law));
-    if (const auto reason = refusal(impact.law, impact.detachment)) {
-        throw InputError(*reason, admissible_detachments(impact.law));
+    if (const auto reason = refusal(impact.law, impact.contact, impact.detachment)) {
+        throw InputError(*reason, not_refused([&](Detachment other) {
+            return refusal(impact.law, impact.contact, other);
+        }));
     }
 }
 
 ImpactResult solve_impact(const Impact& impact) {
     validate(impact);
+    if (is_cohesive(impact.law, impact.contact)) return solve_cohesive_impact(impact);
     const Scale scale = Scale::of(impact.contact, impact.velocity);
     const Solved followed = solved(impact, scale);
     const Orbit<Extended>& orbit = followed.orbit;

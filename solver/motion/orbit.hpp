@@ -9,15 +9,15 @@ namespace ashimpact {
 template <class Real>
 struct Orbit {
     Outcome outcome = Outcome::capture;
-    bool turned = false;     ///< false: so damped that it only creeps towards equilibrium
-    MotionState<Real> turn;  ///< at greatest overlap; where it never turns, at rest where it creeps to, but
-                             ///< at the time of end
-    MotionState<Real> end;   ///< at detachment, or where capture was certain
-    Real maximum_overlap{};  ///< greatest overlap, or its supremum
+    bool turned = false;     ///< false: the motion is so damped that it creeps towards equilibrium
+    MotionState<Real> turn;  ///< at greatest overlap; or rest at equilibrium, with the time of `end`, if the
+                             ///< motion never turns
+    MotionState<Real> end;   ///< at detachment, or at the step from which capture was certain
+    Real maximum_overlap{};  ///< greatest overlap, or its supremum if the motion never turns
     int steps = 0;
 };
 
-/// Decides capture, exactly, from the state: nothing is waited for.
+/// Decides capture from the present state, exactly. The integration need not go on until the motion dies out.
 template <class Real>
 class CaptureTest {
   public:
@@ -33,7 +33,7 @@ class CaptureTest {
   private:
     const Motion<Real>& motion_;
     bool by_place_;           ///< the contact ends at a place, so capture is possible at all
-    bool always_overdamped_;  ///< Tsuji's law from sqrt5 on
+    bool always_overdamped_;  ///< so damped that no impact rebounds, whatever its velocity
     Real end_overlap_{};
     Real end_potential_{};
     Real equilibrium_overlap_{};

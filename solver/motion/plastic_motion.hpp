@@ -48,7 +48,7 @@ class PlasticMotion {
     }
 
     YieldedContact<Real> contact_;
-    Polynomial<Real> damping_;
+    ScaledDamping<Real> damping_;
     Detachment detachment_;
     Motion<Real> elastic_;
     Motion<Real> loading_;
@@ -98,7 +98,7 @@ template <class Real>
 PlasticMotion<Real>::PlasticMotion(const YieldedContact<Real>& contact, DampingLaw law, Real damping_number,
                                    Detachment detachment)
     : contact_(contact),
-      damping_(damping_polynomial<Real>(law, damping_number)),
+      damping_{law, damping_number},
       detachment_(detachment),
       elastic_(make_motion<ThorntonNing, Real>(contact.adhesion, law, damping_number, detachment)),
       yield_(contact.yield_point()) {

@@ -27,11 +27,13 @@ struct Names<AdhesionRegime> {
 struct Regime {
     double tabor_parameter = 0.0;  ///< mu = (R* w^2/(E*^2 z0^3))^(1/3) [1]; Tabor 1977
     AdhesionRegime adhesion = AdhesionRegime::none;
+    double transition_parameter = 0.0;     ///< lambda of Maugis, 1.157 mu of the law's own cohesion [1]
     double damping_number = 0.0;           ///< beta (constant damping) or its like for the others [1]
     double adhesion_number = 0.0;          ///< of the law, in the impact's own scale [1]
     double contact_radius = 0.0;           ///< the law's own at greatest overlap [m]
     double relative_contact_radius = 0.0;  ///< that over R* [1]
     double relative_overlap = 0.0;         ///< greatest overlap over R* [1]
+    double greatest_pressure = 0.0;        ///< in the centre at greatest overlap; p_y where it yields [Pa]
     /// V_y of the closed form, without adhesion and damping; none without a yield pressure [m/s]
     std::optional<double> yield_velocity{};
     /// V_y of the law chosen, its adhesion included, without damping; 0 where adhesion alone yields [m/s]

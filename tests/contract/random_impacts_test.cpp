@@ -24,10 +24,11 @@ Impact random_impact(Random& random) {
                   .detachment = detachment_names[random.below(detachment_names.size())].detachment};
     const double radius = random.log_uniform(1e-7, 1e-3);
     const double density = random.log_uniform(500.0, 2e4);
-    const ContactPair pair{.mass = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * density,
-                           .effective_radius = radius,
-                           .contact_modulus = random.log_uniform(1e8, 1e12),
-                           .work_of_adhesion = random.log_uniform(1e-4, 10.0)};
+    ContactPair pair{.mass = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * density,
+                     .effective_radius = radius,
+                     .contact_modulus = random.log_uniform(1e8, 1e12),
+                     .work_of_adhesion = random.log_uniform(1e-4, 10.0)};
+    pair.parameters = parameters_like(pair.work_of_adhesion);
     if (random.below(2) == 0) c.yield_pressure = pair.contact_modulus * random.log_uniform(1e-3, 1.0);
     const double velocity = random.log_uniform(1e-4, 1e3);
     return impact_of(c, pair, random.uniform(0.0, 2.0), velocity);

@@ -49,6 +49,7 @@ struct CriticalVelocityCheck {
     CriticalVelocityVerdict verdict;
     std::optional<double> deviation;  ///< model less measurement, in joint standard uncertainties
 };
-[[nodiscard]] CriticalVelocityCheck check(const Interval& model, const MeasuredCriticalVelocity& measured);
+[[nodiscard]] CriticalVelocityCheck check(const Interval& model, const MeasuredCriticalVelocity& measured,
+                                          bool same_impacts = false);
 
 }  // namespace ashimpact

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace ashimpact {
+
+/// What the C interface takes by name.
+enum class Parameter : std::size_t {
+    density,
+    mass,
+    diameter,
+    effective_radius,
+    contact_modulus,
+    work_of_adhesion,
+    yield_pressure,
+    damping,
+    velocity,
+    restitution,
+};
+inline constexpr std::array<std::string_view, 10> parameter_names{
+    "density",          "mass",           "diameter", "effective_radius", "contact_modulus",
+    "work_of_adhesion", "yield_pressure", "damping",  "velocity",         "restitution"};
+
+/// The parameter of that name. @throws InputError naming all of them
+[[nodiscard]] Parameter parameter_named(const char* name);
+
+/// Numbers for consecutive problems: value i at values[i stride]; none where values is null.
+struct Strided {
+    const double* values = nullptr;
+    std::size_t stride = 0;
+};
+
+/// Where the numbers of a call come from, a constant or a column for each parameter. Density and mass tell
+/// the same, and so do diameter and effective radius: the one that is set last counts.
+class Parameters {
+  public:
+    void set(Parameter parameter, Strided source);
+    /// The source of a parameter; its values are null where it was not set.
+    [[nodiscard]] const Strided& operator[](Parameter parameter) const {
+        return sources_[static_cast<std::size_t>(parameter)];
+    }
+    [[nodiscard]] bool has(Parameter parameter) const { return (*this)[parameter].values != nullptr; }
+
+  private:
+    std::array<Strided, parameter_names.size()> sources_{};
+};
+
+/// The parameter that tells the same as another one: mass and density, diameter and effective_radius; itself
+/// for the others.
+[[nodiscard]] Parameter alternative_to(Parameter parameter);
+
+}  // namespace ashimpact

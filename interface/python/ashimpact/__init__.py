@@ -1,0 +1,46 @@
+"""Impacts of fly-ash particles: from an XRD result to the dynamic critical velocity.
+
+Numbers are SI throughout: metres, kilograms, seconds, pascals. Arrays broadcast as in numpy. What is not
+admissible raises InputError, a ValueError, with one line that says what is wrong and what is allowed.
+
+    >>> import ashimpact
+    >>> ash = dict(law="jkr", radius=22e-6, density=2160.0, contact_modulus=60e9, work_of_adhesion=0.3,
+    ...            damping=1e-5)
+    >>> critical = ashimpact.critical_velocities(**ash).critical_velocity
+    >>> bool(ashimpact.impacts(velocity=0.9 * critical, **ash).captured)
+    True
+"""
+
+from ashimpact._batch import (
+    CriticalVelocities,
+    Dampings,
+    Impacts,
+    critical_velocities,
+    dampings,
+    impacts,
+    laws,
+)
+from ashimpact._core import ConvergenceError, InputError
+from ashimpact._core import version as __version__
+from ashimpact._program import analyse_impacts, calibrate, modulus, run, sweep
+from ashimpact._tables import columns, to_pandas
+
+__all__ = [
+    "ConvergenceError",
+    "CriticalVelocities",
+    "Dampings",
+    "Impacts",
+    "InputError",
+    "__version__",
+    "analyse_impacts",
+    "calibrate",
+    "columns",
+    "critical_velocities",
+    "dampings",
+    "impacts",
+    "laws",
+    "modulus",
+    "run",
+    "sweep",
+    "to_pandas",
+]

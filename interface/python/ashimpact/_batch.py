@@ -1,0 +1,302 @@
+"""Many impacts, critical velocities and dampings at once, on numpy's arrays."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Optional, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from ashimpact import _core
+
+if TYPE_CHECKING:
+    import pandas
+
+Numbers = npt.NDArray[np.float64]
+Truths = npt.NDArray[np.bool_]
+NumbersLike = Union[float, npt.ArrayLike]
+
+__all__ = [
+    "CriticalVelocities",
+    "Dampings",
+    "Impacts",
+    "critical_velocities",
+    "dampings",
+    "impacts",
+    "laws",
+]
+
+
+@dataclass(frozen=True)
+class Impacts:
+    """What impacts did. Every array has the shape that the arguments broadcast to."""
+
+    restitution: Numbers
+    """Coefficient of restitution e_n = v_r/v_in; 0 for a capture [1]."""
+    contact_time: Numbers
+    """First touch to detachment; NaN for a capture [s]."""
+    captured: Truths
+    """Whether the particle stays on the wall."""
+    approach_time: Optional[Numbers]
+    """First touch to greatest overlap; NaN where that is never reached; None with method="table" [s]."""
+    maximum_overlap: Optional[Numbers]
+    """Greatest overlap, or its limit where that is never reached; None with method="table" [m]."""
+
+    def to_pandas(self) -> "pandas.DataFrame":
+        """The impacts as a table, one a row, units in the headings. Needs pandas."""
+        import pandas
+
+        table = {
+            "restitution [1]": self.restitution.ravel(),
+            "contact_time [s]": self.contact_time.ravel(),
+            "captured": self.captured.ravel(),
+        }
+        if self.approach_time is not None and self.maximum_overlap is not None:
+            table["approach_time [s]"] = self.approach_time.ravel()
+            table["maximum_overlap [m]"] = self.maximum_overlap.ravel()
+        return pandas.DataFrame(table)
+
+
+@dataclass(frozen=True)
+class CriticalVelocities:
+    """Velocities below which a particle is captured."""
+
+    critical_velocity: Numbers
+    """v_c; 0 where every impact rebounds, infinite where every impact is captured [m/s]."""
+
+    @property
+    def never_captured(self) -> Truths:
+        """Whether a particle rebounds at every velocity."""
+        return np.asarray(self.critical_velocity == 0.0)
+
+    @property
+    def always_captured(self) -> Truths:
+        """Whether a particle is captured at every velocity."""
+        return np.asarray(np.isinf(self.critical_velocity))
+
+
+@dataclass(frozen=True)
+class Dampings:
+    """Damping coefficients that give measured restitutions back."""
+
+    damping: Numbers
+    """Coefficient; NaN where no damping gives the restitution
+    [kg/s constant, Pa s contact-radius, 1 tsuji]."""
+    greatest_restitution: Numbers
+    """What the law leaves without damping [1]."""
+
+
+def laws() -> dict[str, tuple[str, list[str]]]:
+    """Each contact law with its own detachment and those that are admissible for it."""
+    return _core.laws()
+
+
+class _Columns:
+    """Arguments brought to one shape: arrays of one number, or of all numbers in their order."""
+
+    def __init__(self, **arguments: NumbersLike) -> None:
+        self._arrays = {}
+        for name, value in arguments.items():
+            try:
+                self._arrays[name] = np.asarray(value, dtype=np.float64)
+            except (TypeError, ValueError) as error:
+                raise _core.InputError(f"{name} is no number: {error}; allowed: numbers in SI units") from None
+        try:
+            self.shape = np.broadcast_shapes(*(array.shape for array in self._arrays.values()))
+        except ValueError:
+            shapes = ", ".join(f"{name} {array.shape}" for name, array in self._arrays.items() if array.ndim)
+            raise _core.InputError(f"shapes do not fit: {shapes}; allowed: shapes that broadcast") from None
+        self.count = int(np.prod(self.shape, dtype=np.int64))
+
+    def __getitem__(self, name: str) -> Numbers:
+        array = self._arrays[name]
+        if array.size == 1 or array.shape == self.shape:
+            return np.ascontiguousarray(array).reshape(-1)
+        return np.ascontiguousarray(np.broadcast_to(array, self.shape)).reshape(-1)
+
+    def shaped(self, numbers: Numbers) -> Numbers:
+        return numbers.reshape(self.shape)
+
+    def contact(self) -> tuple[Numbers, Numbers, Numbers, Numbers, Numbers]:
+        radius = self["radius"]
+        if "mass" in self._arrays:
+            mass = self["mass"]
+        else:
+            diameter = 2.0 * radius
+            # Multiplied in the order of the library, so that results agree bit by bit.
+            mass = self["density"] * np.pi / 6.0 * diameter * diameter * diameter
+        return (
+            mass,
+            radius,
+            self["contact_modulus"],
+            self["work_of_adhesion"],
+            self["yield_pressure"],
+        )
+
+
+def _columns(
+    density: Optional[NumbersLike],
+    mass: Optional[NumbersLike],
+    yield_pressure: Optional[NumbersLike],
+    **others: NumbersLike,
+) -> _Columns:
+    if (density is None) == (mass is None):
+        given = "both are" if mass is not None else "neither is"
+        raise _core.InputError(f"density, mass: {given} given; allowed: one of the two")
+    if density is not None:
+        others["density"] = density
+    if mass is not None:
+        others["mass"] = mass
+    return _Columns(yield_pressure=np.inf if yield_pressure is None else yield_pressure, **others)
+
+
+def impacts(
+    *,
+    law: str,
+    radius: NumbersLike,
+    contact_modulus: NumbersLike,
+    velocity: NumbersLike,
+    density: Optional[NumbersLike] = None,
+    mass: Optional[NumbersLike] = None,
+    work_of_adhesion: NumbersLike = 0.0,
+    damping: NumbersLike = 0.0,
+    yield_pressure: Optional[NumbersLike] = None,
+    detachment: Optional[str] = None,
+    damping_law: str = "constant",
+    method: str = "integration",
+    threads: int = 0,
+) -> Impacts:
+    """Normal impacts of spheres on a flat wall; every number may be an array.
+
+    Args:
+        law: contact law: hertz, dmt, brach-dunn, jkr, ...; laws() lists them.
+        radius: of the sphere [m].
+        contact_modulus: E* of sphere and wall, not a Young's modulus [Pa].
+        velocity: of approach, normal to the wall, > 0 [m/s].
+        density: of the sphere [kg/m3]; or
+        mass: of the sphere [kg].
+        work_of_adhesion: energy to separate unit area, not a surface energy [J/m2].
+        damping: coefficient of the damping law [kg/s constant, Pa s contact-radius, 1 tsuji].
+        yield_pressure: of the law thornton-ning; it never yields without [Pa].
+        detachment: where the contact ends; the law's own without.
+        damping_law: constant, contact-radius, tsuji.
+        method: integration, or table, some ten times as fast from 100,000 impacts on; a table has neither
+            approach times nor overlaps.
+        threads: 0 for one a core; no bit of a result depends on it.
+
+    Raises:
+        InputError: naming the first impact it concerns.
+        ConvergenceError: where an impact could not be solved.
+    """
+    columns = _columns(
+        density,
+        mass,
+        yield_pressure,
+        radius=radius,
+        contact_modulus=contact_modulus,
+        velocity=velocity,
+        work_of_adhesion=work_of_adhesion,
+        damping=damping,
+    )
+    restitution, contact_time, approach_time, maximum_overlap = _core.impacts(
+        _core.Choice(law, detachment, damping_law),
+        columns.contact(),
+        columns["damping"],
+        columns["velocity"],
+        columns.count,
+        method,
+        threads,
+    )
+    tabulated = method == "table"
+    return Impacts(
+        restitution=columns.shaped(restitution),
+        contact_time=columns.shaped(contact_time),
+        captured=columns.shaped(restitution) == 0.0,
+        approach_time=None if tabulated else columns.shaped(approach_time),
+        maximum_overlap=None if tabulated else columns.shaped(maximum_overlap),
+    )
+
+
+def critical_velocities(
+    *,
+    law: str,
+    radius: NumbersLike,
+    contact_modulus: NumbersLike,
+    density: Optional[NumbersLike] = None,
+    mass: Optional[NumbersLike] = None,
+    work_of_adhesion: NumbersLike = 0.0,
+    damping: NumbersLike = 0.0,
+    yield_pressure: Optional[NumbersLike] = None,
+    detachment: Optional[str] = None,
+    damping_law: str = "constant",
+    threads: int = 0,
+) -> CriticalVelocities:
+    """Velocities below which spheres are captured; arguments as those of impacts().
+
+    Raises:
+        InputError: naming the first sphere it concerns.
+        ConvergenceError: where a velocity could not be found.
+    """
+    columns = _columns(
+        density,
+        mass,
+        yield_pressure,
+        radius=radius,
+        contact_modulus=contact_modulus,
+        work_of_adhesion=work_of_adhesion,
+        damping=damping,
+    )
+    velocity = _core.critical_velocities(
+        _core.Choice(law, detachment, damping_law),
+        columns.contact(),
+        columns["damping"],
+        columns.count,
+        threads,
+    )
+    return CriticalVelocities(columns.shaped(velocity))
+
+
+def dampings(
+    *,
+    law: str,
+    radius: NumbersLike,
+    contact_modulus: NumbersLike,
+    velocity: NumbersLike,
+    restitution: NumbersLike,
+    density: Optional[NumbersLike] = None,
+    mass: Optional[NumbersLike] = None,
+    work_of_adhesion: NumbersLike = 0.0,
+    yield_pressure: Optional[NumbersLike] = None,
+    detachment: Optional[str] = None,
+    damping_law: str = "constant",
+    threads: int = 0,
+) -> Dampings:
+    """Damping coefficients that give measured restitutions back; arguments as those of impacts().
+
+    Args:
+        restitution: as measured, 0 <= e_n < 1; 0 gives the smallest damping that captures [1].
+
+    Raises:
+        InputError: naming the first impact it concerns.
+        ConvergenceError: where a damping could not be found.
+    """
+    columns = _columns(
+        density,
+        mass,
+        yield_pressure,
+        radius=radius,
+        contact_modulus=contact_modulus,
+        velocity=velocity,
+        restitution=restitution,
+        work_of_adhesion=work_of_adhesion,
+    )
+    damping, greatest = _core.dampings(
+        _core.Choice(law, detachment, damping_law),
+        columns.contact(),
+        columns["velocity"],
+        columns["restitution"],
+        columns.count,
+        threads,
+    )
+    return Dampings(columns.shaped(damping), columns.shaped(greatest))

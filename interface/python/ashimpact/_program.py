@@ -1,0 +1,294 @@
+"""The commands that read files: each runs the program ashimpact, whose documents come back as dicts.
+
+They run in a process of their own: Python goes on in its other threads, and an interrupt ends them.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import tempfile
+import warnings
+from pathlib import Path
+from typing import Any, Mapping, Optional, Sequence, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from ashimpact import _core
+from ashimpact._tables import csv_text
+
+PathLike = Union[str, "os.PathLike[str]"]
+Document = dict[str, Any]
+
+__all__ = ["analyse_impacts", "calibrate", "modulus", "run", "sweep"]
+
+_WRONG_INPUT = 2
+_NOT_CONVERGED = 3
+
+
+def _program() -> str:
+    """The program: $ASHIMPACT_PROGRAM, that of the build tree this module lies in, or the installed one."""
+    named = os.environ.get("ASHIMPACT_PROGRAM")
+    if named:
+        return named
+    beside = Path(__file__).resolve().parents[2] / "ashimpact"
+    if beside.is_file():
+        return str(beside)
+    installed = shutil.which("ashimpact")
+    if installed is None:
+        raise RuntimeError("the program ashimpact is not installed: no such command on PATH")
+    return installed
+
+
+def _call(command: str, *arguments: str) -> str:
+    """Standard output of a command; its messages become warnings, its errors exceptions."""
+    finished = subprocess.run(
+        [_program(), command, *arguments], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False
+    )
+    messages = [line for line in finished.stderr.splitlines() if line.strip()]
+    if finished.returncode == 0:
+        for line in messages:
+            warnings.warn(line.removeprefix("warning: "), UserWarning, stacklevel=3)
+        return finished.stdout
+    message = messages[-1] if messages else f"ashimpact {command} ended with status {finished.returncode}"
+    if finished.returncode == _WRONG_INPUT:
+        raise _core.InputError(message)
+    if finished.returncode == _NOT_CONVERGED:
+        raise _core.ConvergenceError(message.removeprefix("not converged: "))
+    raise RuntimeError(message)
+
+
+def _options(**given: Any) -> list[str]:
+    """Options of the command line from arguments; those that are None are left out."""
+    words: list[str] = []
+    for name, value in given.items():
+        option = "--" + name.rstrip("_").replace("_", "-")
+        if value is None or value is False:
+            continue
+        if value is True:
+            words.append(option)
+        else:
+            words += [option, repr(float(value)) if isinstance(value, (int, float)) else str(value)]
+    return words
+
+
+def _path(value: PathLike) -> str:
+    """A path that the command line cannot take for an option."""
+    path = os.fspath(value)
+    return os.path.join(".", path) if path.startswith("-") else path
+
+
+def _read(path: Union[str, Path]) -> Document:
+    with open(path, encoding="utf-8") as file:
+        document: Document = json.load(file)
+    return document
+
+
+def modulus(
+    file: PathLike,
+    *,
+    amorphous_fraction: Union[float, str, None] = None,
+    crystalline_total: Union[float, str, None] = None,
+    internal_standard: Optional[str] = None,
+    added_fraction: Union[float, str, None] = None,
+    sample: Optional[str] = None,
+    phase_set: Optional[str] = None,
+    phases: Optional[PathLike] = None,
+    rule: Optional[str] = None,
+    porosity_law: Optional[str] = None,
+    porosity: Optional[float] = None,
+    porosity_coefficient: Optional[float] = None,
+    particle_density: Union[float, str, None] = None,
+) -> Document:
+    """Young's modulus of an ash, with bounds, from an XRD result; as `ashimpact modulus --json`.
+
+    Args:
+        file: BGMN/Profex or GSAS-II .lst, CSV, TSV or JSON.
+        amorphous_fraction: weight fraction of the whole, such as 0.42, "42 +- 2 %", "none", "remainder".
+
+    Returns:
+        {"phases": [...], "young_modulus": {"value", "unit"}, "bounds": {...}, ...}; a file with several samples
+        has {"samples": [...]} of these.
+
+    Raises:
+        InputError: naming file and line.
+    """
+    words = _options(
+        amorphous_fraction=amorphous_fraction,
+        crystalline_total=crystalline_total,
+        internal_standard=internal_standard,
+        added_fraction=added_fraction,
+        sample=sample,
+        phase_set=phase_set,
+        phases=None if phases is None else _path(phases),
+        rule=rule,
+        porosity_law=porosity_law,
+        porosity=porosity,
+        porosity_coefficient=porosity_coefficient,
+        particle_density=particle_density,
+    )
+    document: Document = json.loads(_call("modulus", _path(file), *words, "--json"))
+    return document
+
+
+def run(
+    case: Optional[PathLike] = None,
+    folder: Optional[PathLike] = None,
+    *,
+    start: Optional[str] = None,
+    only: Optional[str] = None,
+) -> dict[str, Document]:
+    """Every stage of a case, from XRD to the critical velocity; as `ashimpact run`.
+
+    Args:
+        case: case file; without one the built-in case, Dong et al. 2013.
+        folder: where the artifacts are written; without one they are not kept.
+        start: stage to start from, with the artifacts before it as they are in the folder.
+        only: the one stage to run.
+
+    Returns:
+        The artifacts by name: "1-modulus", "2-contact", ..., "comparison", "manifest".
+
+    Raises:
+        InputError: naming file and place; nothing is written then.
+        ConvergenceError: where a computation did not converge.
+    """
+    with tempfile.TemporaryDirectory() as scratch:
+        target = Path(scratch) / "run" if folder is None else Path(os.fspath(folder))
+        words = [] if case is None else [_path(case)]
+        _call("run", *words, "-o", _path(target), *_options(only=only, **{"from": start}))
+        return {path.stem: _read(path) for path in sorted(target.glob("*.json"))}
+
+
+def calibrate(
+    case: Optional[PathLike] = None, *, free: Union[str, Sequence[str]] = (), compare: bool = False
+) -> Document:
+    """Unknown constants of a case from published critical velocities; as `ashimpact calibrate --json`.
+
+    Args:
+        case: case file; without one the built-in case, Dong et al. 2013.
+        free: constants to find, such as "work_of_adhesion" or ["density:each"]; without, what the case says.
+        compare: hypotheses beside one another instead of one calibration.
+    """
+    words = [] if case is None else [_path(case)]
+    for name in [free] if isinstance(free, str) else free:
+        words += ["--free", name]
+    document: Document = json.loads(_call("calibrate", *words, *_options(compare=compare), "--json"))
+    return document
+
+
+def sweep(
+    spec: Union[PathLike, Mapping[str, Any]],
+    output: Optional[PathLike] = None,
+    *,
+    threads: int = 0,
+    restart: bool = False,
+) -> Document:
+    """Many impacts: grids, Monte Carlo, sensitivity; as `ashimpact sweep`.
+
+    Args:
+        spec: a spec file, or what one holds as a dict; docs/sweep.md says all.
+        output: JSON file for the result, with a table beside it where the spec asks for one; without, none is
+            kept. A sweep with an output that is interrupted goes on where it was when it is called again.
+        threads: 0 for one a core; no bit of a result depends on it.
+        restart: begin anew though there is a checkpoint.
+
+    Returns:
+        The result file as a dict.
+    """
+    with tempfile.TemporaryDirectory() as scratch:
+        if isinstance(spec, Mapping):
+            spec_file = os.path.join(scratch, "spec.json")
+            with open(spec_file, "w", encoding="utf-8") as file:
+                json.dump(spec, file)
+        else:
+            spec_file = _path(spec)
+        result = os.path.join(scratch, "sweep.json") if output is None else _path(output)
+        words = [spec_file, "-o", result, "--threads", str(threads)] + _options(restart=restart)
+        _call("sweep", *words)
+        return _read(result)
+
+
+def analyse_impacts(
+    impacts: Any = None,
+    *,
+    law: str,
+    radius: float,
+    contact_modulus: float,
+    density: Optional[float] = None,
+    mass: Optional[float] = None,
+    work_of_adhesion: Optional[float] = None,
+    yield_pressure: Optional[float] = None,
+    detachment: Optional[str] = None,
+    velocity: Optional[npt.ArrayLike] = None,
+    rebound_velocity: Optional[npt.ArrayLike] = None,
+    restitution: Optional[npt.ArrayLike] = None,
+    frame_rate: Optional[float] = None,
+    pixel_size: Optional[float] = None,
+    bin: Optional[int] = None,
+) -> Document:
+    """What measured impacts say of damping and critical velocity; as `ashimpact damping --impacts --json`.
+
+    Args:
+        impacts: a file, or a pandas table whose headings are those of such a file ("v_in [m/s]", ...); or
+        velocity: of approach [m/s], with either
+        rebound_velocity: magnitude, 0 for a capture [m/s]; or
+        restitution: 0 for a capture [1].
+        law, radius, contact_modulus, density, mass, work_of_adhesion, yield_pressure, detachment: as impacts().
+        frame_rate: of the camera, frames per second, with
+        pixel_size: in the object [m]: the uncertainty of the velocities.
+        bin: rebounds to be put into one point.
+
+    Returns:
+        The document of the command: damping of each impact, fits, critical velocity with its interval.
+    """
+    words = _options(
+        law=law,
+        radius=radius,
+        contact_modulus=contact_modulus,
+        density=density,
+        mass=mass,
+        work_of_adhesion=work_of_adhesion,
+        yield_pressure=yield_pressure,
+        detachment=detachment,
+        frame_rate=frame_rate,
+        pixel_size=pixel_size,
+    )
+    if bin is not None:
+        words += ["--bin", str(int(bin))]
+    with tempfile.TemporaryDirectory() as scratch:
+        if isinstance(impacts, (str, os.PathLike)):
+            file = _path(impacts)
+        else:
+            file = os.path.join(scratch, "impacts.csv")
+            text = _table_of(impacts, velocity, rebound_velocity, restitution)
+            with open(file, "w", encoding="utf-8") as out:
+                out.write(text)
+        document: Document = json.loads(_call("damping", *words, "--impacts", file, "--json"))
+        return document
+
+
+def _table_of(
+    impacts: Any,
+    velocity: Optional[npt.ArrayLike],
+    rebound_velocity: Optional[npt.ArrayLike],
+    restitution: Optional[npt.ArrayLike],
+) -> str:
+    """Measured impacts as a table for the program."""
+    if impacts is not None:
+        if not hasattr(impacts, "columns") or not hasattr(impacts, "itertuples"):
+            raise _core.InputError(
+                f"impacts is a {type(impacts).__name__}; allowed: a file name, a pandas table, or velocity"
+            )
+        return csv_text([str(name) for name in impacts.columns], list(impacts.itertuples(index=False)))
+    if velocity is None or (rebound_velocity is None) == (restitution is None):
+        raise _core.InputError(
+            "no impacts are given; allowed: a file, a pandas table, or velocity with rebound_velocity or restitution"
+        )
+    second = rebound_velocity if rebound_velocity is not None else restitution
+    heading = "v_r [m/s]" if rebound_velocity is not None else "e_n [1]"
+    pair = np.broadcast_arrays(np.asarray(velocity, dtype=np.float64), np.asarray(second, dtype=np.float64))
+    return csv_text(["v_in [m/s]", heading], [list(row) for row in zip(*(column.ravel() for column in pair))])

@@ -1,0 +1,287 @@
+#include <doctest/doctest.h>
+#include <fenv.h>  // feenableexcept is no part of <cfenv>
+#include <xmmintrin.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "interface/include/ashimpact.h"
+#include "solver/batch/critical_batch.hpp"
+#include "solver/batch/impact_batch.hpp"
+#include "solver/batch/inversion_batch.hpp"
+#include "tests/support/contact_cases.hpp"
+
+using namespace ashimpact;
+
+namespace {
+
+constexpr std::array<ashimpact_parameter, 5> constants{{{"density", 2160.0},
+                                                        {"contact_modulus", 60e9},
+                                                        {"work_of_adhesion", 0.3},
+                                                        {"damping", 2e-6},
+                                                        {"yield_pressure", 3e9}}};
+
+/// A handle that closes itself.
+class Handle {
+  public:
+    explicit Handle(const char* law, const char* detachment = nullptr, const char* damping_law = nullptr,
+                    std::size_t count = constants.size()) {
+        ashimpact_error error;
+        REQUIRE_MESSAGE(ashimpact_open(law, detachment, damping_law, constants.data(), count, &model_,
+                                       &error) == ASHIMPACT_OK,
+                        error.message);
+    }
+    ~Handle() { ashimpact_close(model_); }
+    Handle(const Handle&) = delete;
+    Handle& operator=(const Handle&) = delete;
+    Handle(Handle&&) = delete;
+    Handle& operator=(Handle&&) = delete;
+    [[nodiscard]] const ashimpact_model* get() const { return model_; }
+
+  private:
+    ashimpact_model* model_ = nullptr;
+};
+
+struct Spheres {
+    Eigen::ArrayXd diameter;
+    Eigen::ArrayXd velocity;
+
+    [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(diameter.size()); }
+    [[nodiscard]] Eigen::ArrayXd mass() const {
+        return 2160.0 * std::numbers::pi / 6.0 * diameter * diameter * diameter;
+    }
+    [[nodiscard]] Eigen::ArrayXd radius() const { return diameter / 2.0; }
+};
+
+Spheres spheres(Eigen::Index count) {
+    const Eigen::ArrayXd i = Eigen::ArrayXd::LinSpaced(count, 0.0, 1.0);
+    return {1e-6 * (4.6 * i).exp(), 0.05 * (5.0 * (7.0 * i).sin().abs()).exp()};
+}
+
+bool same_bits(const std::vector<double>& ours, const Eigen::ArrayXd& theirs) {
+    REQUIRE(static_cast<Eigen::Index>(ours.size()) == theirs.size());
+    for (std::size_t i = 0; i < ours.size(); ++i) {
+        const double other = theirs[static_cast<Eigen::Index>(i)];
+        if (std::isnan(ours[i]) && std::isnan(other)) continue;
+        if (std::bit_cast<std::uint64_t>(ours[i]) != std::bit_cast<std::uint64_t>(other)) return false;
+    }
+    return true;
+}
+
+ContactColumns contact_of(const Eigen::ArrayXd& mass, const Eigen::ArrayXd& radius) {
+    static const Eigen::ArrayXd modulus = Eigen::ArrayXd::Constant(1, 60e9);
+    static const Eigen::ArrayXd adhesion = Eigen::ArrayXd::Constant(1, 0.3);
+    static const Eigen::ArrayXd yield_pressure = Eigen::ArrayXd::Constant(1, 3e9);
+    return {mass, radius, modulus, adhesion, yield_pressure};
+}
+
+}  // namespace
+
+TEST_CASE("C interface: the bits of the batch solver, every law, detachment and damping law") {
+    for (const test::ContactCase& c : test::elastic_cases()) {
+        CAPTURE(test::name_of(c));
+        const bool yields = c.law == Law::of<ThorntonNing>();
+        const Handle handle(std::string(c.law.name()).c_str(), std::string(name_of(c.detachment)).c_str(),
+                            std::string(name_of(c.damping_law)).c_str());
+        const Spheres s = spheres(yields ? 20 : 3000);
+        const Eigen::ArrayXd mass = s.mass();
+        const Eigen::ArrayXd radius = s.radius();
+        const Eigen::ArrayXd damping = Eigen::ArrayXd::Constant(1, 2e-6);
+        const ImpactBatchResult expected =
+            solve_impacts({c.law, c.detachment, c.damping_law, contact_of(mass, radius), damping, s.velocity},
+                          {.turning_point = false, .method = BatchMethod::table});
+        std::vector<double> restitution(s.size());
+        REQUIRE(ashimpact_restitutions(handle.get(), s.size(), s.diameter.data(), s.velocity.data(),
+                                       restitution.data(), nullptr) == ASHIMPACT_OK);
+        CHECK(same_bits(restitution, expected.restitution));
+
+        const CriticalVelocityBatchResult critical =
+            critical_velocities({c.law, c.detachment, c.damping_law, contact_of(mass, radius), damping});
+        std::vector<double> velocity(s.size());
+        REQUIRE(ashimpact_critical_velocities(handle.get(), s.size(), s.diameter.data(), velocity.data(),
+                                              nullptr) == ASHIMPACT_OK);
+        Eigen::ArrayXd with_ends = critical.value;
+        for (Eigen::Index i = 0; i < with_ends.size(); ++i) {
+            if (critical.verdict[i] == CaptureVerdict::never_captured) with_ends[i] = 0.0;
+            if (critical.verdict[i] == CaptureVerdict::always_captured) with_ends[i] = HUGE_VAL;
+        }
+        CHECK(same_bits(velocity, with_ends));
+    }
+}
+
+TEST_CASE("C interface: times, overlaps and dampings by columns, with strides and masses of one's own") {
+    const Handle handle("jkr", nullptr, nullptr, 4);
+    const Spheres s = spheres(2100);
+    const Eigen::ArrayXd mass = s.mass();
+    const Eigen::ArrayXd radius = s.radius();
+    Eigen::ArrayXXd interleaved(2, mass.size());
+    interleaved.row(0) = mass;
+    interleaved.row(1) = radius;
+    const ashimpact_column columns[] = {{"mass", interleaved.data(), 2},
+                                        {"effective_radius", interleaved.data() + 1, 2},
+                                        {"velocity", s.velocity.data(), 1}};
+    std::vector<double> restitution(s.size());
+    std::vector<double> time(s.size());
+    std::vector<double> overlap(s.size());
+    const ashimpact_output outputs[] = {{"maximum_overlap", overlap.data()},
+                                        {"approach_time", time.data()},
+                                        {"restitution", restitution.data()}};
+    REQUIRE(ashimpact_solve_impacts(handle.get(), s.size(), columns, 3, outputs, 3, nullptr) == ASHIMPACT_OK);
+    const Eigen::ArrayXd damping = Eigen::ArrayXd::Constant(1, 2e-6);
+    const Law law = Law::of<Jkr>();
+    ContactColumns contact = contact_of(mass, radius);
+    const ImpactBatchResult expected = solve_impacts(
+        {law,
+         law.default_detachment(),
+         DampingLaw::constant,
+         {contact.mass, contact.effective_radius, contact.contact_modulus, contact.work_of_adhesion},
+         damping,
+         s.velocity});
+    CHECK(same_bits(overlap, expected.maximum_overlap));
+    CHECK(same_bits(time, expected.approach_time));
+    CHECK(same_bits(restitution, expected.restitution));
+
+    const double wanted = 0.4;
+    const ashimpact_column measured[] = {
+        {"diameter", s.diameter.data(), 1}, {"velocity", s.velocity.data(), 1}, {"restitution", &wanted, 0}};
+    std::vector<double> found(s.size());
+    const ashimpact_output damping_output[] = {{"damping", found.data()}};
+    REQUIRE(ashimpact_solve_dampings(handle.get(), s.size(), measured, 3, damping_output, 1, nullptr) ==
+            ASHIMPACT_OK);
+    const ashimpact_column back[] = {measured[0], measured[1], {"damping", found.data(), 1}};
+    std::size_t reachable = 0;
+    for (std::size_t i = 0; i < s.size(); i += 13) {
+        if (std::isnan(found[i])) continue;
+        const ashimpact_column one[] = {{"diameter", s.diameter.data() + i, 1},
+                                        {"velocity", s.velocity.data() + i, 1},
+                                        {"damping", found.data() + i, 1}};
+        double e = 0.0;
+        const ashimpact_output one_output[] = {{"restitution", &e}};
+        REQUIRE(ashimpact_solve_impacts(handle.get(), 1, one, 3, one_output, 1, nullptr) == ASHIMPACT_OK);
+        CHECK(e == doctest::Approx(wanted).epsilon(1e-9));
+        ++reachable;
+    }
+    CHECK(reachable > 50);
+    CHECK(back[2].values == found.data());
+}
+
+TEST_CASE("C interface: what is wrong, in one line with what is allowed") {
+    const Handle handle("dmt", nullptr, nullptr, 4);
+    ashimpact_error error;
+    const auto message_of_open = [&](const char* law, const char* detachment, const char* damping_law,
+                                     std::vector<ashimpact_parameter> parameters) {
+        ashimpact_model* model = nullptr;
+        CHECK(ashimpact_open(law, detachment, damping_law, parameters.data(), parameters.size(), &model,
+                             &error) == ASHIMPACT_INPUT_ERROR);
+        CHECK(model == nullptr);
+        return std::string(error.message);
+    };
+    const ashimpact_parameter modulus{"contact_modulus", 60e9};
+    CHECK(message_of_open(nullptr, nullptr, nullptr, {modulus}).find("hertz") != std::string::npos);
+    CHECK(message_of_open("dmt", "pull-off", nullptr, {modulus}).find("zero-overlap") != std::string::npos);
+    CHECK(message_of_open("dmt", nullptr, "linear", {modulus}).find("tsuji") != std::string::npos);
+    CHECK(message_of_open("dmt", nullptr, nullptr, {}).find("contact_modulus is missing") !=
+          std::string::npos);
+    CHECK(message_of_open("dmt", nullptr, nullptr, {modulus, modulus}).find("twice") != std::string::npos);
+    CHECK(message_of_open("dmt", nullptr, nullptr, {modulus, {"gamma", 1.0}}).find("work_of_adhesion") !=
+          std::string::npos);
+    CHECK(message_of_open("dmt", nullptr, nullptr, {modulus, {nullptr, 1.0}}).find("unknown parameter") !=
+          std::string::npos);
+    CHECK(message_of_open("dmt", nullptr, nullptr, {modulus, {"density", 2160.0}, {"mass", 1e-9}})
+              .find("beside density") != std::string::npos);
+    CHECK(message_of_open("dmt", nullptr, nullptr, {modulus, {"damping", -1.0}}).find("damping") !=
+          std::string::npos);
+    CHECK(message_of_open("dmt", nullptr, nullptr, {{"contact_modulus", NAN}}).find("contact_modulus") !=
+          std::string::npos);
+
+    Spheres s = spheres(5000);
+    s.velocity[4321] = -1.0;
+    std::vector<double> restitution(s.size());
+    CHECK(ashimpact_restitutions(handle.get(), s.size(), s.diameter.data(), s.velocity.data(),
+                                 restitution.data(), &error) == ASHIMPACT_INPUT_ERROR);
+    CHECK(std::string(error.message).find("impact 4321: velocity") == 0);
+    double e = 0.0;
+    CHECK(ashimpact_restitution(handle.get(), 1e-6, NAN, &e, &error) == ASHIMPACT_INPUT_ERROR);
+    CHECK(std::string(error.message).find("velocity") == 0);
+    const ashimpact_column only_velocity[] = {{"velocity", s.velocity.data(), 1}};
+    const ashimpact_output output[] = {{"restitution", &e}};
+    CHECK(ashimpact_solve_impacts(handle.get(), 1, only_velocity, 1, output, 1, &error) ==
+          ASHIMPACT_INPUT_ERROR);
+    CHECK(std::string(error.message).find("diameter is missing") == 0);
+    const ashimpact_output unknown[] = {{"overlap", &e}};
+    CHECK(ashimpact_solve_impacts(handle.get(), 1, only_velocity, 1, unknown, 1, &error) ==
+          ASHIMPACT_INPUT_ERROR);
+    CHECK(std::string(error.message).find("maximum_overlap") != std::string::npos);
+    CHECK(ashimpact_restitutions(handle.get(), 0, nullptr, nullptr, nullptr, &error) == ASHIMPACT_OK);
+    CHECK(std::string(error.message).empty());
+}
+
+TEST_CASE("C interface: floating-point traps, flags and modes of the caller are neither disturbed nor used") {
+    const Handle handle("jkr", nullptr, nullptr, 4);
+    const Spheres s = spheres(1000);
+    std::vector<double> calm(s.size());
+    std::vector<double> harsh(s.size());
+    std::vector<double> critical(s.size());
+    REQUIRE(ashimpact_restitutions(handle.get(), s.size(), s.diameter.data(), s.velocity.data(), calm.data(),
+                                   nullptr) == ASHIMPACT_OK);
+    std::fenv_t before;
+    fegetenv(&before);
+    const unsigned int mode = _mm_getcsr();
+    feclearexcept(FE_ALL_EXCEPT);
+    fesetround(FE_UPWARD);
+    _mm_setcsr(_mm_getcsr() | 0x8040U);  // denormal numbers flushed to zero, as -ffast-math has it
+    feenableexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW | FE_UNDERFLOW);
+    const unsigned int harsh_mode = _mm_getcsr();
+    const ashimpact_status done = ashimpact_restitutions(handle.get(), s.size(), s.diameter.data(),
+                                                         s.velocity.data(), harsh.data(), nullptr);
+    const ashimpact_status also_done =
+        ashimpact_critical_velocities(handle.get(), s.size(), s.diameter.data(), critical.data(), nullptr);
+    double e = 0.0;
+    const ashimpact_status refused = ashimpact_restitution(handle.get(), NAN, 1.0, &e, nullptr);
+    const unsigned int mode_after = _mm_getcsr();
+    const int traps_after = fegetexcept();
+    const int rounding_after = fegetround();
+    fesetenv(&before);
+    _mm_setcsr(mode);
+    CHECK(done == ASHIMPACT_OK);
+    CHECK(also_done == ASHIMPACT_OK);
+    CHECK(refused == ASHIMPACT_INPUT_ERROR);
+    CHECK(mode_after == harsh_mode);
+    CHECK(traps_after == (FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW | FE_UNDERFLOW));
+    CHECK(rounding_after == FE_UPWARD);
+    CHECK(std::ranges::equal(calm, harsh));
+}
+
+TEST_CASE("C interface: many threads share a handle and make its tables together") {
+    // A law and damping law that no other test of this program has used: its tables are made here.
+    const Handle handle("brach-dunn", nullptr, "contact-radius", 3);
+    const Spheres s = spheres(4000);
+    constexpr std::size_t threads = 4;
+    std::array<std::vector<double>, threads> restitution;
+    std::vector<std::thread> crew;
+    for (std::size_t t = 0; t < threads; ++t) {
+        restitution[t].resize(s.size());
+        crew.emplace_back([&, t] {
+            // Some one by one, some at once, from opposite ends.
+            for (std::size_t k = 0; k < s.size(); ++k) {
+                const std::size_t i = t % 2 == 0 ? k : s.size() - 1 - k;
+                const auto place = static_cast<Eigen::Index>(i);
+                ashimpact_restitution(handle.get(), s.diameter[place], s.velocity[place], &restitution[t][i],
+                                      nullptr);
+            }
+        });
+    }
+    for (std::thread& thread : crew) thread.join();
+    for (std::size_t t = 1; t < threads; ++t) CHECK(restitution[t] == restitution[0]);
+    std::vector<double> batch(s.size());
+    REQUIRE(ashimpact_restitutions(handle.get(), s.size(), s.diameter.data(), s.velocity.data(), batch.data(),
+                                   nullptr) == ASHIMPACT_OK);
+    CHECK(batch == restitution[0]);
+}

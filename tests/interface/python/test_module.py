@@ -1,0 +1,248 @@
+"""The Python module, from outside: results, shapes, errors, threads, signals, documents."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+import unittest
+import warnings
+
+import numpy as np
+
+import ashimpact
+
+ASH = dict(law="jkr", density=2160.0, contact_modulus=60e9, work_of_adhesion=0.3, damping=2e-6)
+
+
+def program(*words):
+    name = os.environ["ASHIMPACT_PROGRAM"]
+    return subprocess.run([name, *words], capture_output=True, text=True, check=True).stdout
+
+
+class Impacts(unittest.TestCase):
+    def test_equals_the_command_line(self):
+        for law in ashimpact.laws():
+            contact = dict(ASH, law=law, radius=22e-6)
+            words = ["--law", law, "--radius", "22 um", "--density", "2160 kg/m3", "--contact-modulus", "60 GPa"]
+            words += ["--work-of-adhesion", "0.3 J/m2"]
+            words += ["--damping", "2e-6 kg/s", "--json"]
+            if law == "hertz":
+                contact["work_of_adhesion"] = 0.0
+                del words[words.index("--work-of-adhesion") : words.index("--work-of-adhesion") + 2]
+            if law == "thornton-ning":
+                contact["yield_pressure"] = 2e9
+                words += ["--yield-pressure", "2 GPa"]
+            shown = json.loads(program("impact", *words, "--velocity", "1.5 m/s"))
+            ours = ashimpact.impacts(velocity=1.5, **contact)
+            self.assertAlmostEqual(float(ours.restitution), shown["restitution"]["value"], delta=1e-10)
+            self.assertAlmostEqual(
+                float(ours.maximum_overlap) / shown["maximum_overlap"]["value"], 1.0, delta=1e-10
+            )
+            critical = json.loads(program("critical-velocity", *words))["critical_velocity"]["value"]
+            ours = float(ashimpact.critical_velocities(**contact).critical_velocity)
+            self.assertAlmostEqual(ours / critical, 1.0, delta=1e-9)
+
+    def test_shapes_broadcast(self):
+        radius = np.geomspace(1e-6, 50e-6, 7)
+        velocity = np.array([[0.1], [1.0], [10.0]])
+        result = ashimpact.impacts(radius=radius, velocity=velocity, **ASH)
+        self.assertEqual(result.restitution.shape, (3, 7))
+        self.assertEqual(result.captured.dtype, bool)
+        for row in range(3):
+            for column in range(7):
+                alone = ashimpact.impacts(radius=radius[column], velocity=velocity[row, 0], **ASH)
+                self.assertEqual(alone.restitution.shape, ())
+                self.assertEqual(alone.restitution, result.restitution[row, column])
+        np.testing.assert_array_equal(np.isnan(result.contact_time), result.captured)
+        empty = ashimpact.impacts(radius=np.array([]), velocity=1.0, **ASH)
+        self.assertEqual(empty.restitution.shape, (0,))
+        strided = ashimpact.impacts(radius=np.repeat(radius, 2)[::2], velocity=velocity.T[0, 0], **ASH)
+        np.testing.assert_array_equal(strided.restitution, result.restitution[0])
+
+    def test_no_bit_depends_on_threads_or_chunks(self):
+        radius = np.geomspace(0.5e-6, 50e-6, 70_001)
+        velocity = 0.05 * np.exp(5 * np.abs(np.sin(np.arange(radius.size))))
+        for method in ("integration", "table"):
+            one = ashimpact.impacts(radius=radius, velocity=velocity, threads=1, method=method, **ASH)
+            all_cores = ashimpact.impacts(radius=radius, velocity=velocity, method=method, **ASH)
+            np.testing.assert_array_equal(one.restitution, all_cores.restitution)
+            part = ashimpact.impacts(radius=radius[50_000:], velocity=velocity[50_000:], method=method, **ASH)
+            np.testing.assert_array_equal(part.contact_time, one.contact_time[50_000:])
+        self.assertIsNone(all_cores.maximum_overlap)
+
+    def test_dampings_come_back(self):
+        radius = np.geomspace(5e-6, 50e-6, 20)
+        contact = {key: value for key, value in ASH.items() if key != "damping"}
+        found = ashimpact.dampings(radius=radius, velocity=5.0, restitution=0.5, **contact)
+        reachable = ~np.isnan(found.damping)
+        self.assertTrue(reachable.any())
+        again = ashimpact.impacts(radius=radius[reachable], velocity=5.0, **dict(contact, damping=found.damping[reachable]))
+        np.testing.assert_allclose(again.restitution, 0.5, rtol=1e-9)
+        self.assertTrue((found.greatest_restitution[~reachable] < 0.5).all())
+
+    def test_verdicts(self):
+        hertz = dict(law="hertz", radius=22e-6, density=2160.0, contact_modulus=60e9)
+        self.assertTrue(ashimpact.critical_velocities(**hertz).never_captured)
+        tsuji = ashimpact.critical_velocities(damping=5.0, damping_law="tsuji", **hertz)
+        self.assertTrue(tsuji.always_captured)
+        self.assertTrue(np.isinf(tsuji.critical_velocity))
+
+    def test_errors_say_what_is_allowed(self):
+        cases = (
+            (dict(law="jrk"), "jkr"),
+            (dict(detachment="zero-force"), "pull-off"),
+            (dict(damping_law="linear"), "tsuji"),
+            (dict(method="magic"), "table"),
+            (dict(mass=1e-10), "one of the two"),
+            (dict(velocity=np.ones(3), radius=np.ones(2)), "broadcast"),
+            (dict(contact_modulus="60 GPa"), "SI"),
+            (dict(velocity=np.array([1.0] * 50_000 + [-2.0])), "impact 50000: velocity is -2"),
+        )
+        for change, expected in cases:
+            with self.assertRaises(ValueError) as caught:
+                ashimpact.impacts(**dict(ASH, radius=22e-6, velocity=1.0) | change)
+            self.assertIsInstance(caught.exception, ashimpact.InputError)
+            self.assertIn(expected, str(caught.exception))
+            self.assertNotIn("\n", str(caught.exception))
+        with self.assertRaises(TypeError):
+            ashimpact.impacts("jkr", 22e-6)  # keywords only
+
+
+class LongCalls(unittest.TestCase):
+    slow = dict(ASH, radius=np.geomspace(1e-6, 50e-6, 30_000_000), velocity=2.0)
+
+    def test_other_threads_go_on(self):
+        beats = []
+        done = threading.Event()
+
+        def beat():
+            while not done.is_set():
+                beats.append(time.monotonic())
+                time.sleep(0.01)
+
+        thread = threading.Thread(target=beat)
+        thread.start()
+        start = time.monotonic()
+        ashimpact.impacts(**dict(self.slow, radius=self.slow["radius"][:1_000_000]), threads=1)
+        elapsed = time.monotonic() - start
+        done.set()
+        thread.join()
+        self.assertGreater(sum(beat > start for beat in beats), 5 * elapsed)
+
+    def test_an_interrupt_is_heard(self):
+        timer = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        with self.assertRaises(KeyboardInterrupt):
+            ashimpact.impacts(**self.slow, threads=1)
+        timer.cancel()
+
+
+class Documents(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            cls.artifacts = ashimpact.run()
+
+    def test_a_run(self):
+        self.assertIn("7-critical-velocity", self.artifacts)
+        samples = self.artifacts["comparison"]["result"]["samples"]
+        self.assertGreater(samples[0]["dynamic_critical_velocity"]["jkr"]["value"], 0.0)
+        series = self.artifacts["4-restitution"]["result"]["samples"][0]["series"][0]
+        velocity = ashimpact.columns(series)["velocity"]
+        self.assertEqual(velocity.shape, (len(series["velocity"]["values"]),))
+
+    def test_errors_of_the_program(self):
+        with self.assertRaises(ashimpact.InputError) as caught:
+            ashimpact.run("/nowhere/case.json")
+        self.assertIn("/nowhere/case.json", str(caught.exception))
+        with self.assertRaises(ashimpact.InputError):
+            ashimpact.modulus("/nowhere/ash.csv")
+
+    def test_modulus_of_a_file(self, ):
+        import tempfile
+
+        with tempfile.TemporaryDirectory() as folder:
+            program("init", folder + "/case")
+            found = ashimpact.modulus(folder + "/case/ash.csv", amorphous_fraction=0.42)
+            shown = json.loads(program("modulus", folder + "/case/ash.csv", "--amorphous-fraction", "0.42", "--json"))
+            self.assertEqual(found, shown)
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                analysed = ashimpact.analyse_impacts(
+                    folder + "/case/impacts.csv", law="dmt", radius=44e-6, density=2600.0, contact_modulus=90e9,
+                    work_of_adhesion=0.3,
+                )
+                self.assertGreater(analysed["impacts"], 0)
+                import pandas
+
+                table = pandas.read_csv(folder + "/case/impacts.csv", comment="#", sep=None, engine="python")
+                again = ashimpact.analyse_impacts(
+                    table, law="dmt", radius=44e-6, density=2600.0, contact_modulus=90e9, work_of_adhesion=0.3
+                )
+            self.assertEqual(analysed["impacts"], again["impacts"])
+            self.assertEqual(analysed["extrapolated"], again["extrapolated"])
+
+    def test_a_sweep_from_a_dict(self):
+        spec = {
+            "impact": {
+                "laws": ["dmt"],
+                "density": 2600.0,
+                "contact_modulus": 90e9,
+                "work_of_adhesion": 0.3,
+                "damping": 0.0001,
+            },
+            "variables": {
+                "velocity": {"distribution": "uniform", "from": "0.5 m/s", "to": "5 m/s"},
+                "radius": {"distribution": "log-normal", "median": "44 um", "geometric_standard_deviation": 1.5},
+            },
+            "sampling": {"method": "quasi-random", "samples": 1024, "seed": 1},
+        }
+        result = ashimpact.sweep(spec)
+        self.assertIn("result", result)
+
+    def test_calibrate(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            found = ashimpact.calibrate(free="work_of_adhesion")
+        self.assertIsInstance(found, dict)
+
+    def test_tables(self):
+        import pandas
+
+        node = self.artifacts["5-damping"]["result"]["samples"][0]["dmt"]
+        table = ashimpact.to_pandas(node)
+        self.assertIsInstance(table, pandas.DataFrame)
+        self.assertIn("damping [kg/s]", table.columns)
+        frame = ashimpact.impacts(radius=[1e-6, 2e-6], velocity=1.0, **ASH).to_pandas()
+        self.assertEqual(len(frame), 2)
+
+    def test_figures(self):
+        import matplotlib
+
+        matplotlib.use("Agg")
+        from ashimpact import plot
+        from matplotlib import pyplot
+
+        names = ("composition", "restitution", "damping", "damping_fit", "contact_time", "critical_velocity",
+                 "histories", "energy")
+        for name in names:
+            axes = getattr(plot, name)(self.artifacts)
+            drawn = len(axes.lines) + len(axes.patches) + len(axes.containers)
+            self.assertGreater(drawn, 0, name)
+            self.assertIn("[", axes.get_ylabel(), name)
+            axes.figure.canvas.draw()
+        contact = dict(ASH)
+        self.assertEqual(len(plot.sizes(radius=np.geomspace(1e-6, 50e-6, 50), **contact).lines), 1)
+        axes = plot.restitution_curve(velocity=np.geomspace(0.01, 20, 50), radius=5e-6, **contact)
+        self.assertEqual(len(axes.lines), 2)
+        with self.assertRaises(ashimpact.InputError):
+            plot.restitution(self.artifacts, sample="none")
+        pyplot.close("all")
+
+
+if __name__ == "__main__":
+    unittest.main()
