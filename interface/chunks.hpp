@@ -9,8 +9,8 @@
 
 namespace ashimpact {
 
-/// Solves the problems of a chunk that failed one by one, so that the message names the first that fails by its
-/// place in the call, and names no place in a call of one problem.
+/// Solves the problems of a chunk that failed one by one, so that the message names the first that fails by
+/// its place in the call, and names no place in a call of one problem.
 template <class Solve>
 void find_failure(std::size_t first, std::size_t size, bool only_one, const Solve& solve) {
     for (std::size_t i = first; i < first + size; ++i) {

@@ -108,6 +108,11 @@ Artifact loaded_artifact(const std::filesystem::path& folder, std::string_view f
     });
 }
 
+Artifact loaded_artifact(const std::filesystem::path& folder, std::string_view file) {
+    std::vector<std::string> edited;
+    return loaded_artifact(folder, file, edited);
+}
+
 /// The manifest: every artifact of the folder with its hash, those of this run and those from before it.
 Artifact manifest_of(const RunPlan& plan, const std::vector<Artifact>& all,
                      const std::vector<Artifact>& written) {
@@ -148,6 +153,7 @@ std::vector<FileContent> presentation(const RunPlan& plan, Artifacts artifacts, 
 std::vector<std::string> artifact_names() {
     std::vector<std::string> names{std::string(case_artifact), std::string(manifest_artifact)};
     for (const Stage& stage : stages()) names.emplace_back(stage.file);
+    names.emplace_back("report.html");
     return names;
 }
 
@@ -259,7 +265,10 @@ std::vector<std::string> stage_names() {
 
 Artifacts load_artifacts(const std::filesystem::path& folder, const std::vector<std::string_view>& files) {
     Artifacts artifacts;
-    for (const std::string_view file : files) artifacts.add(loaded_artifact(folder, file));
+    std::vector<Artifact> of_one_run;
+    for (const std::string_view file : files) of_one_run.push_back(loaded_artifact(folder, file));
+    require_one_run(of_one_run);
+    for (Artifact& artifact : of_one_run) artifacts.add(std::move(artifact));
     return artifacts;
 }
 
@@ -287,7 +296,7 @@ RunSummary run_stages(const RunPlan& plan) {
         artifacts.add(std::move(artifact));
     };
     if (range.with_case) {
-        const LoadedCase loaded = load_case(plan.case_file);
+        const LoadedCase loaded = load_case(plan.case_file, plan.allow_outside);
         keep_inputs(loaded.inputs, plan.folder);
         keep(case_artifact_of(loaded), true);
     } else if (is_read(range, case_artifact))

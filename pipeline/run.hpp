@@ -17,6 +17,7 @@ struct RunPlan {
     std::string only{};    ///< the one stage to run; empty: all from there on
     bool report = true;    ///< report.html beside the artifacts
     bool figures = false;  ///< every figure as a file of its own, in the folder "figures"
+    bool allow_outside = false;  ///< the case may name files outside of its folder
 };
 
 /// A finished run.

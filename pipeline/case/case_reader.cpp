@@ -281,8 +281,9 @@ Case read_case(const View& document, const PhaseCatalogue& catalogue, InputFiles
     return read_case_with(document, catalogue, files, warnings);
 }
 
-LoadedCase load_case(const std::optional<std::string>& file) {
+LoadedCase load_case(const std::optional<std::string>& file, bool allow_outside) {
     InputFiles files = file ? InputFiles::beside(*file) : InputFiles::built_in(built_in_case);
+    if (allow_outside) files.allow_outside();
     const std::string text = files.read_case();
     return in_file(files.case_name(), [&] {
         const Json document = without_comments(parse_json(text));

@@ -34,6 +34,8 @@ void add_run(CLI::App& program, Action& action) {
     command->add_flag("--no-report", options->no_report, "leave report.html out");
     command->add_flag("--figures", options->figures,
                       "every figure as SVG and PDF too, for one column and for two (PDF: librsvg2-bin)");
+    command->add_flag("--allow-outside", options->allow_outside,
+                      "the case may name files outside of its own folder");
     command->callback(
         [options, &action] { action = [options](std::ostream& out) { run_run_command(*options, out); }; });
 }

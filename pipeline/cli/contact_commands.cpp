@@ -137,6 +137,18 @@ void add_contact_options(CLI::App& command, ContactOptions& options, ContactNeed
     command.add_option("--density", options.density, "of the sphere, \"2160 kg/m3\"")->type_name("Q");
     command.add_option("--mass", options.mass, "of the sphere, instead of its density")->type_name("Q");
     command
+        .add_option("--partner-radius", options.partner_radius,
+                    "of a second sphere, \"60 um\"; without it the partner is a flat wall")
+        ->type_name("Q");
+    command.add_option("--partner-density", options.partner_density, "of the second sphere")->type_name("Q");
+    command
+        .add_option("--partner-mass", options.partner_mass, "of the second sphere, instead of its density")
+        ->type_name("Q");
+    command
+        .add_option("--roughness", options.roughness,
+                    "rms of both surfaces, \"1 nm\": reduces w (Rabinovich et al. 2000); default: smooth")
+        ->type_name("Q");
+    command
         .add_option("--contact-modulus", options.contact_modulus, "E*, \"90 GPa\" (not a Young's modulus)")
         ->required(required)
         ->type_name("Q");

@@ -12,10 +12,16 @@ void add_report(CLI::App& program, Action& action) {
     auto* command =
         add_command(program, "report", "The report of a run as one HTML file, or of several side by side",
                     "ashimpact report results\n"
+                    "  ashimpact report sweep.json\n"
                     "  ashimpact report before after -o comparison.html");
     const auto options = std::make_shared<ReportOptions>();
-    command->add_option("runs", options->runs, "folders of finished runs")->required()->type_name("DIR");
-    command->add_option("-o,--output", options->output, "HTML file; default: report.html in the one folder")
+    command->add_option("runs", options->runs, "folders of finished runs, or the result of one sweep")
+        ->required()
+        ->type_name("DIR");
+    command
+        ->add_option(
+            "-o,--output", options->output,
+            "HTML file; default: report.html in the one folder, or the name of the result with .html")
         ->type_name("FILE.html");
     command->callback(
         [options, &action] { action = [options](std::ostream& out) { run_report_command(*options, out); }; });

@@ -16,6 +16,10 @@ struct ContactOptions {
     std::string radius;
     std::string density;
     std::string mass;
+    std::string partner_radius;  ///< of a second sphere; a flat wall where it is not given
+    std::string partner_density;
+    std::string partner_mass;
+    std::string roughness;  ///< rms of both surfaces
     std::string contact_modulus;
     std::string work_of_adhesion;
     std::string yield_pressure;
@@ -24,7 +28,7 @@ struct ContactOptions {
     std::string damping;
 };
 
-/// A sphere on a flat wall with its contact law.
+/// A sphere on a flat wall, or on another sphere, with its contact law.
 struct ContactChoice {
     Law law;
     Detachment detachment;

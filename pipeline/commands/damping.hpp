@@ -17,7 +17,7 @@ struct DampingOptions {
     std::string size_scatter;  ///< of single diameters, relative
     int order = 2;             ///< of the extrapolated polynomial
     bool robust = false;       ///< bisquare weights in the extrapolation
-    int bin = 0;  ///< rebounds to a bin; 0: none
+    int bin = 0;               ///< rebounds to a bin; 0: none
     bool json = false;
 };
 

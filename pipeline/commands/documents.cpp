@@ -1,5 +1,7 @@
 #include "pipeline/commands/documents.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include <filesystem>
 #include <ostream>
 
@@ -9,6 +11,7 @@
 #include "pipeline/json/schema.hpp"
 #include "pipeline/json/view.hpp"
 #include "pipeline/json/writer.hpp"
+#include "pipeline/run_identity.hpp"
 #include "pipeline/text/artifact_text.hpp"
 
 namespace ashimpact {
@@ -57,6 +60,8 @@ void run_inspect_command(const std::string& file, std::ostream& out) {
         const Json document = parse_json(bytes);
         validate_document(document, schema_of_artifact(document));
         require_quantities(View(document));
+        if (document.at("provenance").contains("result_sha256") && is_edited(document))
+            spdlog::warn("warning: {}: was edited after ashimpact wrote it", file);
         out << artifact_text(document);
     });
 }

@@ -37,7 +37,9 @@ double read_frame_rate(const std::string& text) {
 double read_size_scatter(const std::string& text) {
     const double scatter = read_option("--size-scatter", text, Dimension::fraction);
     if (!(scatter > 0 && scatter <= 0.5))
-        throw InputError("is " + readable_number(scatter), "a relative standard deviation above 0, at most 0.5").at("--size-scatter");
+        throw InputError("is " + readable_number(scatter),
+                         "a relative standard deviation above 0, at most 0.5")
+            .at("--size-scatter");
     return scatter;
 }
 
@@ -48,7 +50,9 @@ MeasurementSet read_impacts(const DampingOptions& options) {
     if (options.frame_rate.empty() != options.pixel_size.empty())
         throw InputError("one of the two is missing", "both or neither").at("--frame-rate, --pixel-size");
     if (options.frames > 0 && options.frame_rate.empty())
-        throw InputError("says how a camera was used, and there is none", "with --frame-rate and --pixel-size").at("--frames");
+        throw InputError("says how a camera was used, and there is none",
+                         "with --frame-rate and --pixel-size")
+            .at("--frames");
     if (!options.frame_rate.empty()) {
         const Camera camera{.frame_rate = read_frame_rate(options.frame_rate),
                             .pixel_size = read_option("--pixel-size", options.pixel_size, Dimension::length),
@@ -101,7 +105,8 @@ Json result_json(const MeasuredDamping& result, const MeasurementSet& set) {
     json["rising_branch"] =
         result.rising ? rising_branch_json(result.rising->upper, result.rising->falls_beyond) : Json(nullptr);
     const auto numbers = numbers_of(result);
-    json["critical_velocity"] = result.estimate ? headline_json(result.estimate->curve.critical_velocity) : Json(nullptr);
+    json["critical_velocity"] =
+        result.estimate ? headline_json(result.estimate->curve.critical_velocity) : Json(nullptr);
     json["extrapolated"] = nullptr;
     if (result.extrapolated) {
         json["extrapolated"] = damping_fit_json(result.extrapolated->fit, numbers_of(result));
@@ -111,8 +116,7 @@ Json result_json(const MeasuredDamping& result, const MeasurementSet& set) {
     json["direct"] = nullptr;
     if (result.estimate) {
         json["direct"] = damping_estimate_json(*result.estimate);
-        json["direct"]["check"] =
-            check_json(result.estimate->curve.critical_velocity, result.measured, true);
+        json["direct"]["check"] = check_json(result.estimate->curve.critical_velocity, result.measured, true);
     }
     json["comparison"] = result.comparison ? comparison_json(*result.comparison) : Json(nullptr);
     json["measured"] = measured_velocity_json(result.measured);
@@ -140,10 +144,9 @@ std::string fit_text(const DampingResult& result) {
 }
 
 std::string estimate_text(const CriticalVelocityEstimate& estimate) {
-    return fmt::format("{}, eta_c {}; of {} rebounds and {} captures",
-                       range_text(estimate.curve.critical_velocity, "m/s"),
-                       range_text(estimate.curve.critical_damping, "kg/s"), estimate.rebounds,
-                       estimate.captures);
+    return fmt::format(
+        "{}, eta_c {}; of {} rebounds and {} captures", range_text(estimate.curve.critical_velocity, "m/s"),
+        range_text(estimate.curve.critical_damping, "kg/s"), estimate.rebounds, estimate.captures);
 }
 
 std::string parts_text(const DampingParts& parts) {
@@ -187,7 +190,8 @@ std::string result_text(const MeasuredDamping& result, const MeasurementSet& set
     list.add("impacts", fmt::format("{}, {} of them captured", set.points.size(), set.captures()));
     list.add("parts of eta(v_in)", parts_text(result.parts));
     if (result.rising) list.add("rising branch", fmt::format("to {}", readable(result.rising->upper, "m/s")));
-    list.add("critical velocity", result.estimate ? estimate_text(*result.estimate) : "none, see the warnings");
+    list.add("critical velocity",
+             result.estimate ? estimate_text(*result.estimate) : "none, see the warnings");
     if (result.extrapolated) list.add("extrapolated", fit_text(*result.extrapolated));
     if (result.comparison) list.add("of one another", result.comparison->statement);
     list.add("measured v_c", measured_text(result.measured));
@@ -207,8 +211,7 @@ void run_measured_damping_command(const DampingOptions& options, std::ostream& o
     MeasuredDampingOptions how;
     how.propagate = false;
     how.extrapolated = {.order = options.order, .robust = options.robust};
-    if (!options.size_scatter.empty())
-        how.size_scatter = read_size_scatter(options.size_scatter);
+    if (!options.size_scatter.empty()) how.size_scatter = read_size_scatter(options.size_scatter);
     const MeasuredDamping result =
         analyse_impacts(choice.law, choice.detachment, exact(choice.contact), set, how);
     for (const std::string& note : result.notes) spdlog::warn("warning: {}: {}", options.impacts, note);

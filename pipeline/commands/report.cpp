@@ -3,16 +3,20 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
 #include <ostream>
 
 #include "materials/base/error.hpp"
 #include "materials/base/text.hpp"
 #include "pipeline/files/file.hpp"
+#include "pipeline/json/schema.hpp"
 #include "pipeline/report/figure_file.hpp"
 #include "pipeline/report/figures/figures.hpp"
 #include "pipeline/report/page/run_page.hpp"
 #include "pipeline/report/report.hpp"
+#include "pipeline/report/sweep/sweep_page.hpp"
 #include "pipeline/run.hpp"
+#include "pipeline/run_identity.hpp"
 
 namespace ashimpact {
 
@@ -21,7 +25,8 @@ namespace {
 /// A run from its folder.
 report::RunData loaded(const std::filesystem::path& folder, const std::string& label) {
     if (!std::filesystem::is_directory(folder))
-        throw InputError("is no folder", "the folder of a run").in_file(folder.string());
+        throw InputError("is no folder", "the folder of a run, or one result of a sweep")
+            .in_file(folder.string());
     return {load_artifacts(folder, report::report_artifacts()), label};
 }
 
@@ -31,13 +36,16 @@ Artifacts gathered(const std::vector<std::string>& given) {
     const std::filesystem::path first(given.front());
     const auto folder = std::filesystem::is_directory(first) ? first : first.parent_path();
     Artifacts artifacts;
+    std::vector<Artifact> of_one_run;
     for (const std::string_view file : report::report_artifacts()) {
         auto from = folder;
         for (const std::string& name : given)
             if (std::filesystem::path(name).filename() == file)
                 from = std::filesystem::path(name).parent_path();
-        artifacts.add(load_artifacts(from, {file}).at(file));
+        of_one_run.push_back(load_artifacts(from, {file}).at(file));
     }
+    require_one_run(of_one_run);
+    for (Artifact& artifact : of_one_run) artifacts.add(std::move(artifact));
     for (const std::string& name : given) {
         bool known = std::filesystem::is_directory(name);
         for (const std::string_view file : report::report_artifacts())
@@ -51,9 +59,36 @@ Artifacts gathered(const std::vector<std::string>& given) {
     return artifacts;
 }
 
+/// The result of a sweep, or none if the file is something else.
+std::optional<Json> sweep_result(const std::string& file) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(file, ignored)) return std::nullopt;
+    return in_file(file, [&]() -> std::optional<Json> {
+        Json document = without_comments(parse_json(read_file(file)));
+        if (!document.is_object() || document.value("schema", Json()) != "sweep-result") return std::nullopt;
+        validate_document(document, "sweep-result");
+        return document;
+    });
+}
+
+void report_sweep(const Json& result, const ReportOptions& options, std::ostream& out) {
+    const std::filesystem::path file(options.runs.front());
+    const std::filesystem::path output = options.output.empty()
+                                             ? std::filesystem::path(file).replace_extension(".html")
+                                             : std::filesystem::path(options.output);
+    write_file(output,
+               in_file(file.string(), [&] { return report::sweep_page(result, file.filename().string()); }));
+    out << output.string() << '\n';
+}
+
 }  // namespace
 
 void run_report_command(const ReportOptions& options, std::ostream& out) {
+    if (options.runs.size() == 1)
+        if (const auto sweep = sweep_result(options.runs.front())) {
+            report_sweep(*sweep, options, out);
+            return;
+        }
     std::filesystem::path output = options.output;
     if (output.empty() && options.runs.size() > 1)
         throw InputError("is missing; several runs have no folder in common for their report", "-o FILE.html")

@@ -17,7 +17,8 @@ void run_run_command(const RunOptions& options, std::ostream& out) {
                  .from = options.from,
                  .only = options.only,
                  .report = !options.no_report,
-                 .figures = options.figures};
+                 .figures = options.figures,
+                 .allow_outside = options.allow_outside};
     if (!options.case_file.empty()) plan.case_file = options.case_file;
     const RunSummary summary = run_stages(plan);
     for (const std::string& warning : summary.warnings) spdlog::debug("warning: {}", warning);

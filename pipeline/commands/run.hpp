@@ -12,6 +12,7 @@ struct RunOptions {
     std::string only;
     bool no_report = false;
     bool figures = false;
+    bool allow_outside = false;
 };
 
 /// `ashimpact run`: every stage, its artifacts in a folder, the comparison as a table.

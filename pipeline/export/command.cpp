@@ -22,7 +22,7 @@ namespace ashimpact {
 
 namespace {
 
-constexpr auto mark = "expected.json";  // every exported folder has one
+constexpr auto mark_of_export = "expected.json";  // every exported folder has one
 
 struct Code {
     std::string_view name;
@@ -150,7 +150,7 @@ ExportSubject subject_of(const ExportOptions& options) {
 /// Refuses to write over files that no export left there.
 void require_free(const std::filesystem::path& folder, const ExportFolder& files) {
     require_writable_folder(folder);
-    if (std::filesystem::exists(folder / mark)) return;
+    if (std::filesystem::exists(folder / mark_of_export)) return;
     for (const ExportFile& file : files)
         if (std::filesystem::exists(folder / file.name))
             throw InputError("is there already, and not from an export", "an empty folder; -o")

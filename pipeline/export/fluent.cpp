@@ -8,7 +8,7 @@ namespace ashimpact {
 namespace {
 
 template <class Values>
-std::string array(std::string_view name, const Values& values) {
+std::string c_array(std::string_view name, const Values& values) {
     std::string text = fmt::format("static const double {}[] = {{\n", name);
     for (const double value : values) text += "    " + exact(value) + ",\n";
     return text + "};\n";
@@ -18,8 +18,9 @@ std::string table_header(const ImpactTable& table) {
     const Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows = table.restitution;
     return "/* Table of ash_wall: e over ln(diameter) and t = asinh(sqrt(v/start_velocity - 1)); SI units. "
            "*/\n" +
-           array("ash_diameters", table.diameter) + array("ash_start_velocities", table.start_velocity) +
-           array("ash_slopes", table.slope) + array("ash_restitutions", rows.reshaped<Eigen::RowMajor>()) +
+           c_array("ash_diameters", table.diameter) + c_array("ash_start_velocities", table.start_velocity) +
+           c_array("ash_slopes", table.slope) +
+           c_array("ash_restitutions", rows.reshaped<Eigen::RowMajor>()) +
            fmt::format(
                "static const AshTable ash_table = {{{}, {}, ash_diameters, ash_start_velocities, ash_slopes, "
                "ash_restitutions,\n    {}, {}, {}, {}}};\n",

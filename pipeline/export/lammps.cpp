@@ -8,8 +8,8 @@ namespace ashimpact {
 
 namespace {
 
-constexpr double tolerance = 1e-6;
-constexpr auto tried = "LAMMPS of 2022-01-06 (Debian 12: lammps), package GRANULAR";
+constexpr double lammps_tolerance = 1e-6;
+constexpr auto lammps_tried = "LAMMPS of 2022-01-06 (Debian 12: lammps), package GRANULAR";
 
 /// What this version's `fix wall/gran granular` does itself; the rest goes through added_forces().
 struct OwnForces {
@@ -24,7 +24,7 @@ OwnForces own_forces(const ExportSubject& subject) {
                        damping.exponent == 0};
 }
 
-void require_supported(const ExportSubject& subject) {
+void require_lammps(const ExportSubject& subject) {
     if (subject.law.name() == "jkr")
         throw InputError("LAMMPS of Debian 12 gives NaN for JKR on a wall past pull-off",
                          "hertz, dmt, brach-dunn; jkr with --geometry pair and --detachment load-controlled")
@@ -48,7 +48,7 @@ std::string wall(const ExportSubject& subject, const OwnForces& own) {
         model);
 }
 
-std::string wall_file(const ExportSubject& subject) {
+std::string lammps_wall_file(const ExportSubject& subject) {
     const OwnForces own = own_forces(subject);
     const bool attraction = is_adhesive(subject.law) && !own.attraction;
     const bool damping = !own.damping && !subject.damping.is_zero();
@@ -62,7 +62,7 @@ std::string wall_file(const ExportSubject& subject) {
            wall(subject, own) + added_forces(subject, attraction, damping);
 }
 
-std::vector<std::string> conversions(const ExportSubject& subject) {
+std::vector<std::string> lammps_conversions(const ExportSubject& subject) {
     const OwnForces own = own_forces(subject);
     std::vector<std::string> lines{
         own.attraction
@@ -81,20 +81,20 @@ std::vector<std::string> conversions(const ExportSubject& subject) {
 }  // namespace
 
 ExportFolder lammps_folder(const ExportSubject& subject) {
-    require_supported(subject);
+    require_lammps(subject);
     TemplateValues values = dem_values(subject);
     values["code"] = "LAMMPS";
     values["command"] = "lmp -in in.impacts -log log.impacts -screen none -nocite";
-    values["tried"] = tried;
+    values["tried"] = lammps_tried;
     return {{"README.md", filled("common/README_dem.md", values)},
-            {"ash_wall.in", wall_file(subject)},
+            {"ash_wall.in", lammps_wall_file(subject)},
             impact_variables(subject),
             {"in.impacts", filled("lammps/in.impacts", values)},
             {"in.cloud", filled("lammps/in.cloud", values)},
             {"run.sh", filled("common/run_dem.sh", values)},
             unchanged("common/compare.py"),
-            assumptions(subject, conversions(subject)),
-            dem_expected(subject, "lammps", "log.impacts", tolerance)};
+            assumptions(subject, lammps_conversions(subject)),
+            dem_expected(subject, "lammps", "log.impacts", lammps_tolerance)};
 }
 
 }  // namespace ashimpact

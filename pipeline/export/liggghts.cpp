@@ -8,10 +8,10 @@ namespace ashimpact {
 
 namespace {
 
-constexpr double tolerance = 1e-5;
-constexpr auto tried = "LIGGGHTS-PUBLIC 3.8.0 (Debian 12: liggghts)";
+constexpr double liggghts_tolerance = 1e-5;
+constexpr auto liggghts_tried = "LIGGGHTS-PUBLIC 3.8.0 (Debian 12: liggghts)";
 
-void require_supported(const ExportSubject& subject) {
+void require_liggghts(const ExportSubject& subject) {
     if (subject.law.name() == "jkr")
         throw InputError("LIGGGHTS has no JKR: its `cohesion sjkr` is an energy density times an area",
                          "hertz, dmt, brach-dunn")
@@ -21,7 +21,7 @@ void require_supported(const ExportSubject& subject) {
                          "hertz, dmt, brach-dunn with zero-overlap; damping constant, contact-radius, tsuji");
 }
 
-std::string wall_file(const ExportSubject& subject) {
+std::string liggghts_wall_file(const ExportSubject& subject) {
     return fmt::format(
                "# Ash on the wall z = ash_wall_z: law {}, contact ends at zero overlap. Needs the variable "
                "ash_wall_z, and\n# ash_material.in before. The wall gives the Hertz repulsion alone.\n"
@@ -31,7 +31,7 @@ std::string wall_file(const ExportSubject& subject) {
            added_forces(subject, is_adhesive(subject.law), !subject.damping.is_zero());
 }
 
-std::vector<std::string> conversions(const ExportSubject& subject) {
+std::vector<std::string> liggghts_conversions(const ExportSubject& subject) {
     std::vector<std::string> lines{
         "`model hertz` with youngsModulus 2 E* and nu = 0 for sphere and wall: effective modulus E*",
         "coefficientRestitution 1: no damping of the code's own, which would follow another law",
@@ -44,20 +44,20 @@ std::vector<std::string> conversions(const ExportSubject& subject) {
 }  // namespace
 
 ExportFolder liggghts_folder(const ExportSubject& subject) {
-    require_supported(subject);
+    require_liggghts(subject);
     TemplateValues values = dem_values(subject);
     values["code"] = "LIGGGHTS";
     values["command"] = "liggghts -in in.impacts -log log.impacts -screen none -echo none";
-    values["tried"] = tried;
+    values["tried"] = liggghts_tried;
     return {{"README.md", filled("common/README_dem.md", values)},
             {"ash_material.in", filled("liggghts/ash_material.in", values)},
-            {"ash_wall.in", wall_file(subject)},
+            {"ash_wall.in", liggghts_wall_file(subject)},
             impact_variables(subject),
             {"in.impacts", filled("liggghts/in.impacts", values)},
             {"run.sh", filled("common/run_dem.sh", values)},
             unchanged("common/compare.py"),
-            assumptions(subject, conversions(subject)),
-            dem_expected(subject, "liggghts", "log.impacts", tolerance)};
+            assumptions(subject, liggghts_conversions(subject)),
+            dem_expected(subject, "liggghts", "log.impacts", liggghts_tolerance)};
 }
 
 }  // namespace ashimpact

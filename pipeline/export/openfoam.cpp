@@ -13,13 +13,13 @@ namespace {
 constexpr double flight = 1e-3;  // duration of the check; a parcel meets the wall in its middle [s]
 
 template <class Values>
-std::string list(std::string_view name, const Values& values) {
+std::string foam_list(std::string_view name, const Values& values) {
     std::string text = fmt::format("{}\n(\n", name);
     for (const double value : values) text += "    " + exact(value) + "\n";
     return text + ");\n";
 }
 
-ExportFile table_file(const ImpactTable& table) {
+ExportFile foam_table(const ImpactTable& table) {
     const Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows = table.restitution;
     const std::string text =
         fmt::format(
@@ -28,8 +28,8 @@ ExportFile table_file(const ImpactTable& table) {
             "captures        {};\n",
             table.t.size(), exact(table.t[1]), exact(table.from_velocity), exact(table.to_velocity),
             table.captures ? "yes" : "no") +
-        list("diameter", table.diameter) + list("startVelocity", table.start_velocity) +
-        list("slope", table.slope) + list("restitution", rows.reshaped<Eigen::RowMajor>());
+        foam_list("diameter", table.diameter) + foam_list("startVelocity", table.start_velocity) +
+        foam_list("slope", table.slope) + foam_list("restitution", rows.reshaped<Eigen::RowMajor>());
     return {"ashTable", text};
 }
 
@@ -102,7 +102,7 @@ ExportFolder openfoam_folder(const ExportSubject& subject) {
     for (const char* file : {"g", "transportProperties", "turbulenceProperties", "kinematicCloudProperties"})
         add(std::string("check/constant/") + file, std::string("openfoam/check/") + file);
     add("check/0/U", "openfoam/check/U");
-    folder.push_back(table_file(table));
+    folder.push_back(foam_table(table));
     folder.push_back({"check/constant/ashTable", folder.back().content});
     if (!subject.damping.depends_on_velocity() && subject.damping.exponent == 0) {
         folder.push_back(solver_file(subject));

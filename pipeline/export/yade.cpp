@@ -9,7 +9,7 @@ namespace ashimpact {
 
 namespace {
 
-constexpr double tolerance = 1e-5;
+constexpr double yade_tolerance = 1e-5;
 
 /// YADE's `en` is Tsuji's damping cut at zero total force.
 bool own_restitution(const ExportSubject& subject) {
@@ -17,7 +17,7 @@ bool own_restitution(const ExportSubject& subject) {
            subject.detachment == Detachment::zero_force;
 }
 
-void require_supported(const ExportSubject& subject) {
+void require_yade(const ExportSubject& subject) {
     if (subject.damping.depends_on_velocity())
         throw InputError("YADE: it knows no damping that depends on the velocity of approach",
                          "damping that is the same at every velocity");
@@ -46,7 +46,7 @@ std::string restitution_of(const ExportSubject& subject) {
 }  // namespace
 
 ExportFolder yade_folder(const ExportSubject& subject) {
-    require_supported(subject);
+    require_yade(subject);
     TemplateValues values = common_values(subject);
     values["damping_law"] = std::string(name_of(subject.damping.law));
     values["coefficient"] = exact(subject.damping.nodes.front().coefficient);
@@ -64,7 +64,7 @@ ExportFolder yade_folder(const ExportSubject& subject) {
              own_restitution(subject)
                  ? "damping: YADE's `en`, which is Tsuji's damping cut at zero total force"
                  : "attraction and damping: own forces by PyRunner while in contact, up to zero overlap"}),
-        dem_expected(subject, "yade", "log.impacts", tolerance)};
+        dem_expected(subject, "yade", "log.impacts", yade_tolerance)};
 }
 
 }  // namespace ashimpact

@@ -1,6 +1,7 @@
 #include "solver/batch/critical_batch.hpp"
 
 #include "materials/base/error.hpp"
+#include "solver/batch/admissibility.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/batch/tables/critical_table.hpp"
 #include "solver/batch/task.hpp"
@@ -46,9 +47,7 @@ std::optional<CriticalVelocity> quick(const CriticalVelocityBatch& batch, const 
 }  // namespace
 
 CriticalVelocityBatchResult critical_velocities(const CriticalVelocityBatch& batch, int threads) {
-    if (const auto reason = refusal(batch.law, batch.detachment)) {
-        throw InputError(*reason, admissible_detachments(batch.law));
-    }
+    batch::require_admissible(batch.law, batch.detachment);
     const Eigen::Index count = common_size(batch.contact, {{"damping", batch.damping.size()}});
     batch::Inputs inputs = batch::inputs_of(batch.law, batch.contact);
     inputs.damping = batch::input_of(batch.damping);

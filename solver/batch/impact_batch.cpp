@@ -1,6 +1,7 @@
 #include "solver/batch/impact_batch.hpp"
 
 #include "materials/base/error.hpp"
+#include "solver/batch/admissibility.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/batch/tables/restitution_table.hpp"
 #include "solver/batch/task.hpp"
@@ -127,9 +128,7 @@ batch::Inputs inputs_of(const ImpactBatch& batch) {
 }  // namespace
 
 void solve_impacts(const ImpactBatch& batch, ImpactBatchResult& result, const BatchOptions& options) {
-    if (const auto reason = refusal(batch.law, batch.detachment)) {
-        throw InputError(*reason, admissible_detachments(batch.law));
-    }
+    batch::require_admissible(batch.law, batch.detachment);
     const bool tabulated = options.method == BatchMethod::table;
     batch::RestitutionTable* const table =
         tabulated ? &batch::RestitutionTable::of(batch.law, batch.detachment, batch.damping_law) : nullptr;

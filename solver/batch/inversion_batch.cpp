@@ -1,6 +1,7 @@
 #include "solver/batch/inversion_batch.hpp"
 
 #include "materials/base/error.hpp"
+#include "solver/batch/admissibility.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/batch/tables/restitution_table.hpp"
 #include "solver/batch/task.hpp"
@@ -77,9 +78,7 @@ std::int64_t invert(const DampingBatch& batch, batch::RestitutionTable* table, c
 }  // namespace
 
 DampingBatchResult dampings_from_restitutions(const DampingBatch& batch, int threads, BatchMethod method) {
-    if (const auto reason = refusal(batch.law, batch.detachment)) {
-        throw InputError(*reason, admissible_detachments(batch.law));
-    }
+    batch::require_admissible(batch.law, batch.detachment);
     const Eigen::Index count = common_size(
         batch.contact, {{"velocity", batch.velocity.size()}, {"restitution", batch.restitution.size()}});
     batch::Inputs inputs = batch::inputs_of(batch.law, batch.contact);

@@ -31,6 +31,10 @@ unsigned key(double adhesion, double damping) {
 }  // namespace
 
 void Order::sort(const NumberColumns& numbers, std::span<const std::uint16_t> impacts) {
+    if (impacts.size() <= 1) {
+        std::ranges::copy(impacts, place_.begin());
+        return;
+    }
     std::array<std::uint16_t, damping_bins * adhesion_bins + 1> start{};
     std::array<std::uint16_t, most_impacts> keys;  // those of the impacts are filled here
     for (const std::size_t i : impacts) {

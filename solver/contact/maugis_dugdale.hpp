@@ -11,7 +11,7 @@
 namespace ashimpact {
 
 /// Tabor parameter of a pair, mu = (R* w^2/(E*^2 z0^3))^(1/3); Tabor 1977.
-inline constexpr LawParameter tabor{
+inline constexpr LawParameter stated_tabor{
     .name = "tabor",
     .dimension = Dimension::fraction,
     .description = "Tabor parameter mu of the pair",
@@ -48,7 +48,7 @@ struct MaugisDugdale {
     static constexpr std::string_view name = "maugis-dugdale";
     static constexpr Detachment default_detachment = Detachment::pull_off;
     static constexpr bool self_similar = false;
-    static constexpr std::array parameters{tabor, cohesive_stress, cohesion_range};
+    static constexpr std::array parameters{stated_tabor, cohesive_stress, cohesion_range};
 
     /// That of Jkr: the share of adhesion in an impact of that length, whatever its range.
     [[nodiscard]] static Real adhesion_number(const BasicContactPair<Real>& pair, const Real& length) {

@@ -12,7 +12,7 @@ namespace ashimpact {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Angle arccos((2a^2 - c^2 - r^2)/(c^2 - r^2)) of the cohesive traction, without cancellation at either end.
 double cohesive_angle(double a, double c, double r) {

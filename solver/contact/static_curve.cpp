@@ -55,11 +55,11 @@ StaticCurve StaticCurve::normalised(Law law) {
                              std::string(law.name()) + "' has parameters of its own",
                          "a law that has none");
     // A pair with K = 1 and pi w R* = 1, whose SI units are those of Eq. 21.
-    return {law,
-            {.mass = 1.0,
-             .effective_radius = 1.0,
-             .contact_modulus = 0.75,
-             .work_of_adhesion = 1.0 / std::numbers::pi}};
+    const ContactPair unit{.mass = 1.0,
+                           .effective_radius = 1.0,
+                           .contact_modulus = 0.75,
+                           .work_of_adhesion = 1.0 / std::numbers::pi};
+    return {law, unit};
 }
 
 StaticPoint StaticCurve::point(double root) const {

@@ -4,8 +4,6 @@
 
 #include <string>
 
-#include <stdexcept>
-
 namespace ashimpact {
 
 std::string_view name_of(DampingLaw law) {
@@ -18,18 +16,6 @@ Dimension dimension_of(DampingLaw law) {
 
 std::string_view unit_of(DampingLaw law) {
     return si_unit(dimension_of(law));
-}
-
-Dimension dimension_of(DampingLaw law) {
-    switch (law) {
-        case DampingLaw::constant:
-            return Dimension::damping;
-        case DampingLaw::contact_radius:
-            return Dimension::viscosity;
-        case DampingLaw::tsuji:
-            return Dimension::fraction;
-    }
-    throw std::logic_error("damping law without a dimension");
 }
 
 DampingLaw damping_named(std::string_view name) {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace ashimpact {
 
@@ -51,6 +52,32 @@ EnergyLedger ledger_of(const Solved& impact, double unit) {
             .jumps = 0.0,
             .residual = joule(incident + impact.touch_potential - remaining - potential - spent),
             .minimum = joule(impact.last.potential(impact.last.equilibrium))};
+}
+
+/// Refuses what the closure of the elastic-plastic law does not carry: results that are not finite, energy
+/// that is not accounted for, or, inside the closure's range, a flattened sphere that gains more by adhesion
+/// than the work spent on it (docs/decisions/0003-plastic-closure.md).
+void require_within_closure(const Impact& impact, const Scale& scale, const ImpactResult& result) {
+    constexpr double least_ratio = 0.5;  // below it adhesion alone yields the contact at first touch
+    const double ratio =
+        ThorntonNing<double>::yield_number(impact.contact, scale.length) /
+        std::pow(ThorntonNing<double>::adhesion_number(impact.contact, scale.length), 2.0 / 3.0);
+    const EnergyLedger& energy = result.energy;
+    const double size = std::max({energy.incident, std::abs(energy.minimum), std::abs(energy.at_touch)});
+    const bool closed = std::isfinite(size) && std::abs(energy.residual) <= 1e-9 * size;
+    const bool finite = std::isfinite(result.restitution) && std::isfinite(result.maximum_overlap) &&
+                        std::isfinite(energy.plastic) && std::isfinite(energy.dissipated) &&
+                        std::isfinite(result.contact_time.value_or(0.0)) &&
+                        std::isfinite(result.approach_time.value_or(0.0));
+    const bool spends = energy.plastic >= -1e-12 * size || ratio < least_ratio;
+    if (closed && finite && spends) return;
+    std::ostringstream problem;
+    problem << "yield_pressure is " << impact.contact.yield_pressure
+            << " Pa: adhesion alone flattens this contact, outside the range of the plastic closure";
+    std::ostringstream allowed;
+    allowed << "some multiple of " << least_ratio * impact.contact.yield_pressure / ratio
+            << " Pa, at which adhesion alone yields the contact, or the law jkr";
+    throw InputError(problem.str(), allowed.str());
 }
 
 }  // namespace
@@ -143,11 +170,15 @@ ImpactResult solve_impact(const Impact& impact) {
     result.yielded = followed.yielded;
     result.energy = ledger_of(followed, scale.energy());
     result.steps = orbit.steps;
+    if (followed.yielded) require_within_closure(impact, scale, result);
     return result;
 }
 
 double restitution_of(const Impact& impact) {
-    return scaled_restitution<double>(impact, Scale::of(impact.contact, impact.velocity));
+    const Scale scale = Scale::of(impact.contact, impact.velocity);
+    const double restitution = scaled_restitution<double>(impact, scale);
+    if (std::isfinite(restitution)) return restitution;
+    return static_cast<double>(scaled_restitution<Extended>(impact, scale));  // beyond the range of double
 }
 
 }  // namespace ashimpact

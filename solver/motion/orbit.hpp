@@ -45,13 +45,24 @@ enum class ApproachEnd {
     turned,    ///< at greatest overlap
     left,      ///< reached the place where the branch ends
     creeping,  ///< never turns
+    passing,   ///< never turns either: creeps to where the branch ends, and on beyond
+};
+
+/// Whether an approach creeps on beyond the end of its branch; none does where there is nothing beyond.
+struct EndsHere {
+    template <class State>
+    [[nodiscard]] bool operator()(const State& /*state*/) const {
+        return false;
+    }
 };
 
 /// The inward leg on one branch, until the motion turns, creeps, or reaches @p leave_at.
-/// @p observe is called with the branch, each expansion and the part of its step that was used.
-template <class Real, class Observer>
+/// @p observe is called with the branch, each expansion and the part of its step that was used; @p creeps_beyond
+/// with each state of an approach that leaves its branch before equilibrium.
+template <class Real, class Observer, class Beyond = EndsHere>
 ApproachEnd approach(const Motion<Real>& motion, MotionState<Real>& state,
-                     const std::optional<Real>& leave_at, Orbit<Real>& orbit, Observer& observe);
+                     const std::optional<Real>& leave_at, Orbit<Real>& orbit, Observer& observe,
+                     const Beyond& creeps_beyond = {});
 
 /// The outward leg on one branch, until detachment or until capture is certain.
 template <class Real, class Observer>

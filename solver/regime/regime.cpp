@@ -33,16 +33,6 @@ AdhesionRegime adhesion_regime(double tabor_parameter) {
     return tabor_parameter > jkr_limit ? AdhesionRegime::jkr : AdhesionRegime::between;
 }
 
-/// Maugis' parameter: of the law's own cohesion, or of a surface of the usual separation; 0 without adhesion.
-double transition_parameter_of(const ContactPair& contact) {
-    if (contact.work_of_adhesion == 0.0) return 0.0;
-    const ParameterValues<double>& given = contact.parameters;
-    if (given.has(tabor) || given.has(cohesive_stress) || given.has(cohesion_range))
-        return transition_parameter(contact);
-    return transition_parameter(contact,
-                                cohesive_stress_of_range(contact.work_of_adhesion, equilibrium_separation));
-}
-
 /// JKR in which the contact yields where its own pressure, adhesion included, says so.
 bool is_jkr(Law law) {
     return law == Law::of<Jkr>() || law == Law::of<ThorntonNing>();
@@ -215,6 +205,15 @@ class Judge {
 };
 
 }  // namespace
+
+double transition_parameter_of(const ContactPair& contact) {
+    if (contact.work_of_adhesion == 0.0) return 0.0;
+    const ParameterValues<double>& given = contact.parameters;
+    if (given.has(stated_tabor) || given.has(cohesive_stress) || given.has(cohesion_range))
+        return transition_parameter(contact);
+    return transition_parameter(contact,
+                                cohesive_stress_of_range(contact.work_of_adhesion, equilibrium_separation));
+}
 
 Regime regime_of(const Impact& impact, double maximum_overlap) {
     return Judge(impact, maximum_overlap).judged();

@@ -52,6 +52,10 @@ inline constexpr double jkr_limit = 5.0;
 /// a/R* beyond which the parabolic geometry that every law here assumes is off by 2 % in overlap.
 inline constexpr double widest_contact = 0.3;
 
+/// Maugis' transition parameter of a pair [1]: from the cohesion that it states for law maugis-dugdale, else
+/// of surfaces with the usual equilibrium_separation; 0 without adhesion.
+[[nodiscard]] double transition_parameter_of(const ContactPair& contact);
+
 /// Judges an impact, solved or to be solved. @p maximum_overlap as in ImpactResult [m]
 ///
 /// Where JKR acts (jkr, thornton-ning) the centre yields at p_y = 2 E* a/(pi R*) - sqrt(2 w E*/(pi a)); in

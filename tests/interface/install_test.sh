@@ -43,4 +43,9 @@ LD_LIBRARY_PATH=$(dirname "$library") "$scratch/deposit"
 gcc -std=c89 -pedantic -Wall -Werror "$here/c89_test.c" -o "$scratch/c89" $(pkg-config --cflags --libs ashimpact)
 LD_LIBRARY_PATH=$(dirname "$library") "$scratch/c89"
 [[ $(pkg-config --modversion ashimpact) == "$(sed -n 's/^Version: //p' "$PKG_CONFIG_PATH/ashimpact.pc")" ]]
+echo '== the program of the how-to page'
+sed -n '/^```c$/,/^```$/p' "$here/../../docs/how-to/flow-codes.md" | sed '/^```/d' >"$scratch/stick.c"
+# shellcheck disable=SC2046
+gcc "$scratch/stick.c" -o "$scratch/stick" $(pkg-config --cflags --libs ashimpact)
+LD_LIBRARY_PATH=$(dirname "$library") "$scratch/stick" | grep -E '^v_c = [0-9.e-]+ m/s, e\(2 v_c\) = 0\.[0-9]+$'
 echo 'all consumers built and ran'

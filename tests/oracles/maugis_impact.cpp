@@ -9,116 +9,116 @@
 #include <cstdint>
 #include <numbers>
 
-#include "solver/gsl/ode.hpp"
+#include "tests/support/ode.hpp"
 
 namespace ashimpact::oracles {
 
 namespace {
 
-using Real = long double;
-constexpr Real pi = std::numbers::pi_v<Real>;
+using Long = long double;
+constexpr Long long_pi = std::numbers::pi_v<Long>;
 
 /// A state of the contact, a > 0, by s = sqrt(m^2 - 1).
 struct Touching {
-    Real radius;
-    Real overlap;
-    Real force;
+    Long radius;
+    Long overlap;
+    Long force;
 };
 
 /// The static law by Maugis' equations: 1 = A a^2 + B a, quadratic in a for given m.
 class MaugisLaw {
   public:
-    explicit MaugisLaw(Real lambda)
-        : lambda_(lambda), reach_(2 / (pi * lambda)), gap_fold_(8 * lambda / (3 * pi)) {
-        // a = 0: 1 = (pi/4) lambda c^2 + (4/3) lambda^2 c (pi/2 - 1)
-        const Real q = 4 * lambda * lambda / 3 * (pi / 2 - 1);
-        const Real p = pi * lambda / 4;
+    explicit MaugisLaw(Long lambda)
+        : lambda_(lambda), reach_(2 / (long_pi * lambda)), gap_fold_(8 * lambda / (3 * long_pi)) {
+        // a = 0: 1 = (long_pi/4) lambda c^2 + (4/3) lambda^2 c (long_pi/2 - 1)
+        const Long q = 4 * lambda * lambda / 3 * (long_pi / 2 - 1);
+        const Long p = long_pi * lambda / 4;
         join_radius_ = (-q + std::sqrt(q * q + 4 * p)) / (2 * p);
         join_overlap_ = -4 * lambda / 3 * join_radius_;
         fold_in_contact_ = gap_fold_ > join_radius_;
         least_overlap_ = gap_overlap(gap_fold_);
         if (!fold_in_contact_) return;
-        const auto overlap_at = [&](Real log_s) { return touching(std::exp(log_s)).overlap; };
-        const auto fold = boost::math::tools::brent_find_minima(overlap_at, Real(-16), Real(16), 60);
+        const auto overlap_at = [&](Long log_s) { return touching(std::exp(log_s)).overlap; };
+        const auto fold = boost::math::tools::brent_find_minima(overlap_at, Long(-16), Long(16), 60);
         fold_s_ = std::exp(fold.first);
         least_overlap_ = fold.second;
     }
 
-    [[nodiscard]] Real reach() const { return reach_; }
-    [[nodiscard]] Real join_overlap() const { return join_overlap_; }
+    [[nodiscard]] Long reach() const { return reach_; }
+    [[nodiscard]] Long join_overlap() const { return join_overlap_; }
     [[nodiscard]] bool fold_in_contact() const { return fold_in_contact_; }
-    [[nodiscard]] Real least_overlap() const { return least_overlap_; }
+    [[nodiscard]] Long least_overlap() const { return least_overlap_; }
 
     /// The stable state with a > 0 at that overlap.
-    [[nodiscard]] Touching touching_at(Real overlap) const {
-        const auto excess = [&](Real log_s) { return touching(std::exp(log_s)).overlap - overlap; };
-        Real high = fold_in_contact_ ? std::log(fold_s_) : Real(45);
+    [[nodiscard]] Touching touching_at(Long overlap) const {
+        const auto excess = [&](Long log_s) { return touching(std::exp(log_s)).overlap - overlap; };
+        Long high = fold_in_contact_ ? std::log(fold_s_) : Long(45);
         if (excess(high) >= 0) return touching(std::exp(high));
-        Real low = std::min(high, Real(1)) - 1;
+        Long low = std::min(high, Long(1)) - 1;
         while (excess(low) < 0) {
             high = low;
             low -= 1;
         }
         std::uintmax_t most = 100;
         const auto [a, b] = boost::math::tools::toms748_solve(
-            excess, low, high, boost::math::tools::eps_tolerance<Real>(60), most);
+            excess, low, high, boost::math::tools::eps_tolerance<Long>(60), most);
         return touching(std::exp((a + b) / 2));
     }
-    [[nodiscard]] Real gap_force_at(Real overlap) const {
-        const Real c =
-            gap_fold_ + std::sqrt(std::max<Real>(0, gap_fold_ * gap_fold_ + 2 * (overlap + reach_)));
-        return -pi / 2 * lambda_ * c * c;
+    [[nodiscard]] Long gap_force_at(Long overlap) const {
+        const Long c =
+            gap_fold_ + std::sqrt(std::max<Long>(0, gap_fold_ * gap_fold_ + 2 * (overlap + reach_)));
+        return -long_pi / 2 * lambda_ * c * c;
     }
     /// Force on the stable branch, whichever it is.
-    [[nodiscard]] Real force_at(Real overlap) const {
+    [[nodiscard]] Long force_at(Long overlap) const {
         return fold_in_contact_ || overlap > join_overlap_ ? touching_at(overlap).force
                                                            : gap_force_at(overlap);
     }
-    [[nodiscard]] Real overlap_of_greatest_tension() const {
-        const auto force_of = [&](Real log_s) { return touching(std::exp(log_s)).force; };
-        const Real high = fold_in_contact_ ? std::log(fold_s_) : Real(10);
-        return touching(std::exp(boost::math::tools::brent_find_minima(force_of, Real(-16), high, 60).first))
+    [[nodiscard]] Long overlap_of_greatest_tension() const {
+        const auto force_of = [&](Long log_s) { return touching(std::exp(log_s)).force; };
+        const Long high = fold_in_contact_ ? std::log(fold_s_) : Long(10);
+        return touching(std::exp(boost::math::tools::brent_find_minima(force_of, Long(-16), high, 60).first))
             .overlap;
     }
 
   private:
-    [[nodiscard]] Touching touching(Real s) const {
-        const Real m = std::sqrt(1 + s * s);
-        const Real theta = std::atan(s);
-        const Real a2 = lambda_ / 2 * (s + (m * m - 2) * theta);
-        const Real a1 = 4 * lambda_ * lambda_ / 3 * (s * theta - s * s / (m + 1));
-        const Real a = 2 / (a1 + std::sqrt(a1 * a1 + 4 * a2));
+    [[nodiscard]] Touching touching(Long s) const {
+        const Long m = std::sqrt(1 + s * s);
+        const Long theta = std::atan(s);
+        const Long a2 = lambda_ / 2 * (s + (m * m - 2) * theta);
+        const Long a1 = 4 * lambda_ * lambda_ / 3 * (s * theta - s * s / (m + 1));
+        const Long a = 2 / (a1 + std::sqrt(a1 * a1 + 4 * a2));
         return {a, a * a - 4 * lambda_ / 3 * a * s, a * a * a - lambda_ * a * a * (s + m * m * theta)};
     }
-    [[nodiscard]] Real gap_overlap(Real c) const { return c * c / 2 - gap_fold_ * c - reach_; }
+    [[nodiscard]] Long gap_overlap(Long c) const { return c * c / 2 - gap_fold_ * c - reach_; }
 
-    Real lambda_;
-    Real reach_;
-    Real gap_fold_;
-    Real join_radius_ = 0;
-    Real join_overlap_ = 0;
+    Long lambda_;
+    Long reach_;
+    Long gap_fold_;
+    Long join_radius_ = 0;
+    Long join_overlap_ = 0;
     bool fold_in_contact_ = false;
-    Real fold_s_ = 0;
-    Real least_overlap_ = 0;
+    Long fold_s_ = 0;
+    Long least_overlap_ = 0;
 };
 
-constexpr double tolerance = 1e-13;
+constexpr double maugis_tolerance = 1e-13;
 
-enum class Clock { time, velocity, overlap, root_of_overlap_left };
+enum class MaugisClock { time, velocity, overlap, root_of_overlap_left };
 
 /// State: time, overlap, velocity.
-struct Equation {
+struct MaugisEquation {
     using State = std::array<double, 3>;
     const MaugisLaw& law;
     const MaugisCase& impact;
     const bool& touching;
-    const Clock& clock;
+    const MaugisClock& clock;
     const double& end;
 
     State operator()(double x, const State& y) const {
         double overlap = y[1];
-        if (clock == Clock::overlap) overlap = x;
-        if (clock == Clock::root_of_overlap_left) overlap = end + x * x;
+        if (clock == MaugisClock::overlap) overlap = x;
+        if (clock == MaugisClock::root_of_overlap_left) overlap = end + x * x;
         double force = 0;
         double damping = 0;
         if (touching) {
@@ -133,26 +133,27 @@ struct Equation {
         }
         const double acceleration = -(force + damping * y[2]);
         double pace = 1;
-        if (clock == Clock::velocity) pace = 1 / acceleration;
-        if (clock == Clock::overlap) pace = 1 / y[2];
-        if (clock == Clock::root_of_overlap_left) pace = 2 * x / y[2];
+        if (clock == MaugisClock::velocity) pace = 1 / acceleration;
+        if (clock == MaugisClock::overlap) pace = 1 / y[2];
+        if (clock == MaugisClock::root_of_overlap_left) pace = 2 * x / y[2];
         return {pace, pace * y[2], pace * acceleration};
     }
 };
 
-class Integration {
+class MaugisIntegration {
   public:
-    explicit Integration(const MaugisCase& impact)
+    explicit MaugisIntegration(const MaugisCase& impact)
         : impact_(impact),
           law_(impact.lambda),
-          ode_(Equation{law_, impact_, touching_, clock_, end_},
-               {tolerance, {tolerance, tolerance, tolerance * impact.velocity}}) {}
+          ode_(MaugisEquation{law_, impact_, touching_, clock_, end_},
+               {maugis_tolerance, {maugis_tolerance, maugis_tolerance, maugis_tolerance * impact.velocity}}) {
+    }
 
     MaugisResult run() {
         const bool from_zero = impact_.detachment == Detachment::zero_overlap;
-        Equation::State now{0, from_zero ? 0 : static_cast<double>(-law_.reach()), impact_.velocity};
+        MaugisEquation::State now{0, from_zero ? 0 : static_cast<double>(-law_.reach()), impact_.velocity};
         const auto join = static_cast<double>(law_.join_overlap());
-        if (!law_.fold_in_contact() && now[1] < join) now = until(Clock::overlap, now[1], join, now);
+        if (!law_.fold_in_contact() && now[1] < join) now = until(MaugisClock::overlap, now[1], join, now);
         touching_ = true;
         now = to_rest(now);
         MaugisResult result{.maximum_overlap = now[1]};
@@ -172,79 +173,79 @@ class Integration {
     }
 
   private:
-    Equation::State until(Clock clock, double from, double to, Equation::State state) {
+    MaugisEquation::State until(MaugisClock clock, double from, double to, MaugisEquation::State state) {
         clock_ = clock;
         ode_.integrate(from, to, state);
-        clock_ = Clock::time;
+        clock_ = MaugisClock::time;
         return state;
     }
 
     /// Inward leg, to the turning point.
-    Equation::State to_rest(Equation::State now) {
+    MaugisEquation::State to_rest(MaugisEquation::State now) {
         ode_.restart();
         double stride = 1e-3;
         double t = now[0];
         while (true) {
-            const Equation::State before = now;
+            const MaugisEquation::State before = now;
             ode_.step(t, 1e9, stride, now);
             now[0] = t;
-            if (now[2] <= 0) return until(Clock::velocity, before[2], 0, before);
+            if (now[2] <= 0) return until(MaugisClock::velocity, before[2], 0, before);
         }
     }
 
     /// Outward leg in contact, to the overlap @p last; none where the sphere turns back.
-    std::optional<Equation::State> outward(Equation::State now, double last) {
+    std::optional<MaugisEquation::State> outward(MaugisEquation::State now, double last) {
         ode_.restart();
         double stride = 1e-3;
         double t = now[0];
         end_ = last;
         while (true) {
-            const Equation::State before = now;
+            const MaugisEquation::State before = now;
             // Short of the end the law is defined; the stride shrinks where a trial step would leave it.
             ode_.step(t, 1e9, stride, now);
             now[0] = t;
             if (now[1] <= last)
-                return until(Clock::root_of_overlap_left, std::sqrt(before[1] - last), 0, before);
+                return until(MaugisClock::root_of_overlap_left, std::sqrt(before[1] - last), 0, before);
             if (now[2] > 0) return std::nullopt;
         }
     }
 
     /// Outward across the gap, from the join to the fold; false where the energy does not suffice.
-    bool across_gap(Equation::State& now, double last) {
+    bool across_gap(MaugisEquation::State& now, double last) {
         touching_ = false;
-        const double work = static_cast<double>(boost::math::quadrature::gauss_kronrod<Real, 31>::integrate(
-            [&](Real s) { return law_.gap_force_at(last + s * s) * 2 * s; }, Real(0),
-            std::sqrt(static_cast<Real>(now[1] - last)), 10, 1e-16L));
+        const double work = static_cast<double>(boost::math::quadrature::gauss_kronrod<Long, 31>::integrate(
+            [&](Long s) { return law_.gap_force_at(last + s * s) * 2 * s; }, Long(0),
+            std::sqrt(static_cast<Long>(now[1] - last)), 10, 1e-16L));
         if (now[2] * now[2] / 2 + work <= 0) return false;
         end_ = last;
-        now = until(Clock::root_of_overlap_left, std::sqrt(now[1] - last), 0, now);
+        now = until(MaugisClock::root_of_overlap_left, std::sqrt(now[1] - last), 0, now);
         return true;
     }
 
     MaugisCase impact_;
     MaugisLaw law_;
     bool touching_ = false;
-    Clock clock_ = Clock::time;
+    MaugisClock clock_ = MaugisClock::time;
     double end_ = 0;
-    gsl::Ode<3, Equation> ode_;
+    test::Ode<3, MaugisEquation> ode_;
 };
 
 }  // namespace
 
 MaugisResult maugis_impact(const MaugisCase& impact) {
-    return Integration(impact).run();
+    return MaugisIntegration(impact).run();
 }
 
 double maugis_separation_energy(double lambda) {
     const MaugisLaw law(lambda);
-    const Real from = law.least_overlap();
-    const auto part = [&](Real low, Real high) {
-        return boost::math::quadrature::gauss_kronrod<Real, 61>::integrate(
-            [&](Real s) { return -law.force_at(from + s * s) * 2 * s; }, std::sqrt(low - from),
+    const Long from = law.least_overlap();
+    const auto part = [&](Long low, Long high) {
+        return boost::math::quadrature::gauss_kronrod<Long, 61>::integrate(
+            [&](Long s) { return -law.force_at(from + s * s) * 2 * s; }, std::sqrt(low - from),
             std::sqrt(high - from), 12, 1e-16L);
     };
-    const Real to = -law.reach();
-    const Real join = law.join_overlap();
+    const Long to = -law.reach();
+    const Long join = law.join_overlap();
     const bool crosses = !law.fold_in_contact() && join > from && join < to;
     return static_cast<double>(crosses ? part(from, join) + part(join, to) : part(from, to));
 }

@@ -76,7 +76,8 @@ TEST_CASE("every reference impact: outcome, restitution, contact time and overla
           static_cast<int>(data.at("cases").size()));
     CHECK(captures > 0);
     for (std::size_t i = 0; i < Law::count(); ++i) {
-        if (Law::at(i) == Law::of<ThorntonNing>()) continue;  // elastic, it is jkr; see its own tests
+        if (Law::at(i) == Law::of<ThorntonNing>()) continue;   // elastic, it is jkr; see its own tests
+        if (Law::at(i) == Law::of<MaugisDugdale>()) continue;  // tests/oracles integrates it in time
         CAPTURE(Law::at(i).name());
         CHECK(laws.contains(std::string(Law::at(i).name())));
     }

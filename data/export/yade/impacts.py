@@ -51,6 +51,16 @@ def ash_engines():
             PyRunner(command="ash_forces()", iterPeriod=1), NewtonIntegrator(damping=0, gravity=(0, 0, 0))]
 
 
+rows = []       # of the impact that runs: step, height above first touch, velocity
+
+
+def ash_record():
+    state = O.bodies[1].state
+    rows.append((O.iter, state.pos[2] - O.bodies[1].shape.radius, state.vel[2]))
+    if state.vel[2] > 0 and rows[-1][1] > 0:
+        O.pause()       # it has left
+
+
 def impact(log, number, diameter, velocity, contact_time, captured):
     for resolution in RESOLUTIONS:
         O.reset()
@@ -58,17 +68,13 @@ def impact(log, number, diameter, velocity, contact_time, captured):
         O.bodies.append(wall(0, axis=2))
         O.bodies.append(sphere((0, 0, diameter / 2), diameter / 2))
         O.bodies[1].state.vel = Vector3(0, 0, -velocity)
-        O.engines = ash_engines()
         O.dt = contact_time / (resolution - 0.5)
+        O.engines = ash_engines() + [PyRunner(command="ash_record()", iterPeriod=50 if captured else 1)]
+        rows[:] = [(0, 0.0, -velocity)]
+        O.run(12 * resolution if captured else 4 * resolution, True)
         log.write("impact %d %d %.17g\n" % (number, resolution, O.dt))
-        every = 50 if captured else 1
-        steps = 12 * resolution if captured else 4 * resolution
-        for step in range(0, steps + 1, every):
-            state = O.bodies[1].state
-            log.write("%d %.17g %.17g\n" % (step, state.pos[2] - diameter / 2, state.vel[2]))
-            if state.vel[2] > 0 and state.pos[2] > diameter / 2 and not captured:
-                break       # it has left
-            O.run(every, True)
+        for row in rows:
+            log.write("%d %.17g %.17g\n" % row)
 
 
 with open("expected.json") as file:

@@ -53,6 +53,7 @@ class Model {
   public:
     /// @param law hertz, dmt, brach-dunn, jkr, ...
     /// @param parameters {{"density", 2160.0}, {"contact_modulus", 60e9}, ...} [SI]
+    /// @param choices detachment and damping law, where they are not the usual ones
     Model(const std::string& law, Parameters parameters, const Choices& choices = {}) {
         ashimpact_error error;
         ashimpact_model* made = nullptr;

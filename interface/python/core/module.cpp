@@ -59,8 +59,8 @@ struct ContactArrays {
 };
 
 ContactArrays contact_of(const py::tuple& arrays) {
-    return {arrays[0].cast<Array>(), arrays[1].cast<Array>(), arrays[2].cast<Array>(), arrays[3].cast<Array>(),
-            arrays[4].cast<Array>()};
+    return {arrays[0].cast<Array>(), arrays[1].cast<Array>(), arrays[2].cast<Array>(),
+            arrays[3].cast<Array>(), arrays[4].cast<Array>()};
 }
 
 /// Runs Python's signal handlers ten times a second, so that an interrupt ends a long call.
@@ -128,8 +128,8 @@ py::tuple impacts(const Choice& choice, const py::tuple& contact_arrays, const A
     return py::make_tuple(restitution, contact_time, approach_time, maximum_overlap);
 }
 
-Array velocities(const Choice& choice, const py::tuple& contact_arrays, const Array& damping, std::size_t count,
-                 int threads) {
+Array velocities(const Choice& choice, const py::tuple& contact_arrays, const Array& damping,
+                 std::size_t count, int threads) {
     const ContactArrays contact = contact_of(contact_arrays);
     Array velocity(static_cast<py::ssize_t>(count));
     double* const out = velocity.mutable_data();

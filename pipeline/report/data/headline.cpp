@@ -26,15 +26,14 @@ std::optional<double> number_in(const Json& object, const char* key) {
 
 Headline headline_of(const Json& entry) {
     Headline headline;
-    if (entry.contains("headline")) {
-        const Json& stated = entry.at("headline");
-        headline.value = number_in(entry, "headline");
-        if (stated.contains("interval")) read_interval(stated.at("interval"), headline);
-        if (stated.contains("method")) headline.method = stated.at("method").get<std::string>();
-        return headline;
-    }
     headline.value = number_in(entry, "critical_velocity");
-    if (entry.contains("interval")) read_interval(entry.at("interval"), headline);
+    if (!headline.value) return headline;
+    const Json& velocity = entry.at("critical_velocity");
+    if (velocity.contains("interval"))
+        read_interval(velocity.at("interval"), headline);
+    else if (entry.contains("interval"))
+        read_interval(entry.at("interval"), headline);
+    if (velocity.contains("method")) headline.method = velocity.at("method").get<std::string>();
     return headline;
 }
 

@@ -22,17 +22,21 @@ Json member(const Json& object, const std::string& key) {
     return object.contains(key) ? object.at(key) : Json(nullptr);
 }
 
-/// The coefficients of the fit that the headline comes from.
-std::vector<double> coefficients_of(const LawData& law) {
-    if (law.fit == nullptr) return {};
-    const bool direct = law.headline.method.find("direct") != std::string::npos && law.fit->direct;
-    if (!direct) return {law.fit->c, law.fit->b, law.fit->a};
-    const Json& values = law.fit_json.at("direct").at("coefficients").at("values");
-    return values.get<std::vector<double>>();
+/// The fit eta(e) of measured impacts, null for others.
+const Json* curve_fit(const LawData& law) {
+    if (!law.fit_json.is_object() || !law.fit_json.contains("extrapolated")) return nullptr;
+    const Json& fit = law.fit_json.at("extrapolated");
+    return fit.is_object() && fit.contains("coefficients") ? &fit : nullptr;
 }
 
-/// Variance and covariance of the coefficients, ascending; the rounding of printed ones where that is all
-/// there is.
+std::vector<double> coefficients_of(const LawData& law) {
+    if (law.fit == nullptr) return {};
+    const Json* fit = curve_fit(law);
+    if (fit == nullptr) return {law.fit->c, law.fit->b, law.fit->a};
+    return fit->at("coefficients").at("values").get<std::vector<double>>();
+}
+
+/// Covariance of the coefficients, ascending; of a reconstructed series the rounding of the printed ones.
 std::vector<std::vector<double>> covariance_of(const LawData& law) {
     const std::size_t count = law.coefficients.size();
     std::vector<std::vector<double>> covariance(count, std::vector<double>(count, 0.0));
@@ -41,10 +45,9 @@ std::vector<std::vector<double>> covariance_of(const LawData& law) {
         for (std::size_t i = 0; i < count; ++i) covariance[i][i] = u * u;
         return covariance;
     }
-    const bool direct = count != 3 || (law.headline.method.find("direct") != std::string::npos);
-    const char* which = direct ? "direct" : "extrapolated";
-    if (!law.fit_json.is_object() || !law.fit_json.contains(which)) return covariance;
-    const Json& values = law.fit_json.at(which).at("covariance").at("values");
+    const Json* fit = curve_fit(law);
+    if (fit == nullptr) return covariance;
+    const Json& values = fit->at("covariance").at("values");
     if (values.size() != count) return covariance;
     return values.get<std::vector<std::vector<double>>>();
 }
@@ -135,6 +138,9 @@ void RunData::read_sample(const Sample& sample) {
                     .histories = member(histories, key)};
         if (law.velocity_json.is_object()) law.headline = headline_of(law.velocity_json);
         law.coefficients = coefficients_of(law);
+        const Json* fit_of_curve = curve_fit(law);
+        law.curve_start =
+            fit_of_curve != nullptr ? number_in(*fit_of_curve, "critical_velocity") : law.headline.value;
         entry.laws.push_back(std::move(law));
     }
     samples_.push_back(std::move(entry));

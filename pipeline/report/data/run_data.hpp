@@ -30,8 +30,8 @@ struct LawData {
     Json velocity_json;  ///< in 7-critical-velocity.json
     Json histories;      ///< in 8-histories.json
     Headline headline{};
-    std::vector<double>
-        coefficients{};  ///< of eta(e) behind the headline, ascending [unit of the damping law]
+    std::vector<double> coefficients{};   ///< of the fit eta(e), ascending [unit of the damping law]
+    std::optional<double> curve_start{};  ///< v_c of that fit, where the curve begins [m/s]
     ModelCurve curve{};
 };
 

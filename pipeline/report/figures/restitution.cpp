@@ -42,8 +42,8 @@ XyPanel panel_of(const SampleData& sample, NumberTable& table) {
     for (const LawData& law : sample.laws) {
         Series curve =
             curve_series(sample, law, [](const CurveImpact& impact) { return impact.restitution; });
-        if (law.headline.value && !curve.line.empty())
-            curve.line.insert(curve.line.begin(), {*law.headline.value, 0.0});
+        if (law.curve_start && !curve.line.empty())
+            curve.line.insert(curve.line.begin(), {*law.curve_start, 0.0});
         curve.band = velocity_band(law.curve);
         panel.series.push_back(std::move(curve));
         for (const CurveImpact& impact : law.curve)

@@ -3,6 +3,7 @@
 
 #include "materials/base/checks.hpp"
 #include "materials/base/text.hpp"
+#include "pipeline/case/laws.hpp"
 #include "pipeline/json/schema.hpp"
 #include "pipeline/json/schema_version.hpp"
 #include "pipeline/json/view.hpp"

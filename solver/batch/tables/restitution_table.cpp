@@ -96,11 +96,17 @@ RestitutionTable& RestitutionTable::of(Law law, Detachment detachment, DampingLa
     using Key = std::tuple<NumberKernel, Detachment, DampingLaw>;
     static std::mutex access;
     static std::map<Key, RestitutionTable> tables;
+    // The one asked for last: threads that solve impacts one by one do not wait for each other.
+    thread_local Key last{nullptr, detachment, damping_law};
+    thread_local RestitutionTable* found = nullptr;
     settle_instruction_set();
     const Kernels kernels = kernels_of(law);
+    const Key key{kernels.numbers, detachment, damping_law};
+    if (found != nullptr && key == last) return *found;
     const std::scoped_lock lock(access);
-    return tables.try_emplace(Key{kernels.numbers, detachment, damping_law}, kernels, detachment, damping_law)
-        .first->second;
+    found = &tables.try_emplace(key, kernels, detachment, damping_law).first->second;
+    last = key;
+    return *found;
 }
 
 RestitutionPiece& RestitutionTable::entered(double x, double y, std::size_t place) {

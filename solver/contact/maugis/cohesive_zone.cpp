@@ -10,8 +10,8 @@ namespace ashimpact {
 
 namespace {
 
-constexpr Extended pi = std::numbers::pi_v<Extended>;
-constexpr Extended right_angle = pi / 2;
+constexpr Extended extended_pi = std::numbers::pi_v<Extended>;
+constexpr Extended right_angle = extended_pi / 2;
 
 /// Below this angle P and Q are summed as power series: their closed forms cancel.
 constexpr Extended small_angle = 0.5L;
@@ -54,7 +54,7 @@ Extended CohesiveState::contact_radius() const {
 CohesiveZone::CohesiveZone(Extended lambda) : lambda_(lambda) {
     join_ = at_angle(right_angle);
     const auto stable = [&](Extended theta) { return slopes(at_angle(theta)).overlap; };
-    const Extended gap_fold = 8 * lambda_ / (3 * pi);
+    const Extended gap_fold = 8 * lambda_ / (3 * extended_pi);
     pull_off_ = stable(right_angle) < 0 ? contact_where(stable, right_angle) : in_gap(gap_fold);
     const Extended edge = pull_off_.touching() ? pull_off_.angle : right_angle;
     touch_ = 2 * gap_fold <= join_.cohesive_radius
@@ -65,7 +65,7 @@ CohesiveZone::CohesiveZone(Extended lambda) : lambda_(lambda) {
 }
 
 Extended CohesiveZone::reach() const {
-    return 2 / (pi * lambda_);
+    return 2 / (extended_pi * lambda_);
 }
 
 Extended CohesiveZone::quadratic(Extended theta) const {
@@ -112,7 +112,7 @@ CohesiveState CohesiveZone::at_contact_radius(Extended a) const {
 CohesiveState CohesiveZone::at_overlap(Extended delta) const {
     if (delta <= overlap(pull_off_)) return pull_off_;
     if (delta < overlap(join_) && !pull_off_.touching()) {
-        const Extended fold = 8 * lambda_ / (3 * pi);
+        const Extended fold = 8 * lambda_ / (3 * extended_pi);
         return in_gap(fold + std::sqrt(fold * fold + 2 * (delta + reach())));
     }
     const Extended edge = pull_off_.touching() ? pull_off_.angle : right_angle;
@@ -136,7 +136,7 @@ Extended CohesiveZone::potential(const CohesiveState& state) const {
     const Extended c = state.cohesive_radius;
     const Extended a = state.contact_radius();
     if (state.angle >= right_angle && c < join_.cohesive_radius) {
-        return lambda_ * c * c * c * (4 * lambda_ / 9 - pi / 8 * c);
+        return lambda_ * c * c * c * (4 * lambda_ / 9 - extended_pi / 8 * c);
     }
     const Extended theta = state.angle;
     const Extended moment = theta / 12 + std::sin(2 * theta) / 18 + std::sin(4 * theta) / 144;
@@ -161,7 +161,7 @@ CohesiveZone::Slopes CohesiveZone::slopes(const CohesiveState& state) const {
 Extended CohesiveZone::stiffness(const CohesiveState& state) const {
     const Extended c = state.cohesive_radius;
     if (state.angle >= right_angle && c < join_.cohesive_radius) {
-        return -pi * lambda_ * c / (c - 8 * lambda_ / (3 * pi));
+        return -extended_pi * lambda_ * c / (c - 8 * lambda_ / (3 * extended_pi));
     }
     const Slopes slope = slopes(state);
     return slope.force / slope.overlap;
@@ -169,12 +169,12 @@ Extended CohesiveZone::stiffness(const CohesiveState& state) const {
 
 Polynomial<Extended> CohesiveZone::gap_overlap() const {
     const auto c = Polynomial<Extended>::identity();
-    return 0.5L * (c * c) - (8 * lambda_ / (3 * pi)) * c - Polynomial<Extended>(reach());
+    return 0.5L * (c * c) - (8 * lambda_ / (3 * extended_pi)) * c - Polynomial<Extended>(reach());
 }
 
 Polynomial<Extended> CohesiveZone::gap_force() const {
     const auto c = Polynomial<Extended>::identity();
-    return -(pi / 2 * lambda_) * (c * c);
+    return -(extended_pi / 2 * lambda_) * (c * c);
 }
 
 Extended CohesiveZone::separation_energy() const {

@@ -13,7 +13,7 @@ namespace ashimpact {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// K = (4/3) E* of Maugis and of the paper [Pa].
 double maugis_modulus(const ContactPair& contact) {
@@ -37,17 +37,17 @@ double cohesive_stress_of_range(double work_of_adhesion, double range) {
     return 16.0 / (9.0 * std::numbers::sqrt3) * work_of_adhesion / range;
 }
 
-double transition_parameter(const ContactPair& contact, double cohesive_stress) {
+double transition_parameter(const ContactPair& contact, double stress) {
     const double modulus = maugis_modulus(contact);
-    return 2.0 * cohesive_stress *
+    return 2.0 * stress *
            std::cbrt(contact.effective_radius / (pi * contact.work_of_adhesion * modulus * modulus));
 }
 
 double transition_parameter(const ContactPair& contact) {
     const ParameterValues<double>& given = contact.parameters;
     double lambda = 0.0;
-    if (given.has(tabor)) {
-        lambda = transition_per_tabor() * given[tabor];
+    if (given.has(stated_tabor)) {
+        lambda = transition_per_tabor() * given[stated_tabor];
     } else {
         const double stress = given.has(cohesive_stress)
                                   ? given[cohesive_stress]

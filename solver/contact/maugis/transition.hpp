@@ -21,7 +21,7 @@ struct MaugisUnits {
 
 /// Returns Maugis' transition parameter [1], 2 sigma_0 (R/(pi w K^2))^(1/3) with K = (4/3) E*. Maugis 1992,
 /// J. Colloid Interface Sci. 150:243. Requires w > 0.
-[[nodiscard]] double transition_parameter(const ContactPair& contact, double cohesive_stress);
+[[nodiscard]] double transition_parameter(const ContactPair& contact, double stress);
 
 /// Returns the transition parameter of a pair that carries one parameter of law maugis-dugdale [1].
 /// @throws InputError where it is outside of what the law computes, 1e-4 to 1e6. Requires w > 0.

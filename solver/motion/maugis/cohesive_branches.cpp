@@ -8,7 +8,7 @@ namespace ashimpact {
 namespace {
 
 using Terms = Series<Extended>;
-constexpr std::size_t size = std::tuple_size_v<Terms>;
+constexpr std::size_t term_count = std::tuple_size_v<Terms>;
 
 /// The static law of a touching state as power series of any parameter, from that of the contact radius:
 /// order by order, each new coefficient from those before it. Names as in CohesiveZone.
@@ -134,7 +134,7 @@ MotionExpansion<Extended> TouchingBranch::expand(const MotionState<Extended>& st
     Terms drag_force{};
     Terms total{};
     Terms power{};
-    for (std::size_t n = 0; n + 1 < size; ++n) {
+    for (std::size_t n = 0; n + 1 < term_count; ++n) {
         const auto product = [n](const Terms& a, const Terms& b) { return product_coefficient(a, b, n); };
         radius[n] = rooted_ ? product(x.position, x.position) : x.position[n];
         rate[n] = rooted_ ? 2 * product(x.position, x.velocity) : x.velocity[n];
@@ -168,7 +168,7 @@ TouchingBranch::Statics TouchingBranch::statics(Extended q) const {
     Terms twice{};
     twice[0] = 2 * q;
     twice[1] = 2;
-    for (std::size_t n = 0; n < size; ++n) {
+    for (std::size_t n = 0; n < term_count; ++n) {
         radius[n] = rooted_ ? product_coefficient(place, place, n) : place[n];
         rate[n] = rooted_ ? twice[n] : Extended(n == 0 ? 1 : 0);
         zone.advance(radius, n);
@@ -176,12 +176,12 @@ TouchingBranch::Statics TouchingBranch::statics(Extended q) const {
         result.slope[n] =
             rooted_ ? product_coefficient(twice, zone.overlap_by_radius, n) : zone.overlap_by_radius[n];
         result.damping[n] = composed(damping_, powers, place, n);
-        if (n + 1 < size) zone.follow(rate, n);
+        if (n + 1 < term_count) zone.follow(rate, n);
     }
     return result;
 }
 
 GapBranch::GapBranch(const CohesiveZone& zone)
-    : motion_(branch_motion<Extended>(zone.gap_overlap(), zone.gap_force(), Polynomial<Extended>(0))) {}
+    : motion_(branch_motion<Extended>(zone.gap_overlap(), zone.gap_force(), {DampingLaw::constant, 0.0L})) {}
 
 }  // namespace ashimpact

@@ -43,9 +43,10 @@ EnergyLedger ledger_of(const CohesiveOrbit& followed, const CohesiveMotion& moti
 ScaledCohesiveImpact scaled_cohesive_impact(const Impact& impact) {
     const double unit = maugis_velocity(impact.contact);
     const Scale scale = Scale::of(impact.contact, unit);
-    const auto damping = damping_polynomial<Extended>(
-        impact.damping.law, static_cast<Extended>(scale.damping_number(impact.damping)));
-    return {scale, CohesiveMotion(zone_of(transition_parameter(impact.contact)), damping, impact.detachment),
+    const ScaledDamping<Extended> damping{impact.damping.law, scale.damping_number(impact.damping)};
+    return {scale,
+            CohesiveMotion(zone_of(transition_parameter(impact.contact)), damping.polynomial(),
+                           impact.detachment),
             static_cast<Extended>(impact.velocity) / static_cast<Extended>(unit)};
 }
 

@@ -21,7 +21,7 @@ double square(double x) {
     return x * x;
 }
 
-CurvePosterior::Vector steps() {
+CurvePosterior::Vector difference_steps() {
     CurvePosterior::Vector h = CurvePosterior::Vector::Constant(2e-3);
     h[CurvePosterior::noise] = 0.01;
     h[CurvePosterior::scatter] = 0.02;
@@ -92,7 +92,7 @@ double CurvePosterior::operator()(const Vector& parameters) const {
 }
 
 CurvePosterior::Vector CurvePosterior::gradient(const Vector& parameters) const {
-    const Vector h = steps();
+    const Vector h = difference_steps();
     Vector result;
     for (int i = 0; i < size; ++i) {
         Vector shifted = parameters;
@@ -105,7 +105,7 @@ CurvePosterior::Vector CurvePosterior::gradient(const Vector& parameters) const 
 }
 
 CurvePosterior::Curvature CurvePosterior::curvature(const Vector& parameters) const {
-    const Vector h = steps();
+    const Vector h = difference_steps();
     Curvature result{(*this)(parameters), Vector::Zero(), Matrix::Zero()};
     Vector above;
     for (int i = 0; i < size; ++i) {

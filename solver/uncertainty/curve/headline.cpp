@@ -33,7 +33,7 @@ void require_enough(const std::vector<RecordedImpact>& impacts, bool noise_known
         if (impact.recorded == Recorded::rebound) distinct.insert(impact.rebound / impact.velocity);
     const std::size_t needed = noise_known ? 3 : 5;
     if (distinct.size() >= needed) return;
-    throw InputError(std::to_string(distinct.size()) + " different rebounds" +
+    throw InputError(std::to_string(distinct.size()) + " different restitutions" +
                          (noise_known ? "" : " without stated uncertainties"),
                      "at least " + std::to_string(needed));
 }

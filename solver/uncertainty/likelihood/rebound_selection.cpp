@@ -55,8 +55,8 @@ void require_enough(const ReboundSelection& selection, const MeasurementSet& set
     for (const Measurement& point : selection.data.rebounds) distinct.insert(point.restitution());
     const auto needed = static_cast<std::size_t>(order) + (selection.noise_known ? 1 : 2);
     if (distinct.size() >= needed) return;
-    std::string problem = std::to_string(distinct.size()) + " distinct rebounds (and " +
-                          std::to_string(set.captures()) + " captures) for a damping curve of order " +
+    std::string problem = std::to_string(distinct.size()) + " distinct restitutions of " +
+                          std::to_string(selection.data.rebounds.size()) + " rebounds for a damping curve of order " +
                           std::to_string(order);
     if (!selection.noise_known) problem += " with unknown uncertainties";
     throw InputError(problem, "at least " + std::to_string(needed)).in_file(set.source);

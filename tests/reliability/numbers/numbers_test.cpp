@@ -14,7 +14,7 @@ namespace {
 std::size_t wanted_sets() {
     constexpr std::size_t whole = 1'000'000;
     const char* text = std::getenv("ASHIMPACT_WHOLE");
-    if (text == nullptr) return static_cast<std::size_t>(repetitions(20'000));
+    if (text == nullptr) return static_cast<std::size_t>(repetitions(3'000));
     const auto number = std::strtoull(text, nullptr, 10);
     return number > 1 ? number : whole;
 }

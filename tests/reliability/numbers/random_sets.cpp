@@ -197,6 +197,8 @@ void check_random_impacts(const ContactCase& c, std::size_t count, Random& rando
             const double in_double = restitution_of(impact);
             const double difference = std::abs(in_double * in_double - std::pow(reference.restitution, 2));
             if (!(difference <= 1e-10 * size)) report.find("double precision", impact);
+        } catch (const ConvergenceError& error) {
+            ++report.refusals["ConvergenceError in double precision: " + without_numbers(error.what())];
         } catch (const std::exception& error) {
             report.find(std::string("double precision: ") + error.what(), impact);
         }

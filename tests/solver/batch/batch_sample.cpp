@@ -107,9 +107,9 @@ Impacts Impacts::picked(const std::vector<Eigen::Index>& places) const {
             .effective_radius = effective_radius(places),
             .contact_modulus = contact_modulus(places),
             .work_of_adhesion = work_of_adhesion(places),
-            .parameters = picked_parameters(parameters, places),
             .damping = damping(places),
-            .velocity = velocity(places)};
+            .velocity = velocity(places),
+            .parameters = picked_parameters(parameters, places)};
 }
 
 std::vector<Impacts> random_impacts(Eigen::Index count, double most_damping, std::uint64_t seed) {

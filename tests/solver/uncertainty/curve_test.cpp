@@ -112,7 +112,7 @@ TEST_CASE("too few rebounds give no estimate, and why") {
     const auto refused = input_error_of([&] {
         static_cast<void>(estimate_critical_velocity(model, told({{0.5, 0.0}, {2.0, 0.4}, {3.0, 0.9}}, 0.03)));
     });
-    CHECK(contains(refused, "2 different rebounds"));
+    CHECK(contains(refused, "2 different restitutions"));
 }
 
 TEST_CASE("many impacts: groups count for all, and the interval shrinks as it should") {

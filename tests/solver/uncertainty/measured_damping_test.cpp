@@ -257,7 +257,7 @@ TEST_CASE("degenerate: one point") {
     CHECK(result.impacts[0].damping.value_or(0.0) > 0.0);
     CHECK(result.impacts[0].contact_time);
     CHECK_FALSE(result.extrapolated);
-    CHECK(has_note(result, "no extrapolated fit: 1 distinct rebounds"));
+    CHECK(has_note(result, "no extrapolated fit: 1 distinct restitutions"));
     CHECK(contains(result.parts.note, "fewer than 8 rebounds"));
     CHECK(result.measured.upper == 2.0);
 }
@@ -351,7 +351,7 @@ TEST_CASE("degenerate: order does not matter, duplicates count as what they are"
     const MeasuredDamping single = analysed(impacts_of(same));
     check_finite(single);
     CHECK_FALSE(single.extrapolated);
-    CHECK(has_note(single, "1 distinct rebounds"));
+    CHECK(has_note(single, "1 distinct restitutions"));
 }
 
 TEST_CASE("degenerate: the same restitution at every velocity") {

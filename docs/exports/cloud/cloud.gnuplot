@@ -1,0 +1,10 @@
+set terminal svg size 620,380 font "sans,13" background "white"
+set output "cloud.svg"
+set logscale x
+set xlabel "diameter [um]"
+set ylabel "captured fraction"
+set xrange [30:200]
+set yrange [0:*]
+set key top right
+plot "cloud.dat" using 1:4 with lines lw 2 lc rgb "#0050a0" title "ashimpact, v < v_c(d)", \
+     "cloud.dat" using 1:3 with points pt 7 ps 0.7 lc rgb "#b04000" title "LAMMPS, 100,000 particles"

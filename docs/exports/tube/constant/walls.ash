@@ -1,0 +1,2 @@
+patchInteractionModel ashImpact;
+ashImpactCoeffs { record all; }

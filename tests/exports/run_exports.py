@@ -1,0 +1,204 @@
+#!/usr/bin/env python3
+"""Exports folders, runs each as its README says in a scratch directory with the real program, and lets its own
+compare.py judge. Usage: run_exports.py PROGRAM WORK [CODE...]
+
+Short form: each law of each code once. ASHIMPACT_WHOLE=1: every law and damping. A code that is not installed is
+skipped, said aloud, and a failure where CI is set; 77 is the status of a test that skipped something."""
+import json
+import os
+import shutil
+import subprocess
+import sys
+import time
+
+PROGRAM, WORK = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
+CODES = sys.argv[3:]
+WHOLE = bool(os.environ.get("ASHIMPACT_WHOLE"))
+ASH = ["--radius", "44 um", "--density", "2600 kg/m3", "--contact-modulus", "90 GPa"]
+ADHESION = ["--work-of-adhesion", "0.3 J/m2"]
+CONSTANT = ["--damping", "0.0141 kg/s"]
+SIZES = ["--from-diameter", "60 um", "--to-diameter", "88 um", "--damping-exponent"]
+HERTZ, DMT, BRACH_DUNN, JKR = (["--law", law] + ASH + (ADHESION if law != "hertz" else [])
+                               for law in ("hertz", "dmt", "brach-dunn", "jkr"))
+PROGRAMS = {"lammps": ("lmp", "lammps"), "liggghts": ("liggghts", "liggghts"), "yade": ("yade", "yade"),
+            "openfoam": ("icoUncoupledKinematicParcelFoam", "openfoam"), "fluent": ("cc", "gcc"),
+            "table": ("python3", "python3")}
+
+failures, skipped = [], []
+
+
+def cases():
+    """(code, name, options): the short form first."""
+    run = os.path.join(WORK, "run")
+    for law, options in (("hertz", HERTZ), ("dmt", DMT), ("brach-dunn", BRACH_DUNN)):
+        yield "lammps", law, options + CONSTANT + SIZES + ["2"]
+        if law != "brach-dunn" or WHOLE:
+            yield "liggghts", law, options + CONSTANT + SIZES + ["2"]
+    follow = [run, "--sample", "88 um", "--law", "dmt", "--follow-velocity"]
+    yield "lammps", "followed", follow
+    for law, options in (("hertz", HERTZ), ("jkr", JKR)):
+        yield "table", law, options + CONSTANT + SIZES + ["0"]
+        yield "fluent", law, options + CONSTANT + SIZES + ["1"]
+        yield "openfoam", law, options + CONSTANT + SIZES + ["0"]
+    yield "openfoam", "followed", follow
+    yield "table", "run", [run, "--sample", "96 um", "--law", "jkr"]
+    yield "yade", "dmt", DMT + CONSTANT
+    yield "yade", "en", HERTZ + ["--damping-law", "tsuji", "--damping", "0.5", "--detachment", "zero-force"]
+    if not WHOLE:
+        return
+    for code in ("lammps", "liggghts"):
+        for damping_law, damping in (("contact-radius", "2000 Pa s"), ("tsuji", "0.5")):
+            for law, options in (("hertz", HERTZ), ("dmt", DMT), ("brach-dunn", BRACH_DUNN)):
+                yield code, law + "-" + damping_law, options + ["--damping-law", damping_law, "--damping", damping]
+        yield code, "undamped", HERTZ
+    yield "liggghts", "followed", follow
+    for law, options in (("hertz", HERTZ), ("brach-dunn", BRACH_DUNN)):
+        yield "yade", law, options + CONSTANT
+    for code in ("table", "fluent", "openfoam"):
+        yield code, "dmt", DMT + CONSTANT + SIZES + ["2"]
+        yield code, "brach-dunn", BRACH_DUNN + CONSTANT + SIZES + ["2"]
+        yield code, "never-captured", HERTZ + ["--damping-law", "contact-radius", "--damping", "300 Pa s"]
+        yield code, "thornton-ning", (["--law", "thornton-ning"] + ASH + ADHESION
+                                      + ["--yield-pressure", "5 GPa"] + CONSTANT)
+
+
+def fail(what):
+    failures.append(what)
+    print("FAILED: " + what, flush=True)
+
+
+def ashimpact(*arguments):
+    return subprocess.run([PROGRAM] + list(arguments), stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          universal_newlines=True)
+
+
+def installed(code):
+    program, package = PROGRAMS[code]
+    if shutil.which(program):
+        return True
+    if package not in skipped:
+        skipped.append(package)
+        print("SKIPPED: %s is not installed (Debian: %s)" % (program, package), flush=True)
+    return False
+
+
+def library(folder):
+    """One build of the OpenFOAM library for all folders: its source does not depend on the subject."""
+    kept = os.path.join(WORK, "openfoam", "libashImpact.so")
+    source = os.path.join(folder, "src")
+    os.environ.setdefault("OPENFOAM_SOURCE", os.path.join(WORK, "openfoam", "source"))
+    if not os.path.exists(kept):
+        os.makedirs(os.path.dirname(kept), exist_ok=True)
+        subprocess.run(["sh", os.path.join(source, "build.sh")], check=True)
+        shutil.copy(os.path.join(source, "libashImpact.so"), kept)
+    shutil.copy(kept, source)
+
+
+def check(code, name, options):
+    folder = os.path.join(WORK, code + "-" + name)
+    shutil.rmtree(folder, ignore_errors=True)
+    exported = ashimpact("export", code, *options, "-o", folder)
+    if exported.returncode != 0:
+        return fail("%s %s: not exported: %s" % (code, name, exported.stderr.strip()))
+    with open(os.path.join(folder, "expected.json")) as file:
+        impacts = json.load(file)["impacts"]
+    if len(impacts) < 3 or not all({"diameter", "velocity", "outcome", "restitution"} <= set(i) for i in impacts):
+        return fail("%s %s: expected.json" % (code, name))
+    if not installed(code):
+        return None
+    if code == "openfoam":
+        library(folder)
+    begun = time.time()
+    command = ["python3", "compare.py"] if code == "table" else ["sh", "run.sh"]
+    ran = subprocess.run(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
+    lines = ran.stdout.strip().splitlines()
+    print("%-9s %-18s %5.0f s   %s" % (code, name, time.time() - begun, lines[-1] if lines else "no output"), flush=True)
+    if ran.returncode != 0:
+        print(ran.stdout)
+        fail("%s %s: differs" % (code, name))
+    return None
+
+
+def check_refusals():
+    for code, options, reason in (
+            ("lammps", JKR + CONSTANT, "NaN"), ("liggghts", JKR + CONSTANT, "sjkr"), ("yade", JKR + CONSTANT, "jkr"),
+            ("yade", DMT + ["--damping-law", "tsuji", "--damping", "0.5"], "gamma"),
+            ("yade", [os.path.join(WORK, "run"), "--sample", "88 um", "--law", "dmt", "--follow-velocity"], "velocity"),
+            ("lammps", DMT + CONSTANT + SIZES[:4], "--damping-exponent"), ("lamps", DMT, "lammps"),
+            ("table", DMT + CONSTANT + ["--to-velocity", "1 mm/s"], "--to-velocity")):
+        folder = os.path.join(WORK, "refused")
+        shutil.rmtree(folder, ignore_errors=True)
+        refused = ashimpact("export", code, *options, "-o", folder)
+        if refused.returncode != 2 or reason not in refused.stderr or os.path.exists(folder):
+            fail("%s is not refused with %r: %s" % (code, reason, refused.stderr))
+
+
+def check_names():
+    """A sample's name reaches no input, whatever it holds."""
+    run, evil = os.path.join(WORK, "evil"), "a`touch x`$(touch x)\";}\n fix 1 #"
+    shutil.rmtree(run, ignore_errors=True)
+    shutil.copytree(os.path.join(WORK, "run"), run)
+    for name in os.listdir(run):
+        path = os.path.join(run, name)
+        with open(path) as file:
+            text = file.read()
+        with open(path, "w") as file:
+            file.write(text.replace('"name": "88 um"', '"name": ' + json.dumps(evil)))
+    for code in ("lammps", "openfoam", "yade"):
+        folder = os.path.join(WORK, "evil-" + code)
+        shutil.rmtree(folder, ignore_errors=True)
+        exported = ashimpact("export", code, run, "--sample", evil, "--law", "dmt", "-o", folder)
+        if exported.returncode != 0:
+            fail("a strange name of a sample: " + exported.stderr)
+        for place, _, files in os.walk(folder):
+            for name in files:
+                with open(os.path.join(place, name)) as file:
+                    if "touch" in file.read() and name != "assumptions.md":
+                        fail("the name of a sample is in " + name)
+
+
+def check_order():
+    """The error of a single run falls in proportion to the time step, as these integrators have it with damping."""
+    folder = os.path.join(WORK, "lammps-dmt")
+    log = os.path.join(folder, "log.impacts")
+    if not os.path.exists(log):
+        return
+    sys.path.insert(0, folder)
+    import compare
+    with open(os.path.join(folder, "expected.json")) as file:
+        impacts = json.load(file)["impacts"]
+    checked = 0
+    for number, impact in enumerate(impacts, 1):
+        e, v = impact["restitution"]["value"], impact["velocity"]["value"]
+        if impact["outcome"] == "capture" or e < 0.02:
+            continue
+        errors = {run[1]: abs(compare.end_of_contact(run[3]) / v - e)
+                  for run in compare.read_log(log) if run[0] == number}
+        ratio = errors[2000] / errors[10000]
+        checked += 1
+        if not 4.5 < ratio < 5.5:
+            fail("a fifth of the time step divides the error by %.2f, not by 5" % ratio)
+    print("order of LAMMPS: %d impacts" % checked)
+    if not checked:
+        fail("no impact shows the order")
+
+
+def main():
+    os.makedirs(WORK, exist_ok=True)
+    ran = ashimpact("run", "-q", "-o", os.path.join(WORK, "run"))
+    if ran.returncode != 0:
+        fail("ashimpact run: " + ran.stderr)
+    check_refusals()
+    check_names()
+    for code, name, options in cases():
+        if not CODES or code in CODES:
+            check(code, name, options)
+    check_order()
+    if skipped and os.environ.get("CI"):
+        fail("skipped, which CI may not: " + ", ".join(skipped))
+    print("%d failures, %d packages missing" % (len(failures), len(skipped)))
+    return 1 if failures else 77 if skipped else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

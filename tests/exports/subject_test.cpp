@@ -1,0 +1,106 @@
+#include "pipeline/export/subject.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/base/error.hpp"
+#include "pipeline/export/dem.hpp"
+#include "pipeline/export/expected.hpp"
+#include "pipeline/export/tables.hpp"
+#include "tests/exports/ash.hpp"
+#include "tests/relative_difference.hpp"
+
+namespace ashimpact::test {
+
+namespace {
+
+const std::string& content(const ExportFolder& folder, std::string_view name) {
+    const auto found = std::ranges::find(folder, name, &ExportFile::name);
+    REQUIRE(found != folder.end());
+    return found->content;
+}
+
+}  // namespace
+
+TEST_CASE("damping goes with the size and along its nodes") {
+    const SizedDamping damping{.law = DampingLaw::constant,
+                               .nodes = {{1, 4.0}, {2, 2.0}, {4, 1.0}},
+                               .reference_diameter = 2,
+                               .exponent = 2};
+    CHECK(damping.coefficient(2, 0.5) == 4.0);
+    CHECK(damping.coefficient(2, 1.5) == 3.0);
+    CHECK(damping.coefficient(2, 3) == 1.5);
+    CHECK(damping.coefficient(2, 9) == 1.0);
+    CHECK(damping.coefficient(4, 1.5) == 12.0);
+    CHECK(damping.depends_on_velocity());
+}
+
+TEST_CASE("damping that goes with the square of the size keeps the critical velocity of Hertz spheres") {
+    ExportSubject subject = ash("hertz");
+    subject.damping.exponent = 2;
+    CHECK(relative_difference(*threshold_at(subject, 20e-6).value, *threshold_at(subject, 88e-6).value) <
+          1e-12);
+}
+
+TEST_CASE("expected impacts lie on both sides of the critical velocity") {
+    ExportSubject subject = ash("dmt");
+    subject.from_diameter = 60e-6;
+    subject.damping.exponent = 2;
+    subject.velocity = 2.345;
+    int captures = 0;
+    int own = 0;
+    for (const ExpectedImpact& each : expected_impacts(subject)) {
+        const bool below = each.velocity < *threshold_at(subject, each.diameter).value;
+        CHECK((each.outcome == Outcome::capture) == below);
+        CHECK((each.restitution > 0) != below);
+        captures += below ? 1 : 0;
+        own += each.velocity == 2.345 ? 1 : 0;
+    }
+    CHECK(captures >= 3);
+    CHECK(own == 3);
+}
+
+TEST_CASE("a code refuses what it cannot do, with the reason") {
+    const auto refused = [](ExportFolder (*folder)(const ExportSubject&), const ExportSubject& subject,
+                            const std::string& reason) {
+        try {
+            static_cast<void>(folder(subject));
+            FAIL("not refused: " << reason);
+        } catch (const InputError& error) {
+            CHECK_MESSAGE(std::string(error.what()).find(reason) != std::string::npos, error.what());
+        }
+    };
+    refused(lammps_folder, ash("jkr"), "NaN for JKR on a wall");
+    refused(lammps_folder, ash("thornton-ning"), "thornton-ning");
+    refused(liggghts_folder, ash("jkr"), "sjkr");
+    ExportSubject tsuji = ash("dmt");
+    tsuji.damping = {.law = DampingLaw::tsuji, .nodes = {{0, 0.5}}, .reference_diameter = 88e-6};
+    refused(yade_folder, tsuji, "`en` with `gamma`");
+    ExportSubject followed = ash("dmt");
+    followed.damping.nodes = {{1, 0.014}, {2, 0.01}};
+    refused(yade_folder, followed, "velocity of approach");
+    ExportSubject zero_force = ash("hertz");
+    zero_force.detachment = Detachment::zero_force;
+    refused(lammps_folder, zero_force, "let go");
+}
+
+TEST_CASE("inputs carry the conversions of the code") {
+    const ExportFolder lammps = lammps_folder(ash("dmt"));
+    CHECK(content(lammps, "ash_wall.in").find("dmt 180000000000 0.0141") != std::string::npos);
+    CHECK(content(lammps, "ash_wall.in").find(" 0.14999999999999999 tangential") != std::string::npos);
+    const ExportFolder liggghts = liggghts_folder(ash("brach-dunn"));
+    CHECK(content(liggghts, "ash_material.in").find("youngsModulus peratomtype 180000000000") !=
+          std::string::npos);
+    CHECK(content(openfoam_folder(ash("jkr")), "ashSolver").find("law             jkr;") !=
+          std::string::npos);
+    for (const ExportFolder& folder : {lammps, liggghts, yade_folder(ash("dmt")), fluent_folder(ash("jkr"))})
+        for (const ExportFile& file : folder) {
+            CAPTURE(file.name);
+            CHECK(file.name.find("..") == std::string::npos);
+            CHECK_FALSE(file.content.empty());
+        }
+}
+
+}  // namespace ashimpact::test

@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# site_test.sh BUILD: the site builds without a warning, its links lead somewhere, its blocks run.
+set -euo pipefail
+build=$(readlink -f "$1")
+here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
+root=$(readlink -f "$here/../..")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+if ! command -v doxygen >/dev/null || ! /usr/bin/python3 -c 'import sphinx, myst_parser, furo, breathe' 2>/dev/null; then
+    echo 'left out: doxygen, python3-sphinx, python3-myst-parser, furo, python3-breathe (./dev deps docs)'
+    [[ -z ${CI:-} ]] || exit 1
+    exit 77
+fi
+
+echo '== the site'
+"$root/docs/site/build" "$scratch/site" "$build/papers"
+[[ -s $scratch/site/searchindex.js ]] || { echo 'failed: no search index'; exit 1; }
+if grep -rhoE '(src|href)="(https?:)?//[^"]*\.(js|css|woff2?)"' --include='*.html' "$scratch/site"; then
+    echo 'failed: a page needs something from elsewhere'
+    exit 1
+fi
+echo '== links'
+/usr/bin/python3 "$here/site/links.py" "$scratch/site"
+echo '== blocks'
+PATH=$build:$PATH PYTHONPATH=$build/python ASHIMPACT_PROGRAM=$build/ashimpact MPLCONFIGDIR=$scratch/matplotlib \
+    /usr/bin/python3 "$here/site/blocks.py" "$root"/docs/tutorial/*.md "$root"/docs/how-to/*.md

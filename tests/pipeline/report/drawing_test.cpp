@@ -1,0 +1,124 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "pipeline/report/drawing/markup.hpp"
+#include "pipeline/report/drawing/panel.hpp"
+#include "pipeline/report/figure.hpp"
+
+namespace ashimpact::report {
+
+TEST_CASE("text comes out as text, whatever it holds") {
+    CHECK(escaped("<b> & \"x\" 'y'") == "&lt;b&gt; &amp; &quot;x&quot; &#39;y&#39;");
+    CHECK(escaped("a\x01\x1b"
+                  "b\x7f") == "ab");
+    CHECK(escaped("\xC2\x85"
+                  "c") == "c");  // a control character of two bytes
+    CHECK(escaped("\U0001F30B \u05d0\u05e4\u05e8") == "\U0001F30B \u05d0\u05e4\u05e8");
+    CHECK(escaped("\xff\xfe") == "\uFFFD\uFFFD");
+    CHECK(escaped("\xC0\xBC") == "\uFFFD\uFFFD");            // '<' in two bytes is not UTF-8
+    CHECK(escaped("\xED\xA0\x80") == "\uFFFD\uFFFD\uFFFD");  // half of a surrogate pair
+    CHECK(escaped("\xE2\x82") == "\uFFFD\uFFFD");            // cut off
+    CHECK(percent_encoded("a,b\n\"<\xC3\xA9") == "a,b%0A%22%3C%C3%A9");
+    CHECK(base64("") == "");
+    CHECK(base64("f") == "Zg==");
+    CHECK(base64("fo") == "Zm8=");
+    CHECK(base64("foobar") == "Zm9vYmFy");
+}
+
+TEST_CASE("labels keep their characters; a subscript follows an underscore") {
+    CHECK(subscripted("\u03b7 a") == "\u03b7 a");
+    CHECK(subscripted("v_in").find("<tspan class=\"sub\" dy=\"3\">in</tspan>") != std::string::npos);
+    CHECK(subscripted("a_ b") == "a_ b");
+    CHECK(fitted("abc", 10, 100) == "abc");
+    const std::string cut = fitted("a very long name of a sample", 10, 60);
+    CHECK(cut.ends_with("\u2026"));
+    CHECK(text_width(cut, 10) <= 60 + 11);  // the estimate of the ellipsis is on the safe side
+}
+
+TEST_CASE("ticks are round numbers within the axis, few enough to be read") {
+    const std::pair<double, double> ranges[]{{0, 1},       {0.0123, 0.0127}, {-3, 1e4},
+                                             {1e-9, 3e-9}, {5, 1e7},         {0.7, 0.71}};
+    for (const auto& [from, to] : ranges)
+        for (const Spacing spacing : {Spacing::linear, Spacing::logarithmic}) {
+            if (spacing == Spacing::logarithmic && from <= 0) continue;
+            for (const int most : {3, 5, 9}) {
+                const Scale scale(spacing, {from, to}, {0, 300});
+                const auto ticks = scale.ticks(most);
+                CAPTURE(from);
+                CAPTURE(to);
+                CAPTURE(most);
+                CHECK(ticks.size() >= 1);
+                CHECK(static_cast<int>(ticks.size()) <= most);
+                for (const Tick& tick : ticks) {
+                    CHECK(tick.value >= from - 1e-9 * std::abs(to));
+                    CHECK(tick.value <= to + 1e-9 * std::abs(to));
+                    CHECK(scale(tick.value) >= -1e-6);
+                    CHECK(scale(tick.value) <= 300 + 1e-6);
+                }
+            }
+        }
+    CHECK(number_label(0) == "0");
+    CHECK(number_label(0.25) == "0.25");
+    CHECK(number_label(1e-7) == "10\u207b\u2077");
+    CHECK(number_label(2e10) == "2\u00b710\u00b9\u2070");
+}
+
+TEST_CASE("a scale takes its ends to its pixels, straight or in the logarithm") {
+    const Scale straight(Spacing::linear, {2, 4}, {100, 0});
+    CHECK(straight(2) == doctest::Approx(100));
+    CHECK(straight(3) == doctest::Approx(50));
+    CHECK(straight(4) == doctest::Approx(0));
+    const Scale logarithmic(Spacing::logarithmic, {0.01, 100}, {10, 50});
+    CHECK(logarithmic(1) == doctest::Approx(30));
+    CHECK(drawable({3, 3}, Spacing::linear).from < 3);
+    CHECK(drawable({NAN, 3}, Spacing::linear).to > drawable({NAN, 3}, Spacing::linear).from);
+    CHECK(drawable({0, 3}, Spacing::logarithmic).from > 0);
+}
+
+namespace {
+
+XyPanel one_line(std::vector<Point> line) {
+    XyPanel panel{.title = "<t>",
+                  .x = {.label = "x", .from = 0.0, .to = 10.0},
+                  .y = {.label = "y", .from = 0.0, .to = 10.0}};
+    panel.series.push_back({.name = "a & b", .legend = "a", .line = std::move(line)});
+    return panel;
+}
+
+}  // namespace
+
+TEST_CASE("lines lose the vertices nobody would miss, and nothing else") {
+    std::vector<Point> straight;
+    for (int i = 0; i <= 100; ++i) straight.push_back({i / 10.0, i / 20.0});
+    const std::string svg = drawn(one_line(straight), {0, 0, 300, 200});
+    const auto path = svg.substr(svg.find("class=\"line\" d=\""));
+    CHECK(path.substr(0, path.find("/>")).find('L') ==
+          path.substr(0, path.find("/>")).rfind('L'));  // two vertices are left
+    std::vector<Point> corner{{0, 0}, {5, 5}, {10, 0}};
+    const std::string bent = drawn(one_line(corner), {0, 0, 300, 200});
+    const auto kept = bent.substr(bent.find("class=\"line\" d=\""));
+    CHECK(kept.substr(0, kept.find("/>")).find('L') != kept.substr(0, kept.find("/>")).rfind('L'));
+    CHECK(bent.find("<t>") == std::string::npos);
+    CHECK(bent.find("&lt;t&gt;") != std::string::npos);
+    CHECK(bent.find("a &amp; b") != std::string::npos);
+}
+
+TEST_CASE("what is not finite or outside of fixed ends is not drawn") {
+    const std::string svg = drawn(one_line({{1, 1}, {2, NAN}, {3, 3}, {4, 4}, {5, 50}}), {0, 0, 300, 200});
+    CHECK(svg.find("nan") == std::string::npos);
+    CHECK(svg.find("inf") == std::string::npos);
+    XyPanel marks = one_line({});
+    marks.series.front().marks = {{5, 5}, {5, 11}, {NAN, 1}};
+    const std::string drawn_marks = drawn(marks, {0, 0, 300, 200});
+    CHECK(drawn_marks.find("<use") != std::string::npos);
+    CHECK(drawn_marks.find("<use") == drawn_marks.rfind("<use"));
+}
+
+TEST_CASE("CSV quotes what would break it") {
+    const NumberTable table{.columns = {"a", "b [m/s]"},
+                            .rows = {{std::string("x, \"y\""), 0.1}, {std::string("z"), NAN}}};
+    CHECK(csv_of(table) == "a,b [m/s]\n\"x, \"\"y\"\"\",0.1\nz,\n");
+}
+
+}  // namespace ashimpact::report

@@ -1,0 +1,189 @@
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <regex>
+#include <set>
+
+#include "pipeline/files/sha256.hpp"
+#include "pipeline/report/drawing/markup.hpp"
+#include "pipeline/report/figures/figures.hpp"
+#include "pipeline/report/report.hpp"
+#include "tests/pipeline/sandbox.hpp"
+
+namespace ashimpact::report {
+
+namespace {
+
+using test::ashimpact_program;
+using test::Sandbox;
+
+const Sandbox& paper() {
+    static const Sandbox sandbox;
+    static const bool done = [] {
+        const auto run = ashimpact_program(sandbox, "run -o results");
+        REQUIRE(run.status == 0);
+        REQUIRE(test::lines_of(run.out).back() == "Report: results/report.html");
+        return true;
+    }();
+    static_cast<void>(done);
+    return sandbox;
+}
+
+/// The hash of an inline element, as a content security policy has it.
+std::string policy_hash(const std::string& text) {
+    std::string bytes;
+    const std::string digits = sha256(text);
+    for (std::size_t i = 0; i < digits.size(); i += 2)
+        bytes += static_cast<char>(std::stoi(digits.substr(i, 2), nullptr, 16));
+    return "'sha256-" + base64(bytes) + "'";
+}
+
+std::string between(const std::string& text, const std::string& from, const std::string& to) {
+    const auto first = text.find(from);
+    REQUIRE(first != std::string::npos);
+    const auto last = text.find(to, first + from.size());
+    REQUIRE(last != std::string::npos);
+    return text.substr(first + from.size(), last - first - from.size());
+}
+
+}  // namespace
+
+TEST_CASE("a run ends with a report that holds every figure, asks for nothing and stays small") {
+    const std::string page = paper().read("results/report.html");
+    CHECK(page.size() < 1'000'000);
+    for (const char* id :
+         {"composition", "static-force", "restitution", "damping", "damping-fit", "contact-time", "sizes",
+          "histories", "energy", "critical-velocity", "sensitivity"}) {
+        CAPTURE(id);
+        CHECK(page.find("<figure id=\"" + std::string(id) + "\">") != std::string::npos);
+    }
+    for (const char* foreign :
+         {"http://", "https://", "<img", "<iframe", " style=", " onclick=", "@import", "url("}) {
+        CAPTURE(foreign);
+        CHECK(page.find(foreign) == std::string::npos);
+    }
+    CHECK(page.find("nan") == std::string::npos);
+    std::set<std::string> ids;
+    const std::regex attribute(R"RE( id="([^"]*)")RE");
+    for (auto match = std::sregex_iterator(page.begin(), page.end(), attribute);
+         match != std::sregex_iterator(); ++match)
+        CHECK_MESSAGE(ids.insert((*match)[1]).second, "twice: " << (*match)[1]);
+}
+
+TEST_CASE("the content security policy lets the page's own style and script through, and nothing else") {
+    const std::string page = paper().read("results/report.html");
+    const std::string policy = between(page, "Content-Security-Policy\" content=\"", "\"");
+    CHECK(policy.starts_with("default-src 'none'"));
+    CHECK(policy.find("unsafe") == std::string::npos);
+    CHECK(policy.find("style-src " + policy_hash(between(page, "<style>", "</style>"))) != std::string::npos);
+    CHECK(policy.find("script-src " + policy_hash(between(page, "<script>", "</script>"))) !=
+          std::string::npos);
+}
+
+TEST_CASE("`report` makes the same bytes again from the artifacts alone") {
+    const std::string first = paper().read("results/report.html");
+    REQUIRE(ashimpact_program(paper(), "report results -o again.html").status == 0);
+    CHECK(paper().read("again.html") == first);
+    REQUIRE(ashimpact_program(paper(), "report results results -o both.html").status == 0);
+    CHECK(paper().read("both.html").find("the runs have the same inputs") != std::string::npos);
+    CHECK(paper().read("both.html").find("<figure id=\"restitution-2\">") != std::string::npos);
+}
+
+TEST_CASE("the numbers of a figure are those of the artifact") {
+    const RunData run(load_artifacts(paper().folder() / "results", report_artifacts()), "");
+    const Figure figure = figure_named("contact-time", run);
+    const Json damping = paper().json("results/5-damping.json").at("result").at("samples").at(0).at("hertz");
+    std::size_t found = 0;
+    for (const auto& row : figure.numbers.rows)
+        if (std::get<std::string>(row[0]) == "88 um" && std::get<std::string>(row[1]) == "Hertz") {
+            CHECK(std::get<double>(row[3]) == damping.at("velocity").at("values").at(found).get<double>());
+            CHECK(std::get<double>(row[4]) ==
+                  damping.at("contact_time").at("values").at(found).get<double>());
+            ++found;
+        }
+    CHECK(found == damping.at("velocity").at("values").size());
+}
+
+TEST_CASE("the model's curve gives back the points it was fitted to, and its energy adds up") {
+    const RunData run(load_artifacts(paper().folder() / "results", report_artifacts()), "");
+    for (const SampleData& sample : run.samples())
+        for (const LawData& law : sample.laws) {
+            CAPTURE(sample.name);
+            CAPTURE(law.name);
+            REQUIRE(law.curve.size() > 10);
+            const CurveImpact& last = law.curve.back();  // at the greatest restitution of the data
+            if (law.name != "JKR")                       // its points come from another law's fit
+                CHECK(last.velocity == doctest::Approx(law.damping->velocity.back()).epsilon(1e-6));
+            for (const CurveImpact& impact : law.curve) {
+                const double energy = impact.dissipated + impact.adhesion + impact.plastic +
+                                      impact.restitution * impact.restitution;
+                CHECK(energy == doctest::Approx(1).epsilon(1e-6));
+                CHECK(impact.lower < impact.velocity);
+                CHECK(impact.upper > impact.velocity);
+            }
+        }
+}
+
+TEST_CASE(
+    "attraction at overlap 3: Brach-Dunn has about twice that of JKR, as the paper says of its Figure 3") {
+    const RunData run(load_artifacts(paper().folder() / "results", report_artifacts()), "");
+    const std::string caption = figure_named("static-force", run).caption;
+    const auto ratio = std::stod(between(caption, "Brach-Dunn attracts ", " times"));
+    CHECK(ratio > 1.9);
+    CHECK(ratio < 2.2);
+}
+
+TEST_CASE("--no-report leaves the report out, a part of a run makes it again") {
+    const Sandbox sandbox;
+    REQUIRE(ashimpact_program(sandbox, "run -o results --no-report").status == 0);
+    CHECK_FALSE(sandbox.has("results/report.html"));
+    const auto part = ashimpact_program(sandbox, "run -o results --from comparison");
+    CHECK(part.status == 0);
+    CHECK(test::lines_of(part.out).back() == "Report: results/report.html");
+    CHECK(sandbox.has("results/report.html"));
+}
+
+TEST_CASE("what cannot be drawn is refused in one line") {
+    const auto refused = [](const std::string& arguments, const std::string& part) {
+        const auto run = ashimpact_program(paper(), arguments);
+        CAPTURE(arguments);
+        CAPTURE(run.err);
+        CHECK(run.status == 2);
+        CHECK(test::lines_of(run.err).size() == 1);
+        CHECK(run.err.find(part) != std::string::npos);
+        CHECK(run.out.empty());
+    };
+    refused("figure restitutoin results -o x.svg", "did you mean \"restitution\"?");
+    refused("figure restitution results -o x.jpg", ".svg, .pdf or .png");
+    refused("figure restitution nowhere -o x.svg", "nowhere");
+    refused("figure restitution results/report.html -o x.svg", "no artifact");
+    refused("report results/1-modulus.json", "no folder");
+    refused("report results results", "-o");
+}
+
+TEST_CASE("a figure as SVG, PDF and PNG, for one column and for two") {
+    REQUIRE(ashimpact_program(paper(), "figure restitution results/4-restitution.json -o wide.svg").status ==
+            0);
+    REQUIRE(ashimpact_program(paper(), "figure restitution results --width single -o narrow.svg").status ==
+            0);
+    CHECK(paper().read("wide.svg").find("width=\"170mm\"") != std::string::npos);
+    CHECK(paper().read("narrow.svg").find("width=\"85mm\"") != std::string::npos);
+    CHECK(paper().read("wide.svg").find("var(") == std::string::npos);  // which converters do not know
+    const auto pdf = ashimpact_program(paper(), "figure restitution results -o figure.pdf");
+    if (pdf.status == 2 && pdf.err.find("librsvg2-bin") != std::string::npos) {
+        MESSAGE("SKIPPED: no rsvg-convert, so no PDF and no PNG");
+        CHECK(std::getenv("CI") == nullptr);
+        return;
+    }
+    REQUIRE(pdf.status == 0);
+    const std::string bytes = paper().read("figure.pdf");
+    CHECK(bytes.starts_with("%PDF"));
+    CHECK(bytes.find("/FontFile") != std::string::npos);
+    CHECK(bytes.find("/Subtype /Image") == std::string::npos);  // vector
+    REQUIRE(ashimpact_program(paper(), "figure restitution results -o again.pdf").status == 0);
+    CHECK(paper().read("again.pdf") == bytes);
+    REQUIRE(ashimpact_program(paper(), "figure restitution results -o figure.png").status == 0);
+    CHECK(paper().read("figure.png").starts_with("\x89PNG"));
+}
+
+}  // namespace ashimpact::report
