@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <optional>
 #include <set>
 
@@ -32,7 +33,7 @@ FullProfPhase read_phase_line(std::string_view text, std::size_t line) {
 }
 
 /// "11.41( 2.25)": the number in brackets is in the unit of the value, not in its last digit.
-std::optional<PrintedNumber> read_fraction(std::string_view text, std::size_t line) {
+std::optional<PrintedNumber> read_percentage(std::string_view text, std::size_t line) {
     text = trimmed(text);
     if (text.starts_with('*')) return std::nullopt;  // a number too wide for its field
     const auto open = std::min(text.find('('), text.size());
@@ -76,7 +77,7 @@ std::vector<std::vector<FullProfPhase>> patterns_of(const TextLines& file) {
                     .at(at_line(number));
             current.has_fraction = true;
             current.line = number;
-            current.fraction = read_fraction(raw.substr(fraction + fraction_heading.size()), number);
+            current.fraction = read_percentage(raw.substr(fraction + fraction_heading.size()), number);
         }
     }
     return patterns;

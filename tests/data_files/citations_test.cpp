@@ -50,7 +50,8 @@ std::set<std::string> cited_in_words(const std::string& text) {
     std::set<std::string> keys;
     const std::string line = on_one_line(text);
     for (std::sregex_iterator found(line.begin(), line.end(), citation), end; found != end; ++found)
-        if ((*found)[1] != "Sep" && (*found)[1] != "YADE") keys.insert(lower_case((*found)[1].str()) + (*found)[2].str());
+        if ((*found)[1] != "Sep" && (*found)[1] != "YADE")
+            keys.insert(lower_case((*found)[1].str()) + (*found)[2].str());
     return keys;
 }
 
