@@ -1,8 +1,9 @@
 #include <doctest/doctest.h>
-#include <sstream>
 
 #include <cmath>
 #include <cstdlib>
+#include <sstream>
+#include <string>
 
 #include "data/embedded.hpp"
 #include "pipeline/files/sha256.hpp"
@@ -52,14 +53,14 @@ TEST_CASE("help of the program and of every command has an example and the commo
 
 TEST_CASE("impact: the energies printed add up, with adhesion, damping and yielding") {
     const Sandbox sandbox;
-    const std::string contact =
+    const std::string ammonium =
         " --radius '2.45 um' --density '1350 kg/m3' --contact-modulus '1.3 GPa' --work-of-adhesion '0.2 "
         "J/m2'";
     for (const std::string& law :
          {std::string("jkr --damping '1e-7 kg/s'"), std::string("dmt --damping '1e-7 kg/s'"),
           std::string("thornton-ning --yield-pressure '35.3 MPa'")}) {
         CAPTURE(law);
-        const auto run = ashimpact_program(sandbox, "impact --velocity '5 m/s' --law " + law + contact);
+        const auto run = ashimpact_program(sandbox, "impact --velocity '5 m/s' --law " + law + ammonium);
         REQUIRE(run.status == 0);
         double before = 0;
         double after = 0;
