@@ -84,22 +84,10 @@ void refuse_repeated(const std::vector<Component>& components, const Analysis& a
                     .at(place_of(i));
 }
 
-/// All phases of the file; an error is at the first line that names an unknown one.
 std::vector<ResolvedPhase> resolved_phases(const Analysis& analysis, const PhaseCatalogue& catalogue) {
-    std::vector<std::string> names;
-    for (const PhaseFraction& line : analysis.phases) names.push_back(line.name);
-    try {
-        return catalogue.resolve_all(names);
-    } catch (const InputError& all) {
-        for (const PhaseFraction& line : analysis.phases) {
-            try {
-                static_cast<void>(catalogue.resolve(line.name));
-            } catch (const InputError&) {
-                throw all.at(line.place);
-            }
-        }
-        throw;
-    }
+    std::vector<PlacedName> names;
+    for (const PhaseFraction& line : analysis.phases) names.push_back({line.name, line.place});
+    return catalogue.resolve_all(names);
 }
 
 bool holds_amorphous_phase(const std::vector<Component>& components) {

@@ -13,7 +13,7 @@ struct PhaseProperty {
     std::optional<double> standard_uncertainty{};      ///< [SI], as the source states it
     std::optional<std::pair<double, double>> range{};  ///< lowest and highest literature value [SI]
     bool assumed = false;                              ///< not known for this phase, taken from a similar one
-    std::vector<std::string> citations{};              ///< BibTeX keys of data/phases/references.bib
+    std::vector<std::string> citations{};              ///< BibTeX keys of data/references.bib
 
     /// Returns the standard uncertainty [SI]: as stated, else that of a rectangular distribution over the
     /// range, (high - low)/sqrt(12) (JCGM 100:2008, 4.3.7), else nothing.

@@ -122,6 +122,9 @@ std::string common_name(const Phase& phase, const PhaseSet& set) {
 /// How many unknown names a message lists.
 constexpr std::size_t most_listed = 8;
 
+constexpr const char* known_phases =
+    "a phase that `ashimpact phases` lists, or one of your own: --phases FILE, or \"phases\" in a case";
+
 }  // namespace
 
 std::string phase_key(std::string_view name) {
@@ -252,31 +255,30 @@ ResolvedPhase PhaseCatalogue::resolve(std::string_view name) const {
         throw InputError(in_quotes(name) + " is a mineral group", "one of its phases: " + joined(members));
     const auto candidates = nearest_names(name);
     throw InputError("no phase is called " + in_quotes(name),
-                     candidates.empty() ? "a phase of the catalogue, or one of your own in the case file"
-                                        : "nearest: " + joined(candidates));
+                     candidates.empty() ? known_phases : "nearest: " + joined(candidates));
 }
 
-std::vector<ResolvedPhase> PhaseCatalogue::resolve_all(const std::vector<std::string>& names) const {
+std::vector<ResolvedPhase> PhaseCatalogue::resolve_all(const std::vector<PlacedName>& names) const {
     std::vector<ResolvedPhase> resolved;
     std::string problems;
-    std::string allowed;
+    std::string first_place;
     std::size_t unknown = 0;
-    for (const auto& name : names) {
+    for (const auto& [name, place] : names) {
         try {
             resolved.push_back(resolve(name));
         } catch (const InputError& error) {
             if (++unknown > most_listed) {
-                problems += ", and more";
+                problems += "; and more";
                 break;
             }
-            problems += (problems.empty() ? "" : ", ") + error.problem() +
-                        (names.size() > 1 ? " (" + error.allowed() + ")" : "");
-            allowed = error.allowed();
+            if (unknown == 1) first_place = place;
+            if (unknown > 1) problems += "; " + (place.empty() ? "" : place + ": ");
+            problems += error.problem();
+            if (error.allowed() != known_phases) problems += " (" + error.allowed() + ")";
         }
     }
     if (unknown == 0) return resolved;
-    throw InputError(problems,
-                     names.size() == 1 ? allowed : "phases of the catalogue, or your own in the case file");
+    throw InputError(problems, known_phases).at(first_place);
 }
 
 }  // namespace ashimpact

@@ -33,6 +33,12 @@ struct ResolvedPhase {
     std::string note{};  ///< why the phase is not simply the one named; usually empty
 };
 
+/// A name in a file.
+struct PlacedName {
+    std::string name;
+    std::string place{};
+};
+
 /// Phase sets in order of preference: a name is looked for in the first set, then in the next.
 class PhaseCatalogue {
   public:
@@ -49,8 +55,9 @@ class PhaseCatalogue {
     /// Errors: InputError with the nearest candidates, or the members of a group that has no representative.
     [[nodiscard]] ResolvedPhase resolve(std::string_view name) const;
 
-    /// The same for several names at once, so that all unknown ones are in one message.
-    [[nodiscard]] std::vector<ResolvedPhase> resolve_all(const std::vector<std::string>& names) const;
+    /// The same for several names, each with the place that its file has it at ("line 12", may be empty).
+    /// Errors: one InputError for all unknown names, each with its place.
+    [[nodiscard]] std::vector<ResolvedPhase> resolve_all(const std::vector<PlacedName>& names) const;
 
     [[nodiscard]] const std::vector<PhaseSet>& sets() const& { return sets_; }
 

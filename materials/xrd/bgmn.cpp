@@ -166,6 +166,14 @@ void compare_with_goal(const PhaseFraction& phase, const Contents& contents,
                            " (a correction for microabsorption is only in the goal)");
 }
 
+/// Goals that could not be computed and belong to no block: without them a phase may be missing unseen.
+void report_failed_goals(const Contents& contents, std::vector<std::string>& warnings) {
+    for (const auto& [name, goal] : contents.goals)
+        if (!goal.number && !contents.first_lines.contains(name))
+            warnings.push_back("the goal Q" + name + " (line " + std::to_string(goal.line) +
+                               ") could not be computed by the refinement, and no block has that name");
+}
+
 }  // namespace
 
 bool looks_like_bgmn(const TextLines& file) {
@@ -203,6 +211,7 @@ XrdResult read_bgmn(const TextLines& file) {
         if (phase.standard_uncertainty) *phase.standard_uncertainty /= total;
         compare_with_goal(phase, contents, sample.warnings);
     }
+    report_failed_goals(contents, sample.warnings);
     require_whole_number(sample, contents, file);
     return {.format = XrdFormat::bgmn_lst, .samples = {std::move(sample)}};
 }

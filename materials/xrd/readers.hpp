@@ -14,6 +14,15 @@ namespace ashimpact::xrd {
 [[nodiscard]] bool looks_like_gsas2(const TextLines& file);
 [[nodiscard]] XrdResult read_gsas2(const TextLines& file);
 
+/// FullProf summaries (.sum, .out): Fract(%) of each phase, one sample a pattern.
+[[nodiscard]] bool looks_like_fullprof(const TextLines& file);
+[[nodiscard]] XrdResult read_fullprof(const TextLines& file);
+
+/// TOPAS files (.out, .inp): weight_percent, or the third argument of MVW, of each phase; the amorphous part
+/// by weight_percent_amorphous or by a spiked phase. One sample a pattern (xdd).
+[[nodiscard]] bool looks_like_topas(const TextLines& file);
+[[nodiscard]] XrdResult read_topas(const TextLines& file);
+
 /// Tables of fractions or of peak intensities, separated by comma, semicolon or tab.
 [[nodiscard]] bool looks_like_table(const TextLines& file);
 [[nodiscard]] XrdResult read_table(const TextLines& file);
@@ -24,6 +33,8 @@ namespace ashimpact::xrd {
 
 /// What read_xrd says where no reader feels addressed.
 inline constexpr const char* known_formats =
-    "a BGMN/Profex .lst, a GSAS-II .lst, a CSV or TSV table with a header, or the project's JSON";
+    "a BGMN/Profex .lst, a GSAS-II .lst, a FullProf .sum, a TOPAS .out, a CSV or TSV table with a header, or "
+    "the "
+    "project's JSON";
 
 }  // namespace ashimpact::xrd

@@ -30,17 +30,36 @@ bool is_heading(const std::vector<Heading>& headings) {
            });
 }
 
-/// Index of the heading line among the first lines; titles may stand above it.
+/// A heading that names a column of amounts, too, and not only words that a title may hold.
+bool names_amounts(const std::vector<Heading>& headings) {
+    return std::any_of(headings.begin(), headings.end(), [](const Heading& heading) {
+        return heading.role == Role::weight || heading.role == Role::volume ||
+               heading.role == Role::intensity;
+    });
+}
+
+/// Index of the heading line among the first lines. Titles may stand above it, such as "Sample;Fly ash 7":
+/// the first line that names amounts is preferred to one that may be a title, unless numbers stand between
+/// them.
 std::optional<std::size_t> find_heading(const std::vector<TextLine>& lines) {
     constexpr std::size_t most_titles = 20;
+    std::optional<std::size_t> possible;
     for (std::size_t i = 0; i < std::min(lines.size(), most_titles); ++i) {
         try {
-            if (is_heading(headings_of(cut_row(lines[i], separator_of(lines[i].text))))) return i;
+            const TableRow row = cut_row(lines[i], separator_of(lines[i].text));
+            const bool holds_number =
+                std::any_of(row.cells.begin(), row.cells.end(),
+                            [](const std::string& cell) { return read_number(cell, true).has_value(); });
+            if (possible && holds_number) return possible;
+            const auto headings = headings_of(row);
+            if (!is_heading(headings)) continue;
+            if (names_amounts(headings)) return i;
+            if (!possible) possible = i;
         } catch (const InputError&) {
             continue;  // a title with an odd quote
         }
     }
-    return std::nullopt;
+    return possible;
 }
 
 TableRow checked_row(const TextLine& line, const Table& table) {

@@ -16,10 +16,9 @@ struct Reader {
 
 /// The most telling formats first.
 constexpr std::array readers{
-    Reader{xrd::looks_like_json, xrd::read_json},
-    Reader{xrd::looks_like_bgmn, xrd::read_bgmn},
-    Reader{xrd::looks_like_gsas2, xrd::read_gsas2},
-    Reader{xrd::looks_like_table, xrd::read_table},
+    Reader{xrd::looks_like_json, xrd::read_json},   Reader{xrd::looks_like_bgmn, xrd::read_bgmn},
+    Reader{xrd::looks_like_gsas2, xrd::read_gsas2}, Reader{xrd::looks_like_fullprof, xrd::read_fullprof},
+    Reader{xrd::looks_like_topas, xrd::read_topas}, Reader{xrd::looks_like_table, xrd::read_table},
 };
 
 XrdResult read(std::string_view text) {

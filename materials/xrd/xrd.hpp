@@ -16,12 +16,13 @@ namespace ashimpact {
 inline constexpr std::size_t longest_xrd_file = std::size_t{16} << 20;
 
 /// What a file was recognised as.
-enum class XrdFormat { bgmn_lst, gsas2_lst, table, json };
+enum class XrdFormat { bgmn_lst, gsas2_lst, fullprof_sum, topas_out, table, json };
 
 template <>
 struct Names<XrdFormat> {
     static constexpr std::string_view kind = "format of XRD results";
-    static constexpr std::array<std::string_view, 4> all{"BGMN/Profex .lst", "GSAS-II .lst", "table", "JSON"};
+    static constexpr std::array<std::string_view, 6> all{"BGMN/Profex .lst", "GSAS-II .lst", "FullProf .sum",
+                                                         "TOPAS .out",       "table",        "JSON"};
 };
 
 /// One sample of a file: fractions, what the file says of the amorphous part, the file's own densities.
@@ -37,17 +38,17 @@ struct XrdResult {
     std::vector<std::string> warnings{};  ///< about the file as a whole
 };
 
-/// Reads an XRD result, told apart by content: BGMN/Profex .lst, GSAS-II .lst, a CSV or TSV table of
-/// fractions or of peak intensities with RIR values, or the project's JSON. docs/materials.md describes them.
-/// A byte-order mark, CRLF and Latin-1 are accepted.
-/// Errors: InputError "NAME: line N: problem; allowed: ..." (for JSON with its pointer behind the line) for
-/// anything that is empty, binary, cut off, malformed, has a phase twice or more than 100 %.
+/// Reads an XRD result, told apart by content: BGMN/Profex .lst, GSAS-II .lst, FullProf .sum, TOPAS .out, a
+/// CSV or TSV table of fractions or of peak intensities with RIR values, or the project's JSON.
+/// docs/materials.md describes them. A byte-order mark, CRLF and Latin-1 are accepted. Errors: InputError
+/// "NAME: line N: problem; allowed: ..." (for JSON with its pointer behind the line) for anything that is
+/// empty, binary, cut off, malformed, has a phase twice or more than 100 %.
 [[nodiscard]] XrdResult read_xrd(std::string_view text, std::string_view name);
 
 /// Rescales a sample to which a known weight of a standard was added before the measurement: w_i = w_s
 /// c_i/c_s in the mixture, divided by 1 - w_s in the sample; the rest is amorphous. The standard is taken out
-/// of the phases. Source: Chung 1974, J. Appl. Cryst. 7:519 (matrix flushing). `added_fraction` is the weight
-/// of the standard over that of the mixture [1], `added_uncertainty` that of the weighing [1]. Errors:
+/// of the phases. Source: Chung 1974a, J. Appl. Cryst. 7:519 (matrix flushing). `added_fraction` is the
+/// weight of the standard over that of the mixture [1], `added_uncertainty` that of the weighing [1]. Errors:
 /// InputError if the standard is not among the phases, has no fraction, or says that more than 100 % of the
 /// sample is crystalline.
 [[nodiscard]] XrdSample with_internal_standard(const XrdSample& sample, std::string_view standard,
@@ -65,7 +66,7 @@ struct PeakIntensity {
 };
 
 /// Returns weight fractions of the crystalline part [1] by the adiabatic principle:
-/// w_i = (I_i/RIR_i)/sum_j(I_j/RIR_j). Source: Chung 1974, J. Appl. Cryst. 7:526 (Ref. 27 of Dong et al.
+/// w_i = (I_i/RIR_i)/sum_j(I_j/RIR_j). Source: Chung 1974b, J. Appl. Cryst. 7:526 (Ref. 27 of Dong et al.
 /// 2013). Validity: every crystalline phase is listed. Errors: InputError for intensities below zero, ratios
 /// not above zero.
 [[nodiscard]] std::vector<PhaseFraction> adiabatic_fractions(const std::vector<PeakIntensity>& peaks);

@@ -7,6 +7,7 @@
 #include "pipeline/commands/calibration/cross_check.hpp"
 #include "pipeline/commands/documents.hpp"
 #include "pipeline/commands/modulus.hpp"
+#include "pipeline/commands/phases.hpp"
 #include "pipeline/commands/run.hpp"
 
 namespace ashimpact {
@@ -46,7 +47,9 @@ void add_modulus(CLI::App& program, Action& action) {
                     "ashimpact modulus my-case/ash.csv --amorphous-fraction '42 +- 2 %'\n"
                     "  (ash.csv is among what `ashimpact init my-case` writes)");
     const auto options = std::make_shared<ModulusCommandOptions>();
-    command->add_option("file", options->file, "XRD result: BGMN/Profex or GSAS-II .lst, CSV, TSV or JSON")
+    command
+        ->add_option("file", options->file,
+                     "XRD result: BGMN/Profex or GSAS-II .lst, FullProf .sum, TOPAS .out, CSV, TSV or JSON")
         ->required()
         ->type_name("FILE");
     const auto add = [&](const char* name, std::string& value, const char* type, const char* purpose) {
@@ -139,6 +142,10 @@ void add_document_commands(CLI::App& program, Action& action) {
     add_document_command(
         add_command(program, "init", "Write a commented case to start from", "ashimpact init my-case"),
         action, "folder", "DIR", "where to write it", true, run_init_command);
+    add_document_command(add_command(program, "phases", "The phase catalogue, or one phase with its sources",
+                                     "ashimpact phases mullite"),
+                         action, "name", "NAME", "of a phase, under any of its names; without it, all phases",
+                         false, run_phases_command);
     add_document_command(
         add_command(program, "schema", "The JSON Schema of a case or an artifact", "ashimpact schema case"),
         action, "name", "NAME", "of the schema; without it, the names", false, run_schema_command);

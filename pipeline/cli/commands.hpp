@@ -30,7 +30,7 @@ void add_case_commands(CLI::App& program, Action& action);
 /// impact, critical-velocity, damping
 void add_contact_commands(CLI::App& program, Action& action);
 
-/// calibrate, inspect, init, schema
+/// calibrate, inspect, init, phases, schema
 void add_document_commands(CLI::App& program, Action& action);
 
 /// report, figure

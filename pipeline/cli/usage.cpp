@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <vector>
 
 #include "materials/base/text.hpp"
@@ -36,7 +37,14 @@ std::vector<std::string> meant(const std::string& word, const std::vector<std::s
     if (word.size() >= shortest)
         for (const std::string& name : names)
             if (name.starts_with(word)) return {name};
-    return nearest(word, names, 1);
+    // Without the dashes, which all options share: --plot is not --from.
+    const std::size_t dashes = std::min(word.find_first_not_of('-'), word.size());
+    std::vector<std::string> bare;
+    for (const std::string& name : names)
+        if (name.starts_with(std::string(dashes, '-'))) bare.push_back(name.substr(dashes));
+    std::vector<std::string> guess = nearest(word.substr(dashes), bare, 1);
+    for (std::string& name : guess) name.insert(0, dashes, '-');
+    return guess;
 }
 
 std::string unexpected(const CLI::App& command) {
@@ -62,7 +70,9 @@ std::string wrong_count(const CLI::App& command, const std::string& message) {
 
 std::string what_is_wrong(const CLI::App& command, const CLI::Error& error) {
     std::string message = error.what();
-    if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) return missing(command);
+    const bool is_missing = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+    if (is_missing && command.remaining().empty()) return missing(command);
+    if (is_missing) return unexpected(command);  // perhaps the missing one, mistyped
     if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) return unexpected(command);
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) return wrong_count(command, message);
     if (dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr) return message + "; allowed: one of them";
@@ -88,10 +98,11 @@ std::string usage_error(const CLI::App& program, const CLI::Error& error) {
     for (const CLI::App* each : program.get_subcommands([](const CLI::App*) { return true; }))
         commands.push_back(each->get_name());
     const auto unknown = program.remaining();
-    return on_one_line(fmt::format(
-        "ashimpact: {}; allowed: {}; see `ashimpact --help`",
-        unknown.empty() ? "a command is missing" : "unknown command " + in_quotes(unknown.front()),
-        joined(commands)));
+    return on_one_line(fmt::format("ashimpact: {}; allowed: {}; see `ashimpact --help`",
+                                   unknown.empty() ? "a command is missing"
+                                                   : "unknown command " + in_quotes(unknown.front()) +
+                                                         did_you_mean(unknown.front(), commands),
+                                   joined(commands)));
 }
 
 }  // namespace ashimpact

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <ostream>
 
 #include "materials/base/error.hpp"
@@ -45,9 +48,54 @@ std::string trajectory_csv(const std::vector<TrajectoryPoint>& points) {
     return csv;
 }
 
-std::string energy_text(const EnergyLedger& energy) {
-    return fmt::format("{} incident, {} dissipated, {} left", readable(energy.incident, "J"),
-                       readable(energy.dissipated, "J"), readable(energy.remaining, "J"));
+/// Energies as whole numbers of the last digit shown, so that what a reader adds up adds up.
+class EnergyDigits {
+  public:
+    explicit EnergyDigits(double greatest) {
+        constexpr std::array<std::string_view, 9> prefixes{"a", "f", "p", "n", "u", "m", "", "k", "M"};
+        const int power = greatest > 0 ? static_cast<int>(std::floor(std::log10(greatest))) : 0;
+        const int prefix = std::clamp((power + 18) / 3, 0, static_cast<int>(prefixes.size()) - 1);
+        unit_ = std::string(prefixes.at(static_cast<std::size_t>(prefix))) + "J";
+        const int unit_power = 3 * prefix - 18;
+        decimals_ = std::clamp(3 - (power - unit_power), 0, 9);
+        step_ = std::pow(10.0, unit_power - decimals_);
+    }
+    [[nodiscard]] long long steps(double energy) const { return std::llround(energy / step_); }
+    [[nodiscard]] std::string text(long long steps) const {
+        return fmt::format("{:.{}f} {}", static_cast<double>(steps) / std::pow(10.0, decimals_), decimals_,
+                           unit_);
+    }
+
+  private:
+    std::string unit_;
+    int decimals_ = 0;
+    double step_ = 1;
+};
+
+struct EnergyTerm {
+    std::string_view name;
+    long long steps;
+};
+
+/// What there is before an impact and where it went, term by term; terms of zero are left out. What rounding
+/// leaves over goes to the greatest term after.
+void add_energy(TextList& list, const EnergyLedger& energy) {
+    const EnergyDigits digits(energy.incident);
+    const long long incident = digits.steps(energy.incident);
+    const long long at_touch = digits.steps(energy.at_touch);
+    std::vector<EnergyTerm> after{{"  dissipated", digits.steps(energy.dissipated)},
+                                  {"  spent in yielding", digits.steps(energy.plastic)},
+                                  {"  lost in jumps", digits.steps(energy.jumps)},
+                                  {"  left in motion", digits.steps(energy.remaining)},
+                                  {"  left in the contact", digits.steps(energy.potential)}};
+    long long missing = incident + at_touch;
+    for (const EnergyTerm& term : after) missing -= term.steps;
+    const auto less = [](const EnergyTerm& x, const EnergyTerm& y) { return x.steps < y.steps; };
+    std::max_element(after.begin(), after.end(), less)->steps += missing;
+    list.add("incident energy", digits.text(incident));
+    if (at_touch != 0) list.add("  at first touch", digits.text(at_touch));
+    for (const EnergyTerm& term : after)
+        if (term.steps != 0) list.add(std::string(term.name), digits.text(term.steps));
 }
 
 std::string_view adhesion_words(AdhesionRegime regime) {
@@ -118,7 +166,7 @@ std::string impact_text(const Impact& impact, const ImpactResult& result) {
     list.add("contact time", time(result.contact_time, "none: the particle stays"));
     list.add("approach time", time(result.approach_time, "none: the approach never turns"));
     list.add("maximum overlap", readable(result.maximum_overlap, "m"));
-    list.add("energy", energy_text(result.energy));
+    add_energy(list, result.energy);
     return list.text(0) + regime_text(regime_of(impact, result.maximum_overlap));
 }
 

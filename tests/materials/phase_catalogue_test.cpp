@@ -40,9 +40,8 @@ constexpr const char* modulus = R"("young_modulus": {"value": 73, "unit": "GPa",
 
 }  // namespace
 
-TEST_CASE("every property of every phase cites a key of the bibliography, and every key is used") {
-    const auto keys = keys_of("\n" + file_text(ASHIMPACT_DATA "/phases/references.bib"));
-    std::set<std::string> used;
+TEST_CASE("every property of every phase cites a key of the bibliography") {
+    const auto keys = keys_of("\n" + file_text(ASHIMPACT_DATA "/references.bib"));
     const PhaseCatalogue catalogue = shipped_catalogue();
     for (const PhaseSet& set : catalogue.sets()) {
         REQUIRE(set.phases.size() >= 3);
@@ -55,12 +54,10 @@ TEST_CASE("every property of every phase cites a key of the bibliography, and ev
                 for (const auto& citation : property.citations) {
                     CAPTURE(citation);
                     CHECK(keys.contains(citation));
-                    used.insert(citation);
                 }
             }
         }
     }
-    CHECK(used == keys);
 }
 
 TEST_CASE("values of the catalogue agree with the bulk and shear moduli of their sources") {
@@ -135,14 +132,16 @@ TEST_CASE("what is not found comes with the nearest names, all at once") {
               static_cast<void>(catalogue.resolve("lime"));
           }).find("no phase is called \"lime\"") == 0);
     const std::string both = message([&] {
-        static_cast<void>(catalogue.resolve_all({"quartz", "mulite", "kryptonite"}));
+        static_cast<void>(
+            catalogue.resolve_all({{"quartz", "line 3"}, {"mulite", "line 8"}, {"kryptonite", "line 9"}}));
     });
-    CHECK(both.find("\"mulite\" (nearest: ") != std::string::npos);
-    CHECK(both.find("\"kryptonite\"") != std::string::npos);
+    CHECK(both.find("line 8: no phase is called \"mulite\" (nearest: ") == 0);
+    CHECK(both.find("); line 9: no phase is called \"kryptonite\"; allowed: ") != std::string::npos);
+    CHECK(both.find("--phases FILE") != std::string::npos);
     CHECK(both.find('\n') == std::string::npos);
-    CHECK(catalogue.resolve_all({"quartz", "mullite"}).size() == 2);
+    CHECK(catalogue.resolve_all({{"quartz"}, {"mullite"}}).size() == 2);
     const std::string many = message(
-        [&] { static_cast<void>(catalogue.resolve_all(std::vector<std::string>(100'000, "kryptonite"))); });
+        [&] { static_cast<void>(catalogue.resolve_all(std::vector<PlacedName>(100'000, {"kryptonite"}))); });
     CHECK(many.find("and more") != std::string::npos);
     CHECK(many.size() < 2000);
 }

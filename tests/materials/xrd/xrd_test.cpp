@@ -51,6 +51,30 @@ TEST_CASE("a complete BGMN list of six phases") {
                 "nothing says how much"));
 }
 
+TEST_CASE("goals of a BGMN list that could not be computed are reported, with a block or without") {
+    const XrdSample sample =
+        read_xrd(
+            "Rietveld refinement to file(s) one.xy\nGlobal parameters and GOALs\n*****\nQQuartz=ERROR\n"
+            "QMullite=ERROR\n\nLocal parameters and GOALs for phase Quartz\n*****\nGEWICHT=0.25+-0.01\n\n",
+            "one.lst")
+            .samples[0];
+    REQUIRE(sample.warnings.size() == 2);
+    CHECK(sample.warnings[0] == "the goal QQuartz could not be computed by the refinement");
+    CHECK(holds(sample.warnings[1], "the goal QMullite (line 5) could not be computed"));
+}
+
+TEST_CASE("every unknown phase of a BGMN list is named at its own line") {
+    std::string text;
+    for (const char* phase : {"Quartz", "Fooite", "Barite99"})
+        text += "Local parameters and GOALs for phase " + std::string(phase) + "\n*****\nGEWICHT=0.2\n\n";
+    XrdSample sample = read_xrd(text, "ash.lst").samples[0];
+    sample.analysis.amorphous = AmorphousNone{};
+    const std::string message = refusal([&] { return compose(sample.analysis, shipped_catalogue()); });
+    CHECK(holds(message, "line 7: no phase is called \"Fooite\""));
+    CHECK(holds(message, "; line 11: no phase is called \"Barite99\""));
+    CHECK(holds(message, "--phases FILE"));
+}
+
 TEST_CASE("the internal standard turns it into fractions of the whole ash") {
     const XrdSample sample = with_internal_standard(read("fa07-corundum.lst").samples[0], "corundum", 0.1);
     CHECK(sample.analysis.phases.size() == 5);

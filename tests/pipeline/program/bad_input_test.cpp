@@ -284,7 +284,12 @@ TEST_CASE("wrong options: exit 2, one line that names the option") {
     const Sandbox sandbox;
     for (const Wrong& wrong : {
              Wrong{"", "a command is missing; allowed: run, modulus, impact"},
-             Wrong{"runn", "unknown command \"runn\""},
+             Wrong{"runn", "unknown command \"runn\", did you mean \"run\"?"},
+             Wrong{"modulsu ash.csv", "unknown command \"modulsu\", did you mean \"modulus\"?"},
+             Wrong{"impact --radios 3", "\"--radios\" is not expected, did you mean --radius?"},
+             Wrong{"run --plot x", "\"--plot\" is not expected; allowed: "},
+             Wrong{"phases kryptonite",
+                   "no phase is called \"kryptonite\"; allowed: a phase that `ashimpact phases`"},
              Wrong{"impact", "--law is missing; allowed: contact law: hertz"},
              Wrong{"impact --law dmt --law dmt", "--law is given more than once; allowed: contact law"},
              Wrong{"impact --law", "--law has no value; allowed: contact law"},

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <sstream>
+#include <string>
 
 #include "data/embedded.hpp"
 #include "pipeline/files/sha256.hpp"
@@ -46,6 +48,35 @@ TEST_CASE("help of the program and of every command has an example and the commo
               std::string("--verbose"), std::string("--version")})
             CHECK_MESSAGE(help.out.find(piece) != std::string::npos, command, " ", piece);
         CHECK(ashimpact_program(sandbox, std::string(command) + " --version").out.starts_with("ashimpact "));
+    }
+}
+
+TEST_CASE("impact: the energies printed add up, with adhesion, damping and yielding") {
+    const Sandbox sandbox;
+    const std::string ammonium =
+        " --radius '2.45 um' --density '1350 kg/m3' --contact-modulus '1.3 GPa' --work-of-adhesion '0.2 "
+        "J/m2'";
+    for (const std::string& law :
+         {std::string("jkr --damping '1e-7 kg/s'"), std::string("dmt --damping '1e-7 kg/s'"),
+          std::string("thornton-ning --yield-pressure '35.3 MPa'")}) {
+        CAPTURE(law);
+        const auto run = ashimpact_program(sandbox, "impact --velocity '5 m/s' --law " + law + ammonium);
+        REQUIRE(run.status == 0);
+        double before = 0;
+        double after = 0;
+        std::istringstream lines(run.out);
+        for (std::string line; std::getline(lines, line);) {
+            for (const char* term : {"incident energy", "  at first touch", "  dissipated",
+                                     "  spent in yielding", "  left in motion", "  left in the contact"}) {
+                if (!line.starts_with(term)) continue;
+                const double value = std::stod(line.substr(std::string(term).size()));
+                (term == std::string("incident energy") || term == std::string("  at first touch") ? before
+                                                                                                   : after) +=
+                    value;
+            }
+        }
+        CHECK(before > 0);
+        CHECK(std::abs(before - after) < 1e-9 * before);
     }
 }
 

@@ -1,0 +1,141 @@
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "materials/base/number.hpp"
+#include "materials/base/text.hpp"
+#include "materials/xrd/readers.hpp"
+
+namespace ashimpact::xrd {
+
+namespace {
+
+constexpr std::string_view phase_heading = "=> Phase:";
+constexpr std::string_view fraction_heading = "Fract(%):";
+
+struct FullProfPhase {
+    std::string name;
+    int number = 0;
+    std::size_t line = 0;
+    bool has_fraction = false;
+    std::optional<PrintedNumber> fraction{};  ///< [%], the uncertainty in the same unit
+};
+
+/// "1     Quartz" behind the heading.
+FullProfPhase read_phase_line(std::string_view text, std::size_t line) {
+    text = trimmed(text);
+    const auto blank = std::min(text.find_first_of(" \t"), text.size());
+    const auto number = read_number(text.substr(0, blank));
+    const std::string_view name = trimmed(text.substr(blank));
+    if (!number || number->value < 1 || name.empty())
+        throw InputError("cannot read " + in_quotes(text), "=> Phase: NUMBER NAME").at(at_line(line));
+    return {.name = std::string(name), .number = static_cast<int>(number->value), .line = line};
+}
+
+/// "11.41( 2.25)": the number in brackets is in the unit of the value, not in its last digit.
+std::optional<PrintedNumber> read_percentage(std::string_view text, std::size_t line) {
+    text = trimmed(text);
+    if (text.starts_with('*')) return std::nullopt;  // a number too wide for its field
+    const auto open = std::min(text.find('('), text.size());
+    const std::string_view printed = trimmed(text.substr(0, std::min(open, text.find(' '))));
+    if (says_no_number(printed)) return std::nullopt;
+    auto number = read_number(printed);
+    bool closed = true;
+    if (number && open < text.size()) {
+        const auto close = text.find(')', open);
+        closed = close != std::string_view::npos;
+        const std::string_view inside = closed ? trimmed(text.substr(open + 1, close - open - 1)) : "";
+        const auto deviation = read_number(inside);
+        if (deviation && deviation->value > 0) number->standard_uncertainty = deviation->value;
+        closed = closed && (deviation || inside.starts_with('*') || says_no_number(inside));
+    }
+    if (!number || !closed)
+        throw InputError("cannot read " + in_quotes(text), "a percentage such as 11.41( 2.25)")
+            .at(at_line(line));
+    if (number->value < 0) throw InputError("the fraction is below zero", "zero or more").at(at_line(line));
+    return number;
+}
+
+/// The phases of each pattern: their numbers begin anew with it.
+std::vector<std::vector<FullProfPhase>> patterns_of(const TextLines& file) {
+    std::vector<std::vector<FullProfPhase>> patterns;
+    for (const auto& [number, raw] : file.lines()) {
+        const auto phase = raw.find(phase_heading);
+        const auto fraction = raw.find(fraction_heading);
+        if (phase != std::string_view::npos) {
+            FullProfPhase read = read_phase_line(raw.substr(phase + phase_heading.size()), number);
+            const bool begins = patterns.empty() || read.number <= patterns.back().back().number;
+            if (begins) patterns.emplace_back();
+            patterns.back().push_back(std::move(read));
+        } else if (fraction != std::string_view::npos) {
+            if (patterns.empty())
+                throw InputError("a fraction stands before the first phase", "=> Phase: NUMBER NAME above it")
+                    .at(at_line(number));
+            FullProfPhase& current = patterns.back().back();
+            if (current.has_fraction)
+                throw InputError("the phase " + in_quotes(current.name) + " has two fractions", "one")
+                    .at(at_line(number));
+            current.has_fraction = true;
+            current.line = number;
+            current.fraction = read_percentage(raw.substr(fraction + fraction_heading.size()), number);
+        }
+    }
+    return patterns;
+}
+
+XrdSample sample_of(const std::vector<FullProfPhase>& phases, const TextLines& file) {
+    XrdSample sample;
+    double total = 0;
+    std::set<std::string> names;
+    for (const FullProfPhase& phase : phases) {
+        if (!phase.has_fraction)
+            throw InputError(
+                "the phase " + in_quotes(phase.name) + " has no Fract(%): the file seems to be cut off",
+                "a complete summary")
+                .at(at_line(&phase == &phases.back() ? file.last_line() : phase.line));
+        if (!names.insert(phase_key(phase.name)).second)
+            throw InputError("the phase " + in_quotes(phase.name) + " is there twice", "each phase once")
+                .at(at_line(phase.line));
+        if (!phase.fraction) {
+            sample.warnings.push_back("the phase " + in_quotes(phase.name) + " has no fraction (line " +
+                                      std::to_string(phase.line) + ") and is left out");
+            continue;
+        }
+        sample.analysis.phases.push_back({.name = phase.name,
+                                          .fraction = phase.fraction->value,
+                                          .standard_uncertainty = phase.fraction->standard_uncertainty,
+                                          .place = at_line(phase.line)});
+        total += phase.fraction->value;
+    }
+    if (!(total > 0))
+        throw InputError("no phase has a fraction", "Fract(%) above zero").at(at_line(phases.front().line));
+    if (total < 99 || total > 101)
+        sample.warnings.push_back("the fractions add up to " + shortest(total) +
+                                  " %: they are divided by it");
+    for (PhaseFraction& phase : sample.analysis.phases) {
+        phase.fraction /= total;
+        if (phase.standard_uncertainty) *phase.standard_uncertainty /= total;
+    }
+    return sample;
+}
+
+}  // namespace
+
+bool looks_like_fullprof(const TextLines& file) {
+    return file.text().find(phase_heading) != std::string::npos &&
+           (file.text().find(fraction_heading) != std::string::npos ||
+            file.text().find("Bragg R-factor") != std::string::npos);
+}
+
+XrdResult read_fullprof(const TextLines& file) {
+    const auto patterns = patterns_of(file);
+    XrdResult result{.format = XrdFormat::fullprof_sum, .samples = {}};
+    for (const auto& phases : patterns) {
+        result.samples.push_back(sample_of(phases, file));
+        if (patterns.size() > 1)
+            result.samples.back().name = "pattern " + std::to_string(result.samples.size());
+    }
+    return result;
+}
+
+}  // namespace ashimpact::xrd

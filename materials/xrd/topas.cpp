@@ -1,0 +1,301 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "materials/base/number.hpp"
+#include "materials/base/text.hpp"
+#include "materials/xrd/readers.hpp"
+
+namespace ashimpact::xrd {
+
+namespace {
+
+/// A word, a quoted text, or one of the characters ( ) , ; with its line.
+struct Token {
+    std::string text;
+    std::size_t line = 0;
+    bool quoted = false;
+};
+
+struct TopasPhase {
+    std::string name;
+    std::size_t line = 0;
+    std::optional<PrintedNumber> weight{};  ///< [%] of the crystalline part
+    bool has_weight = false;                ///< by its keyword, which comes before MVW
+    std::optional<double> spiked{};         ///< [%] of the mixture, as weighed
+    std::optional<double> density{};        ///< [kg/m3]
+};
+
+struct TopasPattern {
+    std::string name;
+    std::size_t line = 0;
+    std::vector<TopasPhase> phases;
+    std::optional<PrintedNumber> amorphous{};  ///< [%] of the mixture
+};
+
+/// The words of a file without its comments: ' to the end of the line, /* ... */ over lines.
+std::vector<Token> tokens_of(const TextLines& file) {
+    std::vector<Token> tokens;
+    bool in_comment = false;
+    std::size_t comment_line = 0;
+    for (const auto& [number, raw] : file.lines()) {
+        std::string_view text = raw;
+        while (!text.empty()) {
+            if (in_comment) {
+                const auto end = text.find("*/");
+                if (end == std::string_view::npos) break;
+                text.remove_prefix(end + 2);
+                in_comment = false;
+            } else if (text.starts_with("/*")) {
+                in_comment = true;
+                comment_line = number;
+                text.remove_prefix(2);
+            } else if (text.front() == '\'') {
+                break;
+            } else if (text.front() == '"') {
+                const auto end = text.find('"', 1);
+                if (end == std::string_view::npos)
+                    throw InputError("a quote is not closed", "\"...\" on one line").at(at_line(number));
+                tokens.push_back({std::string(text.substr(1, end - 1)), number, true});
+                text.remove_prefix(end + 1);
+            } else if (std::string_view(" \t").find(text.front()) != std::string_view::npos) {
+                text.remove_prefix(1);
+            } else if (std::string_view("(),;{}=").find(text.front()) != std::string_view::npos) {
+                tokens.push_back({std::string(1, text.front()), number});
+                text.remove_prefix(1);
+            } else {
+                auto end = std::min(text.find_first_of(" \t(),;{}=\"'"), text.size());
+                end = std::min(end, text.find("/*"));
+                tokens.push_back({std::string(text.substr(0, end)), number});
+                text.remove_prefix(end);
+            }
+        }
+    }
+    if (in_comment)
+        throw InputError("a comment is not closed: the file seems to be cut off", "/* ... */")
+            .at(at_line(comment_line));
+    return tokens;
+}
+
+/// "12.3", "12.3`" (refined), "12.3`_0.12" (with its standard deviation); nothing for any other word.
+std::optional<PrintedNumber> printed_number(std::string_view word) {
+    const auto mark = word.find('`');
+    auto number = read_number(word.substr(0, mark));
+    if (!number || mark == std::string_view::npos) return number;
+    std::string_view rest = word.substr(mark + 1);
+    rest = rest.substr(0, rest.find("_LIMIT"));
+    if (rest.empty()) return number;
+    const auto deviation = rest.starts_with('_') ? read_number(rest.substr(1)) : std::nullopt;
+    if (!deviation) return std::nullopt;
+    if (deviation->value > 0) number->standard_uncertainty = deviation->value;
+    return number;
+}
+
+/// Whether a word may stand between a keyword and its number: @, or the name of a parameter.
+bool is_parameter_name(const std::string& word) {
+    const char c = word.front();
+    return c == '@' || c == '!' || c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+class TopasReader {
+  public:
+    explicit TopasReader(const TextLines& file) : file_(file), tokens_(tokens_of(file)) {}
+
+    std::vector<TopasPattern> read() {
+        while (at_ < tokens_.size()) {
+            const Token& token = tokens_[at_++];
+            if (!token.quoted) read_keyword(token);
+        }
+        return std::move(patterns_);
+    }
+
+  private:
+    [[noreturn]] void cut_off(const Token& token) const {
+        throw InputError("nothing follows " + in_quotes(token.text) + ": the file seems to be cut off",
+                         "a complete file")
+            .at(at_line(file_.last_line()));
+    }
+
+    /// The pattern being read; a file of phases alone has one without an xdd.
+    TopasPattern& pattern(std::size_t line) {
+        if (patterns_.empty()) patterns_.push_back({.name = {}, .line = line, .phases = {}});
+        return patterns_.back();
+    }
+
+    /// The phase being read. @throws InputError at @p token where none has begun
+    TopasPhase& phase(const Token& token) {
+        if (patterns_.empty() || patterns_.back().phases.empty())
+            throw InputError(in_quotes(token.text) + " stands before the first phase", "str above it")
+                .at(at_line(token.line));
+        return patterns_.back().phases.back();
+    }
+
+    PrintedNumber number_after(const Token& keyword) {
+        while (at_ < tokens_.size() && !tokens_[at_].quoted && is_parameter_name(tokens_[at_].text)) ++at_;
+        if (at_ >= tokens_.size()) cut_off(keyword);
+        const Token& token = tokens_[at_++];
+        const auto number = printed_number(token.text);
+        if (!number || number->value < 0)
+            throw InputError("cannot read " + in_quotes(token.text) + " behind " + keyword.text,
+                             "a number that is not negative, such as 12.3, 12.3` or 12.3`_0.4")
+                .at(at_line(token.line));
+        return *number;
+    }
+
+    /// The numbers between the brackets behind a macro; an argument that is no number is none.
+    std::vector<std::optional<PrintedNumber>> arguments_after(const Token& macro) {
+        if (at_ >= tokens_.size()) cut_off(macro);
+        if (tokens_[at_].text != "(")
+            throw InputError("no bracket follows " + macro.text, macro.text + "( ... )")
+                .at(at_line(macro.line));
+        std::vector<std::optional<PrintedNumber>> arguments(1);
+        while (++at_ < tokens_.size()) {
+            const std::string& text = tokens_[at_].text;
+            if (text == ")") {
+                ++at_;
+                return arguments;
+            }
+            if (text == ",")
+                arguments.emplace_back();
+            else if (const auto number = printed_number(text))
+                arguments.back() = number;
+        }
+        cut_off(macro);
+    }
+
+    void read_keyword(const Token& token) {
+        const std::string& word = token.text;
+        if (word == "xdd" || word == "xdd_scr") {
+            patterns_.push_back({.name = {}, .line = token.line, .phases = {}});
+            if (at_ >= tokens_.size()) cut_off(token);
+            patterns_.back().name = tokens_[at_++].text;
+        } else if (word == "str" || word == "hkl_Is" || word == "dummy_str") {
+            pattern(token.line).phases.push_back({.name = {}, .line = token.line});
+        } else if (word == "phase_name") {
+            if (at_ >= tokens_.size()) cut_off(token);
+            phase(token).name = tokens_[at_].text;
+            phase(token).line = tokens_[at_++].line;
+        } else if (word == "weight_percent") {
+            phase(token).weight = number_after(token);
+            phase(token).has_weight = true;
+        } else if (word == "spiked_phase_measured_weight_percent") {
+            phase(token).spiked = number_after(token).value;
+        } else if (word == "weight_percent_amorphous") {
+            pattern(token.line).amorphous = number_after(token);
+        } else if (word == "MVW") {
+            const auto arguments = arguments_after(token);
+            if (arguments.size() != 3)
+                throw InputError("MVW has " + std::to_string(arguments.size()) + " arguments",
+                                 "MVW( cell mass, cell volume, weight per cent)")
+                    .at(at_line(token.line));
+            if (!phase(token).has_weight) phase(token).weight = arguments[2];
+        } else if (word == "Phase_Density_g_on_cm3") {
+            const auto arguments = arguments_after(token);
+            if (arguments.front() && arguments.front()->value > 0)
+                phase(token).density = arguments.front()->value * 1000;  // g/cm3
+        }
+    }
+
+    const TextLines& file_;
+    std::vector<Token> tokens_;
+    std::vector<TopasPattern> patterns_;
+    std::size_t at_ = 0;
+};
+
+/// The file's name without folders and ending.
+std::string stem_of(std::string name) {
+    name.erase(0, name.find_last_of("/\\") + 1);
+    return name.substr(0, name.rfind('.'));
+}
+
+/// The amorphous part that the refinement states, or that follows from a spiked standard.
+XrdSample completed(XrdSample sample, const TopasPattern& pattern) {
+    const TopasPhase* standard = nullptr;
+    for (const TopasPhase& phase : pattern.phases) {
+        if (!phase.spiked || *phase.spiked == 0) continue;
+        if (standard != nullptr)
+            throw InputError("there are two spiked phases", "one a pattern").at(at_line(phase.line));
+        standard = &phase;
+    }
+    if (standard == nullptr) {
+        if (pattern.amorphous) {
+            auto uncertainty = pattern.amorphous->standard_uncertainty;
+            if (uncertainty) *uncertainty /= 100;
+            sample.analysis.amorphous = AmorphousFraction{pattern.amorphous->value / 100, uncertainty};
+        }
+        return sample;
+    }
+    const auto same = [&](const PhaseFraction& phase) { return phase.name == standard->name; };
+    const auto& phases = sample.analysis.phases;
+    const auto found = std::find_if(phases.begin(), phases.end(), same);
+    const double weighed = *standard->spiked / 100;
+    if (found != phases.end() && pattern.amorphous && found->fraction > 0) {
+        const double ours = 100 * (1 - weighed / found->fraction);
+        constexpr double rounding = 0.5;  // [%]
+        if (std::abs(ours - pattern.amorphous->value) > rounding)
+            sample.warnings.push_back("the file's amorphous part of the mixture is " +
+                                      shortest(pattern.amorphous->value) + " %, the standard gives " +
+                                      shortest(std::round(100 * ours) / 100) + " %, which is used");
+    }
+    try {
+        return with_internal_standard(sample, standard->name, weighed);
+    } catch (const InputError& error) {
+        throw error.at(at_line(standard->line));
+    }
+}
+
+XrdSample sample_of(const TopasPattern& pattern) {
+    XrdSample sample{.name = stem_of(pattern.name)};
+    double total = 0;
+    std::set<std::string> names;
+    for (const TopasPhase& phase : pattern.phases) {
+        if (phase.name.empty())
+            throw InputError("a phase has no phase_name", "phase_name \"...\" in each str")
+                .at(at_line(phase.line));
+        if (!names.insert(phase_key(phase.name)).second)
+            throw InputError("the phase " + in_quotes(phase.name) + " is there twice", "each phase once")
+                .at(at_line(phase.line));
+        if (!phase.weight) {
+            sample.warnings.push_back("the phase " + in_quotes(phase.name) + " has no weight (line " +
+                                      std::to_string(phase.line) + ") and is left out");
+            continue;
+        }
+        sample.analysis.phases.push_back({.name = phase.name,
+                                          .fraction = phase.weight->value,
+                                          .standard_uncertainty = phase.weight->standard_uncertainty,
+                                          .density = phase.density,
+                                          .place = at_line(phase.line)});
+        total += phase.weight->value;
+    }
+    if (!(total > 0))
+        throw InputError("no phase has a weight", "weight_percent or MVW with a weight per cent above zero")
+            .at(at_line(pattern.line));
+    for (PhaseFraction& phase : sample.analysis.phases) {
+        phase.fraction /= total;
+        if (phase.standard_uncertainty) *phase.standard_uncertainty /= total;
+    }
+    return completed(std::move(sample), pattern);
+}
+
+}  // namespace
+
+bool looks_like_topas(const TextLines& file) {
+    constexpr std::array<std::string_view, 3> weights{"MVW(", "MVW (", "weight_percent"};
+    const std::string& text = file.text();
+    return text.find("phase_name") != std::string::npos &&
+           std::any_of(weights.begin(), weights.end(),
+                       [&](std::string_view word) { return text.find(word) != std::string::npos; });
+}
+
+XrdResult read_topas(const TextLines& file) {
+    XrdResult result{.format = XrdFormat::topas_out, .samples = {}};
+    for (const TopasPattern& pattern : TopasReader(file).read()) result.samples.push_back(sample_of(pattern));
+    if (result.samples.empty())
+        throw InputError("there is no phase", "str with phase_name and weight_percent")
+            .at(at_line(file.last_line()));
+    return result;
+}
+
+}  // namespace ashimpact::xrd

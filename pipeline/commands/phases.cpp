@@ -1,0 +1,90 @@
+#include "pipeline/commands/phases.hpp"
+
+#include <fmt/format.h>
+
+#include <ostream>
+
+#include "materials/base/text.hpp"
+#include "pipeline/case/case_reader.hpp"
+#include "pipeline/text/readable.hpp"
+#include "pipeline/text/table.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+constexpr std::size_t line_width = 78;
+
+/// Words in lines of at most line_width characters, every line but the first indented.
+std::string wrapped(const std::vector<std::string>& words, std::size_t indent) {
+    std::string text;
+    std::size_t column = indent;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string word = words[i] + (i + 1 < words.size() ? "," : "");
+        if (!text.empty() && column + word.size() + 1 > line_width) {
+            text += "\n" + std::string(indent, ' ');
+            column = indent;
+        } else if (!text.empty()) {
+            text += " ";
+            ++column;
+        }
+        text += word;
+        column += word.size();
+    }
+    return text;
+}
+
+std::string property_text(const PhaseProperty& property, std::string_view unit) {
+    const auto number = [&](double value) {
+        return unit == "1" ? readable_number(value) : readable(value, unit);
+    };
+    std::string text = number(property.value);
+    if (const auto uncertainty = property.uncertainty()) text += " +- " + number(*uncertainty);
+    if (property.range)
+        text += fmt::format(", {} to {}", number(property.range->first), number(property.range->second));
+    if (property.assumed) text += ", assumed";
+    if (!property.citations.empty()) text += " [" + joined(property.citations) + "]";
+    return text;
+}
+
+std::string phase_text(const ResolvedPhase& resolved) {
+    const Phase& phase = resolved.phase;
+    TextList list;
+    list.add("phase", phase.name + (phase.amorphous ? " (amorphous)" : ""));
+    if (!phase.formula.empty()) list.add("formula", phase.formula);
+    list.add("density", property_text(phase.density, "kg/m3"));
+    list.add("Young's modulus", property_text(phase.young_modulus, "Pa"));
+    if (phase.poisson_ratio) list.add("Poisson's ratio", property_text(*phase.poisson_ratio, "1"));
+    constexpr std::size_t indent = 17;
+    std::vector<std::string> names = phase.synonyms;
+    names.insert(names.end(), phase.bgmn.begin(), phase.bgmn.end());
+    if (!names.empty()) list.add("other names", wrapped(names, indent));
+    std::string text = list.text(0);
+    for (const std::string& note : {phase.remark, resolved.note})
+        if (!note.empty()) text += note + "\n";
+    return text;
+}
+
+std::string set_text(const PhaseSet& set) {
+    TextTable table({set.name, "formula", "density", "E", "nu"});
+    for (const Phase& phase : set.phases)
+        table.add({phase.name, phase.formula.empty() ? "-" : phase.formula,
+                   readable(phase.density.value, "kg/m3"), readable(phase.young_modulus.value, "Pa"),
+                   phase.poisson_ratio ? readable_number(phase.poisson_ratio->value) : "unknown"});
+    return table.text();
+}
+
+}  // namespace
+
+void run_phases_command(const std::string& name, std::ostream& out) {
+    const PhaseCatalogue catalogue = built_in_phases();
+    if (!name.empty()) {
+        out << phase_text(catalogue.resolve_all({PlacedName{.name = name}}).front());
+        return;
+    }
+    for (const PhaseSet& set : catalogue.sets()) out << set_text(set) << '\n';
+    out << "`ashimpact phases NAME` shows one, with its sources and other names. Phases of\n"
+           "your own: `modulus --phases FILE`, or \"phases\" in a case.\n";
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,108 @@
+// One bibliography for everything that is cited: data/references.bib.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    REQUIRE_MESSAGE(file.is_open(), path);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+std::vector<fs::path> files_below(const std::string& folder, const std::set<std::string>& extensions) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(ASHIMPACT_SOURCES) / folder))
+        if (extensions.contains(entry.path().extension().string())) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+/// A comment's or a page's lines as one, so that a citation may run over their ends.
+std::string on_one_line(const std::string& text) {
+    static const std::regex line_end("\n[ \t]*(///?|\\*|%)?[ \t]*");
+    return std::regex_replace(text, line_end, " ");
+}
+
+std::string lower_case(std::string word) {
+    std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
+    return word;
+}
+
+/// Keys of "Johnson, Kendall & Roberts 1971", "Dong et al. 2013", "Hertz 1882": the first author and the
+/// year.
+std::set<std::string> cited_in_words(const std::string& text) {
+    static const std::regex citation(
+        "([A-Z][A-Za-z'-]+)(?:(?:, | & | and )[A-Z][A-Za-z'-]+)*(?: et al\\.)?,? "
+        "\\(?((?:18|19|20)[0-9]{2}[a-z]?)\\b");
+    std::set<std::string> keys;
+    const std::string line = on_one_line(text);
+    for (std::sregex_iterator found(line.begin(), line.end(), citation), end; found != end; ++found)
+        if ((*found)[1] != "Sep" && (*found)[1] != "YADE")
+            keys.insert(lower_case((*found)[1].str()) + (*found)[2].str());
+    return keys;
+}
+
+/// Keys in the lists of `.citations = {"dong2013, Eq. 1", ...}` and `"citations": ["bass1995", ...]`.
+std::set<std::string> cited_by_key(const std::string& text) {
+    static const std::regex list("citations(?: = \\{|\": ?\\[)([^}\\]]*)[}\\]]");
+    static const std::regex quoted("\"([a-z][a-z0-9-]*)");
+    std::set<std::string> keys;
+    for (std::sregex_iterator found(text.begin(), text.end(), list), end; found != end; ++found) {
+        const std::string inside = (*found)[1].str();
+        for (std::sregex_iterator key(inside.begin(), inside.end(), quoted); key != end; ++key)
+            keys.insert((*key)[1].str());
+    }
+    return keys;
+}
+
+}  // namespace
+
+TEST_CASE("a citation in words and one by key name the same source") {
+    CHECK(cited_in_words("/// Johnson, Kendall &\n/// Roberts 1971; Dong et al. 2013, Eq. 3 (Hertz 1882)") ==
+          std::set<std::string>{"johnson1971", "dong2013", "hertz1882"});
+    CHECK(cited_in_words("the year 2013 and 1999 points, section 2000").empty());
+    CHECK(cited_by_key(R"(output{.citations = {"dong2013, Eq. 1", "thornton1998"}})") ==
+          std::set<std::string>{"dong2013", "thornton1998"});
+    CHECK(cited_by_key("\"citations\": [\"bass1995\",\n \"qsi-fused-quartz\"]") ==
+          std::set<std::string>{"bass1995", "qsi-fused-quartz"});
+}
+
+TEST_CASE(
+    "whatever the sources, the data and the pages cite stands in data/references.bib, and nothing else") {
+    std::map<std::string, int> entries;
+    static const std::regex entry("\n@[a-z]+\\{([^,]+),");
+    const std::string bibliography = text_of(fs::path(ASHIMPACT_DATA) / "references.bib");
+    for (std::sregex_iterator found(bibliography.begin(), bibliography.end(), entry), end; found != end;
+         ++found)
+        ++entries[(*found)[1].str()];
+    REQUIRE(entries.size() > 40);
+    for (const auto& [key, count] : entries) CHECK_MESSAGE(count == 1, "twice in references.bib: ", key);
+
+    std::set<std::string> cited;
+    for (const char* folder : {"materials", "solver", "pipeline", "data", "docs"}) {
+        for (const fs::path& path : files_below(folder, {".hpp", ".cpp", ".json", ".md"})) {
+            const std::string text = text_of(path);
+            std::set<std::string> keys = cited_in_words(text);
+            if (path.extension() != ".md") keys.merge(cited_by_key(text));
+            for (const std::string& key : keys)
+                CHECK_MESSAGE(entries.contains(key), path.string(), " cites ", key,
+                              ", which data/references.bib has not");
+            cited.merge(keys);
+        }
+    }
+    for (const auto& [key, count] : entries)
+        CHECK_MESSAGE(cited.contains(key), "nothing cites ", key, " of data/references.bib");
+}

@@ -1,0 +1,205 @@
+// FullProf and TOPAS: what their files may look like, and what is refused.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include "materials/xrd/xrd.hpp"
+#include "tests/materials/base/messages.hpp"
+#include "tests/materials/catalogue.hpp"
+#include "tests/relative_difference.hpp"
+
+namespace ashimpact::test {
+
+namespace {
+
+XrdResult read_text(const std::string& text) {
+    return read_xrd(text, "ash.out");
+}
+
+std::string refused_text(const std::string& text) {
+    return refusal([&] { return read_text(text); });
+}
+
+bool close_to(double value, double expected) {
+    return relative_difference(value, expected) < 1e-12;
+}
+
+std::string fullprof_phase(int number, const std::string& name, const std::string& fraction) {
+    return " => Phase:  " + std::to_string(number) + "     " + name +
+           "\n => Bragg R-factor:   28.0       Vol:  591.768( 0.238)  Fract(%):   " + fraction +
+           "\n => Rf-factor= 20.1                 ATZ:        961.337   Brindley:  1.0000\n";
+}
+
+const std::string topas = R"(
+' quantitative analysis of /* no comment */ an ash
+r_wp  7.12 r_exp 2.1
+/* str
+   phase_name "Removed" */
+xdd "C:\data\Ash 7.raw"
+  weight_percent_amorphous 40.12`_0.9
+  str
+    phase_name "Quartz low"
+    MVW( 180.252, 112.98`, 25.000`_0.300)
+    Phase_Density_g_on_cm3( 2.6490`)
+  str
+    phase_name Mullite ' without quotes
+    weight_percent  wp2  75.000`_0.500
+    MVW( 426.05 , 167.4`, 11.1)
+)";
+
+}  // namespace
+
+TEST_CASE("a FullProf summary of two phases: deviations in the unit of the value") {
+    const XrdResult result =
+        read_text(" ** PROGRAM FullProf **\n" + fullprof_phase(1, "Quartz low", "25.00( 0.50)") +
+                  fullprof_phase(2, "Mullite", "75.00( 2.25)"));
+    CHECK(result.format == XrdFormat::fullprof_sum);
+    REQUIRE(result.samples.size() == 1);
+    CHECK(result.samples[0].name == "ash");
+    const auto& phases = result.samples[0].analysis.phases;
+    REQUIRE(phases.size() == 2);
+    CHECK(phases[0].name == "Quartz low");
+    CHECK(close_to(phases[0].fraction, 0.25));
+    CHECK(close_to(*phases[0].standard_uncertainty, 0.005));
+    CHECK(close_to(*phases[1].standard_uncertainty, 0.0225));
+    CHECK(phases[1].place == "line 6");
+    CHECK(std::holds_alternative<AmorphousNotStated>(result.samples[0].analysis.amorphous));
+    CHECK(result.samples[0].warnings.empty());
+}
+
+TEST_CASE("FullProf: no brackets, a field too narrow, several patterns, a sum that is not 100") {
+    const XrdResult patterns =
+        read_text(fullprof_phase(1, "Quartz", "40.00") + fullprof_phase(2, "Calcite", "60.00(0.00)") +
+                  fullprof_phase(1, "Quartz", "20.00( 1.00)") + fullprof_phase(2, "Calcite", "80.00(*****)"));
+    REQUIRE(patterns.samples.size() == 2);
+    CHECK(patterns.samples[0].name == "pattern 1");
+    CHECK(patterns.samples[1].name == "pattern 2");
+    CHECK_FALSE(patterns.samples[0].analysis.phases[1].standard_uncertainty);
+    CHECK(close_to(patterns.samples[1].analysis.phases[0].fraction, 0.2));
+    const XrdSample sample =
+        read_text(fullprof_phase(1, "Quartz", "40.00") + fullprof_phase(2, "Calcite", "40.00") +
+                  fullprof_phase(3, "Mullite", "*******(*****)"))
+            .samples[0];
+    CHECK(close_to(sample.analysis.phases[0].fraction, 0.5));
+    REQUIRE(sample.warnings.size() == 2);
+    CHECK(holds(sample.warnings[0], "\"Mullite\" has no fraction (line 8)"));
+    CHECK(holds(sample.warnings[1], "add up to 80 %"));
+}
+
+TEST_CASE("malformed FullProf summaries are refused at their line") {
+    const std::string quartz = fullprof_phase(1, "Quartz", "40.00( 1.00)");
+    CHECK(holds(refused_text(quartz + " => Phase:  2     Mullite\n"),
+                "line 4: the phase \"Mullite\" has no Fract(%)"));
+    CHECK(holds(refused_text(quartz + fullprof_phase(2, "QUARTZ", "60.00")),
+                "line 5: the phase \"QUARTZ\" is there twice"));
+    CHECK(holds(refused_text(fullprof_phase(1, "Quartz", "-4.00")), "line 2: the fraction is below zero"));
+    CHECK(holds(refused_text(fullprof_phase(1, "Quartz", "4.00( 1.0")), "line 2: cannot read"));
+    CHECK(holds(refused_text(fullprof_phase(1, "Quartz", "abc")), "line 2: cannot read"));
+    CHECK(holds(refused_text(fullprof_phase(1, "Quartz", "0.00")), "no phase has a fraction"));
+    CHECK(holds(refused_text(" => Phase:  x     Quartz\n => Bragg R-factor: 2 Fract(%): 4\n"),
+                "line 1: cannot read"));
+    CHECK(holds(refused_text(" Fract(%): 4\n" + quartz), "line 1: a fraction stands before the first phase"));
+}
+
+TEST_CASE("a TOPAS file: macros and keywords, comments, standard deviations, amorphous part") {
+    const XrdResult result = read_text(topas);
+    CHECK(result.format == XrdFormat::topas_out);
+    REQUIRE(result.samples.size() == 1);
+    const XrdSample& sample = result.samples[0];
+    CHECK(sample.name == "Ash 7");
+    const auto& phases = sample.analysis.phases;
+    REQUIRE(phases.size() == 2);
+    CHECK(phases[0].name == "Quartz low");
+    CHECK(phases[0].place == "line 9");
+    CHECK(close_to(phases[0].fraction, 0.25));
+    CHECK(close_to(*phases[0].standard_uncertainty, 0.003));
+    CHECK(close_to(*phases[0].density, 2649));
+    CHECK(phases[1].name == "Mullite");
+    CHECK(close_to(phases[1].fraction, 0.75));  // the keyword, not the macro
+    CHECK(close_to(std::get<AmorphousFraction>(sample.analysis.amorphous).value, 0.4012));
+    CHECK(close_to(*std::get<AmorphousFraction>(sample.analysis.amorphous).standard_uncertainty, 0.009));
+}
+
+TEST_CASE("TOPAS: a spiked standard gives the amorphous part of the ash") {
+    const std::string spiked =
+        "xdd a.raw\n weight_percent_amorphous 50\n"
+        "str phase_name Quartz weight_percent 80\n"
+        "str phase_name Corundum weight_percent 20 spiked_phase_measured_weight_percent 10\n";
+    const XrdSample sample = read_text(spiked).samples[0];
+    CHECK(sample.warnings.empty());
+    REQUIRE(sample.analysis.phases.size() == 1);
+    const Composition composition = compose(sample.analysis, shipped_catalogue());
+    // In the mixture quartz is 10 % * 80/20 = 40 %, of the ash 40/90.
+    CHECK(close_to(composition.components[0].weight_fraction, 4.0 / 9.0));
+    CHECK(composition.components[1].phase.amorphous);
+    std::string other = spiked;
+    other.replace(other.find(" 50"), 3, " 30");
+    CHECK(holds(read_text(other).samples[0].warnings.back(),
+                "amorphous part of the mixture is 30 %, the standard gives 50 %"));
+    CHECK(holds(
+        refused_text(spiked +
+                     "str phase_name Calcite weight_percent 5 spiked_phase_measured_weight_percent 5\n"),
+        "line 5: there are two spiked phases"));
+}
+
+TEST_CASE("TOPAS: several patterns, phases without an xdd, a phase without a weight") {
+    const XrdResult two = read_text(
+        "xdd a.raw\nstr phase_name Quartz weight_percent 100\n"
+        "xdd b.raw\nstr phase_name Mullite weight_percent 100`\n");
+    REQUIRE(two.samples.size() == 2);
+    CHECK(two.samples[0].name == "a");
+    CHECK(two.samples[1].analysis.phases[0].name == "Mullite");
+    const XrdSample bare = read_text(
+                               "str\nphase_name \"Quartz\"\nMVW(1,2,60)\nstr phase_name Lime scale @ 1\n"
+                               "hkl_Is phase_name \"Calcite\" MVW( 0, 0, 40`_1)\n")
+                               .samples[0];
+    CHECK(bare.name == "ash");
+    CHECK(close_to(bare.analysis.phases[1].fraction, 0.4));
+    REQUIRE(bare.warnings.size() == 1);
+    CHECK(holds(bare.warnings[0], "\"Lime\" has no weight (line 4)"));
+}
+
+TEST_CASE("malformed TOPAS files are refused at their line") {
+    CHECK(
+        holds(refused_text("str phase_name \"Quartz\nweight_percent 3\n"), "line 1: a quote is not closed"));
+    CHECK(
+        holds(refused_text("str phase_name Quartz\n/* weight_percent\n"), "line 2: a comment is not closed"));
+    CHECK(holds(refused_text("phase_name Quartz\nweight_percent 3\n"),
+                "line 1: \"phase_name\" stands before the first phase"));
+    CHECK(
+        holds(refused_text("str phase_name Quartz\nweight_percent\n"), "nothing follows \"weight_percent\""));
+    CHECK(holds(refused_text("str phase_name Quartz\nweight_percent 3x\n"), "line 2: cannot read \"3x\""));
+    CHECK(holds(refused_text("str phase_name Quartz\nweight_percent -3\n"), "line 2: cannot read \"-3\""));
+    CHECK(holds(refused_text("str phase_name Quartz\nMVW( 1, 2\n"), "cut off"));
+    CHECK(holds(refused_text("str phase_name Quartz\nMVW( 1, 2)\n"), "line 2: MVW has 2 arguments"));
+    CHECK(holds(refused_text("str phase_name Quartz weight_percent 0\n"), "no phase has a weight"));
+    CHECK(holds(refused_text("str weight_percent 4\nstr phase_name Quartz weight_percent 3\n"),
+                "line 1: a phase has no phase_name"));
+    CHECK(holds(
+        refused_text("str phase_name Quartz weight_percent 4\nstr phase_name quartz weight_percent 3\n"),
+        "line 2: the phase \"quartz\" is there twice"));
+}
+
+TEST_CASE(
+    "tables as laboratories write them: a title line, Fehler, decimal commas, German and French heads") {
+    const XrdSample sample =
+        read_text(
+            "Probe;Kraftwerk Nord\nPhase;Gew.-%;Fehler\nQuarz;10,5;0,3\nMullit;29,5;0,8\n"
+            "R\u00f6ntgenamorph;60,0;1,0\n")
+            .samples[0];
+    REQUIRE(sample.analysis.phases.size() == 3);
+    CHECK(close_to(sample.analysis.phases[0].fraction, 0.105));
+    CHECK(close_to(*sample.analysis.phases[1].standard_uncertainty, 0.008));
+    CHECK(compose(sample.analysis, shipped_catalogue()).components[2].phase.amorphous);
+    for (const char* head : {"Error", "ESD", "s.u.", "Standardabweichung", "Unsicherheit", "incertitude"}) {
+        CAPTURE(head);
+        const XrdSample table =
+            read_text("phase,wt%," + std::string(head) + "\nquartz,40,0.5\nGlasphase,60,1\n").samples[0];
+        CHECK(close_to(*table.analysis.phases[0].standard_uncertainty, 0.005));
+    }
+    const XrdResult wide = read_text("Sample,Fly ash 7\nsample,quartz %,mullite %\nA,40,60\nB,30,70\n");
+    CHECK(wide.samples.size() == 2);
+}
+
+}  // namespace ashimpact::test
