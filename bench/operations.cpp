@@ -15,7 +15,7 @@ namespace ashimpact::HWY_NAMESPACE {
 namespace {
 
 /// Lanes that are alike do not wait for each other: what is counted is what an impact needs.
-template <template <class> class L, DampingLaw damping_law>
+template <template <class> class L, class Damping>
 double operations_an_impact(const test::Impacts& impacts) {
     operation_count = 0;
     for (Eigen::Index i = 0; i < impacts.size(); ++i) {
@@ -26,7 +26,7 @@ double operations_an_impact(const test::Impacts& impacts) {
             block.adhesion[lane] = L<double>::adhesion_number(impact.contact, scale.length);
             block.damping[lane] = scale.damping_number(impact.damping);
         }
-        follow<Form<L, damping_law>>(block, impact.detachment, false);
+        follow<Form<L, Damping>>(block, impact.detachment, false);
     }
     return static_cast<double>(operation_count) / static_cast<double>(impacts.size()) /
            static_cast<double>(block_size);
@@ -34,18 +34,8 @@ double operations_an_impact(const test::Impacts& impacts) {
 
 template <template <class> class L>
 void print(const test::Impacts& impacts) {
-    double count = 0.0;
-    switch (impacts.damping_law) {
-        case DampingLaw::constant:
-            count = operations_an_impact<L, DampingLaw::constant>(impacts);
-            break;
-        case DampingLaw::contact_radius:
-            count = operations_an_impact<L, DampingLaw::contact_radius>(impacts);
-            break;
-        case DampingLaw::tsuji:
-            count = operations_an_impact<L, DampingLaw::tsuji>(impacts);
-            break;
-    }
+    const double count = RegisteredDampings::visit<double>(
+        impacts.damping_law, [&]<class Damping>() { return operations_an_impact<L, Damping>(impacts); });
     std::cout << impacts.law.name() << ' ' << name_of(impacts.damping_law) << ' ' << count << '\n';
 }
 
@@ -56,9 +46,6 @@ int main() {
     using namespace ashimpact;
     for (const test::Impacts& impacts : test::random_impacts(500, 1.0, 42)) {
         if (impacts.detachment != impacts.law.default_detachment()) continue;
-        if (impacts.law == Law::of<Hertz>()) HWY_NAMESPACE::print<Hertz>(impacts);
-        if (impacts.law == Law::of<Dmt>()) HWY_NAMESPACE::print<Dmt>(impacts);
-        if (impacts.law == Law::of<BrachDunn>()) HWY_NAMESPACE::print<BrachDunn>(impacts);
-        if (impacts.law == Law::of<Jkr>()) HWY_NAMESPACE::print<Jkr>(impacts);
+        impacts.law.visit<void>([&]<template <class> class L>() { HWY_NAMESPACE::print<L>(impacts); });
     }
 }

@@ -22,6 +22,20 @@ if(ASHIMPACT_SANITIZE)
   target_link_options(ashimpact_options INTERFACE -fsanitize=address,undefined)
 endif()
 
+if(ASHIMPACT_FUZZ)
+  target_compile_options(ashimpact_options INTERFACE -fsanitize=fuzzer-no-link,address,undefined
+                                                     -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(ashimpact_options INTERFACE -fsanitize=address,undefined)
+endif()
+if(ASHIMPACT_THREAD_SANITIZER)
+  target_compile_options(ashimpact_options INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
+  target_link_options(ashimpact_options INTERFACE -fsanitize=thread)
+endif()
+if(ASHIMPACT_COVERAGE)
+  target_compile_options(ashimpact_options INTERFACE --coverage -fprofile-update=atomic)
+  target_link_options(ashimpact_options INTERFACE --coverage)
+endif()
+
 # For what a run passes through once, reading and writing documents and the command line: it compiles in two thirds of the
 # time, and no run is slower for it.
 add_library(ashimpact_cold_code INTERFACE)

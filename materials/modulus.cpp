@@ -11,15 +11,6 @@ namespace ashimpact {
 
 namespace {
 
-constexpr std::array<std::string_view, 8> rule_names{"parallel",
-                                                     "series",
-                                                     "hill",
-                                                     "voigt",
-                                                     "reuss",
-                                                     "voigt-reuss-hill",
-                                                     "hashin-shtrikman-lower",
-                                                     "hashin-shtrikman-upper"};
-
 /// One evaluation: everything as numbers, so that it can be differentiated.
 struct Mixture {
     FractionBasis basis;
@@ -61,8 +52,7 @@ Results evaluate(const Mixture& mixture) {
         results.chosen.poisson_ratio = poisson_ratio(mean);
     }
     results.chosen.young_modulus = results.rules.at(static_cast<std::size_t>(mixture.options.rule));
-    if (mixture.options.porosity)
-        results.chosen = extrapolated_porous_moduli(results.chosen, *mixture.options.porosity);
+    if (mixture.options.porosity) results.chosen = porous_moduli(results.chosen, *mixture.options.porosity);
     return results;
 }
 
@@ -87,9 +77,9 @@ Mixture checked_mixture(const Composition& composition, const ModulusOptions& op
     if (options.porosity) require_valid(*options.porosity);
     Mixture mixture = mixture_of(composition, options);
     if (options.rule > MixtureRule::hill && !mixture.has_poisson_ratios())
-        throw InputError("the rule " + std::string(mixture_rule_name(options.rule)) +
-                             " needs a Poisson ratio for every phase",
-                         "parallel, series, hill, or Poisson's ratios in the case file");
+        throw InputError(
+            "the rule " + std::string(name_of(options.rule)) + " needs a Poisson ratio for every phase",
+            "parallel, series, hill, or Poisson's ratios in the case file");
     return mixture;
 }
 
@@ -181,17 +171,6 @@ bool any_assumed(const Composition& composition) {
 }
 
 }  // namespace
-
-std::string_view mixture_rule_name(MixtureRule rule) {
-    return rule_names.at(static_cast<std::size_t>(rule));
-}
-
-MixtureRule mixture_rule(std::string_view name) {
-    for (std::size_t i = 0; i < rule_names.size(); ++i)
-        if (rule_names[i] == name) return static_cast<MixtureRule>(i);
-    throw InputError("no mixture rule is called " + in_quotes(name),
-                     joined(std::vector<std::string>(rule_names.begin(), rule_names.end())));
-}
 
 std::optional<RuleResult> ModulusEstimate::by(MixtureRule rule) const {
     for (const RuleResult& result : rules)

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "materials/base/names.hpp"
 #include "materials/base/uncertainty.hpp"
 #include "materials/composition.hpp"
 #include "materials/porosity.hpp"
@@ -13,19 +15,28 @@ namespace ashimpact {
 
 /// How one Young's modulus is taken from those of the phases.
 enum class MixtureRule {
-    parallel,                ///< "parallel": Eq. 1, the default
-    series,                  ///< "series": Reuss on E
-    hill,                    ///< "hill": mean of the two
-    voigt,                   ///< "voigt": upper bounds on K and G; the following need every Poisson ratio
-    reuss,                   ///< "reuss": lower bounds on K and G
-    voigt_reuss_hill,        ///< "voigt-reuss-hill": mean of the two
-    hashin_shtrikman_lower,  ///< "hashin-shtrikman-lower"
-    hashin_shtrikman_upper,  ///< "hashin-shtrikman-upper"
+    parallel,                ///< Eq. 1, the default
+    series,                  ///< Reuss on E
+    hill,                    ///< mean of the two
+    voigt,                   ///< upper bounds on K and G; this and the following need every Poisson ratio
+    reuss,                   ///< lower bounds on K and G
+    voigt_reuss_hill,        ///< mean of the two
+    hashin_shtrikman_lower,  ///< lower bounds on K and G for isotropic mixtures
+    hashin_shtrikman_upper,  ///< upper bounds on K and G for isotropic mixtures
 };
 
-/// Name of a rule in files, and back. Errors: InputError that lists the names.
-[[nodiscard]] std::string_view mixture_rule_name(MixtureRule rule);
-[[nodiscard]] MixtureRule mixture_rule(std::string_view name);
+template <>
+struct Names<MixtureRule> {
+    static constexpr std::string_view kind = "mixture rule";
+    static constexpr std::array<std::string_view, 8> all{"parallel",
+                                                         "series",
+                                                         "hill",
+                                                         "voigt",
+                                                         "reuss",
+                                                         "voigt-reuss-hill",
+                                                         "hashin-shtrikman-lower",
+                                                         "hashin-shtrikman-upper"};
+};
 
 struct ModulusOptions {
     MixtureRule rule = MixtureRule::parallel;

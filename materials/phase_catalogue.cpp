@@ -191,7 +191,7 @@ PhaseCatalogue PhaseCatalogue::preferring(std::string_view set) const {
     if (wanted == sets.end()) {
         std::vector<std::string> names;
         for (const PhaseSet& s : sets_) names.push_back(s.name);
-        throw InputError("no phase set is called " + in_quotes(set), joined(names));
+        throw unknown_name("phase set", set, names);
     }
     std::rotate(sets.begin(), wanted, wanted + 1);
     return PhaseCatalogue(std::move(sets));

@@ -13,23 +13,16 @@ namespace ashimpact {
 
 namespace {
 
-struct LawRow {
-    PorosityLaw law;
-    std::string_view name;
-    double lowest;   ///< P from which the law holds
-    double highest;  ///< P up to which it holds
+/// The porosities for which a law holds.
+struct Validity {
+    double lowest = 0;
+    double highest = 1;
 };
 
-constexpr std::array law_rows{
-    LawRow{PorosityLaw::hashin_shtrikman, "hashin-shtrikman", 0, 1},
-    LawRow{PorosityLaw::coble_kingery, "coble-kingery", 0, 0.5},
-    LawRow{PorosityLaw::pabst_gregorova, "pabst-gregorova", 0, 1},
-    LawRow{PorosityLaw::spriggs, "spriggs", 0, 1},
-    LawRow{PorosityLaw::gibson_ashby, "gibson-ashby", 0.7, 1},
-};
-
-const LawRow& row(PorosityLaw law) {
-    return law_rows.at(static_cast<std::size_t>(law));
+Validity validity_of(PorosityLaw law) {
+    if (law == PorosityLaw::coble_kingery) return {.highest = 0.5};
+    if (law == PorosityLaw::gibson_ashby) return {.lowest = 0.7};
+    return {};
 }
 
 PorousModuli with_pores_as_a_phase(const PorousModuli& dense, double p) {
@@ -49,7 +42,7 @@ void require_valid(const Porosity& porosity) {
     if (porosity.law == PorosityLaw::spriggs && !porosity.coefficient)
         throw InputError("the law spriggs has no coefficient b", "b of E = E0 exp(-b P), usually 2 to 5");
     if (porosity.coefficient && porosity.law != PorosityLaw::spriggs)
-        throw InputError("the law " + std::string(row(porosity.law).name) + " has no coefficient", "none");
+        throw InputError("the law " + std::string(name_of(porosity.law)) + " has no coefficient", "none");
     if (porosity.coefficient) require_positive("coefficient b", *porosity.coefficient, Dimension::fraction);
     if (porosity.standard_uncertainty)
         require_not_negative("uncertainty of the porosity", *porosity.standard_uncertainty,
@@ -57,11 +50,6 @@ void require_valid(const Porosity& porosity) {
 }
 
 PorousModuli porous_moduli(const PorousModuli& dense, const Porosity& porosity) {
-    require_valid(porosity);
-    return extrapolated_porous_moduli(dense, porosity);
-}
-
-PorousModuli extrapolated_porous_moduli(const PorousModuli& dense, const Porosity& porosity) {
     const double p = porosity.value;
     PorousModuli porous = dense;
     switch (porosity.law) {
@@ -84,23 +72,11 @@ PorousModuli extrapolated_porous_moduli(const PorousModuli& dense, const Porosit
 }
 
 std::string porosity_warning(const Porosity& porosity) {
-    const LawRow& law = row(porosity.law);
-    if (porosity.value >= law.lowest && porosity.value <= law.highest) return {};
+    const Validity validity = validity_of(porosity.law);
+    if (porosity.value >= validity.lowest && porosity.value <= validity.highest) return {};
     return "the porosity " + shortest(porosity.value) + " is outside the validity of the law " +
-           std::string(law.name) + ", " + shortest(law.lowest) + " to " + shortest(law.highest);
-}
-
-std::string_view porosity_law_name(PorosityLaw law) {
-    return row(law).name;
-}
-
-PorosityLaw porosity_law(std::string_view name) {
-    std::vector<std::string> names;
-    for (const LawRow& law : law_rows) {
-        if (law.name == name) return law.law;
-        names.emplace_back(law.name);
-    }
-    throw InputError("no porosity law is called " + in_quotes(name), joined(names));
+           std::string(name_of(porosity.law)) + ", " + shortest(validity.lowest) + " to " +
+           shortest(validity.highest);
 }
 
 double porosity_from_densities(double apparent_density, double true_density) {

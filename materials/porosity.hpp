@@ -1,19 +1,28 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "materials/base/names.hpp"
 
 namespace ashimpact {
 
 /// Laws for Young's modulus of a porous solid, E = E0 f(P). None is the default: a law is chosen by name.
 enum class PorosityLaw {
-    hashin_shtrikman,  ///< "hashin-shtrikman": upper bound of (K, G) with pores as a phase of K = G = 0
-    coble_kingery,     ///< "coble-kingery": f = 1 - 1.9 P + 0.9 P^2
-    pabst_gregorova,   ///< "pabst-gregorova": f = exp(-2 P/(1 - P))
-    spriggs,           ///< "spriggs": f = exp(-b P), b from the user
-    gibson_ashby,      ///< "gibson-ashby": f = (1 - P)^2
+    hashin_shtrikman,  ///< upper bound of (K, G) with pores as a phase of K = G = 0
+    coble_kingery,     ///< f = 1 - 1.9 P + 0.9 P^2
+    pabst_gregorova,   ///< f = exp(-2 P/(1 - P))
+    spriggs,           ///< f = exp(-b P), b from the user
+    gibson_ashby,      ///< f = (1 - P)^2
+};
+
+template <>
+struct Names<PorosityLaw> {
+    static constexpr std::string_view kind = "porosity law";
+    static constexpr std::array<std::string_view, 5> all{"hashin-shtrikman", "coble-kingery",
+                                                         "pabst-gregorova", "spriggs", "gibson-ashby"};
 };
 
 /// A chosen law with the porosity P.
@@ -32,30 +41,23 @@ struct PorousModuli {
 
 /// Returns the moduli of a solid with pores. Sources and validity:
 ///   hashin-shtrikman  Hashin & Shtrikman 1963, J. Mech. Phys. Solids 11:127. An upper bound for isotropic
-///   porous
-///                     solids, met by hollow-sphere assemblages (cenospheres) in K; needs Poisson's ratio,
-///                     changes it.
+///                     porous solids, met by hollow-sphere assemblages (cenospheres) in K; needs Poisson's
+///                     ratio, changes it.
 ///   coble-kingery     Coble & Kingery 1956, J. Am. Ceram. Soc. 39:377: closed spherical pores, nu0 near 0.3,
 ///                     measured up to P = 0.5.
 ///   pabst-gregorova   Pabst & Gregorova 2004, J. Mater. Sci. 39:3213: closed isometric pores.
 ///   spriggs           Spriggs 1961, J. Am. Ceram. Soc. 44:628: where b was fitted; does not vanish at P = 1.
 ///   gibson-ashby      Gibson & Ashby 1997, Cellular Solids: open cells, P above 0.7.
-/// All but the first leave Poisson's ratio as it is. Errors: InputError for P outside [0, 1), a missing or
-/// superfluous coefficient, and hashin-shtrikman without Poisson's ratio.
+/// All but the first leave Poisson's ratio as it is. P is not checked (see require_valid), so that a
+/// derivative at P = 0 can be taken by central differences. Errors: InputError for hashin-shtrikman without
+/// Poisson's ratio.
 [[nodiscard]] PorousModuli porous_moduli(const PorousModuli& dense, const Porosity& porosity);
-
-/// The same formulas without the check of P, for differences across P = 0.
-[[nodiscard]] PorousModuli extrapolated_porous_moduli(const PorousModuli& dense, const Porosity& porosity);
 
 /// Throws InputError for P outside [0, 1) and for a coefficient that is missing or superfluous.
 void require_valid(const Porosity& porosity);
 
 /// Returns what is to be said of a law used outside of its validity; empty inside.
 [[nodiscard]] std::string porosity_warning(const Porosity& porosity);
-
-/// Name of a law in files, and back. Errors: InputError that lists the names.
-[[nodiscard]] std::string_view porosity_law_name(PorosityLaw law);
-[[nodiscard]] PorosityLaw porosity_law(std::string_view name);
 
 /// Returns the porosity [1] from the apparent (mercury, helium with closed pores) and the true density
 /// [kg/m3]: P = 1 - apparent/true. Errors: InputError if the apparent density is the larger one.

@@ -1,6 +1,5 @@
 #include "materials/work_of_adhesion.hpp"
 
-#include <array>
 #include <cmath>
 #include <string>
 
@@ -11,17 +10,6 @@ namespace ashimpact {
 
 namespace {
 
-struct RuleRow {
-    AdhesionRule rule;
-    std::string_view name;
-};
-
-constexpr std::array rule_rows{
-    RuleRow{AdhesionRule::girifalco_good, "girifalco-good"},
-    RuleRow{AdhesionRule::dong2013, "dong2013"},
-    RuleRow{AdhesionRule::dupre, "dupre"},
-};
-
 double interfacial_energy(const SurfaceEnergies& energies) {
     if (!energies.interfacial)
         throw InputError("the rule dupre has no interfacial energy", "an energy per area [J/m2]");
@@ -30,19 +18,6 @@ double interfacial_energy(const SurfaceEnergies& energies) {
 }
 
 }  // namespace
-
-std::string_view adhesion_rule_name(AdhesionRule rule) {
-    return rule_rows.at(static_cast<std::size_t>(rule)).name;
-}
-
-AdhesionRule adhesion_rule(std::string_view name) {
-    std::string names;
-    for (const auto& row : rule_rows) {
-        if (row.name == name) return row.rule;
-        names += (names.empty() ? "" : ", ") + std::string(row.name);
-    }
-    throw InputError("no adhesion rule is called \"" + std::string(name) + "\"", names);
-}
 
 double work_of_adhesion(AdhesionRule rule, const SurfaceEnergies& energies) {
     require_not_negative("surface energy of the particle", energies.particle, Dimension::energy_per_area);
@@ -53,9 +28,9 @@ double work_of_adhesion(AdhesionRule rule, const SurfaceEnergies& energies) {
         return w;
     }
     if (energies.interfacial)
-        throw InputError("an interfacial energy is given, which the rule " +
-                             std::string(adhesion_rule_name(rule)) + " does not use",
-                         "the rule dupre, or no interfacial energy");
+        throw InputError(
+            "an interfacial energy is given, which the rule " + std::string(name_of(rule)) + " does not use",
+            "the rule dupre, or no interfacial energy");
     const double geometric_mean = std::sqrt(energies.particle) * std::sqrt(energies.wall);
     return rule == AdhesionRule::girifalco_good ? 2 * geometric_mean : geometric_mean;
 }

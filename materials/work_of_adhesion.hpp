@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string_view>
+
+#include "materials/base/names.hpp"
 
 namespace ashimpact {
 
@@ -12,18 +15,18 @@ enum class AdhesionRule {
     dupre,           ///< w = g1 + g2 - g12, needs the interfacial energy
 };
 
+template <>
+struct Names<AdhesionRule> {
+    static constexpr std::string_view kind = "adhesion rule";
+    static constexpr std::array<std::string_view, 3> all{"girifalco-good", "dong2013", "dupre"};
+};
+
 /// Surface energies [J/m2]; an energy per surface, not the work of adhesion.
 struct SurfaceEnergies {
     double particle = 0;
     double wall = 0;
     std::optional<double> interfacial{};  ///< g12, for the Dupre rule only
 };
-
-/// Name of a rule in files: "girifalco-good", "dong2013", "dupre".
-[[nodiscard]] std::string_view adhesion_rule_name(AdhesionRule rule);
-
-/// Rule of that name. Errors: InputError that lists the names.
-[[nodiscard]] AdhesionRule adhesion_rule(std::string_view name);
 
 /// Returns the work of adhesion w [J/m2], the reversible work to part one unit of interface.
 /// Source: Girifalco & Good 1957 (J. Phys. Chem. 61:904, interaction parameter 1); Dupre 1869 as in

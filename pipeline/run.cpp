@@ -10,27 +10,46 @@
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/case/detachment_json.hpp"
 #include "pipeline/files/file.hpp"
+#include "pipeline/files/run_folder.hpp"
 #include "pipeline/files/sha256.hpp"
 #include "pipeline/json/schema.hpp"
+#include "pipeline/json/schema_version.hpp"
 #include "pipeline/json/writer.hpp"
+#include "pipeline/report/report.hpp"
+#include "pipeline/run_identity.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
 
 namespace ashimpact {
 
 namespace {
 
-constexpr std::string_view manifest_file = "manifest.json";
-
 std::string schema_of(std::string_view file) {
     return std::string(file.substr(0, file.rfind('.')));
 }
 
+/// Runs a stage. An error that says no place is one of what was edited, or of the case.
+StageOutput run_stage(const Stage& stage, const Artifacts& before, const std::vector<std::string>& edited) {
+    try {
+        return stage.run(before);
+    } catch (const InputError& error) {
+        if (!error.place().empty()) throw;
+        const auto is_edited_one = [&](std::string_view file) {
+            return std::find(edited.begin(), edited.end(), file) != edited.end();
+        };
+        const auto found = std::find_if(stage.reads.begin(), stage.reads.end(), is_edited_one);
+        throw error.at("/result").in_file(
+            before.place_of(found != stage.reads.end() ? *found : stage.reads.front()));
+    }
+}
+
 /// An artifact in its envelope.
+/// @param run identity of its run; empty: it starts one
 Artifact sealed(std::string_view file, std::string_view stage, const std::vector<InputFile>& inputs,
-                const StageOutput& output) {
+                const StageOutput& output, const std::string& run) {
     Json named = Json::array();
     for (const InputFile& input : inputs) named.push_back({{"file", input.file}, {"sha256", input.sha256}});
     Json document{{"schema", schema_of(file)},
+                  {"schema_version", schema_version},
                   {"stage", stage},
                   {"provenance",
                    {{"program", "ashimpact"},
@@ -41,6 +60,7 @@ Artifact sealed(std::string_view file, std::string_view stage, const std::vector
                   {"citations", output.citations},
                   {"warnings", output.warnings},
                   {"result", output.result}};
+    seal(document, run.empty() ? run_identity(output.result, named) : run);
     std::string bytes = write_json(document);
     return {std::string(file), std::move(document), std::move(bytes)};
 }
@@ -49,27 +69,41 @@ Artifact case_artifact_of(const LoadedCase& loaded) {
     StageOutput output{.result = case_json(loaded.data)};
     output.options = {{"detachments", detachments_json(loaded.data)}};
     output.warnings = loaded.warnings;
-    return sealed(case_artifact, "case", loaded.inputs, output);
+    Artifact artifact = sealed(case_artifact, "case", loaded.inputs, output, {});
+    artifact.place = loaded.inputs.front().file;
+    return artifact;
 }
 
-Artifact computed(const Stage& stage, const Artifacts& before) {
+Artifact computed(const Stage& stage, const Artifacts& before, const std::vector<std::string>& edited) {
     std::vector<InputFile> inputs;
     for (const std::string_view file : stage.reads)
         inputs.push_back({std::string(file), sha256(before.at(file).bytes)});
-    StageOutput output = stage.run(before);
+    StageOutput output = run_stage(stage, before, edited);
+    for (const std::string_view file : stage.reads)
+        if (std::find(edited.begin(), edited.end(), file) != edited.end())
+            output.warnings.push_back(std::string(file) + " was edited after ashimpact wrote it");
     const bool reads_case =
         std::find(stage.reads.begin(), stage.reads.end(), case_artifact) != stage.reads.end();
     if (reads_case) output.options["detachments"] = detachments_json(read_case_artifact(before));
-    return sealed(stage.file, stage.name, inputs, output);
+    return sealed(stage.file, stage.name, inputs, output, run_of(before.at(stage.reads.front()).document));
 }
 
-/// An artifact of an earlier run, checked against its schema.
-Artifact loaded_artifact(const std::filesystem::path& folder, std::string_view file) {
+/// An artifact of an earlier run, checked against its schema. If it was edited that is said, and what the
+/// edit left without a meaning is dropped.
+Artifact loaded_artifact(const std::filesystem::path& folder, std::string_view file,
+                         std::vector<std::string>& edited) {
     const auto path = folder / file;
     std::string bytes = read_file(path);
     return in_file(path.string(), [&] {
         Json document = without_comments(parse_json(bytes));
+        require_schema_version(document, true);
         validate_document(document, schema_of(file));
+        if (is_edited(document)) {
+            edited.emplace_back(file);
+            spdlog::warn("warning: {}: was edited after ashimpact wrote it; its values count", path.string());
+            for (const std::string& dropped : accept_edits(document))
+                spdlog::warn("warning: {}: {}", path.string(), dropped);
+        }
         return Artifact{std::string(file), std::move(document), std::move(bytes), path.string()};
     });
 }
@@ -90,24 +124,80 @@ Artifact manifest_of(const RunPlan& plan, const std::vector<Artifact>& all,
                                               {"bytes", artifact.bytes.size()},
                                               {"written_by_this_run", is_new}});
     }
-    return sealed(manifest_file, "manifest", {}, output);
+    return sealed(manifest_artifact, "manifest", {}, output, run_of(written.front().document));
 }
 
-void write_artifacts(const std::filesystem::path& folder, const std::vector<Artifact>& artifacts) {
-    std::vector<FileContent> files;
-    files.reserve(artifacts.size());
-    for (const Artifact& artifact : artifacts) files.push_back({folder / artifact.file, artifact.bytes});
-    write_files(files);
+/// Report and figures of a run; of a part of one, where the folder has the artifacts of the rest.
+std::vector<FileContent> presentation(const RunPlan& plan, Artifacts artifacts, RunSummary& summary) {
+    if (!plan.report && !plan.figures) return {};
+    try {
+        for (const std::string_view file : report::report_artifacts())
+            if (!artifacts.has(file)) artifacts.add(loaded_artifact(plan.folder, file));
+        report::Presentation made = report::present(
+            std::move(artifacts), {.folder = plan.folder, .page = plan.report, .figures = plan.figures});
+        summary.report = made.page;
+        summary.figures = made.files.size() - (made.page.empty() ? 0 : 1);
+        return std::move(made.files);
+    } catch (const InputError& error) {
+        if (plan.from.empty() && plan.only.empty()) throw;
+        summary.warnings.push_back(std::string("no report: ") + error.what());
+        return {};
+    }
 }
+
+std::vector<std::string> artifact_names() {
+    std::vector<std::string> names{std::string(case_artifact), std::string(manifest_artifact)};
+    for (const Stage& stage : stages()) names.emplace_back(stage.file);
+    return names;
+}
+
+/// The folder of a run, for this run alone; where it is not there yet, from the time it is made.
+class RunFolder {
+  public:
+    explicit RunFolder(const std::filesystem::path& folder)
+        : folder_(folder.empty() ? std::filesystem::path(".") : folder), names_(artifact_names()) {
+        require_writable_folder(folder_);
+        if (std::filesystem::is_directory(folder_)) take();
+    }
+
+    /// Replaces the artifacts and the report as one; figures, which have a folder of their own, after them.
+    void write(const std::vector<Artifact>& artifacts, std::vector<FileContent> presentation) {
+        if (!lock_) {
+            make_folder(folder_);
+            take();
+        }
+        std::vector<NamedContent> files;
+        std::vector<FileContent> figures;
+        for (FileContent& file : presentation) {
+            if (file.path.parent_path().filename() == "figures")
+                figures.push_back(std::move(file));
+            else
+                files.push_back({file.path.filename().string(), std::move(file.content)});
+        }
+        for (const Artifact& artifact : artifacts) files.push_back({artifact.file, artifact.bytes});
+        replace_files(folder_, files);
+        if (!figures.empty()) write_files(figures);
+    }
+
+  private:
+    void take() {
+        require_plain_files(folder_, names_);
+        lock_.emplace(folder_);
+        settle(folder_, names_);
+    }
+
+    std::filesystem::path folder_;
+    std::vector<std::string> names_;
+    std::optional<FolderLock> lock_;
+};
 
 /// Refuses a folder in which the run would write over what it reads.
 void keep_inputs(const std::vector<InputFile>& inputs, const std::filesystem::path& folder) {
-    std::vector<std::string_view> files{case_artifact, manifest_file};
-    for (const Stage& stage : stages()) files.push_back(stage.file);
+    const std::vector<std::string> files = artifact_names();
     for (const InputFile& input : inputs)
-        for (const std::string_view file : files)
+        for (const std::string& file : files)
             if (is_same_file(input.file, folder / file))
-                throw InputError("the run reads this file and would write " + std::string(file) + " over it",
+                throw InputError("the run reads this file and would write " + file + " over it",
                                  "another folder; -o")
                     .in_file(input.file);
 }
@@ -126,13 +216,8 @@ Range range_of(const RunPlan& plan) {
     if (name.empty()) return {};
     const auto names = stage_names();
     const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) {
-        const auto guess = nearest(name, names, 1);
-        throw InputError("no stage is called " + in_quotes(name) +
-                             (guess.empty() ? "" : ", did you mean " + in_quotes(guess.front()) + "?"),
-                         joined(names))
-            .at(plan.only.empty() ? "--from" : "--only");
-    }
+    if (found == names.end())
+        throw unknown_name("stage", name, names).at(plan.only.empty() ? "--from" : "--only");
     if (plan.case_file)
         throw InputError("a case file and a stage to start from are both given", "one of the two")
             .in_file(*plan.case_file);
@@ -147,12 +232,21 @@ bool is_read(const Range& range, std::string_view file) {
     return false;
 }
 
-/// The artifacts in the folder that this run neither reads nor writes: only their bytes matter.
+/// The artifacts in the folder that this run neither reads nor writes: only their bytes and their run matter.
 void add_left(const std::filesystem::path& folder, std::string_view file, std::string_view stage,
               std::vector<Artifact>& all) {
+    const auto path = folder / file;
     std::error_code ignored;
-    if (std::filesystem::is_regular_file(folder / file, ignored))
-        all.push_back({std::string(file), Json{{"stage", stage}}, read_file(folder / file)});
+    if (!std::filesystem::is_regular_file(path, ignored)) return;
+    std::string bytes = read_file(path);
+    Json document{{"stage", stage}, {"provenance", {{"inputs", Json::array()}}}};
+    in_file(path.string(), [&] {
+        const Json whole = without_comments(parse_json(bytes));
+        require_schema_version(whole, true);
+        validate_document(whole, schema_of(file));
+        document["provenance"] = whole.at("provenance");
+    });
+    all.push_back({std::string(file), std::move(document), std::move(bytes), path.string()});
 }
 
 }  // namespace
@@ -163,11 +257,17 @@ std::vector<std::string> stage_names() {
     return names;
 }
 
+Artifacts load_artifacts(const std::filesystem::path& folder, const std::vector<std::string_view>& files) {
+    Artifacts artifacts;
+    for (const std::string_view file : files) artifacts.add(loaded_artifact(folder, file));
+    return artifacts;
+}
+
 Artifacts compute_artifacts(const std::optional<std::string>& case_file, std::string_view last_stage) {
     Artifacts artifacts;
     artifacts.add(case_artifact_of(load_case(case_file)));
     for (const Stage& stage : stages()) {
-        artifacts.add(computed(stage, artifacts));
+        artifacts.add(computed(stage, artifacts, {}));
         if (stage.name == last_stage) break;
     }
     return artifacts;
@@ -175,9 +275,11 @@ Artifacts compute_artifacts(const std::optional<std::string>& case_file, std::st
 
 RunSummary run_stages(const RunPlan& plan) {
     const Range range = range_of(plan);
-    require_writable_folder(plan.folder);
+    if (plan.figures) report::require_figure_programs();
+    RunFolder folder(plan.folder);
     Artifacts artifacts;
     std::vector<Artifact> all;
+    std::vector<std::string> edited;
     RunSummary summary;
     const auto keep = [&](Artifact artifact, bool is_new) {
         if (is_new) summary.written.push_back(artifact);
@@ -185,29 +287,39 @@ RunSummary run_stages(const RunPlan& plan) {
         artifacts.add(std::move(artifact));
     };
     if (range.with_case) {
-        const LoadedCase loaded = load_case(plan.case_file);
+        const LoadedCase loaded = load_case(plan.case_file, plan.allow_outside);
         keep_inputs(loaded.inputs, plan.folder);
         keep(case_artifact_of(loaded), true);
     } else if (is_read(range, case_artifact))
-        keep(loaded_artifact(plan.folder, case_artifact), false);
+        keep(loaded_artifact(plan.folder, case_artifact, edited), false);
     else
         add_left(plan.folder, case_artifact, "case", all);
 
-    for (std::size_t i = 0; i < stages().size(); ++i) {
+    for (std::size_t i = 0; i < range.first; ++i) {
         const Stage& stage = stages()[i];
-        if (range.holds(i)) {
-            keep(computed(stage, artifacts), true);
-            spdlog::debug("{}: done", stage.name);
-        } else if (i < range.first && is_read(range, stage.file)) {
-            keep(loaded_artifact(plan.folder, stage.file), false);
-        } else {
+        if (is_read(range, stage.file))
+            keep(loaded_artifact(plan.folder, stage.file, edited), false);
+        else
             add_left(plan.folder, stage.file, stage.name, all);
-        }
     }
+    std::vector<Artifact> after;
+    for (std::size_t i = range.end; i < stages().size(); ++i)
+        add_left(plan.folder, stages()[i].file, stages()[i].name, after);
+    if (!range.with_case) {
+        std::vector<Artifact> old = all;
+        old.insert(old.end(), after.begin(), after.end());
+        require_one_run(old);
+        for (const std::string& told : outdated(all)) spdlog::warn("warning: {}", told);
+    }
+    for (std::size_t i = range.first; i < range.end; ++i) {
+        keep(computed(stages()[i], artifacts, edited), true);
+        spdlog::debug("{}: done", stages()[i].name);
+    }
+    all.insert(all.end(), after.begin(), after.end());
     summary.written.push_back(manifest_of(plan, all, summary.written));
     for (const Artifact& artifact : summary.written)
         for (const auto& warning : artifact.document.at("warnings")) summary.warnings.push_back(warning);
-    write_artifacts(plan.folder, summary.written);
+    folder.write(summary.written, presentation(plan, std::move(artifacts), summary));
     return summary;
 }
 

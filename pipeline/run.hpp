@@ -13,14 +13,19 @@ namespace ashimpact {
 struct RunPlan {
     std::optional<std::string> case_file;  ///< none: the built-in case
     std::filesystem::path folder;          ///< of the artifacts
-    std::string from{};  ///< stage to start from, with the artifacts before it as they are; empty: the case
-    std::string only{};  ///< the one stage to run; empty: all from there on
+    std::string from{};    ///< stage to start from, with the artifacts before it as they are; empty: the case
+    std::string only{};    ///< the one stage to run; empty: all from there on
+    bool report = true;    ///< report.html beside the artifacts
+    bool figures = false;  ///< every figure as a file of its own, in the folder "figures"
+    bool allow_outside = false;  ///< the case may name files outside of its folder
 };
 
 /// A finished run.
 struct RunSummary {
     std::vector<Artifact> written;  ///< in order, the manifest last
     std::vector<std::string> warnings;
+    std::filesystem::path report{};  ///< file of the report; empty: none was made
+    std::size_t figures = 0;         ///< files of figures written
 };
 
 /// Runs the stages and writes their artifacts. Everything is read, checked and computed before the first file
@@ -31,6 +36,10 @@ struct RunSummary {
 /// The artifacts of a case up to and with a stage, nothing written.
 [[nodiscard]] Artifacts compute_artifacts(const std::optional<std::string>& case_file,
                                           std::string_view last_stage);
+
+/// Artifacts of a finished run, checked against their schemas. @throws InputError naming the file
+[[nodiscard]] Artifacts load_artifacts(const std::filesystem::path& folder,
+                                       const std::vector<std::string_view>& files);
 
 /// Names of the stages a run can start from.
 [[nodiscard]] std::vector<std::string> stage_names();

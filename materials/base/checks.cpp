@@ -43,6 +43,11 @@ void require_poisson_ratio(std::string_view name, double value) {
     if (!(value > -1 && value <= 0.5)) refuse(name, value, Dimension::fraction, "-1 < Poisson ratio <= 0.5");
 }
 
+InputError unknown_name(std::string_view kind, std::string_view name, const std::vector<std::string>& known) {
+    return InputError("no " + std::string(kind) + " is called " + in_quotes(name) + did_you_mean(name, known),
+                      joined(known));
+}
+
 void require_fraction(std::string_view name, double value) {
     if (!(value >= 0 && value <= 1)) refuse(name, value, Dimension::fraction, "0 to 1 (0 % to 100 %)");
 }

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
+#include "materials/base/error.hpp"
 #include "materials/base/units.hpp"
 
 namespace ashimpact {
@@ -29,5 +32,10 @@ void require_poisson_ratio(std::string_view name, double value);
 
 /// Throws InputError unless 0 <= value <= 1.
 void require_fraction(std::string_view name, double value);
+
+/// The error for a name that is none of `known`: `no <kind> is called "<name>", did you mean "<nearest>"?`,
+/// with all of them as what is allowed.
+[[nodiscard]] InputError unknown_name(std::string_view kind, std::string_view name,
+                                      const std::vector<std::string>& known);
 
 }  // namespace ashimpact

@@ -82,9 +82,7 @@ std::string reason_of(std::string message) {
 }
 
 std::string list(std::initializer_list<std::string_view> words) {
-    std::string joined;
-    for (const auto word : words) joined += (joined.empty() ? "" : ", ") + std::string(word);
-    return joined;
+    return joined(std::span(words.begin(), words.size()));
 }
 
 }  // namespace
@@ -128,10 +126,7 @@ void require_keys(const Json& node, std::initializer_list<std::string_view> allo
     for (const auto& [key, _] : node.items()) {
         if (std::find(allowed.begin(), allowed.end(), key) != allowed.end()) continue;
         const std::vector<std::string> candidates(allowed.begin(), allowed.end());
-        const auto guess = nearest(key, candidates, 1);
-        throw InputError("unknown key " + in_quotes(key) +
-                             (guess.empty() ? "" : ", did you mean " + in_quotes(guess[0]) + "?"),
-                         list(allowed))
+        throw InputError("unknown key " + in_quotes(key) + did_you_mean(key, candidates), list(allowed))
             .at("/" + key);
     }
 }

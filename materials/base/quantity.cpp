@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "materials/base/error.hpp"
+#include "materials/base/text.hpp"
 
 namespace ashimpact {
 
@@ -37,6 +38,11 @@ Quantity read_object(const Json& node, Dimension expected) {
     if (uncertainty < 0)
         throw InputError("a standard uncertainty below zero", "zero or more").at("/standard_uncertainty");
     quantity.standard_uncertainty = to_si(uncertainty, unit, expected);
+    const double most = expected == Dimension::fraction ? 1.0 : 1e40;
+    if (*quantity.standard_uncertainty > most)
+        throw InputError("a standard uncertainty of " + shortest(*quantity.standard_uncertainty),
+                         expected == Dimension::fraction ? "0 to 1" : "0 to 1e40 in SI")
+            .at("/standard_uncertainty");
     return quantity;
 }
 

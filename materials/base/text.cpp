@@ -1,5 +1,7 @@
 #include "materials/base/text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -15,10 +17,34 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(blank) - first + 1);
 }
 
+namespace {
+
+/// Whether a byte goes on with a UTF-8 character that begins before it.
+bool continues(char byte) {
+    return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U;
+}
+
+/// The longest beginning of at most @p most bytes that ends with a whole UTF-8 character.
+std::string_view whole_start(std::string_view text, std::size_t most) {
+    if (text.size() <= most) return text;
+    std::size_t end = most;
+    while (end > 0 && most - end < 3 && continues(text[end])) --end;
+    return text.substr(0, end);
+}
+
+/// The longest end of at most @p most bytes that begins with a whole UTF-8 character.
+std::string_view whole_end(std::string_view text, std::size_t most) {
+    std::size_t start = text.size() > most ? text.size() - most : 0;
+    for (int i = 0; i < 3 && start < text.size() && continues(text[start]); ++i) ++start;
+    return text.substr(start);
+}
+
+}  // namespace
+
 std::string in_quotes(std::string_view text) {
     constexpr std::size_t longest = 60;
     std::string shown = "\"";
-    for (const char c : text.substr(0, longest)) {
+    for (const char c : whole_start(text, longest)) {
         const auto byte = static_cast<unsigned char>(c);
         shown += byte < 0x20 || byte == 0x7f ? ' ' : c;
     }
@@ -75,6 +101,11 @@ std::vector<std::string> nearest(std::string_view word, const std::vector<std::s
     return words;
 }
 
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
+    const auto guess = nearest(word, candidates, 1);
+    return guess.empty() ? std::string{} : ", did you mean " + in_quotes(guess.front()) + "?";
+}
+
 std::string with_article(std::string_view noun) {
     const bool vowel =
         !noun.empty() && std::string_view("aeiou").find(noun.front()) != std::string_view::npos;
@@ -82,9 +113,11 @@ std::string with_article(std::string_view noun) {
 }
 
 std::string joined(const std::vector<std::string>& words) {
-    std::string list;
-    for (const auto& word : words) list += (list.empty() ? "" : ", ") + word;
-    return list;
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
+std::string joined(std::span<const std::string_view> words) {
+    return fmt::format("{}", fmt::join(words, ", "));
 }
 
 std::string without_controls(std::string_view text) {
@@ -105,7 +138,7 @@ std::string shortened(const std::string& text) {
     constexpr std::size_t longest = 120;
     constexpr std::size_t kept = 50;
     if (text.size() <= longest) return text;
-    return text.substr(0, kept) + "..." + text.substr(text.size() - kept);
+    return std::string(whole_start(text, kept)) + "..." + std::string(whole_end(text, kept));
 }
 
 std::string shell_word(const std::string& text) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,11 +32,15 @@ namespace ashimpact {
 [[nodiscard]] std::vector<std::string> nearest(std::string_view word,
                                                const std::vector<std::string>& candidates, std::size_t count);
 
+/// `, did you mean "..."?` with the nearest candidate; empty where none is near.
+[[nodiscard]] std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
+
 /// "a pressure", "an energy": the indefinite article by the first letter.
 [[nodiscard]] std::string with_article(std::string_view noun);
 
 /// The words with ", " between them.
 [[nodiscard]] std::string joined(const std::vector<std::string>& words);
+[[nodiscard]] std::string joined(std::span<const std::string_view> words);
 
 /// The text with "?" for each control character, of one byte or in UTF-8, but tabs and line ends: a terminal
 /// would obey them.

@@ -42,11 +42,6 @@ std::string stem(std::string_view name) {
 
 }  // namespace
 
-std::string_view xrd_format_name(XrdFormat format) {
-    constexpr std::array<std::string_view, 4> names{"BGMN/Profex .lst", "GSAS-II .lst", "table", "JSON"};
-    return names.at(static_cast<std::size_t>(format));
-}
-
 XrdResult read_xrd(std::string_view text, std::string_view name) {
     try {
         XrdResult result = read(text);

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "materials/base/names.hpp"
 #include "materials/composition.hpp"
 
 namespace ashimpact {
@@ -16,8 +18,11 @@ inline constexpr std::size_t longest_xrd_file = std::size_t{16} << 20;
 /// What a file was recognised as.
 enum class XrdFormat { bgmn_lst, gsas2_lst, table, json };
 
-/// Name of a format for tables: "BGMN/Profex .lst".
-[[nodiscard]] std::string_view xrd_format_name(XrdFormat format);
+template <>
+struct Names<XrdFormat> {
+    static constexpr std::string_view kind = "format of XRD results";
+    static constexpr std::array<std::string_view, 4> all{"BGMN/Profex .lst", "GSAS-II .lst", "table", "JSON"};
+};
 
 /// One sample of a file: fractions, what the file says of the amorphous part, the file's own densities.
 struct XrdSample {

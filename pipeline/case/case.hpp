@@ -95,6 +95,7 @@ struct Sample {
     std::optional<Stated> density{};          ///< apparent; else that of the phases, less the pores
     std::optional<Stated> contact_modulus{};  ///< instead of Eq. 7 [Pa]
     std::optional<Stated> yield_pressure{};   ///< for laws that yield; else never [Pa]
+    std::vector<std::pair<LawParameter, Stated>> parameters{};  ///< of laws that declare their own
     std::optional<Adhesion> work_of_adhesion{};
     std::optional<Stated> measured_critical_velocity{};
     std::optional<RestitutionSource> restitution{};
@@ -114,7 +115,8 @@ struct HistoryOptions {
 /// How the damping is read from measured impacts and fitted; see docs/case.md.
 struct FitChoices {
     int order = 2;         ///< of the extrapolated fit; the paper's is 2
-    int direct_order = 4;  ///< of the direct fit
+    /// Relative standard deviation of single diameters, such as of a sieve; none: what the impacts show [1].
+    std::optional<double> size_scatter{};
     bool robust = false;   ///< bisquare weights
     double flatness = 0.25;
     double outlier = 4.0;

@@ -61,7 +61,7 @@ Json adhesion_json(const Adhesion& adhesion) {
     const auto energy = [](double value) { return quantity_json(value, Dimension::energy_per_area); };
     Json energies{{"particle", energy(from.energies.particle)}, {"wall", energy(from.energies.wall)}};
     if (from.energies.interfacial) energies["interfacial"] = energy(*from.energies.interfacial);
-    return {{"surface_energies", energies}, {"rule", adhesion_rule_name(from.rule)}};
+    return {{"surface_energies", energies}, {"rule", name_of(from.rule)}};
 }
 
 struct AmorphousWriter {
@@ -96,7 +96,7 @@ Json analysis_json(const Analysis& analysis, const std::string& source) {
 }
 
 Json porosity_json(const Porosity& porosity, bool from_density) {
-    Json json{{"law", porosity_law_name(porosity.law)}};
+    Json json{{"law", name_of(porosity.law)}};
     if (!from_density) json["value"] = fraction_json(porosity.value, porosity.standard_uncertainty);
     if (porosity.coefficient) json["coefficient"] = *porosity.coefficient;
     return json;
@@ -134,6 +134,8 @@ Json sample_json(const Sample& sample) {
     add("density", sample.density);
     add("contact_modulus", sample.contact_modulus);
     add("yield_pressure", sample.yield_pressure);
+    for (const auto& [parameter, stated] : sample.parameters)
+        json[std::string(parameter.name)] = stated_json(stated);
     if (sample.work_of_adhesion) json["work_of_adhesion"] = adhesion_json(*sample.work_of_adhesion);
     add("measured_critical_velocity", sample.measured_critical_velocity);
     if (sample.restitution) json["restitution"] = std::visit(RestitutionWriter{}, *sample.restitution);
@@ -144,9 +146,7 @@ Json sample_json(const Sample& sample) {
 Json calibration_json(const std::vector<FreeConstant>& free) {
     Json list = Json::array();
     for (const FreeConstant& constant : free)
-        for (const CalibrationQuantityName& known : calibration_quantity_names)
-            if (known.quantity == constant.quantity)
-                list.push_back({{"quantity", known.name}, {"per_sample", constant.per_sample}});
+        list.push_back({{"quantity", name_of(constant.quantity)}, {"per_sample", constant.per_sample}});
     return {{"free", list}};
 }
 
@@ -187,7 +187,7 @@ Json published_json(const PublishedSample& published) {
 }
 
 Json case_json(const Case& data) {
-    Json json{{"name", data.name}, {"mixture_rule", mixture_rule_name(data.mixture_rule)}};
+    Json json{{"name", data.name}, {"mixture_rule", name_of(data.mixture_rule)}};
     if (data.wall) json["wall"] = wall_json(*data.wall);
     json["laws"] = Json::array();
     for (const LawChoice& choice : data.laws) {
@@ -198,10 +198,10 @@ Json case_json(const Case& data) {
     json["histories"] = {{"points", data.histories.points},
                          {"critical_excess", data.histories.critical_excess}};
     json["fit"] = {{"order", data.fit.order},
-                   {"direct_order", data.fit.direct_order},
                    {"robust", data.fit.robust},
                    {"flatness", data.fit.flatness},
                    {"outlier", data.fit.outlier}};
+    if (data.fit.size_scatter) json["fit"]["size_scatter"] = *data.fit.size_scatter;
     json["uncertainty"] = {{"samples", data.uncertainty.propagation.samples},
                            {"replicates", data.uncertainty.propagation.replicates},
                            {"seed", data.uncertainty.propagation.seed},

@@ -11,12 +11,11 @@ namespace ashimpact {
 
 namespace {
 
-Stated read_stated(const View& node, Dimension dimension) {
-    Stated stated{.quantity = node.quantity(dimension)};
-    if (!node.is_object()) return stated;
-    if (const auto origin = node.find("origin")) stated.origin = origin->text();
-    if (const auto source = node.find("source")) stated.source = source->text();
-    return stated;
+/// Refuses an uncertainty with which the value would say nothing.
+void require_uncertainty(const View& node, const Stated& stated, double most, const std::string& allowed) {
+    if (stated.quantity.standard_uncertainty.value_or(0) > most)
+        node.at("standard_uncertainty")
+            .fail("is " + shortest(*stated.quantity.standard_uncertainty), allowed);
 }
 
 Law law_of(const View::Member& member) {
@@ -168,15 +167,25 @@ class Printed {
 
 }  // namespace
 
+Stated read_stated(const View& node, Dimension dimension) {
+    Stated stated{.quantity = node.quantity(dimension)};
+    if (!node.is_object()) return stated;
+    if (const auto origin = node.find("origin")) stated.origin = origin->text();
+    if (const auto source = node.find("source")) stated.source = source->text();
+    return stated;
+}
+
 Stated read_positive(const View& node, std::string_view name, Dimension dimension) {
     Stated stated = read_stated(node, dimension);
     node.located([&] { require_positive(name, stated.value(), dimension); });
+    require_uncertainty(node, stated, 10 * stated.value(), "ten times the value at most");
     return stated;
 }
 
 Stated read_poisson_ratio(const View& node) {
     Stated stated = read_stated(node, Dimension::fraction);
     node.located([&] { require_poisson_ratio("Poisson's ratio", stated.value()); });
+    require_uncertainty(node, stated, 0.5, "0 to 0.5");
     return stated;
 }
 
@@ -212,14 +221,14 @@ Adhesion read_adhesion(const View& node) {
     const View energies = node.at("surface_energies");
     const auto energy = [&](const char* key) { return energies.at(key).number(Dimension::energy_per_area); };
     AdhesionFromSurfaces from{.energies = {.particle = energy("particle"), .wall = energy("wall")},
-                              .rule = adhesion_rule(node.at("rule").text())};
+                              .rule = named<AdhesionRule>(node.at("rule").text())};
     if (energies.has("interfacial")) from.energies.interfacial = energy("interfacial");
     node.located([&] { static_cast<void>(work_of_adhesion(from.rule, from.energies)); });
     return from;
 }
 
 Porosity read_porosity(const View& node) {
-    Porosity porosity{.law = porosity_law(node.at("law").text())};
+    Porosity porosity{.law = named<PorosityLaw>(node.at("law").text())};
     if (const auto value = node.find("value")) {
         const Quantity quantity = value->quantity(Dimension::fraction);
         porosity.value = quantity.value;

@@ -10,6 +10,8 @@
 /// here. Errors: InputError with the JSON pointer.
 namespace ashimpact {
 
+/// A quantity with its origin.
+[[nodiscard]] Stated read_stated(const View& node, Dimension dimension);
 /// A quantity with its origin, which must be positive.
 [[nodiscard]] Stated read_positive(const View& node, std::string_view name, Dimension dimension);
 [[nodiscard]] Stated read_poisson_ratio(const View& node);

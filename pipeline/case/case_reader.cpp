@@ -5,10 +5,12 @@
 
 #include "data/embedded.hpp"
 #include "materials/base/checks.hpp"
+#include "materials/base/text.hpp"
 #include "pipeline/case/case_parts.hpp"
 #include "pipeline/case/laws.hpp"
 #include "pipeline/case/measurement_parts.hpp"
 #include "pipeline/json/schema.hpp"
+#include "pipeline/json/schema_version.hpp"
 #include "solver/motion/impact.hpp"
 
 namespace ashimpact {
@@ -34,6 +36,19 @@ std::optional<Stated> read_optional(const std::optional<View>& node, std::string
     return read_positive(*node, name, dimension);
 }
 
+/// The parameters of any law that a sample states, or the particle of the case for it.
+std::vector<std::pair<LawParameter, Stated>> read_parameters(const View& sample, const Defaults& defaults) {
+    std::vector<std::pair<LawParameter, Stated>> parameters;
+    for (const LawParameter& parameter : law_parameters()) {
+        const auto node = own_or_default(sample, defaults, std::string(parameter.name).c_str());
+        if (!node) continue;
+        Stated stated = read_stated(*node, parameter.dimension);
+        node->located([&] { require_allowed(parameter, stated.value()); });
+        parameters.emplace_back(parameter, std::move(stated));
+    }
+    return parameters;
+}
+
 Sample read_sample(const View& node, const Defaults& defaults, InputFiles& files,
                    std::vector<std::string>& warnings) {
     Sample sample{.name = node.at("name").text(),
@@ -54,6 +69,7 @@ Sample read_sample(const View& node, const Defaults& defaults, InputFiles& files
                                            "contact modulus", Dimension::pressure);
     sample.yield_pressure = read_optional(own_or_default(node, defaults, "yield_pressure"), "yield pressure",
                                           Dimension::pressure);
+    sample.parameters = read_parameters(node, defaults);
     sample.work_of_adhesion = defaults.work_of_adhesion;
     if (const auto w = node.find("work_of_adhesion")) sample.work_of_adhesion = read_adhesion(*w);
     sample.measured_critical_velocity =
@@ -173,10 +189,8 @@ std::vector<FreeConstant> read_calibration(const View& document) {
     const auto calibration = document.find("calibration");
     if (!calibration) return free;
     for (const View& entry : calibration->at("free").elements()) {
-        const std::string name = entry.at("quantity").text();
-        for (const CalibrationQuantityName& known : calibration_quantity_names)
-            if (known.name == name)
-                free.push_back({known.quantity, entry.has("per_sample") && entry.at("per_sample").truth()});
+        free.push_back({named<CalibrationQuantity>(entry.at("quantity").text()),
+                        entry.has("per_sample") && entry.at("per_sample").truth()});
     }
     return free;
 }
@@ -191,6 +205,16 @@ HistoryOptions read_histories(const View& document) {
     return options;
 }
 
+void check_parameters(Law law, const Sample& sample, const View& node) {
+    const auto fault = parameter_fault(law, [&](const LawParameter& parameter) {
+        return std::any_of(sample.parameters.begin(), sample.parameters.end(),
+                           [&](const auto& given) { return given.first.name == parameter.name; });
+    });
+    if (fault)
+        node.fail(fault->problem() + ", here and in \"particle\", for law " + in_quotes(law.name()),
+                  fault->allowed());
+}
+
 /// What only the whole case shows.
 void check_whole(const Case& data, const View& document) {
     std::set<std::string> names;
@@ -202,11 +226,13 @@ void check_whole(const Case& data, const View& document) {
         if (!data.wall && !sample.contact_modulus)
             nodes[i].fail("neither a wall nor a contact modulus is given",
                           "\"wall\" of the case, or contact_modulus here");
-        const bool adhesive = std::any_of(data.laws.begin(), data.laws.end(),
-                                          [](const LawChoice& choice) { return is_adhesive(choice.law); });
+        const bool adhesive = std::any_of(data.laws.begin(), data.laws.end(), [](const LawChoice& choice) {
+            return choice.law.uses_work_of_adhesion();
+        });
         if (adhesive && !sample.work_of_adhesion)
             nodes[i].fail("\"work_of_adhesion\" is missing, here and in the case",
                           "an energy per area, such as \"0.3 J/m2\"");
+        for (const LawChoice& choice : data.laws) check_parameters(choice.law, sample, nodes[i]);
     }
 }
 
@@ -215,7 +241,7 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
     Case data{.name = document.at("name").text()};
     const PhaseCatalogue catalogue = catalogue_of(document, built_in);
     const PublishedSets published(document, files);
-    if (const auto rule = document.find("mixture_rule")) data.mixture_rule = mixture_rule(rule->text());
+    if (const auto rule = document.find("mixture_rule")) data.mixture_rule = named<MixtureRule>(rule->text());
     if (const auto wall = document.find("wall")) data.wall = read_wall(*wall);
     Defaults defaults{.particle = document.find("particle"),
                       .work_of_adhesion = {},
@@ -255,11 +281,13 @@ Case read_case(const View& document, const PhaseCatalogue& catalogue, InputFiles
     return read_case_with(document, catalogue, files, warnings);
 }
 
-LoadedCase load_case(const std::optional<std::string>& file) {
+LoadedCase load_case(const std::optional<std::string>& file, bool allow_outside) {
     InputFiles files = file ? InputFiles::beside(*file) : InputFiles::built_in(built_in_case);
+    if (allow_outside) files.allow_outside();
     const std::string text = files.read_case();
     return in_file(files.case_name(), [&] {
         const Json document = without_comments(parse_json(text));
+        require_schema_version(document, false);
         validate_document(document, "case");
         LoadedCase loaded;
         loaded.data = read_case_with(View(document), built_in_phases(), files, loaded.warnings);

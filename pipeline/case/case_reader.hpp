@@ -18,8 +18,9 @@ struct LoadedCase {
 };
 
 /// Reads and checks a case file and every file it names; the built-in case where no file is given.
+/// @param allow_outside whether the case may name files outside of its folder
 /// @throws InputError: file, JSON pointer or line, what is wrong, what is allowed
-[[nodiscard]] LoadedCase load_case(const std::optional<std::string>& file);
+[[nodiscard]] LoadedCase load_case(const std::optional<std::string>& file, bool allow_outside = false);
 
 /// Reads a case that conforms to the schema and checks what a schema cannot say. @p files serves the files it
 /// names.

@@ -32,6 +32,7 @@ std::string InputFiles::read_case() {
 
 std::string InputFiles::read(const std::string& name) {
     const std::string path = shown(name);
+    if (!is_built_in_ && !may_leave_) require_inside(name);
     return is_built_in_ ? read_built_in(path) : record(path, read_file(path));
 }
 
@@ -43,6 +44,16 @@ std::string InputFiles::read_built_in(const std::string& path) {
 
 std::string InputFiles::shown(const std::string& name) const {
     return (folder_ / name).string();
+}
+
+void InputFiles::require_inside(const std::string& name) const {
+    std::error_code failure;
+    const auto folder = std::filesystem::weakly_canonical(folder_.empty() ? "." : folder_, failure);
+    const auto file = std::filesystem::weakly_canonical(folder_ / name, failure);
+    const auto way = file.lexically_relative(folder);
+    if (!failure && !way.empty() && *way.begin() != "..") return;
+    throw InputError("lies outside of the folder of the case", "a file in that folder, or --allow-outside")
+        .in_file(shown(name));
 }
 
 std::string InputFiles::record(const std::string& name, std::string bytes) {

@@ -22,7 +22,10 @@ class InputFiles {
 
     /// The bytes of the case file itself, which comes first in the record.
     [[nodiscard]] std::string read_case();
-    /// The bytes of another file. @throws InputError if it cannot be read
+    /// Lets the case name files outside of its folder, too.
+    void allow_outside() { may_leave_ = true; }
+    /// The bytes of another file. @throws InputError if it cannot be read, or lies outside of the case's folder,
+    /// through links too, where that is not allowed
     [[nodiscard]] std::string read(const std::string& name);
     /// The bytes of a file the program carries.
     [[nodiscard]] std::string read_built_in(const std::string& path);
@@ -35,10 +38,12 @@ class InputFiles {
   private:
     InputFiles(std::string case_name, std::filesystem::path folder, bool is_built_in);
     std::string record(const std::string& name, std::string bytes);
+    void require_inside(const std::string& name) const;
 
     std::string case_name_;
     std::filesystem::path folder_;
     bool is_built_in_;
+    bool may_leave_ = false;
     std::vector<InputFile> used_;
 };
 

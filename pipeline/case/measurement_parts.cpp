@@ -68,7 +68,8 @@ FitChoices read_fit_choices(const std::optional<View>& node) {
     FitChoices choices;
     if (!node) return choices;
     if (const auto order = node->find("order")) choices.order = order->integer();
-    if (const auto order = node->find("direct_order")) choices.direct_order = order->integer();
+    if (const auto scatter = node->find("size_scatter"))
+        choices.size_scatter = scatter->number(Dimension::fraction);
     if (const auto robust = node->find("robust")) choices.robust = robust->truth();
     if (const auto flatness = node->find("flatness"))
         choices.flatness = flatness->number(Dimension::fraction);

@@ -31,6 +31,11 @@ void add_run(CLI::App& program, Action& action) {
                          "restitution, damping, fit, critical-velocity, histories, comparison")
             ->type_name("STAGE");
     command->add_option("--only", options->only, "run this stage alone")->type_name("STAGE")->excludes(from);
+    command->add_flag("--no-report", options->no_report, "leave report.html out");
+    command->add_flag("--figures", options->figures,
+                      "every figure as SVG and PDF too, for one column and for two (PDF: librsvg2-bin)");
+    command->add_flag("--allow-outside", options->allow_outside,
+                      "the case may name files outside of its own folder");
     command->callback(
         [options, &action] { action = [options](std::ostream& out) { run_run_command(*options, out); }; });
 }

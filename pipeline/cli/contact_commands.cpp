@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "materials/base/text.hpp"
 #include "pipeline/cli/argument_checks.hpp"
 #include "pipeline/cli/commands.hpp"
 #include "pipeline/commands/critical_velocity.hpp"
@@ -13,36 +14,27 @@ namespace {
 
 constexpr auto json_help = "print one JSON object, numbers with 17 significant digits";
 
-void add_contact_options(CLI::App& command, ContactOptions& options) {
-    command.add_option("--law", options.law, "contact law: " + law_names())->required()->type_name("NAME");
-    command.add_option("--radius", options.radius, "of the sphere, \"44 um\"")->required()->type_name("Q");
-    command.add_option("--density", options.density, "of the sphere, \"2160 kg/m3\"")->type_name("Q");
-    command.add_option("--mass", options.mass, "of the sphere, instead of its density")->type_name("Q");
-    command
-        .add_option("--contact-modulus", options.contact_modulus, "E*, \"90 GPa\" (not a Young's modulus)")
-        ->required()
-        ->type_name("Q");
-    command
-        .add_option("--work-of-adhesion", options.work_of_adhesion,
-                    "w, \"0.3 J/m2\" (not a surface energy); not needed for hertz")
-        ->type_name("Q");
-    command.add_option("--yield-pressure", options.yield_pressure, "p_y, \"35.3 MPa\", for thornton-ning")
-        ->type_name("Q");
-    command
-        .add_option(
-            "--detachment", options.detachment,
-            "where the contact ends: zero-overlap, zero-force, pull-off, load-controlled; default: that "
-            "of the law")
-        ->type_name("NAME");
-    command
-        .add_option("--damping-law", options.damping_law,
-                    "constant, contact-radius or tsuji; the unit of the damping goes with it")
-        ->capture_default_str()
-        ->type_name("NAME");
+/// Names of the laws that pass a test, for help.
+template <class Test>
+std::string laws_where(Test&& test) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < Law::count(); ++i)
+        if (test(Law::at(i))) names.emplace_back(Law::at(i).name());
+    return joined(names);
 }
 
-void add_damping_option(CLI::App& command, ContactOptions& options) {
-    command.add_option("--damping", options.damping, "\"0.0141 kg/s\"; default: none")->type_name("Q");
+std::string damping_law_names() {
+    std::vector<std::string> names;
+    for (const DampingName& entry : damping_names) names.emplace_back(entry.name);
+    return joined(names);
+}
+
+std::string laws_without_adhesion() {
+    return laws_where([](Law law) { return !law.uses_work_of_adhesion(); });
+}
+
+std::string laws_with(const LawParameter& parameter) {
+    return laws_where([&](Law law) { return law.takes(parameter); });
 }
 
 void add_impact(CLI::App& program, Action& action) {
@@ -51,7 +43,7 @@ void add_impact(CLI::App& program, Action& action) {
                                 "--contact-modulus \"90 GPa\" --work-of-adhesion \"0.3 J/m2\" "
                                 "--damping \"0.0141 kg/s\" --velocity \"2 m/s\"");
     const auto options = std::make_shared<ImpactOptions>();
-    add_contact_options(*command, options->contact);
+    add_contact_options(*command, options->contact, ContactNeeds::required);
     add_damping_option(*command, options->contact);
     command->add_option("--velocity", options->velocity, "at first touch, \"2 m/s\"")
         ->required()
@@ -83,7 +75,7 @@ void add_critical_velocity(CLI::App& program, Action& action) {
                                 "--density \"2600 kg/m3\" --contact-modulus \"90 GPa\" "
                                 "--work-of-adhesion \"0.3 J/m2\" --damping \"0.0141 kg/s\"");
     const auto options = std::make_shared<CriticalVelocityOptions>();
-    add_contact_options(*command, options->contact);
+    add_contact_options(*command, options->contact, ContactNeeds::required);
     add_damping_option(*command, options->contact);
     command->add_flag("--json", options->json, json_help);
     command->callback([options, &action] {
@@ -98,7 +90,7 @@ void add_damping(CLI::App& program, Action& action) {
                                 "--velocity \"2 m/s\" --restitution 0.2\n"
                                 "  (the same with --impacts impacts.csv instead of the last two)");
     const auto options = std::make_shared<DampingOptions>();
-    add_contact_options(*command, options->contact);
+    add_contact_options(*command, options->contact, ContactNeeds::required);
     command->add_option("--velocity", options->velocity, "at first touch, \"2 m/s\"")->type_name("Q");
     command->add_option("--restitution", options->restitution, "e_n; 0: the smallest damping that captures")
         ->type_name("X");
@@ -111,6 +103,18 @@ void add_damping(CLI::App& program, Action& action) {
         ->type_name("X");
     command->add_option("--pixel-size", options->pixel_size, "of the camera, in the object, \"2 um\"")
         ->type_name("Q");
+    command
+        ->add_option("--frames", options->frames, "positions that each velocity is the slope of; default 2")
+        ->type_name("N")
+        ->check(whole_number(2, 10'000));
+    command
+        ->add_option("--size-scatter", options->size_scatter,
+                     "relative standard deviation of single diameters, such as of a sieve, \"5 %\"")
+        ->type_name("X");
+    command->add_option("--order", options->order, "of the polynomial that is extrapolated; default 2")
+        ->type_name("N")
+        ->check(whole_number(1, 6));
+    command->add_flag("--robust", options->robust, "bisquare weights in the extrapolated polynomial");
     command->add_option("--bin", options->bin, "rebounds to be put into one point")
         ->type_name("N")
         ->check(whole_number(1, 1'000'000));
@@ -121,6 +125,64 @@ void add_damping(CLI::App& program, Action& action) {
 }
 
 }  // namespace
+
+void add_contact_options(CLI::App& command, ContactOptions& options, ContactNeeds needs) {
+    const bool required = needs == ContactNeeds::required;
+    command.add_option("--law", options.law, "contact law: " + law_names())
+        ->required(required)
+        ->type_name("NAME");
+    command.add_option("--radius", options.radius, "of the sphere, \"44 um\"")
+        ->required(required)
+        ->type_name("Q");
+    command.add_option("--density", options.density, "of the sphere, \"2160 kg/m3\"")->type_name("Q");
+    command.add_option("--mass", options.mass, "of the sphere, instead of its density")->type_name("Q");
+    command
+        .add_option("--partner-radius", options.partner_radius,
+                    "of a second sphere, \"60 um\"; without it the partner is a flat wall")
+        ->type_name("Q");
+    command.add_option("--partner-density", options.partner_density, "of the second sphere")->type_name("Q");
+    command
+        .add_option("--partner-mass", options.partner_mass, "of the second sphere, instead of its density")
+        ->type_name("Q");
+    command
+        .add_option("--roughness", options.roughness,
+                    "rms of both surfaces, \"1 nm\": reduces w (Rabinovich et al. 2000); default: smooth")
+        ->type_name("Q");
+    command
+        .add_option("--contact-modulus", options.contact_modulus, "E*, \"90 GPa\" (not a Young's modulus)")
+        ->required(required)
+        ->type_name("Q");
+    command
+        .add_option("--work-of-adhesion", options.work_of_adhesion,
+                    "w, \"0.3 J/m2\" (not a surface energy); not for " + laws_without_adhesion())
+        ->type_name("Q");
+    command.add_option("--yield-pressure", options.yield_pressure, "p_y, \"35.3 MPa\", for thornton-ning")
+        ->type_name("Q");
+    for (std::size_t i = 0; i < law_parameters().size(); ++i) {
+        const LawParameter& parameter = law_parameters()[i];
+        const bool quantity = parameter.dimension != Dimension::fraction;
+        command
+            .add_option(option_of(parameter), options.parameters[i],
+                        std::string(parameter.description) + ", \"" + std::string(parameter.example) +
+                            "\", for " + laws_with(parameter))
+            ->type_name(quantity ? "Q" : "X");
+    }
+    command
+        .add_option(
+            "--detachment", options.detachment,
+            "where the contact ends: zero-overlap, zero-force, pull-off, load-controlled; default: that "
+            "of the law")
+        ->type_name("NAME");
+    command
+        .add_option("--damping-law", options.damping_law,
+                    damping_law_names() + "; the unit of the damping goes with it")
+        ->capture_default_str()
+        ->type_name("NAME");
+}
+
+void add_damping_option(CLI::App& command, ContactOptions& options) {
+    command.add_option("--damping", options.damping, "\"0.0141 kg/s\"; default: none")->type_name("Q");
+}
 
 void add_contact_commands(CLI::App& program, Action& action) {
     add_impact(program, action);

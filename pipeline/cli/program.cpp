@@ -4,6 +4,8 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <filesystem>
 #include <iostream>
@@ -56,8 +58,19 @@ void print(const std::string& text) {
     if (!std::cout) throw InputError("cannot be written", "a place with room").at("standard output");
 }
 
+/// Prints what a command has done. Where the files are its result and are written, that no one hears of it is
+/// no error.
+void report(const std::string& text, bool writes_files) {
+    try {
+        print(text);
+    } catch (const InputError& error) {
+        if (!writes_files) throw;
+        spdlog::warn("warning: {}; all files were written", error.what());
+    }
+}
+
 /// Runs a command, which prints all that it has to say or nothing.
-void perform(const Action& action, HeldWarnings& messages) {
+void perform(const Action& action, bool writes_files, HeldWarnings& messages) {
     std::ostringstream out;
     try {
         action(out);
@@ -70,7 +83,7 @@ void perform(const Action& action, HeldWarnings& messages) {
             .in_file(shortened(error.path1().string()));
     }
     messages.release();
-    print(out.str());
+    report(out.str(), writes_files);
 }
 
 /// Neither quiet and verbose at once, wherever on the line they stand.
@@ -101,7 +114,9 @@ void obey(CLI::App& program, int argc, const char* const* argv, const Action& ac
         return;
     }
     check_common_options(program);
-    perform(action, messages);
+    constexpr std::array<std::string_view, 6> writing{"run", "sweep", "init", "export", "report", "figure"};
+    const std::string command = program.get_subcommands().front()->get_name();
+    perform(action, std::find(writing.begin(), writing.end(), command) != writing.end(), messages);
 }
 
 }  // namespace
@@ -114,7 +129,8 @@ CLI::App* add_command(CLI::App& program, const std::string& name, const std::str
     return command;
 }
 
-void set_up_commands(CLI::App& program, Action& action, const SweepRunner& sweep) {
+void set_up_commands(CLI::App& program, Action& action, const SweepRunner& sweep,
+                     const ExportRunner& exporter) {
     program.name("ashimpact");
     program.description(purpose);
     add_common_options(program);
@@ -123,15 +139,17 @@ void set_up_commands(CLI::App& program, Action& action, const SweepRunner& sweep
     add_case_commands(program, action);
     add_contact_commands(program, action);
     add_sweep_command(program, action, sweep);
+    add_report_commands(program, action);
+    add_export_command(program, action, exporter);
     add_document_commands(program, action);
     refuse_empty_values(program);
 }
 
-int run_program(int argc, const char* const* argv, const SweepRunner& sweep) {
+int run_program(int argc, const char* const* argv, const SweepRunner& sweep, const ExportRunner& exporter) {
     const auto messages = set_up_messages();
     CLI::App program;
     Action action;
-    set_up_commands(program, action, sweep);
+    set_up_commands(program, action, sweep, exporter);
     std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of its write
     try {
         obey(program, argc, argv, action, *messages);

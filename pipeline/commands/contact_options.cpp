@@ -2,13 +2,16 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "materials/base/checks.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/text.hpp"
 #include "materials/contact_properties.hpp"
+#include "materials/roughness.hpp"
 #include "pipeline/case/laws.hpp"
+#include "solver/damping/damping.hpp"
 
 namespace ashimpact {
 
@@ -24,25 +27,66 @@ auto at_option(const std::string& option, Read&& read) {
     }
 }
 
-double read_mass(const ContactOptions& options, double radius) {
+/// The options of one sphere.
+struct SphereOptions {
+    const char* radius_option;
+    const char* density_option;
+    const char* mass_option;
+    const std::string& radius;
+    const std::string& density;
+    const std::string& mass;
+};
+
+struct Sphere {
+    double radius;
+    double mass;
+};
+
+Sphere read_sphere(const SphereOptions& options) {
+    const double radius = read_positive_option(options.radius_option, options.radius, Dimension::length);
     if (options.density.empty() == options.mass.empty()) {
         const std::string problem = options.mass.empty() ? "neither is given" : "both are given";
-        throw InputError(problem, "one of the two").at("--density, --mass");
+        throw InputError(problem, "one of the two")
+            .at(std::string(options.density_option) + ", " + options.mass_option);
     }
-    if (!options.mass.empty()) return read_positive_option("--mass", options.mass, Dimension::mass);
-    const double density = read_positive_option("--density", options.density, Dimension::density);
-    return at_option("--radius, --density", [&] {
+    if (!options.mass.empty())
+        return {radius, read_positive_option(options.mass_option, options.mass, Dimension::mass)};
+    const double density = read_positive_option(options.density_option, options.density, Dimension::density);
+    return at_option(std::string(options.radius_option) + ", " + options.density_option, [&] {
         const double mass = sphere_mass(radius, density);
         require_positive("mass of the sphere", mass, Dimension::mass);
-        return mass;
+        return Sphere{radius, mass};
     });
+}
+
+/// R* and m* (Eq. 6 and the text under Eq. 2): of the sphere on a wall, or of both spheres.
+Sphere read_pair(const ContactOptions& options) {
+    const Sphere sphere =
+        read_sphere({"--radius", "--density", "--mass", options.radius, options.density, options.mass});
+    if (options.partner_radius.empty()) {
+        if (!options.partner_density.empty() || !options.partner_mass.empty())
+            throw InputError("is missing", "the radius of the second sphere").at("--partner-radius");
+        return sphere;
+    }
+    const Sphere partner =
+        read_sphere({"--partner-radius", "--partner-density", "--partner-mass", options.partner_radius,
+                     options.partner_density, options.partner_mass});
+    return {effective_radius(sphere.radius, partner.radius), effective_mass(sphere.mass, partner.mass)};
+}
+
+/// The share of the work of adhesion that roughness leaves.
+double read_roughness(const ContactOptions& options, double effective_radius) {
+    if (options.roughness.empty()) return 1;
+    const double rms = read_option("--roughness", options.roughness, Dimension::length);
+    return at_option("--roughness", [&] { return roughness_reduction(effective_radius, {.rms = rms}); });
 }
 
 double read_work_of_adhesion(const ContactOptions& options, Law law) {
     constexpr auto option = "--work-of-adhesion";
-    if (!is_adhesive(law) && !options.work_of_adhesion.empty())
-        spdlog::warn("warning: {}: {} has no attraction, so it changes nothing", option, law.name());
-    if (!is_adhesive(law) && options.work_of_adhesion.empty()) return 0;
+    const bool used = law.uses_work_of_adhesion();
+    if (!used && !options.work_of_adhesion.empty())
+        spdlog::warn("warning: {}: {} does not use it, so it changes nothing", option, law.name());
+    if (!used && options.work_of_adhesion.empty()) return 0;
     const double value = read_option(option, options.work_of_adhesion, Dimension::energy_per_area);
     return at_option(option, [&] {
         require_not_negative("work of adhesion", value, Dimension::energy_per_area);
@@ -58,6 +102,37 @@ double read_yield_pressure(const ContactOptions& options, Law law) {
     return std::numeric_limits<double>::infinity();
 }
 
+/// One or more of the options are missing, or more are given than may be.
+[[noreturn]] void refuse_options(const ParameterFault& fault) {
+    std::string names;
+    for (const LawParameter& parameter : fault.parameters)
+        names += (names.empty() ? "" : ", ") + option_of(parameter);
+    const std::string problem = fault.parameters.size() == 1 ? "is missing"
+                                : fault.given == 0           ? "none is given"
+                                                             : std::to_string(fault.given) + " are given";
+    throw InputError(problem, fault.allowed()).at(names);
+}
+
+ParameterValues<double> read_parameters(const ContactOptions& options, Law law) {
+    ParameterValues<double> values;
+    for (std::size_t i = 0; i < options.parameters.size(); ++i) {
+        const LawParameter& parameter = law_parameters()[i];
+        const std::string option = option_of(parameter);
+        const std::string& text = options.parameters[i];
+        if (text.empty()) continue;
+        if (!law.takes(parameter)) {
+            spdlog::warn("warning: {}: {} does not use it, so it changes nothing", option, law.name());
+            continue;
+        }
+        const double value = read_option(option, text, parameter.dimension);
+        at_option(option, [&] { require_allowed(parameter, value); });
+        values.set(parameter.name, value);
+    }
+    const auto is_given = [&](const LawParameter& parameter) { return values.has(parameter); };
+    if (const auto fault = parameter_fault(law, is_given)) refuse_options(*fault);
+    return values;
+}
+
 Detachment read_detachment(const std::string& name, Law law) {
     if (name.empty()) return law.default_detachment();
     return at_option("--detachment", [&] {
@@ -69,6 +144,12 @@ Detachment read_detachment(const std::string& name, Law law) {
 }
 
 }  // namespace
+
+std::string option_of(const LawParameter& parameter) {
+    std::string option = "--" + std::string(parameter.name);
+    std::replace(option.begin(), option.end(), '_', '-');
+    return option;
+}
 
 double read_option(const std::string& option, const std::string& text, Dimension dimension) {
     return at_option(option, [&] {
@@ -90,13 +171,15 @@ double read_positive_option(const std::string& option, const std::string& text, 
 ContactChoice read_contact(const ContactOptions& options) {
     const Law law = at_option("--law", [&] { return Law::named(options.law); });
     const Detachment detachment = read_detachment(options.detachment, law);
-    const double radius = read_positive_option("--radius", options.radius, Dimension::length);
-    const ContactPair contact{.mass = read_mass(options, radius),
+    const auto [radius, mass] = read_pair(options);
+    const double smooth_adhesion = read_work_of_adhesion(options, law);
+    const ContactPair contact{.mass = mass,
                               .effective_radius = radius,
                               .contact_modulus = read_positive_option(
                                   "--contact-modulus", options.contact_modulus, Dimension::pressure),
-                              .work_of_adhesion = read_work_of_adhesion(options, law),
-                              .yield_pressure = read_yield_pressure(options, law)};
+                              .work_of_adhesion = smooth_adhesion * read_roughness(options, radius),
+                              .yield_pressure = read_yield_pressure(options, law),
+                              .parameters = read_parameters(options, law)};
     return {law, detachment, contact};
 }
 

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "materials/base/units.hpp"
 #include "solver/motion/impact.hpp"
@@ -15,19 +16,27 @@ struct ContactOptions {
     std::string radius;
     std::string density;
     std::string mass;
+    std::string partner_radius;  ///< of a second sphere; a flat wall where it is not given
+    std::string partner_density;
+    std::string partner_mass;
+    std::string roughness;  ///< rms of both surfaces
     std::string contact_modulus;
     std::string work_of_adhesion;
     std::string yield_pressure;
+    std::vector<std::string> parameters = std::vector<std::string>(law_parameters().size());  ///< their order
     std::string damping_law = "constant";
     std::string damping;
 };
 
-/// A sphere on a flat wall with its contact law.
+/// A sphere on a flat wall, or on another sphere, with its contact law.
 struct ContactChoice {
     Law law;
     Detachment detachment;
     ContactPair contact;
 };
+
+/// The option of a law parameter: "--cohesion-energy-density".
+[[nodiscard]] std::string option_of(const LawParameter& parameter);
 
 /// @throws InputError naming the option
 [[nodiscard]] ContactChoice read_contact(const ContactOptions& options);

@@ -29,9 +29,10 @@ void run_damping_command(const DampingOptions& options, std::ostream& out) {
         run_measured_damping_command(options, out);
         return;
     }
-    if (!options.frame_rate.empty() || !options.pixel_size.empty() || options.bin > 0)
+    if (!options.frame_rate.empty() || !options.pixel_size.empty() || options.bin > 0 || options.frames > 0 ||
+        !options.size_scatter.empty())
         throw InputError("belong to a table of impacts", "--impacts FILE")
-            .at("--frame-rate, --pixel-size, --bin");
+            .at("--frame-rate, --pixel-size, --frames, --size-scatter, --bin");
     const ContactChoice choice = read_contact(options.contact);
     const DampingProblem problem{
         .law = choice.law,

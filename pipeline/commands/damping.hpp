@@ -13,7 +13,11 @@ struct DampingOptions {
     std::string impacts;     ///< table of measured impacts, instead of one velocity and restitution
     std::string frame_rate;  ///< of the camera they were seen with [frames/s]
     std::string pixel_size;
-    int bin = 0;  ///< rebounds to a bin; 0: none
+    int frames = 0;            ///< positions to a velocity; 0: not given
+    std::string size_scatter;  ///< of single diameters, relative
+    int order = 2;             ///< of the extrapolated polynomial
+    bool robust = false;       ///< bisquare weights in the extrapolation
+    int bin = 0;               ///< rebounds to a bin; 0: none
     bool json = false;
 };
 

@@ -25,7 +25,8 @@ Json energy_json(const EnergyLedger& energy) {
     return {{"incident", joule(energy.incident)},     {"at_touch", joule(energy.at_touch)},
             {"remaining", joule(energy.remaining)},   {"potential", joule(energy.potential)},
             {"dissipated", joule(energy.dissipated)}, {"plastic", joule(energy.plastic)},
-            {"residual", joule(energy.residual)},     {"minimum", joule(energy.minimum)}};
+            {"jumps", joule(energy.jumps)},           {"residual", joule(energy.residual)},
+            {"minimum", joule(energy.minimum)}};
 }
 
 std::string trajectory_csv(const std::vector<TrajectoryPoint>& points) {
@@ -90,6 +91,7 @@ std::string regime_text(const Regime& regime) {
                                     ? fmt::format("{} ({})", readable_number(regime.tabor_parameter),
                                                   adhesion_words(regime.adhesion))
                                     : "none: no adhesion");
+    list.add("greatest pressure", readable(regime.greatest_pressure, "Pa"));
     list.add("yield velocity", velocity(regime.yield_velocity));
     list.add("contact radius", fmt::format("at most {}, {} of R*", readable(regime.contact_radius, "m"),
                                            readable_number(regime.relative_contact_radius)));

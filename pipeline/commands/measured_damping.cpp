@@ -11,6 +11,7 @@
 #include "pipeline/files/file.hpp"
 #include "pipeline/json/measurement_json.hpp"
 #include "pipeline/json/quantity_json.hpp"
+#include "pipeline/json/statistics_json.hpp"
 #include "pipeline/json/writer.hpp"
 #include "pipeline/stages/json/damping_fit_json.hpp"
 #include "pipeline/stages/json/inversion_json.hpp"
@@ -33,15 +34,29 @@ double read_frame_rate(const std::string& text) {
     }
 }
 
+double read_size_scatter(const std::string& text) {
+    const double scatter = read_option("--size-scatter", text, Dimension::fraction);
+    if (!(scatter > 0 && scatter <= 0.5))
+        throw InputError("is " + readable_number(scatter),
+                         "a relative standard deviation above 0, at most 0.5")
+            .at("--size-scatter");
+    return scatter;
+}
+
 /// The impacts of the file, with camera and bins where they are asked for.
 MeasurementSet read_impacts(const DampingOptions& options) {
     MeasurementSet set = read_measurements(read_file(options.impacts), options.impacts);
     for (const std::string& warning : set.warnings) spdlog::warn("warning: {}: {}", options.impacts, warning);
     if (options.frame_rate.empty() != options.pixel_size.empty())
         throw InputError("one of the two is missing", "both or neither").at("--frame-rate, --pixel-size");
+    if (options.frames > 0 && options.frame_rate.empty())
+        throw InputError("says how a camera was used, and there is none",
+                         "with --frame-rate and --pixel-size")
+            .at("--frames");
     if (!options.frame_rate.empty()) {
         const Camera camera{.frame_rate = read_frame_rate(options.frame_rate),
-                            .pixel_size = read_option("--pixel-size", options.pixel_size, Dimension::length)};
+                            .pixel_size = read_option("--pixel-size", options.pixel_size, Dimension::length),
+                            .frames = options.frames > 0 ? options.frames : Camera{}.frames};
         set = at_place("--frame-rate, --pixel-size", [&] { return with_camera(std::move(set), camera); });
     }
     in_file(options.impacts, [&] { check_impacts(set); });
@@ -56,6 +71,10 @@ RandomContact exact(const ContactPair& contact) {
         .density = {.name = "density", .value = 3 * contact.mass / (4 * std::numbers::pi * r * r * r)},
         .work_of_adhesion = {.name = "work of adhesion", .value = contact.work_of_adhesion},
         .yield_pressure = contact.yield_pressure};
+    for (const LawParameter& parameter : law_parameters())
+        if (contact.parameters.has(parameter))
+            sphere.parameters.emplace_back(parameter, RandomInput{.name = std::string(parameter.name),
+                                                                  .value = contact.parameters[parameter]});
     sphere.contact_modulus = RandomInput{.name = "contact modulus", .value = contact.contact_modulus};
     return random_contact(sphere);
 }
@@ -68,6 +87,14 @@ std::vector<std::size_t> numbers_of(const MeasuredDamping& result) {
     return numbers;
 }
 
+/// The critical velocity that the impacts support.
+Json headline_json(const Interval& velocity) {
+    Json json = estimate_json(velocity, si_unit(Dimension::velocity));
+    json["interval"] = interval_json(velocity, si_unit(Dimension::velocity));
+    json["method"] = estimate_method;
+    return json;
+}
+
 Json result_json(const MeasuredDamping& result, const MeasurementSet& set) {
     Json json{{"law", result.law.name()},
               {"detachment", name_of(result.detachment)},
@@ -78,16 +105,20 @@ Json result_json(const MeasuredDamping& result, const MeasurementSet& set) {
     json["rising_branch"] =
         result.rising ? rising_branch_json(result.rising->upper, result.rising->falls_beyond) : Json(nullptr);
     const auto numbers = numbers_of(result);
-    const auto fit = [&](const std::optional<DampingResult>& one) {
-        if (!one) return Json(nullptr);
-        Json fitted = damping_fit_json(one->fit, numbers);
-        fitted["check"] = check_json(one->fit.critical_velocity, result.measured);
-        return fitted;
-    };
-    json["extrapolated"] = fit(result.extrapolated);
-    json["direct"] = fit(result.direct);
+    json["critical_velocity"] =
+        result.estimate ? headline_json(result.estimate->curve.critical_velocity) : Json(nullptr);
+    json["extrapolated"] = nullptr;
+    if (result.extrapolated) {
+        json["extrapolated"] = damping_fit_json(result.extrapolated->fit, numbers_of(result));
+        json["extrapolated"]["check"] =
+            check_json(result.extrapolated->fit.critical_velocity, result.measured, true);
+    }
+    json["direct"] = nullptr;
+    if (result.estimate) {
+        json["direct"] = damping_estimate_json(*result.estimate);
+        json["direct"]["check"] = check_json(result.estimate->curve.critical_velocity, result.measured, true);
+    }
     json["comparison"] = result.comparison ? comparison_json(*result.comparison) : Json(nullptr);
-    json["orders"] = orders_json(result.orders);
     json["measured"] = measured_velocity_json(result.measured);
     json["notes"] = result.notes;
     return json;
@@ -107,9 +138,15 @@ std::string fit_text(const DampingResult& result) {
         fit.noise_known
             ? fmt::format("; chi^2 {} of {}", readable_number(fit.chi_squared), fit.degrees_of_freedom)
             : std::string{};
-    return fmt::format("order {}, {} rebounds, {} captures: eta_c {}, v_c {}{}", fit.options.order,
-                       fit.rebounds.size(), fit.captures, range_text(fit.critical_damping, "kg/s"),
-                       range_text(fit.critical_velocity, "m/s"), misfit);
+    return fmt::format("eta of order {} in e, {} rebounds: v_c {}, eta_c {}{}", fit.options.order,
+                       fit.rebounds.size(), range_text(fit.critical_velocity, "m/s"),
+                       range_text(fit.critical_damping, "kg/s"), misfit);
+}
+
+std::string estimate_text(const CriticalVelocityEstimate& estimate) {
+    return fmt::format(
+        "{}, eta_c {}; of {} rebounds and {} captures", range_text(estimate.curve.critical_velocity, "m/s"),
+        range_text(estimate.curve.critical_damping, "kg/s"), estimate.rebounds, estimate.captures);
 }
 
 std::string parts_text(const DampingParts& parts) {
@@ -153,8 +190,9 @@ std::string result_text(const MeasuredDamping& result, const MeasurementSet& set
     list.add("impacts", fmt::format("{}, {} of them captured", set.points.size(), set.captures()));
     list.add("parts of eta(v_in)", parts_text(result.parts));
     if (result.rising) list.add("rising branch", fmt::format("to {}", readable(result.rising->upper, "m/s")));
-    if (result.extrapolated) list.add("extrapolated fit", fit_text(*result.extrapolated));
-    if (result.direct) list.add("direct fit", fit_text(*result.direct));
+    list.add("critical velocity",
+             result.estimate ? estimate_text(*result.estimate) : "none, see the warnings");
+    if (result.extrapolated) list.add("extrapolated", fit_text(*result.extrapolated));
     if (result.comparison) list.add("of one another", result.comparison->statement);
     list.add("measured v_c", measured_text(result.measured));
     const std::string rows =
@@ -172,6 +210,8 @@ void run_measured_damping_command(const DampingOptions& options, std::ostream& o
     const MeasurementSet set = read_impacts(options);
     MeasuredDampingOptions how;
     how.propagate = false;
+    how.extrapolated = {.order = options.order, .robust = options.robust};
+    if (!options.size_scatter.empty()) how.size_scatter = read_size_scatter(options.size_scatter);
     const MeasuredDamping result =
         analyse_impacts(choice.law, choice.detachment, exact(choice.contact), set, how);
     for (const std::string& note : result.notes) spdlog::warn("warning: {}: {}", options.impacts, note);

@@ -96,7 +96,7 @@ std::string estimate_text(const SampleEstimate& sample, const ModulusCommandOpti
     list.add(fmt::format("Young's modulus ({}{})", options.rule, pores),
              with_uncertainty(estimate.young_modulus, estimate.standard_uncertainty, Dimension::pressure));
     for (const RuleResult& rule : estimate.rules)
-        list.add("  " + std::string(mixture_rule_name(rule.rule)) + (sample.porosity ? ", dense" : ""),
+        list.add("  " + std::string(name_of(rule.rule)) + (sample.porosity ? ", dense" : ""),
                  with_uncertainty(rule.young_modulus, rule.standard_uncertainty, Dimension::pressure) +
                      std::string(standing_of(rule.rule)));
     if (estimate.poisson_ratio)
@@ -112,7 +112,7 @@ Json sample_json(const SampleEstimate& sample, MixtureRule rule) {
     json.update(modulus_json(sample.composition, sample.estimate, rule));
     json["particle_density"] = quantity_json(sample.density.apparent_density, Dimension::density);
     json["porosity"] = sample.density.porosity;
-    if (sample.porosity) json["porosity_law"] = porosity_law_name(sample.porosity->law);
+    if (sample.porosity) json["porosity_law"] = name_of(sample.porosity->law);
     json["warnings"] = sample.warnings;
     return json;
 }
@@ -142,7 +142,7 @@ SampleEstimate estimated(const XrdSample& sample, const PhaseCatalogue& catalogu
 }  // namespace
 
 void run_modulus_command(const ModulusCommandOptions& options, std::ostream& out) {
-    const MixtureRule rule = at_place("--rule", [&] { return mixture_rule(options.rule); });
+    const MixtureRule rule = at_place("--rule", [&] { return named<MixtureRule>(options.rule); });
     const PhaseCatalogue catalogue = catalogue_of(options);
     const XrdResult result = read_xrd(read_start(options.file, longest_xrd_file + 1), options.file);
     for (const std::string& warning : result.warnings) spdlog::warn("warning: {}: {}", options.file, warning);

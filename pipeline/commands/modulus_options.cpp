@@ -102,7 +102,8 @@ std::optional<Porosity> porosity_of(const ModulusCommandOptions& options, double
                 .at("--porosity-law");
         return std::nullopt;
     }
-    Porosity porosity{.law = at_place("--porosity-law", [&] { return porosity_law(options.porosity_law); })};
+    Porosity porosity{
+        .law = at_place("--porosity-law", [&] { return named<PorosityLaw>(options.porosity_law); })};
     if (!options.porosity_coefficient.empty())
         porosity.coefficient =
             read_option("--porosity-coefficient", options.porosity_coefficient, Dimension::fraction);

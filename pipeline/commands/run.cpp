@@ -12,8 +12,13 @@
 namespace ashimpact {
 
 void run_run_command(const RunOptions& options, std::ostream& out) {
-    RunPlan plan{
-        .case_file = std::nullopt, .folder = options.folder, .from = options.from, .only = options.only};
+    RunPlan plan{.case_file = std::nullopt,
+                 .folder = options.folder,
+                 .from = options.from,
+                 .only = options.only,
+                 .report = !options.no_report,
+                 .figures = options.figures,
+                 .allow_outside = options.allow_outside};
     if (!options.case_file.empty()) plan.case_file = options.case_file;
     const RunSummary summary = run_stages(plan);
     for (const std::string& warning : summary.warnings) spdlog::debug("warning: {}", warning);
@@ -22,11 +27,15 @@ void run_run_command(const RunOptions& options, std::ostream& out) {
             "warning: {} remarks on these results are in the artifacts under \"warnings\"; -v shows them",
             summary.warnings.size());
     for (const Artifact& artifact : summary.written)
-        if (artifact.file == "comparison.json")
+        if (artifact.file == comparison_artifact)
             out << comparison_text(View(artifact.document).at("result")) << '\n';
     out << fmt::format("{} artifacts in {}; `ashimpact inspect {}` shows one.\n", summary.written.size(),
                        plan.folder.string(),
                        shell_word((plan.folder / summary.written.front().file).string()));
+    if (summary.figures > 0)
+        out << fmt::format("{} files of figures in {}.\n", summary.figures,
+                           (plan.folder / "figures").string());
+    if (!summary.report.empty()) out << fmt::format("Report: {}\n", summary.report.string());
 }
 
 }  // namespace ashimpact

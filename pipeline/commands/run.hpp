@@ -10,6 +10,9 @@ struct RunOptions {
     std::string folder = "results";
     std::string from;
     std::string only;
+    bool no_report = false;
+    bool figures = false;
+    bool allow_outside = false;
 };
 
 /// `ashimpact run`: every stage, its artifacts in a folder, the comparison as a table.

@@ -1,40 +1,22 @@
 #include "pipeline/files/file.hpp"
 
-#include <pthread.h>
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <csignal>
 #include <fstream>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
 #include "materials/base/error.hpp"
+#include "pipeline/files/signals.hpp"
 
 namespace ashimpact {
 
 namespace {
-
-/// Keeps the signals that end the program waiting for as long as it lives.
-class SignalsHeld {
-  public:
-    SignalsHeld() {
-        sigset_t ending;
-        sigemptyset(&ending);
-        for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) sigaddset(&ending, signal);
-        pthread_sigmask(SIG_BLOCK, &ending, &before_);
-    }
-    ~SignalsHeld() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-    SignalsHeld(const SignalsHeld&) = delete;
-    SignalsHeld& operator=(const SignalsHeld&) = delete;
-    SignalsHeld(SignalsHeld&&) = delete;
-    SignalsHeld& operator=(SignalsHeld&&) = delete;
-
-  private:
-    sigset_t before_{};
-};
 
 std::string reason(int error) {
     return std::generic_category().message(error);
@@ -42,6 +24,31 @@ std::string reason(int error) {
 
 [[noreturn]] void refuse_write(const std::filesystem::path& path, const std::string& why) {
     throw InputError("cannot be written: " + why, "a place you may write to").in_file(path.string());
+}
+
+/// Writes bytes to a file, which is made or emptied. @return 0, or the error
+int write_bytes(const std::filesystem::path& path, std::string_view bytes, bool onto_disk) {
+    const auto again = [](auto&& call) {
+        auto result = call();
+        while (result < 0 && errno == EINTR) result = call();
+        return result;
+    };
+    const int file =
+        again([&] { return open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666); });
+    if (file < 0) return errno;
+    int error = 0;
+    while (error == 0 && !bytes.empty()) {
+        const ssize_t written = again([&] { return write(file, bytes.data(), bytes.size()); });
+        if (written < 0)
+            error = errno;
+        else
+            bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    // A pipe and some file systems cannot be forced; only a disk's own error counts.
+    const bool forced = !onto_disk || error != 0 || again([&] { return fsync(file); }) == 0;
+    if (!forced && errno != EINVAL && errno != ENOTSUP) error = errno;
+    if (close(file) != 0 && error == 0 && errno != EINTR) error = errno;
+    return error;
 }
 
 /// Files under their temporary names; those not yet in their place are removed in the end.
@@ -73,6 +80,7 @@ class Staged {
 
     void commit() {
         for (const FileContent* file : streams_) write(*file, file->path);
+        const SignalsHeld held;
         for (; !entries_.empty(); entries_.erase(entries_.begin())) {
             std::error_code failure;
             std::filesystem::rename(entries_.front().temporary, entries_.front().place, failure);
@@ -91,10 +99,7 @@ class Staged {
     }
 
     static void write(const FileContent& file, const std::filesystem::path& to) {
-        errno = 0;
-        std::ofstream stream(to, std::ios::binary | std::ios::trunc);
-        stream << file.content << std::flush;
-        if (!stream) refuse_write(file.path, reason(errno != 0 ? errno : EIO));
+        if (const int error = write_bytes(to, file.content, false)) refuse_write(file.path, reason(error));
     }
 
     struct Entry {
@@ -156,8 +161,11 @@ std::string read_start(const std::filesystem::path& path, std::size_t most) {
     return content;
 }
 
+void write_through(const std::filesystem::path& path, const std::string& content) {
+    if (const int error = write_bytes(path, content, true)) refuse_write(path, reason(error));
+}
+
 void write_files(std::span<const FileContent> files) {
-    const SignalsHeld held;
     Staged staged;
     for (const FileContent& file : files) staged.add(file);
     staged.commit();

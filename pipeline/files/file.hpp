@@ -32,10 +32,13 @@ struct FileContent {
     std::string content;
 };
 
+/// Writes a file as it stands and waits until it is on the disk. @throws InputError if it cannot be written
+void write_through(const std::filesystem::path& path, const std::string& content);
+
 /// Writes files so that no reader ever sees half of one: each under another name beside its place, then all
 /// renamed in order. If anything fails before the first rename, what was there stays as it was. Signals that
-/// end the program wait until it is done. Folders are made as needed. A symbolic link stays one: what it
-/// names is written. A device or a pipe is written to as it is.
+/// end the program wait only while files are renamed. Folders are made as needed. A symbolic link stays one:
+/// what it names is written. A device or a pipe is written to as it is.
 /// @throws InputError if a file cannot be written
 void write_files(std::span<const FileContent> files);
 

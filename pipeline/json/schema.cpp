@@ -21,45 +21,40 @@ namespace {
 constexpr std::string_view schema_folder = "schemas/";
 constexpr std::string_view suffix = ".json";
 
-using Names = std::vector<std::string>;
-
 template <class Entries, class NameOf>
-Names names_in(const Entries& entries, NameOf name_of_entry) {
-    Names names;
+std::vector<std::string> names_in(const Entries& entries, NameOf name_of_entry) {
+    std::vector<std::string> names;
     for (const auto& entry : entries) names.emplace_back(name_of_entry(entry));
     return names;
 }
 
-Names mixture_rules() {
-    Names names;
-    for (int i = 0; i <= static_cast<int>(MixtureRule::hashin_shtrikman_upper); ++i)
-        names.emplace_back(mixture_rule_name(static_cast<MixtureRule>(i)));
-    return names;
-}
-
-Names porosity_laws() {
-    Names names;
-    for (int i = 0; i <= static_cast<int>(PorosityLaw::gibson_ashby); ++i)
-        names.emplace_back(porosity_law_name(static_cast<PorosityLaw>(i)));
-    return names;
-}
-
-Names adhesion_rules() {
-    return names_in(std::array{AdhesionRule::girifalco_good, AdhesionRule::dong2013, AdhesionRule::dupre},
-                    adhesion_rule_name);
-}
-
 /// What stands for "@..." in the schema files: lists that live in the code.
-Names listed(const std::string& mark) {
+std::vector<std::string> listed(const std::string& mark) {
     const auto by_name = [](const auto& entry) { return entry.name; };
     if (mark == "@laws") return names_in(RegisteredLaws::names, [](std::string_view name) { return name; });
     if (mark == "@detachments") return names_in(detachment_names, by_name);
     if (mark == "@damping_laws") return names_in(damping_names, by_name);
-    if (mark == "@calibration_quantities") return names_in(calibration_quantity_names, by_name);
-    if (mark == "@mixture_rules") return mixture_rules();
-    if (mark == "@porosity_laws") return porosity_laws();
-    if (mark == "@adhesion_rules") return adhesion_rules();
+    if (mark == "@calibration_quantities") return names_of<CalibrationQuantity>();
+    if (mark == "@mixture_rules") return names_of<MixtureRule>();
+    if (mark == "@porosity_laws") return names_of<PorosityLaw>();
+    if (mark == "@adhesion_rules") return names_of<AdhesionRule>();
     throw std::logic_error("no list for " + mark);
+}
+
+/// Puts a property for each parameter of a contact law in the place of "@law_parameters".
+void list_parameters(Json& properties) {
+    constexpr auto mark = "@law_parameters";
+    const bool quantity = properties.at(mark) == "quantity";
+    properties.erase(mark);
+    for (const LawParameter& parameter : law_parameters()) {
+        const std::string text = std::string(parameter.description) + ": a number in " +
+                                 std::string(si_unit(parameter.dimension)) + " or such as \"" +
+                                 std::string(parameter.example) + '"';
+        properties[std::string(parameter.name)] =
+            quantity ? Json{{"description", text},
+                            {"allOf", {{{"$ref", "common.json#/definitions/quantity_form"}}}}}
+                     : Json{{"$ref", "#/definitions/variable"}};
+    }
 }
 
 Json schema_file(const std::string& name) {
@@ -88,6 +83,7 @@ class Bundle {
             const auto only = node["enum"][0].get<std::string>();
             if (only.starts_with('@')) node["enum"] = listed(only);
         }
+        if (node.is_object() && node.contains("@law_parameters")) list_parameters(node);
         if (node.is_object() && node.contains("$ref")) node["$ref"] = reference(node["$ref"]);
         if (node.is_structured())
             for (Json& child : node) resolve(child);
@@ -169,7 +165,7 @@ Json schema_named(std::string_view name) {
     const auto names = schema_names();
     for (const std::string& known : names)
         if (known == name) return Bundle(known).take();
-    throw InputError("no schema is called " + in_quotes(name), joined(names));
+    throw unknown_name("schema", name, names);
 }
 
 Json schema_with_comments(std::string_view name) {

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
@@ -69,11 +71,6 @@ std::string last_quoted(const std::string& text) {
     return text.substr(start + 1, end - start - 1);
 }
 
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
-    const auto guess = nearest(word, candidates, 1);
-    return guess.empty() ? std::string{} : ", did you mean " + in_quotes(guess.front()) + "?";
-}
-
 std::string pointer_to(const Path& path) {
     std::string pointer;
     for (const std::string& key : path) pointer = child_pointer(pointer, key);
@@ -119,19 +116,61 @@ std::vector<std::string> keys_allowed(const Json& schema, const Path& path) {
     throw InputError(problem, allowed_by(schema, path)).at(pointer_to(path));
 }
 
+constexpr std::size_t longest_set = 64;           ///< entries of a list in which none may stand twice
+constexpr std::size_t longest_list = 10'000'000;  ///< of any list
+
+/// Refuses lists that are too long before anything is done with them.
+void refuse_long_lists(const Json& node, const Json& schema, Path& path) {
+    if (node.is_array() && node.size() > longest_set) {
+        const Json* part = schema_part(schema, path);
+        const bool is_set = part != nullptr && part->value("uniqueItems", false);
+        const std::size_t most = is_set ? longest_set : longest_list;
+        if (node.size() > most)
+            throw InputError("is " + shown(node) + " entries", "at most " + std::to_string(most))
+                .at(pointer_to(path));
+    }
+    if (!node.is_structured()) return;
+    for (const auto& [key, member] : node.items()) {
+        if (!member.is_structured()) continue;
+        path.push_back(key);
+        refuse_long_lists(member, schema, path);
+        path.pop_back();
+    }
+}
+
+/// A document with no more than @p most entries of each list.
+nlohmann::json beginning_of(const Json& node, std::size_t most) {
+    if (!node.is_structured()) return nlohmann::json(node);
+    nlohmann::json copy = node.is_array() ? nlohmann::json::array() : nlohmann::json::object();
+    if (node.is_array())
+        for (std::size_t i = 0; i < std::min(most, node.size()); ++i)
+            copy.push_back(beginning_of(node[i], most));
+    else
+        for (const auto& [key, member] : node.items()) copy[key] = beginning_of(member, most);
+    return copy;
+}
+
 }  // namespace
 
 void validate_document(const Json& document, std::string_view schema_name) {
     const Json schema = schema_named(schema_name);
+    Path path;
+    refuse_long_lists(document, schema, path);
     const nlohmann::json plain_schema(schema);
     const nlohmann::json plain_document(document);
     valijson::Schema compiled;
     valijson::SchemaParser parser;
     parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(plain_schema), compiled);
     valijson::Validator validator;
-    valijson::ValidationResults results;
     const valijson::adapters::NlohmannJsonAdapter target(plain_document);
-    if (!validator.validate(compiled, target, &results)) refuse(document, schema, decisive(results));
+    if (validator.validate(compiled, target, nullptr)) return;
+    // Why: every error is listed, so ever longer beginnings of the document are looked at.
+    for (std::size_t most = 16;; most *= 2) {
+        const nlohmann::json beginning = beginning_of(document, most);
+        valijson::ValidationResults results;
+        const valijson::adapters::NlohmannJsonAdapter part(beginning);
+        if (!validator.validate(compiled, part, &results)) refuse(document, schema, decisive(results));
+    }
 }
 
 }  // namespace ashimpact

@@ -54,7 +54,9 @@ std::vector<View::Member> View::members() const {
 
 std::string View::text() const {
     if (!value_->is_string()) fail("is not a string", "a string");
-    return value_->get<std::string>();
+    auto text = value_->get<std::string>();
+    if (text.find('\0') != std::string::npos) fail("holds a NUL character", "a text without it");
+    return text;
 }
 
 bool View::truth() const {

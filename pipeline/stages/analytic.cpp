@@ -1,8 +1,12 @@
 #include "pipeline/stages/analytic.hpp"
 
+#include <cmath>
+
 #include "materials/separation_energy.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/contact.hpp"
+#include "solver/contact/maugis/transition.hpp"
+#include "solver/regime/regime.hpp"
 
 namespace ashimpact {
 
@@ -11,6 +15,18 @@ namespace {
 Json pair_json(double energy, double velocity) {
     return {{"separation_energy", quantity_json(energy, Dimension::energy)},
             {"critical_velocity", quantity_json(velocity, Dimension::velocity)}};
+}
+
+/// Eq. 30 for a cohesion of finite range: between 0 (DMT) and the value of JKR.
+Json cohesive_json(const ContactPair& contact, double jkr_energy) {
+    const double lambda = transition_parameter_of(contact);
+    const double energy = lambda > 0 ? cohesive_separation_energy(contact, lambda) : 0;
+    const double fitted = lambda > 0 ? fitted_energy_ratio(lambda) * jkr_energy : 0;
+    Json json = pair_json(energy, std::sqrt(2 * energy / contact.mass));
+    json["transition_parameter"] = lambda;
+    json["fitted"] = pair_json(fitted, std::sqrt(2 * fitted / contact.mass));
+    json["fitted"]["relative_error_of_energy"] = fitted_energy_error;
+    return json;
 }
 
 Json analytic_json(const SampleContact& sample) {
@@ -24,6 +40,7 @@ Json analytic_json(const SampleContact& sample) {
                   separation_velocity(contact, sample.density.value, Separation::load_controlled));
     json["with_printed_constants"] = pair_json(dong2013::separation_energy(contact),
                                                dong2013::separation_velocity(contact, sample.density.value));
+    json["maugis_dugdale"] = cohesive_json(sample.pair, separation_energy(contact));
     return json;
 }
 
@@ -37,7 +54,7 @@ StageOutput analytic_stage(const Artifacts& before) {
                       {"modulus", "contact modulus E* (the paper prints Young's modulus)"},
                       {"adhesion", "work of adhesion w (the paper prints a surface energy)"}};
     output.result["samples"] = Json::array();
-    for (const SampleContact& sample : before.read("2-contact.json", read_contacts))
+    for (const SampleContact& sample : before.read(contact_artifact, read_contacts))
         output.result["samples"].push_back(analytic_json(sample));
     return output;
 }

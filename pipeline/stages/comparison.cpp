@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "pipeline/case/case_json.hpp"
-#include "pipeline/case/laws.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/analytic.hpp"
 #include "pipeline/stages/contact.hpp"
@@ -16,6 +15,7 @@
 #include "pipeline/stages/modulus.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
 #include "pipeline/text/readable.hpp"
+#include "solver/damping/damping.hpp"
 
 namespace ashimpact {
 
@@ -132,6 +132,7 @@ std::vector<std::pair<std::string, double>> read_volume_fractions(const View& re
 /// The dynamic critical velocities with what belongs to each.
 struct DynamicColumns {
     Json velocity = Json::object();
+    Json extrapolated = Json::object();
     Json interval = Json::object();
     Json interval_note = Json::object();
     Json verdict = Json::object();
@@ -144,7 +145,8 @@ DynamicColumns dynamic_columns(const SampleResults& of, const std::vector<LawCho
         const LawCriticalVelocity* velocity = of.velocities.find(choice.law);
         const std::string name(choice.law.name());
         const bool finite = velocity != nullptr && velocity->value;
-        columns.velocity[name] = finite ? Json(*velocity->value) : Json(nullptr);
+        columns.velocity[name] = finite ? velocity->headline : Json(nullptr);
+        if (finite && !velocity->extrapolated.is_null()) columns.extrapolated[name] = velocity->extrapolated;
         columns.interval[name] = finite ? velocity->interval : Json(nullptr);
         if (finite && !velocity->interval_note.is_null())
             columns.interval_note[name] = velocity->interval_note;
@@ -171,12 +173,12 @@ Json measured_json(const Sample& sample, const Json& measured) {
 StageOutput comparison_stage(const Artifacts& before) {
     const Case data = read_case_artifact(before);
     const Dimension dimension = dimension_of(data.damping_law);
-    const auto moduli = before.read("1-modulus.json", read_moduli);
-    const auto contacts = before.read("2-contact.json", read_contacts);
-    const auto analytic = before.read("3-analytic.json", read_analytic);
-    const auto fits = before.read("6-fit.json", [&](const View& v) { return read_fits(v, dimension); });
-    const auto velocities = before.read("7-critical-velocity.json", read_critical_velocities);
-    const auto histories = before.read("8-histories.json", read_histories);
+    const auto moduli = before.read(modulus_artifact, read_moduli);
+    const auto contacts = before.read(contact_artifact, read_contacts);
+    const auto analytic = before.read(analytic_artifact, read_analytic);
+    const auto fits = before.read(fit_artifact, [&](const View& v) { return read_fits(v, dimension); });
+    const auto velocities = before.read(critical_velocity_artifact, read_critical_velocities);
+    const auto histories = before.read(histories_artifact, read_histories);
 
     StageOutput output{.citations = {"dong2013, Tables 1, 3 and 4, Eq. 30"}};
     output.result["case"] = data.name;
@@ -184,19 +186,19 @@ StageOutput comparison_stage(const Artifacts& before) {
     Gap gap;
     for (const Sample& sample : data.samples) {
         const auto fractions = before.read(
-            "1-modulus.json", [&](const View& view) { return read_volume_fractions(view, sample.name); });
+            modulus_artifact, [&](const View& view) { return read_volume_fractions(view, sample.name); });
         const SampleResults of{sample,
-                               entry_named(moduli, sample.name, before, "1-modulus.json"),
-                               entry_named(fits, sample.name, before, "6-fit.json").laws,
-                               entry_named(velocities, sample.name, before, "7-critical-velocity.json").laws,
-                               entry_named(histories, sample.name, before, "8-histories.json").contact_times,
+                               entry_named(moduli, sample.name, before, modulus_artifact),
+                               entry_named(fits, sample.name, before, fit_artifact).laws,
+                               entry_named(velocities, sample.name, before, critical_velocity_artifact).laws,
+                               entry_named(histories, sample.name, before, histories_artifact).contact_times,
                                fractions};
-        const SampleAnalytic& simple = entry_named(analytic, sample.name, before, "3-analytic.json");
-        const SampleContact& contact = entry_named(contacts, sample.name, before, "2-contact.json");
+        const SampleAnalytic& simple = entry_named(analytic, sample.name, before, analytic_artifact);
+        const SampleContact& contact = entry_named(contacts, sample.name, before, contact_artifact);
         for (const auto& [law, velocity] : of.velocities) gap.take(velocity, simple.critical_velocity);
         const DynamicColumns dynamic = dynamic_columns(of, data.laws);
         const Json& measured =
-            entry_named(velocities, sample.name, before, "7-critical-velocity.json").measured;
+            entry_named(velocities, sample.name, before, critical_velocity_artifact).measured;
         Json json{
             {"name", sample.name},
             {"young_modulus", of.modulus.young_modulus},
@@ -208,6 +210,7 @@ StageOutput comparison_stage(const Artifacts& before) {
             {"verdict", dynamic.verdict},
             {"measured_critical_velocity", measured_json(sample, measured)},
             {"check", dynamic.check}};
+        if (!dynamic.extrapolated.empty()) json["extrapolated_critical_velocity"] = dynamic.extrapolated;
         if (!dynamic.interval_note.empty()) json["interval_note"] = dynamic.interval_note;
         if (sample.published) json["published"] = published_beside_json(*sample.published, of);
         output.result["samples"].push_back(std::move(json));

@@ -69,11 +69,11 @@ Stated density_of(const Sample& sample, const SampleModulus& modulus, std::vecto
 
 Stated adhesion_of(const Sample& sample) {
     if (!sample.work_of_adhesion)
-        return computed(0, Dimension::energy_per_area, "no law of the case has attraction");
+        return computed(0, Dimension::energy_per_area, "no law of the case uses it");
     if (const auto* stated = std::get_if<Stated>(&*sample.work_of_adhesion)) return *stated;
     const auto& from = std::get<AdhesionFromSurfaces>(*sample.work_of_adhesion);
     return computed(work_of_adhesion(from.rule, from.energies), Dimension::energy_per_area,
-                    "surface energies, rule " + std::string(adhesion_rule_name(from.rule)));
+                    "surface energies, rule " + std::string(name_of(from.rule)));
 }
 
 Json contact_json(const Sample& sample, const std::optional<Wall>& wall, const SampleModulus& modulus,
@@ -94,6 +94,8 @@ Json contact_json(const Sample& sample, const std::optional<Wall>& wall, const S
         {"work_of_adhesion", stated_json(adhesion_of(sample))}};
     if (poisson_ratio) json["poisson_ratio"] = stated_json(*poisson_ratio);
     if (sample.yield_pressure) json["yield_pressure"] = stated_json(*sample.yield_pressure);
+    for (const auto& [parameter, stated] : sample.parameters)
+        json[std::string(parameter.name)] = stated_json(stated);
     return json;
 }
 
@@ -101,12 +103,12 @@ Json contact_json(const Sample& sample, const std::optional<Wall>& wall, const S
 
 StageOutput contact_stage(const Artifacts& before) {
     const Case data = read_case_artifact(before);
-    const auto moduli = before.read("1-modulus.json", read_moduli);
+    const auto moduli = before.read(modulus_artifact, read_moduli);
     StageOutput output{.citations = {"dong2013, Eqs. 6, 7, 11"}};
     output.options = {{"geometry", "sphere on a flat wall: R* = r, m* = m"}};
     output.result["samples"] = Json::array();
     for (const Sample& sample : data.samples) {
-        const SampleModulus& modulus = entry_named(moduli, sample.name, before, "1-modulus.json");
+        const SampleModulus& modulus = entry_named(moduli, sample.name, before, modulus_artifact);
         output.result["samples"].push_back(contact_json(sample, data.wall, modulus, output.warnings));
     }
     return output;
@@ -127,7 +129,8 @@ std::vector<SampleContact> read_contacts(const View& result) {
                               .effective_radius = positive("effective_radius", Dimension::length),
                               .contact_modulus = positive("contact_modulus", Dimension::pressure),
                               .work_of_adhesion = quantity("work_of_adhesion", Dimension::energy_per_area),
-                              .poisson_ratio = {}};
+                              .poisson_ratio = {},
+                              .parameters = {}};
         contact.pair = {.mass = positive("mass", Dimension::mass).value,
                         .effective_radius = contact.effective_radius.value,
                         .contact_modulus = contact.contact_modulus.value,
@@ -136,6 +139,14 @@ std::vector<SampleContact> read_contacts(const View& result) {
             contact.poisson_ratio = quantity("poisson_ratio", Dimension::fraction);
         if (const auto pressure = sample.find("yield_pressure"))
             contact.pair.yield_pressure = pressure->number(Dimension::pressure);
+        for (const LawParameter& parameter : law_parameters()) {
+            const auto node = sample.find(parameter.name);
+            if (!node) continue;
+            const Quantity value = node->quantity(parameter.dimension);
+            node->located([&] { require_allowed(parameter, value.value); });
+            contact.pair.parameters.set(parameter.name, value.value);
+            contact.parameters.emplace_back(parameter, value);
+        }
         sample.located([&] { validate(contact.pair); });
         samples.push_back(std::move(contact));
     }

@@ -2,11 +2,12 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "materials/base/quantity.hpp"
 #include "pipeline/stages/stage.hpp"
-#include "solver/contact/pair.hpp"
+#include "solver/contact/registry.hpp"
 
 namespace ashimpact {
 
@@ -19,6 +20,7 @@ struct SampleContact {
     Quantity contact_modulus;   ///< [Pa]
     Quantity work_of_adhesion;  ///< [J/m2]
     std::optional<Quantity> poisson_ratio;
+    std::vector<std::pair<LawParameter, Quantity>> parameters;  ///< of laws that declare their own [SI]
 };
 
 /// Contact modulus, effective radius, mass and work of adhesion; Dong et al. 2013, Eqs. 6, 7 and 11.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "pipeline/case/laws.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/attempt.hpp"
 #include "pipeline/stages/contact.hpp"
@@ -16,6 +15,7 @@
 #include "pipeline/stages/restitution.hpp"
 #include "pipeline/stages/uncertainty/uncertain_contact.hpp"
 #include "pipeline/stages/uncertainty/velocity_uncertainty.hpp"
+#include "solver/damping/damping.hpp"
 #include "solver/gsl/distribution.hpp"
 
 namespace ashimpact {
@@ -51,7 +51,7 @@ LawEntry law_entry(const VelocityTask& task) {
     LawEntry entry{};
     const CriticalVelocityProblem problem{.law = task.choice.law,
                                           .detachment = task.choice.detachment,
-                                          .damping = {task.data.damping_law, task.fit.critical_damping},
+                                          .damping = {task.data.damping_law, task.critical_damping()},
                                           .contact = task.contact.pair};
     const CriticalVelocity result = critical_velocity(problem);
     entry.json = critical_velocity_json(problem, result);
@@ -78,7 +78,8 @@ Json sample_json(const Case& data, const Sample& sample, const SampleContact& co
         const LawFit* fit = fits.laws.find(choice.law);
         if (fit == nullptr) return {};
         const RandomContact uncertain = uncertain_contact(data, sample, contact);
-        return law_entry({data, choice, contact, uncertain, restitution.of(choice.law), *fit, measured});
+        return law_entry({data, choice, contact, uncertain, restitution.of(choice.law), *fit, measured,
+                          sample.measured_critical_velocity.has_value()});
     });
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const std::string law(data.laws[i].law.name());
@@ -117,23 +118,24 @@ Json critical_velocity_json(const CriticalVelocityProblem& problem, const Critic
 
 StageOutput critical_velocity_stage(const Artifacts& before) {
     const Case data = read_case_artifact(before);
-    const auto contacts = before.read("2-contact.json", read_contacts);
+    const auto contacts = before.read(contact_artifact, read_contacts);
     StageOutput output{.citations = {"dong2013, section 4.3, Table 4"}};
     const PropagationOptions& propagation = data.uncertainty.propagation;
-    output.options = {{"damping", "critical damping eta(0) of 6-fit.json"},
-                      {"samples", propagation.samples},
-                      {"replicates", propagation.replicates},
-                      {"seed", propagation.seed},
-                      {"inputs", "taken as independent"}};
+    output.options = {
+        {"damping", "critical damping of 6-fit.json: the estimate from all impacts, else eta(0)"},
+        {"samples", propagation.samples},
+        {"replicates", propagation.replicates},
+        {"seed", propagation.seed},
+        {"inputs", "taken as independent"}};
     output.result["samples"] = Json::array();
     const auto read = [&](const View& result) { return read_fits(result, dimension_of(data.damping_law)); };
-    const auto fits = before.read("6-fit.json", read);
-    const auto restitutions = before.read("4-restitution.json", read_restitutions);
+    const auto fits = before.read(fit_artifact, read);
+    const auto restitutions = before.read(restitution_artifact, read_restitutions);
     for (const Sample& sample : data.samples)
         output.result["samples"].push_back(
-            sample_json(data, sample, entry_named(contacts, sample.name, before, "2-contact.json"),
-                        entry_named(restitutions, sample.name, before, "4-restitution.json"),
-                        entry_named(fits, sample.name, before, "6-fit.json"), output.warnings));
+            sample_json(data, sample, entry_named(contacts, sample.name, before, contact_artifact),
+                        entry_named(restitutions, sample.name, before, restitution_artifact),
+                        entry_named(fits, sample.name, before, fit_artifact), output.warnings));
     return output;
 }
 
@@ -158,7 +160,13 @@ std::vector<SampleCriticalVelocity> read_critical_velocities(const View& result)
                 .detachment_energy = node.at("detachment_energy").number(Dimension::energy),
                 .interval = node.has("interval") ? node.at("interval").json() : Json(nullptr),
                 .interval_note = node.has("interval_note") ? node.at("interval_note").json() : Json(nullptr),
-                .check = node.has("check") ? node.at("check").json() : Json(nullptr)};
+                .check = node.has("check") ? node.at("check").json() : Json(nullptr),
+                .headline = node.at("critical_velocity").json(),
+                .extrapolated = Json(nullptr)};
+            if (const auto extrapolated = node.find("extrapolated")) {
+                velocity.extrapolated = extrapolated->at("critical_velocity").json();
+                velocity.extrapolated["interval"] = extrapolated->at("interval").json();
+            }
             if (const auto value = node.find("critical_velocity"))
                 velocity.value = positive_quantity(*value, "critical velocity", Dimension::velocity);
             if (const auto plastic = node.find("plastic"))

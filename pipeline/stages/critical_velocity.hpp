@@ -21,6 +21,8 @@ struct LawCriticalVelocity {
     Json interval;                       ///< of 95 %, null where nothing is known of it
     Json interval_note;                  ///< why there is none, null where there is one
     Json check;                          ///< beside the measured one, null where there is none
+    Json headline = nullptr;             ///< the velocity with interval and method
+    Json extrapolated = nullptr;         ///< the same by the paper's extrapolation, null where there is none
 };
 
 /// What later stages need of 7-critical-velocity.json.

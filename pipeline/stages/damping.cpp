@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "materials/base/error.hpp"
-#include "pipeline/case/laws.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/contact.hpp"
 #include "pipeline/stages/in_parallel.hpp"
@@ -13,6 +12,7 @@
 #include "pipeline/stages/read_case_artifact.hpp"
 #include "pipeline/stages/restitution.hpp"
 #include "pipeline/stages/uncertainty/contact_models.hpp"
+#include "solver/damping/damping.hpp"
 #include "solver/motion/damping_inversion.hpp"
 
 namespace ashimpact {
@@ -141,7 +141,7 @@ void warn(const std::string& where, const Json& json, std::size_t points,
 
 StageOutput damping_stage(const Artifacts& before) {
     const Case data = read_case_artifact(before);
-    const auto contacts = before.read("2-contact.json", read_contacts);
+    const auto contacts = before.read(contact_artifact, read_contacts);
     StageOutput output{.citations = {"dong2013, section 4.2"}};
     output.options = {{"damping_law", name_of(data.damping_law)},
                       {"flatness", data.fit.flatness},
@@ -150,8 +150,8 @@ StageOutput damping_stage(const Artifacts& before) {
     for (const LawChoice& choice : data.laws)
         output.options["detachments"][std::string(choice.law.name())] = name_of(choice.detachment);
     output.result["samples"] = Json::array();
-    for (const SampleRestitution& sample : before.read("4-restitution.json", read_restitutions)) {
-        const SampleContact& contact = entry_named(contacts, sample.name, before, "2-contact.json");
+    for (const SampleRestitution& sample : before.read(restitution_artifact, read_restitutions)) {
+        const SampleContact& contact = entry_named(contacts, sample.name, before, contact_artifact);
         Json json{{"name", sample.name}};
         const auto entries = in_parallel(data.laws, [&](const LawChoice& choice) -> Json {
             const RestitutionSeries* series = sample.of(choice.law);

@@ -8,10 +8,8 @@
 #include <set>
 
 #include "materials/base/checks.hpp"
-#include "pipeline/case/laws.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/json/statistics_json.hpp"
-#include "pipeline/stages/attempt.hpp"
 #include "pipeline/stages/contact.hpp"
 #include "pipeline/stages/damping.hpp"
 #include "pipeline/stages/in_parallel.hpp"
@@ -20,7 +18,8 @@
 #include "pipeline/stages/restitution.hpp"
 #include "pipeline/stages/uncertainty/contact_models.hpp"
 #include "solver/calibration/damping_fit.hpp"
-#include "solver/uncertainty/outcomes/rebound_check.hpp"
+#include "solver/damping/damping.hpp"
+#include "solver/uncertainty/measured_damping.hpp"
 
 namespace ashimpact {
 
@@ -103,27 +102,6 @@ Fitted fit_by_least_squares(const FitTask& task) {
     return {json};
 }
 
-/// The impacts of the rising branch with their numbers in the series, from 1 on.
-struct RisingImpacts {
-    MeasurementSet set;
-    std::vector<std::size_t> numbers;
-    std::size_t beyond = 0;
-};
-
-RisingImpacts rising_impacts(const FitTask& task) {
-    const MeasurementSet& all = task.measured.impacts;
-    RisingImpacts rising{.set = {all.source, {}, {}}, .numbers = {}};
-    for (std::size_t i = 0; i < all.points.size(); ++i) {
-        if (all.points[i].velocity > task.rising_to) {
-            ++rising.beyond;
-            continue;
-        }
-        rising.set.points.push_back(all.points[i]);
-        rising.numbers.push_back(i + 1);
-    }
-    return rising;
-}
-
 /// a, b, c with their covariance: the coefficients of the second, first and zeroth power.
 Json quadratic_part(const DampingCurveFit& fit) {
     std::array<double, 3> values{};
@@ -137,54 +115,51 @@ Json quadratic_part(const DampingCurveFit& fit) {
     return quadratic_fit_json(values, covariance, fit.critical_damping.standard_uncertainty, "kg/s");
 }
 
-/// Through the dynamic model, in the plane of the two measured velocities.
+/// Where nothing can be extrapolated: the critical damping of the estimate alone, as a constant.
+Json constant_part(const Interval& critical_damping) {
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    covariance(2, 2) = std::pow(critical_damping.standard_uncertainty, 2);
+    return quadratic_fit_json({0, 0, critical_damping.value}, covariance,
+                              critical_damping.standard_uncertainty, "kg/s");
+}
+
+/// Through the dynamic model: all that analyse_impacts() says of the series.
 Fitted fit_through_model(const FitTask& task) {
-    const RisingImpacts rising = rising_impacts(task);
-    const ContactModel model = contact_model_for(task.choice, task.contact, task.measured.impacts);
     const FitChoices& choices = task.data.fit;
-    const DampingCurveOptions extrapolated{
-        .order = choices.order, .captures = false, .robust = choices.robust};
-    const DampingCurveOptions direct{
-        .order = choices.direct_order, .captures = true, .robust = choices.robust};
+    MeasuredDampingOptions options;
+    options.parts = {.flatness = choices.flatness, .outlier = choices.outlier};
+    options.extrapolated = {.order = choices.order, .robust = choices.robust};
+    options.size_scatter = choices.size_scatter;
+    options.rising_to = task.rising_to;
+    const ContactModel model = contact_model_for(task.choice, task.contact, task.measured.impacts);
+    const MeasuredDamping found = analyse_impacts(model, nullptr, task.measured.impacts, options);
     Fitted fitted{};
-    const OrderComparison orders = compare_orders(model, rising.set, {1, 2, 3, 4}, extrapolated);
-    const auto checked = [&](DampingCurveFit fit) {
-        require_rebounds_above(fit, rising.set);
-        return fit;
-    };
-    const auto by_extrapolation = attempt("extrapolated fit", fitted.notes, [&] {
-        for (const DampingCurveFit& fit : orders.fits)
-            if (fit.options.order == choices.order) return checked(fit);
-        return checked(fit_damping_curve(model, rising.set, extrapolated));
-    });
-    const auto directly = attempt("direct fit", fitted.notes,
-                                  [&] { return checked(fit_damping_curve(model, rising.set, direct)); });
-    const auto note_enlargement = [&](const char* name, const std::optional<DampingCurveFit>& fit) {
-        const auto note = fit ? enlargement_note(*fit) : std::nullopt;
-        if (note) fitted.notes.push_back(fmt::format("{}: {}", name, *note));
-    };
-    note_enlargement("extrapolated fit", by_extrapolation);
-    note_enlargement("direct fit", directly);
-    const auto spacing = spacing_note(rising.set);
-    if (directly && spacing) fitted.notes.push_back(*spacing);
-    if (!by_extrapolation && !directly) return fitted;
-    const DampingCurveFit& first = by_extrapolation ? *by_extrapolation : *directly;
-    fitted.json = quadratic_part(first);
-    fitted.json["method"] = "likelihood";
-    fitted.json["degrees_of_freedom"] = first.degrees_of_freedom;
-    fitted.json["points"] = first.rebounds.size();
-    fitted.json["points_beyond_rising_branch"] = rising.beyond;
-    fitted.json["restitution_range"] = {first.restitutions[0], first.restitutions[1]};
-    fitted.json["origin"] = task.inverted.origin;
-    if (by_extrapolation) fitted.json["extrapolated"] = damping_fit_json(*by_extrapolation, rising.numbers);
-    if (directly) fitted.json["direct"] = damping_fit_json(*directly, rising.numbers);
-    if (!by_extrapolation) fitted.notes.emplace_back("a, b, c and v_c are those of the direct fit");
-    if (by_extrapolation && directly) {
-        const FitComparison comparison = compare(*by_extrapolation, *directly);
-        fitted.json["comparison"] = comparison_json(comparison);
-        if (comparison.exclude_one_another) fitted.notes.push_back(comparison.statement);
+    fitted.notes = found.notes;
+    if (!found.extrapolated && !found.estimate) return fitted;
+    if (found.extrapolated) {
+        const DampingCurveFit& fit = found.extrapolated->fit;
+        std::vector<std::size_t> numbers;
+        for (const std::size_t index : found.rising->indices) numbers.push_back(index + 1);
+        fitted.json = quadratic_part(fit);
+        fitted.json["method"] = "closest-curve";
+        fitted.json["degrees_of_freedom"] = fit.degrees_of_freedom;
+        fitted.json["points"] = fit.rebounds.size();
+        fitted.json["points_beyond_rising_branch"] =
+            task.measured.impacts.points.size() - found.rising->set.points.size();
+        fitted.json["restitution_range"] = {fit.restitutions[0], fit.restitutions[1]};
+        fitted.json["extrapolated"] = damping_fit_json(fit, numbers);
+    } else {
+        fitted.json = constant_part(found.estimate->curve.critical_damping);
+        fitted.json["method"] = "estimate";
+        fitted.notes.emplace_back(
+            "nothing can be extrapolated: c is the critical damping of the estimate, a and b are 0");
     }
-    fitted.json["orders"] = orders_json(orders);
+    fitted.json["origin"] = task.inverted.origin;
+    if (found.estimate) fitted.json["direct"] = damping_estimate_json(*found.estimate);
+    if (found.comparison) {
+        fitted.json["comparison"] = comparison_json(*found.comparison);
+        if (found.comparison->exclude_one_another) fitted.notes.push_back(found.comparison->statement);
+    }
     return fitted;
 }
 
@@ -200,21 +175,22 @@ Fitted fit_law(const FitTask& task) {
 StageOutput fit_stage(const Artifacts& before) {
     const Case data = read_case_artifact(before);
     StageOutput output{.citations = {"dong2013, section 4.3, Tables 2 and 3"}};
-    output.options = {{"order", data.fit.order},
-                      {"direct_order", data.fit.direct_order},
-                      {"robust", data.fit.robust},
-                      {"measured", "likelihood in the plane of both velocities, by their uncertainty"},
-                      {"reconstructed", "least squares, quadratic, equal weights"}};
+    output.options = {
+        {"order", data.fit.order},
+        {"robust", data.fit.robust},
+        {"measured",
+         "closest curve in the plane of both velocities; the estimate from all impacts beside it"},
+        {"reconstructed", "least squares, quadratic, equal weights"}};
     output.result["samples"] = Json::array();
     const auto read = [&](const View& result) {
         return read_dampings(result, dimension_of(data.damping_law));
     };
-    const auto contacts = before.read("2-contact.json", read_contacts);
-    const auto restitutions = before.read("4-restitution.json", read_restitutions);
-    for (const SampleDamping& sample : before.read("5-damping.json", read)) {
-        const SampleContact& contact = entry_named(contacts, sample.name, before, "2-contact.json");
+    const auto contacts = before.read(contact_artifact, read_contacts);
+    const auto restitutions = before.read(restitution_artifact, read_restitutions);
+    for (const SampleDamping& sample : before.read(damping_artifact, read)) {
+        const SampleContact& contact = entry_named(contacts, sample.name, before, contact_artifact);
         const SampleRestitution& series =
-            entry_named(restitutions, sample.name, before, "4-restitution.json");
+            entry_named(restitutions, sample.name, before, restitution_artifact);
         Json json{{"name", sample.name}};
         const auto fits = in_parallel(data.laws, [&](const LawChoice& choice) -> Fitted {
             const DampingSeries* inverted = sample.laws.find(choice.law);
@@ -248,7 +224,7 @@ std::vector<SampleFit> read_fits(const View& result, Dimension dimension) {
             fit.critical_damping_uncertainty =
                 node.at("critical_damping").quantity(dimension).standard_uncertainty;
             if (const auto curve = node.find("extrapolated")) fit.extrapolated = read_damping_fit(*curve);
-            if (const auto curve = node.find("direct")) fit.direct = read_damping_fit(*curve);
+            if (const auto estimate = node.find("direct")) fit.estimate = read_critical_damping(*estimate);
             entry.laws.set(law, std::move(fit));
         }
         samples.push_back(std::move(entry));

@@ -18,7 +18,7 @@ struct LawFit {
     double critical_damping;                               ///< eta(0) [unit of the damping law]
     std::optional<double> critical_damping_uncertainty{};  ///< standard [unit of the damping law]
     std::optional<DampingCurveFit> extrapolated{};         ///< of measured impacts, as far as v_c needs it
-    std::optional<DampingCurveFit> direct{};               ///< the same from captures, too
+    std::optional<Interval> estimate{};                    ///< of the critical damping, from all impacts
 };
 
 /// What later stages need of 6-fit.json.
@@ -28,8 +28,9 @@ struct SampleFit {
 };
 
 /// eta(e) over the rising branch of e(v), quadratic by default, and the critical damping eta(0); Dong et al.
-/// 2013, section 4.3, Tables 2 and 3. Measured impacts are fitted in the plane of their two velocities, the
-/// paper's way and directly with captures; reconstructed ones by least squares.
+/// 2013, section 4.3, Tables 2 and 3. Of measured impacts also, under "direct", the critical damping that all
+/// of them support, captures included, whatever the form of eta; reconstructed ones are fitted by least
+/// squares.
 [[nodiscard]] StageOutput fit_stage(const Artifacts& before);
 
 /// @param dimension of the coefficient of the damping law

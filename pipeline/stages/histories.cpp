@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/case/laws.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/contact.hpp"
 #include "pipeline/stages/critical_velocity.hpp"
@@ -11,6 +10,7 @@
 #include "pipeline/stages/in_parallel.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
 #include "solver/calibration/reconstruction.hpp"
+#include "solver/damping/damping.hpp"
 #include "solver/motion/momentum_balance.hpp"
 #include "solver/motion/trajectory.hpp"
 
@@ -132,20 +132,20 @@ Json contact_times_json(const Case& data, const SampleInputs& in) {
 
 StageOutput histories_stage(const Artifacts& before) {
     const Case data = read_case_artifact(before);
-    const auto contacts = before.read("2-contact.json", read_contacts);
+    const auto contacts = before.read(contact_artifact, read_contacts);
     const Dimension dimension = dimension_of(data.damping_law);
     const auto dampings =
-        before.read("5-damping.json", [&](const View& v) { return read_dampings(v, dimension); });
-    const auto fits = before.read("6-fit.json", [&](const View& v) { return read_fits(v, dimension); });
-    const auto velocities = before.read("7-critical-velocity.json", read_critical_velocities);
+        before.read(damping_artifact, [&](const View& v) { return read_dampings(v, dimension); });
+    const auto fits = before.read(fit_artifact, [&](const View& v) { return read_fits(v, dimension); });
+    const auto velocities = before.read(critical_velocity_artifact, read_critical_velocities);
     StageOutput output{.citations = {"dong2013, section 4.4, Eqs. 35-45, Figures 7 and 9"}};
     output.options = {{"points", data.histories.points}, {"critical_excess", data.histories.critical_excess}};
     output.result["samples"] = Json::array();
     for (const Sample& sample : data.samples) {
-        const SampleInputs in{sample, entry_named(contacts, sample.name, before, "2-contact.json").pair,
-                              entry_named(dampings, sample.name, before, "5-damping.json").laws,
-                              entry_named(fits, sample.name, before, "6-fit.json").laws,
-                              entry_named(velocities, sample.name, before, "7-critical-velocity.json").laws};
+        const SampleInputs in{sample, entry_named(contacts, sample.name, before, contact_artifact).pair,
+                              entry_named(dampings, sample.name, before, damping_artifact).laws,
+                              entry_named(fits, sample.name, before, fit_artifact).laws,
+                              entry_named(velocities, sample.name, before, critical_velocity_artifact).laws};
         Json json{{"name", sample.name}, {"contact_times", contact_times_json(data, in)}};
         const auto histories =
             in_parallel(data.laws, [&](const LawChoice& choice) { return law_json(data, choice, in); });

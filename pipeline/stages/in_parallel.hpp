@@ -1,11 +1,11 @@
 #pragma once
 
-#include <algorithm>
-#include <atomic>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
 #include <cstddef>
 #include <exception>
 #include <optional>
-#include <thread>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -20,21 +20,17 @@ template <class Item, class Work>
     using Result = std::invoke_result_t<Work&, const Item&>;
     std::vector<std::optional<Result>> results(items.size());  // a result need not exist before its work
     std::vector<std::exception_ptr> errors(items.size());
-    std::atomic<std::size_t> next{0};
-    const auto worker = [&] {
-        for (std::size_t i = next++; i < items.size(); i = next++) {
-            try {
-                results[i].emplace(work(items[i]));
-            } catch (...) {
-                errors[i] = std::current_exception();
-            }
+    const auto one = [&](std::size_t i) {
+        try {
+            results[i].emplace(work(items[i]));
+        } catch (...) {
+            errors[i] = std::current_exception();
         }
     };
-    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-    std::vector<std::thread> helpers;
-    for (std::size_t i = 1; i < std::min(cores, items.size()); ++i) helpers.emplace_back(worker);
-    worker();
-    for (std::thread& helper : helpers) helper.join();
+    // Isolated: a thread that waits inside of one item's work must not begin another item, which could wait
+    // for what the first one holds.
+    const auto isolated = [&](std::size_t i) { tbb::this_task_arena::isolate([&] { one(i); }); };
+    tbb::parallel_for(std::size_t{0}, items.size(), isolated, tbb::simple_partitioner{});
     for (const std::exception_ptr& error : errors)
         if (error) std::rethrow_exception(error);
     std::vector<Result> made;

@@ -44,8 +44,8 @@ Json bounds_json(const ModulusEstimate& estimate, MixtureRule chosen) {
     }
     return {{"lower", rule_json(lower)},
             {"upper", rule_json(upper)},
-            {"lower_rule", mixture_rule_name(lower.rule)},
-            {"upper_rule", mixture_rule_name(upper.rule)}};
+            {"lower_rule", name_of(lower.rule)},
+            {"upper_rule", name_of(upper.rule)}};
 }
 
 void add_citations(const Composition& composition, std::vector<std::string>& citations) {
@@ -84,12 +84,12 @@ PorosityFromDensity porosity_from_density(Porosity porosity, const Quantity& app
 Json modulus_json(const Composition& composition, const ModulusEstimate& estimate, MixtureRule rule) {
     Json rules = Json::object();
     for (const RuleResult& result : estimate.rules)
-        rules[std::string(mixture_rule_name(result.rule))] = rule_json(result);
+        rules[std::string(name_of(result.rule))] = rule_json(result);
     Json contributions = Json::array();
     for (const Contribution& part : estimate.contributions)
         contributions.push_back({{"input", part.what}, {"share_of_variance", part.share}});
     return {{"phases", phases_json(composition)},
-            {"rule", mixture_rule_name(rule)},
+            {"rule", name_of(rule)},
             {"young_modulus",
              make_quantity(estimate.young_modulus, Dimension::pressure, estimate.standard_uncertainty)},
             {"bounds", bounds_json(estimate, rule)},
@@ -104,7 +104,7 @@ StageOutput modulus_stage(const Artifacts& before) {
     const Case data = read_case_artifact(before);
     const PhaseCatalogue catalogue({PhaseSet{.name = "case", .phases = data.phases}});
     StageOutput output{.citations = {"dong2013, Eq. 1"}};
-    output.options = {{"mixture_rule", mixture_rule_name(data.mixture_rule)}};
+    output.options = {{"mixture_rule", name_of(data.mixture_rule)}};
     output.result["samples"] = Json::array();
     for (const Sample& sample : data.samples) {
         const Composition composition = compose(sample.analysis, catalogue);

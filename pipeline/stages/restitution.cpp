@@ -95,7 +95,7 @@ const RestitutionSeries* SampleRestitution::of(Law law) const {
 
 StageOutput restitution_stage(const Artifacts& before) {
     const Case data = read_case_artifact(before);
-    const auto contacts = before.read("2-contact.json", read_contacts);
+    const auto contacts = before.read(contact_artifact, read_contacts);
     StageOutput output{.citations = {"dong2013, Eqs. 2 and 31, Table 2"}};
     output.result["samples"] = Json::array();
     struct Entry {
@@ -109,7 +109,7 @@ StageOutput restitution_stage(const Artifacts& before) {
                                      ": no restitution data, so no damping and no dynamic velocity");
             return entry;
         }
-        const SampleContact& contact = entry_named(contacts, sample.name, before, "2-contact.json");
+        const SampleContact& contact = entry_named(contacts, sample.name, before, contact_artifact);
         for (const auto& series : series_of(data, sample, contact, entry.warnings))
             entry.json["series"].push_back(series_json(series));
         return entry;

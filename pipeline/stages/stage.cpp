@@ -1,5 +1,6 @@
 #include "pipeline/stages/stage.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "pipeline/case/case_reader.hpp"
@@ -22,34 +23,43 @@ const Artifact& Artifacts::at(std::string_view file) const {
     throw std::logic_error("a stage reads " + std::string(file) + ", which it does not list");
 }
 
+bool Artifacts::has(std::string_view file) const {
+    return std::any_of(artifacts_.begin(), artifacts_.end(),
+                       [&](const Artifact& each) { return each.file == file; });
+}
+
 const std::string& Artifacts::place_of(std::string_view file) const {
     const Artifact& artifact = at(file);
-    return artifact.place.empty() ? artifact.file : artifact.place;
+    if (!artifact.place.empty()) return artifact.place;
+    for (const Artifact& each : artifacts_)
+        if (each.file == case_artifact && !each.place.empty())
+            return each.place;  // what it was computed from
+    return artifact.file;
 }
 
 const std::vector<Stage>& stages() {
     static const std::vector<Stage> list{
-        {"modulus", "1-modulus.json", {case_artifact}, modulus_stage},
-        {"contact", "2-contact.json", {case_artifact, "1-modulus.json"}, contact_stage},
-        {"analytic", "3-analytic.json", {"2-contact.json"}, analytic_stage},
-        {"restitution", "4-restitution.json", {case_artifact, "2-contact.json"}, restitution_stage},
-        {"damping", "5-damping.json", {case_artifact, "2-contact.json", "4-restitution.json"}, damping_stage},
+        {"modulus", modulus_artifact, {case_artifact}, modulus_stage},
+        {"contact", contact_artifact, {case_artifact, modulus_artifact}, contact_stage},
+        {"analytic", analytic_artifact, {contact_artifact}, analytic_stage},
+        {"restitution", restitution_artifact, {case_artifact, contact_artifact}, restitution_stage},
+        {"damping", damping_artifact, {case_artifact, contact_artifact, restitution_artifact}, damping_stage},
         {"fit",
-         "6-fit.json",
-         {case_artifact, "2-contact.json", "4-restitution.json", "5-damping.json"},
+         fit_artifact,
+         {case_artifact, contact_artifact, restitution_artifact, damping_artifact},
          fit_stage},
         {"critical-velocity",
-         "7-critical-velocity.json",
-         {case_artifact, "2-contact.json", "4-restitution.json", "6-fit.json"},
+         critical_velocity_artifact,
+         {case_artifact, contact_artifact, restitution_artifact, fit_artifact},
          critical_velocity_stage},
         {"histories",
-         "8-histories.json",
-         {case_artifact, "2-contact.json", "5-damping.json", "6-fit.json", "7-critical-velocity.json"},
+         histories_artifact,
+         {case_artifact, contact_artifact, damping_artifact, fit_artifact, critical_velocity_artifact},
          histories_stage},
         {"comparison",
-         "comparison.json",
-         {case_artifact, "1-modulus.json", "2-contact.json", "3-analytic.json", "6-fit.json",
-          "7-critical-velocity.json", "8-histories.json"},
+         comparison_artifact,
+         {case_artifact, modulus_artifact, contact_artifact, analytic_artifact, fit_artifact,
+          critical_velocity_artifact, histories_artifact},
          comparison_stage},
     };
     return list;

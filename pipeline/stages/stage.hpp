@@ -8,6 +8,19 @@
 
 namespace ashimpact {
 
+/// Files of a run, in the order in which they are written; a run starts from the case.
+inline constexpr std::string_view case_artifact = "0-case.json";
+inline constexpr std::string_view modulus_artifact = "1-modulus.json";
+inline constexpr std::string_view contact_artifact = "2-contact.json";
+inline constexpr std::string_view analytic_artifact = "3-analytic.json";
+inline constexpr std::string_view restitution_artifact = "4-restitution.json";
+inline constexpr std::string_view damping_artifact = "5-damping.json";
+inline constexpr std::string_view fit_artifact = "6-fit.json";
+inline constexpr std::string_view critical_velocity_artifact = "7-critical-velocity.json";
+inline constexpr std::string_view histories_artifact = "8-histories.json";
+inline constexpr std::string_view comparison_artifact = "comparison.json";
+inline constexpr std::string_view manifest_artifact = "manifest.json";
+
 /// What a stage makes of the artifacts before it.
 struct StageOutput {
     Json result = Json::object();
@@ -21,7 +34,7 @@ struct Artifact {
     std::string file;
     Json document;
     std::string bytes;
-    std::string place{};  ///< where it was read from, for messages; empty: it was computed
+    std::string place{};  ///< where it, or the case, was read from, for messages; empty: it was computed
 };
 
 /// The artifacts of earlier stages.
@@ -31,6 +44,9 @@ class Artifacts {
     /// The artifact of that file name. @throws std::logic_error if it was not added
     [[nodiscard]] const Artifact& at(std::string_view file) const;
 
+    /// Whether it was added.
+    [[nodiscard]] bool has(std::string_view file) const;
+
     /// What messages call an artifact.
     [[nodiscard]] const std::string& place_of(std::string_view file) const;
 
@@ -38,7 +54,14 @@ class Artifacts {
     template <class Read>
     auto read(std::string_view file, Read&& read) const {
         const Artifact& artifact = at(file);
-        return in_file(place_of(file), [&] { return read(View(artifact.document).at("result")); });
+        return in_file(place_of(file), [&] {
+            if (!artifact.place.empty()) return read(View(artifact.document).at("result"));
+            try {
+                return read(View(artifact.document).at("result"));
+            } catch (const InputError& error) {  // a pointer into what is nowhere to be seen says nothing
+                throw InputError(error.problem(), error.allowed());
+            }
+        });
     }
 
   private:
@@ -55,8 +78,5 @@ struct Stage {
 
 /// The stages after the case itself, in order.
 [[nodiscard]] const std::vector<Stage>& stages();
-
-/// File of the case artifact, which a run starts from.
-inline constexpr std::string_view case_artifact = "0-case.json";
 
 }  // namespace ashimpact

@@ -1,14 +1,19 @@
 #include "pipeline/cli/program.hpp"
 #include "pipeline/sweep/command.hpp"
 #include "pipeline/sweep/mpi/session.hpp"
+#include "pipeline/sweep/table/impact_table_file.hpp"
 
 /// ashimpact-sweep: ashimpact with MPI and HDF5, whose libraries take longer to load than other
-/// commands take to run. `ashimpact sweep` becomes this program.
+/// commands take to run. `ashimpact sweep` and `ashimpact export table` become this program.
 int main(int argc, char** argv) {
     ashimpact::MpiSession session;
-    const int status =
-        ashimpact::run_program(argc, argv, [&](const ashimpact::SweepOptions& options, std::ostream& out) {
+    const int status = ashimpact::run_program(
+        argc, argv,
+        [&](const ashimpact::SweepOptions& options, std::ostream& out) {
             ashimpact::run_sweep_command(options, session, ashimpact::solve_in_batch, out);
+        },
+        [](const ashimpact::ExportOptions& options, std::ostream& out) {
+            ashimpact::run_export_command(options, ashimpact::impact_table_image, out);
         });
     return session.leave(status);
 }

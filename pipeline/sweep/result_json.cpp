@@ -4,6 +4,7 @@
 
 #include "data/version.hpp"
 #include "pipeline/json/quantity_json.hpp"
+#include "pipeline/json/schema_version.hpp"
 
 namespace ashimpact {
 
@@ -178,6 +179,7 @@ Json sweep_artifact(const SweepPlan& plan, const Tally& tally, const SpecFile& s
         warnings.push_back(std::to_string(tally.failed().total()) + " of " + std::to_string(plan.impacts()) +
                            " impacts did not converge; they are left out, see /result/not_converged");
     return {{"schema", "sweep-result"},
+            {"schema_version", schema_version},
             {"stage", "sweep"},
             {"provenance",
              {{"program", "ashimpact"},

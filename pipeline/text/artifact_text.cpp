@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "materials/base/text.hpp"
 #include "pipeline/text/comparison_table.hpp"
 #include "pipeline/text/readable.hpp"
 #include "pipeline/text/table.hpp"
@@ -52,12 +53,12 @@ std::optional<std::string> short_text(const Json& value) {
     if (!value.is_structured()) return scalar_text(value);
     if (value.empty()) return "none";
     if (!value.is_array()) return std::nullopt;
-    std::string list;
+    std::vector<std::string> list;
     for (const Json& element : value) {
         if (element.is_structured()) return std::nullopt;
-        list += (list.empty() ? "" : ", ") + scalar_text(element);
+        list.push_back(scalar_text(element));
     }
-    return list;
+    return joined(list);
 }
 
 /// All columns of an object that have one length, side by side.

@@ -40,6 +40,13 @@ std::string interval_cell(const View& sample, const std::string& law) {
     return end("lower", "open") + " to " + end("upper", "open");
 }
 
+/// The paper's extrapolation of measured impacts.
+std::string extrapolated_cell(const View& sample, const std::string& law) {
+    const auto all = sample.find("extrapolated_critical_velocity");
+    const auto entry = all ? all->find(law) : std::nullopt;
+    return entry ? velocity_text(entry->number(Dimension::velocity)) : "-";
+}
+
 /// Why laws have no interval, a line for each.
 std::string interval_notes(const View& result) {
     std::string text;
@@ -75,7 +82,7 @@ std::string modulus_cell(const View& sample) {
 
 std::string comparison_text(const View& result) {
     TextTable table({"sample", "E [GPa]", "E* [GPa]", "W_s [fJ]", "v_c Eq. 30", "law", "dynamic v_c",
-                     "95 % interval", "published", "measured", "verdict"});
+                     "95 % interval", "extrapolated", "published", "measured", "verdict"});
     bool any_published = false;
     for (const View& sample : result.at("samples").elements()) {
         const auto measured = sample.find("measured_critical_velocity");
@@ -86,6 +93,7 @@ std::string comparison_text(const View& result) {
             fmt::format("{:#.3g}", sample.at("analytic_critical_velocity").number(Dimension::velocity))};
         for (const auto& law : sample.at("dynamic_critical_velocity").members()) {
             row.insert(row.end(), {law.key, velocity_cell(sample, law), interval_cell(sample, law.key),
+                                   extrapolated_cell(sample, law.key),
                                    published(sample, "critical_velocity", law.key).value_or("-"),
                                    measured ? velocity_text(measured->number(Dimension::velocity)) : "-",
                                    check_cell(sample, law.key)});

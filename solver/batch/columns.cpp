@@ -6,12 +6,21 @@
 
 namespace ashimpact {
 
+std::vector<ParameterColumn> single_columns(const ParameterValues<double>& values) {
+    std::vector<ParameterColumn> columns;
+    for (const auto& entry : values)
+        columns.push_back({entry.first, Eigen::Map<const Eigen::ArrayXd>(&entry.second, 1)});
+    return columns;
+}
+
 Eigen::Index common_size(const ContactColumns& contact, const std::vector<NamedColumn>& others) {
     std::vector<NamedColumn> columns{{"mass", contact.mass.size()},
                                      {"effective_radius", contact.effective_radius.size()},
                                      {"contact_modulus", contact.contact_modulus.size()},
                                      {"work_of_adhesion", contact.work_of_adhesion.size()},
                                      {"yield_pressure", contact.yield_pressure.size()}};
+    for (const ParameterColumn& column : contact.parameters)
+        columns.push_back({column.name, column.values.size()});
     columns.insert(columns.end(), others.begin(), others.end());
     NamedColumn longest{{}, 1};
     for (const NamedColumn& column : columns) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "solver/contact/registry.hpp"
+
 #include <Eigen/Core>
 
 #include <limits>
@@ -8,21 +10,32 @@
 
 namespace ashimpact {
 
-/// One value an impact, or a single one for all of them. It refers to an array that must outlive it and its
-/// copies; made from an expression it holds the values itself, and its copies do not.
+/// One value for each impact, or a single value for all of them. A column made from an array refers to it;
+/// the array must outlive the column and its copies. A column made from an expression holds the values; its
+/// copies refer to it.
 using Column = Eigen::Ref<const Eigen::ArrayXd>;
 
 /// The yield pressure of contacts that stay elastic [Pa].
 inline const Eigen::ArrayXd never_yields =
     Eigen::ArrayXd::Constant(1, std::numeric_limits<double>::infinity());
 
+/// The values of a law parameter.
+struct ParameterColumn {
+    std::string_view name;  ///< that of a LawParameter; it must outlive the column
+    Column values;          ///< [SI]
+};
+
+/// Columns of one value each. @param values must outlive the columns
+[[nodiscard]] std::vector<ParameterColumn> single_columns(const ParameterValues<double>& values);
+
 /// The contact pairs of a batch, as ContactPair.
 struct ContactColumns {
-    Column mass;                           ///< effective mass m* [kg]
-    Column effective_radius;               ///< R* [m]
-    Column contact_modulus;                ///< E* [Pa]
-    Column work_of_adhesion;               ///< w [J/m2]
-    Column yield_pressure = never_yields;  ///< p_y [Pa]
+    Column mass;                                ///< effective mass m* [kg]
+    Column effective_radius;                    ///< R* [m]
+    Column contact_modulus;                     ///< E* [Pa]
+    Column work_of_adhesion;                    ///< w [J/m2]
+    Column yield_pressure = never_yields;       ///< p_y [Pa]
+    std::vector<ParameterColumn> parameters{};  ///< of laws that declare their own
 };
 
 struct NamedColumn {
@@ -30,8 +43,8 @@ struct NamedColumn {
     Eigen::Index size;
 };
 
-/// The length that all columns of more than one value have; 1 where there is none such.
-/// @throws InputError where two differ
+/// The common length of all columns with more than one value; 1 if there is no such column.
+/// @throws InputError if two lengths differ
 [[nodiscard]] Eigen::Index common_size(const ContactColumns& contact, const std::vector<NamedColumn>& others);
 
 }  // namespace ashimpact

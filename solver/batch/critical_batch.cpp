@@ -26,7 +26,7 @@ Damping damping_at(const CriticalVelocityBatch& batch, const batch::Inputs& in, 
 /// Verdict and v_c where they take no integration, or none.
 std::optional<CriticalVelocity> quick(const CriticalVelocityBatch& batch, const ContactPair& contact,
                                       const Damping& damping) {
-    if (can_yield(batch.law, contact)) return std::nullopt;
+    if (!is_self_similar(batch.law, contact)) return std::nullopt;
     if (batch.detachment == Detachment::zero_force)
         return CriticalVelocity{.verdict = CaptureVerdict::never_captured};
     if (damping.coefficient == 0.0) return std::nullopt;
@@ -49,7 +49,7 @@ std::optional<CriticalVelocity> quick(const CriticalVelocityBatch& batch, const 
 CriticalVelocityBatchResult critical_velocities(const CriticalVelocityBatch& batch, int threads) {
     batch::require_admissible(batch.law, batch.detachment);
     const Eigen::Index count = common_size(batch.contact, {{"damping", batch.damping.size()}});
-    batch::Inputs inputs = batch::inputs_of(batch.contact);
+    batch::Inputs inputs = batch::inputs_of(batch.law, batch.contact);
     inputs.damping = batch::input_of(batch.damping);
     CriticalVelocityBatchResult result;
     result.verdict.resize(count);

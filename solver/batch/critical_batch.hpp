@@ -9,7 +9,7 @@
 
 namespace ashimpact {
 
-/// Many impacts whose critical velocity is asked for, of one law, one damping law and one detachment.
+/// Contacts of one law, one damping law and one detachment, for their critical velocities.
 struct CriticalVelocityBatch {
     Law law;
     Detachment detachment;
@@ -20,14 +20,14 @@ struct CriticalVelocityBatch {
 
 struct CriticalVelocityBatchResult {
     Eigen::Array<CaptureVerdict, Eigen::Dynamic, 1> verdict{};
-    Eigen::ArrayXd value{};   ///< v_c; NaN where there is none [m/s]
+    Eigen::ArrayXd value{};   ///< v_c; NaN unless the verdict is finite [m/s]
     std::int64_t scalar = 0;  ///< left to critical_velocity(): beyond the tables, or plastic
 };
 
 /// Critical velocities to 1e-10 of critical_velocity(): with adhesion v_c depends on one number, which
 /// batch::CriticalTable tabulates; Hertz with constant damping has a closed form; the rest goes through the
 /// scalar solver.
-/// @param threads 0: as many as there are cores; no bit of a result depends on it
+/// @param threads 0: one for each core; no bit of a result depends on it
 /// @throws InputError for inadmissible input, naming the first place it concerns
 [[nodiscard]] CriticalVelocityBatchResult critical_velocities(const CriticalVelocityBatch& batch,
                                                               int threads = 1);

@@ -1,32 +1,13 @@
 #include "solver/batch/damping_search.hpp"
 
 #include <cmath>
-#include <numbers>
 
 namespace ashimpact::batch {
-
-namespace {
-
-/// Damping number of a Hertz impact, within a few per cent; with adhesion a start.
-double hertz_guess(DampingLaw law, double loss) {
-    const double log_loss = -std::log1p(-loss);
-    switch (law) {
-        case DampingLaw::constant:
-            return loss * (0.558 + 0.22 * loss + 0.33 * loss * loss * loss);
-        case DampingLaw::contact_radius:
-            return 0.88 * log_loss;
-        case DampingLaw::tsuji:
-            return std::sqrt(5.0) * log_loss / std::hypot(std::numbers::pi, log_loss);  // exact for Hertz
-    }
-    return 0.0;
-}
-
-}  // namespace
 
 DampingSearch::DampingSearch(DampingLaw law, double restitution, double undamped)
     : wanted_(1.0 - restitution / undamped), undamped_(undamped) {
     const bool possible = wanted_ > 0.0 && wanted_ < 1.0;
-    if (possible) number_ = hertz_guess(law, wanted_);
+    if (possible) number_ = hertz_damping_number(law, wanted_);
     found_ = !possible;
 }
 

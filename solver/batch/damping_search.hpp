@@ -7,13 +7,13 @@
 
 namespace ashimpact::batch {
 
-/// Searches the damping number that gives one impact a restitution e > 0, from impacts solved on the way: the
-/// polynomial through the nearest of them of beta in e/e_0 (Neville), which is smooth up to capture, kept
-/// inside what is known to be too little and too much. e_0, reached without damping, is the first point.
+/// Searches the damping number beta that gives one impact a restitution e > 0. Each step interpolates beta in
+/// e/e_0, which is smooth up to capture, through the nearest impacts solved so far (Neville's scheme), and
+/// stays inside the bracket they give. The first point is e_0, the restitution without damping.
 class DampingSearch {
   public:
     DampingSearch() = default;
-    /// @param restitution wanted; outside 0 < e < undamped nothing is searched [1]
+    /// @param restitution e to reach; found() at once unless 0 < e < undamped [1]
     /// @param undamped e_0 [1]
     DampingSearch(DampingLaw law, double restitution, double undamped);
 
@@ -21,7 +21,7 @@ class DampingSearch {
     [[nodiscard]] double number() const { return number_; }
     [[nodiscard]] bool found() const { return found_; }
 
-    /// Takes note of what number() gave; 0 for a capture.
+    /// Records the restitution at number(), 0 for a capture, and chooses the next number.
     void observe(double restitution);
 
   private:

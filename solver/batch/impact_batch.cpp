@@ -119,7 +119,7 @@ void resize(ImpactBatchResult& result, Eigen::Index count) {
 }
 
 batch::Inputs inputs_of(const ImpactBatch& batch) {
-    batch::Inputs inputs = batch::inputs_of(batch.contact);
+    batch::Inputs inputs = batch::inputs_of(batch.law, batch.contact);
     inputs.damping = batch::input_of(batch.damping);
     inputs.velocity = batch::input_of(batch.velocity);
     return inputs;

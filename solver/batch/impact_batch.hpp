@@ -23,9 +23,9 @@ struct ImpactBatch {
 };
 
 struct BatchOptions {
-    int threads = 1;            ///< 0: as many as there are cores
-    bool turning_point = true;  ///< approach time and greatest overlap too, in a second pass up to the turn;
-                                ///< restitution and contact time are the same bits without them
+    int threads = 1;            ///< 0: one for each core
+    bool turning_point = true;  ///< also compute approach time and greatest overlap, in a second pass up to
+                                ///< the turn. Restitution and contact time are the same bits without them
     BatchMethod method = BatchMethod::integration;
     bool keep_failures = false;  ///< impacts that do not converge are listed; otherwise the first one throws
 };
@@ -36,8 +36,8 @@ struct FailedImpact {
     std::string reason;
 };
 
-/// What the impacts did; NaN where there is nothing: contact time of a capture, approach time of an approach
-/// that never turns, both columns of the turning point where they were not asked for.
+/// What the impacts did. NaN stands for the contact time of a capture, for the approach time of an approach
+/// that never turns, and for both columns of the turning point if they were not asked for.
 struct ImpactBatchResult {
     Eigen::Array<Outcome, Eigen::Dynamic, 1> outcome{};
     Eigen::ArrayXd restitution{};        ///< e_n, 0 for a capture [1]
@@ -51,13 +51,13 @@ struct ImpactBatchResult {
 /// Solves many impacts, several in each instruction, to |d(e^2)| <= 1e-12 (1 + |U_min|/(m v^2/2)) of
 /// solve_impact().
 ///
-/// Every impact goes its own way: its result does not depend, in any bit, on the others, on their number or
-/// order, or on the number of threads. Instruction sets differ within that bound.
+/// No bit of a result depends on the other impacts, on their number or order, or on the number of threads.
+/// Instruction sets differ within the bound above.
 /// @throws InputError for inadmissible input, naming the first impact it concerns; ConvergenceError unless
 /// failures are kept
 [[nodiscard]] ImpactBatchResult solve_impacts(const ImpactBatch& batch, const BatchOptions& options = {});
 
-/// As above, into columns that exist already where they have the right length: nothing is allocated then.
+/// As above, into an existing result. Columns of the right length are reused without allocation.
 void solve_impacts(const ImpactBatch& batch, ImpactBatchResult& result, const BatchOptions& options = {});
 
 }  // namespace ashimpact

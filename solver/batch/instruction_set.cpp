@@ -1,6 +1,6 @@
 #include "solver/batch/instruction_set.hpp"
 
-#include "materials/base/error.hpp"
+#include "materials/base/checks.hpp"
 
 #include <hwy/highway.h>
 
@@ -38,17 +38,16 @@ std::vector<std::string_view> instruction_sets() {
 }
 
 void use_instruction_set(std::string_view name) {
-    std::string names;
+    std::vector<std::string> names;
     for (const InstructionSet& set : present_sets()) {
         if (name == set.name) {
             hwy::GetChosenTarget().Update(set.target);
             return;
         }
-        if (!names.empty()) names += ", ";
-        names += set.name;
+        names.emplace_back(set.name);
     }
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    if (!name.empty()) throw InputError("unknown instruction set '" + std::string(name) + "'", names);
+    if (!name.empty()) throw unknown_name("instruction set", name, names);
 }
 
 void settle_instruction_set() {

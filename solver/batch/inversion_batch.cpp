@@ -81,7 +81,7 @@ DampingBatchResult dampings_from_restitutions(const DampingBatch& batch, int thr
     batch::require_admissible(batch.law, batch.detachment);
     const Eigen::Index count = common_size(
         batch.contact, {{"velocity", batch.velocity.size()}, {"restitution", batch.restitution.size()}});
-    batch::Inputs inputs = batch::inputs_of(batch.contact);
+    batch::Inputs inputs = batch::inputs_of(batch.law, batch.contact);
     inputs.damping = {&no_damping_yet, true};
     inputs.velocity = batch::input_of(batch.velocity);
     inputs.restitution = batch::input_of(batch.restitution);

@@ -10,7 +10,7 @@
 
 namespace ashimpact {
 
-/// Many impacts whose damping coefficient is asked for, of one law, one damping law and one detachment.
+/// Impacts of one law, one damping law and one detachment with measured restitutions, for their dampings.
 struct DampingBatch {
     Law law;
     Detachment detachment;
@@ -26,9 +26,9 @@ struct DampingBatchResult {
     std::int64_t scalar = 0;                ///< left to damping_from_restitution()
 };
 
-/// Dampings from restitutions on the batch solver; a result gives its restitution back within the batch
+/// Dampings from restitutions by the batch solver. A result reproduces its restitution within the batch
 /// solver's bound.
-/// @param threads 0: as many as there are cores; no bit of a result depends on it
+/// @param threads 0: one for each core; no bit of a result depends on it
 /// @throws InputError for inadmissible input, naming the first impact it concerns
 [[nodiscard]] DampingBatchResult dampings_from_restitutions(const DampingBatch& batch, int threads = 1,
                                                             BatchMethod method = BatchMethod::integration);

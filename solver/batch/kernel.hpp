@@ -3,6 +3,7 @@
 #include "solver/contact/registry.hpp"
 #include "solver/damping/damping.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -19,7 +20,20 @@ struct Input {
     }
 };
 
-/// What the problems of a task are given; what its kind does not use stays empty.
+/// The law parameters of a task by position: the first `count` have values.
+struct ParameterInputs {
+    std::array<const LawParameter*, most_parameter_values> parameter{};
+    std::array<Input, most_parameter_values> values{};
+    std::size_t count = 0;
+
+    [[nodiscard]] ParameterInputs from(std::size_t i) const {
+        ParameterInputs shifted = *this;
+        for (std::size_t k = 0; k < count; ++k) shifted.values[k] = values[k].from(i);
+        return shifted;
+    }
+};
+
+/// Inputs of the problems of a task; those that a kind of task does not use stay empty.
 struct Inputs {
     Input mass{};
     Input effective_radius{};
@@ -29,6 +43,7 @@ struct Inputs {
     Input damping{};
     Input velocity{};
     Input restitution{};
+    ParameterInputs parameters{};
 
     [[nodiscard]] Inputs from(std::size_t i) const {
         return {.mass = mass.from(i),
@@ -38,7 +53,8 @@ struct Inputs {
                 .yield_pressure = yield_pressure.from(i),
                 .damping = damping.from(i),
                 .velocity = velocity.from(i),
-                .restitution = restitution.from(i)};
+                .restitution = restitution.from(i),
+                .parameters = parameters.from(i)};
     }
 };
 
@@ -51,7 +67,7 @@ enum class LaneEnd : std::uint8_t {
 
 class RestitutionTable;
 
-/// Impacts that one thread solves in one go.
+/// A chunk of impacts for one thread.
 struct ImpactTask {
     DampingLaw damping_law;
     Detachment detachment;
@@ -66,7 +82,7 @@ struct ImpactTask {
     double* maximum_overlap;  ///< NaN where the turn is in doubt; untouched without turning_point [m]
 };
 
-/// Impacts that are given by their two numbers, for one thread; scaled results.
+/// A chunk of impacts given by their two numbers, for one thread; results are scaled.
 struct NumberTask {
     DampingLaw damping_law;
     Detachment detachment;
@@ -78,7 +94,7 @@ struct NumberTask {
     double* time;   ///< of contact, where it is a rebound
 };
 
-/// Restitutions whose damping one thread searches in one go.
+/// A chunk of restitutions whose damping one thread searches.
 struct InversionTask {
     DampingLaw damping_law;
     Detachment detachment;
@@ -105,11 +121,10 @@ struct Kernels {
     InversionKernel inversions;
 };
 
-/// The kernels of a law; those of a law with plastic history leave every impact to the scalar solver.
+/// The kernels of a law; those of a law without any leave every impact to the scalar solver.
 [[nodiscard]] Kernels kernels_of(Law law);
-[[nodiscard]] Kernels hertz_kernels();
-[[nodiscard]] Kernels dmt_kernels();
-[[nodiscard]] Kernels brach_dunn_kernels();
-[[nodiscard]] Kernels jkr_kernels();
+
+/// Whether the law has kernels: it is in the list of solver/CMakeLists.txt.
+[[nodiscard]] bool has_kernels(Law law);
 
 }  // namespace ashimpact::batch

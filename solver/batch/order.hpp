@@ -15,8 +15,8 @@ struct NumberColumns {
     const double* damping;
 };
 
-/// An order of the impacts of a task in which like ones are neighbours. It has no influence on results, only
-/// on how long the lanes of a block wait for each other.
+/// An order of the impacts of a task that puts similar ones side by side. It changes no result, only how long
+/// the lanes of a block wait for each other.
 class Order {
   public:
     /// @param impacts their places in the columns

@@ -5,9 +5,9 @@
 
 namespace ashimpact::batch {
 
-/// Calls @p body(first, size) for the consecutive chunks of @p count items, all of @p chunk but the last, on
-/// @p threads threads (0: one a core). Which thread gets a chunk is left open, so a chunk's result must not
-/// depend on it. An exception from a body is passed on.
+/// Calls @p body(first, size) for consecutive chunks of @p count items on @p threads threads (0: one for each
+/// core). Every chunk but the last has @p chunk items. Any thread may get a chunk, so the result of a chunk
+/// must not depend on the thread. Exceptions from a body are rethrown.
 void for_chunks(std::size_t count, std::size_t chunk, int threads,
                 const std::function<void(std::size_t, std::size_t)>& body);
 

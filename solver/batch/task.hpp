@@ -15,34 +15,42 @@ namespace ashimpact::batch {
     return {column.data(), column.size() == 1};
 }
 
-/// Inputs with the contact pairs; the rest stays empty.
-[[nodiscard]] inline Inputs inputs_of(const ContactColumns& contact) {
+/// The columns of the parameters that a law takes. @throws InputError where one is missing
+[[nodiscard]] ParameterInputs parameter_inputs(Law law, const ContactColumns& contact);
+
+/// Inputs with the contact pairs of a law; the rest stays empty.
+/// @throws InputError where a parameter of the law is missing
+[[nodiscard]] inline Inputs inputs_of(Law law, const ContactColumns& contact) {
     return {.mass = input_of(contact.mass),
             .effective_radius = input_of(contact.effective_radius),
             .contact_modulus = input_of(contact.contact_modulus),
             .work_of_adhesion = input_of(contact.work_of_adhesion),
-            .yield_pressure = input_of(contact.yield_pressure)};
+            .yield_pressure = input_of(contact.yield_pressure),
+            .parameters = parameter_inputs(law, contact)};
 }
 
 [[nodiscard]] inline ContactPair pair_at(const Inputs& in, std::size_t i) {
-    return {.mass = in.mass.at(i),
-            .effective_radius = in.effective_radius.at(i),
-            .contact_modulus = in.contact_modulus.at(i),
-            .work_of_adhesion = in.work_of_adhesion.at(i),
-            .yield_pressure = in.yield_pressure.at(i)};
+    ContactPair pair{.mass = in.mass.at(i),
+                     .effective_radius = in.effective_radius.at(i),
+                     .contact_modulus = in.contact_modulus.at(i),
+                     .work_of_adhesion = in.work_of_adhesion.at(i),
+                     .yield_pressure = in.yield_pressure.at(i)};
+    for (std::size_t k = 0; k < in.parameters.count; ++k)
+        pair.parameters.set(in.parameters.parameter[k]->name, in.parameters.values[k].at(i));
+    return pair;
 }
 
-/// Whether all numbers that are given are what validate() of an Impact asks for, a restitution finite and not
+/// Whether all inputs that are given pass validate() of an Impact, and a restitution is finite and not
 /// negative.
 [[nodiscard]] bool admissible(const Inputs& in, std::size_t i);
 
-/// The first problem of a batch that is not admissible, found by several threads.
+/// Finds the first problem of a batch that is not admissible; several threads may check chunks.
 class FirstFault {
   public:
-    /// Looks through a chunk. @return whether all of it is admissible
+    /// Checks a chunk. @return whether all of it is admissible
     bool check(const Inputs& chunk, std::size_t first, std::size_t count);
-    /// Has @p refuse, which throws an InputError, say what is wrong with it, if there was one; adds the
-    /// place.
+    /// If a problem is not admissible: calls @p refuse with its place, and adds the place to the InputError
+    /// that it throws.
     void raise(const std::function<void(std::size_t)>& refuse) const;
 
   private:

@@ -7,6 +7,7 @@
 #include "solver/gsl/nonlinear_fit.hpp"
 
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -91,6 +92,19 @@ CalibrationSummary summary_of(const CalibrationProblem& problem, const std::vect
 }
 
 }  // namespace
+
+Dimension dimension_of(CalibrationQuantity quantity) {
+    switch (quantity) {
+        case CalibrationQuantity::density:
+            return Dimension::density;
+        case CalibrationQuantity::work_of_adhesion:
+            return Dimension::energy_per_area;
+        case CalibrationQuantity::contact_modulus:
+        case CalibrationQuantity::wall_young_modulus:
+            return Dimension::pressure;
+    }
+    throw std::logic_error("calibration quantity without a dimension");
+}
 
 ContactPair CalibrationSample::contact() const {
     return {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "materials/base/names.hpp"
 #include "materials/contact_properties.hpp"
 #include "solver/contact/registry.hpp"
 
@@ -27,17 +28,15 @@ struct CalibrationSample {
 
 enum class CalibrationQuantity { density, work_of_adhesion, contact_modulus, wall_young_modulus };
 
-struct CalibrationQuantityName {
-    CalibrationQuantity quantity;
-    std::string_view name;
-    std::string_view unit;
+template <>
+struct Names<CalibrationQuantity> {
+    static constexpr std::string_view kind = "constant of a calibration";
+    static constexpr std::array<std::string_view, 4> all{"density", "work_of_adhesion", "contact_modulus",
+                                                         "wall_young_modulus"};
 };
-inline constexpr std::array<CalibrationQuantityName, 4> calibration_quantity_names{{
-    {CalibrationQuantity::density, "density", "kg/m3"},
-    {CalibrationQuantity::work_of_adhesion, "work_of_adhesion", "J/m2"},
-    {CalibrationQuantity::contact_modulus, "contact_modulus", "Pa"},
-    {CalibrationQuantity::wall_young_modulus, "wall_young_modulus", "Pa"},
-}};
+
+/// What a calibrated constant measures.
+[[nodiscard]] Dimension dimension_of(CalibrationQuantity quantity);
 
 /// One free constant: one value for all samples, or one value each. Its starting value is that of the
 /// samples.

@@ -16,13 +16,9 @@ constexpr double furthest = 10.0;  ///< factor from the best value to which a pr
 constexpr double strong = 0.95;    ///< correlation from which two constants are said to be traded
 
 std::string name_of(const CalibratedConstant& constant) {
-    for (const CalibrationQuantityName& entry : calibration_quantity_names) {
-        if (entry.quantity != constant.quantity) continue;
-        std::string name(entry.name);
-        if (constant.sample) name += " of sample " + std::to_string(*constant.sample + 1);
-        return name;
-    }
-    return {};
+    std::string name(name_of(constant.quantity));
+    if (constant.sample) name += " of sample " + std::to_string(*constant.sample + 1);
+    return name;
 }
 
 std::string statement_of(const CalibrationSummary& summary, std::size_t constant,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "solver/contact/parameter.hpp"
+
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -16,6 +18,7 @@ struct BasicContactPair {
     Real work_of_adhesion;  ///< w [J/m2], energy to separate unit area (not a surface energy)
     Real yield_pressure =
         Real(std::numeric_limits<double>::infinity());  ///< p_y [Pa]; infinite: never yields
+    ParameterValues<Real> parameters{};                 ///< of laws that declare their own
 };
 using ContactPair = BasicContactPair<double>;
 

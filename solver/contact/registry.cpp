@@ -1,22 +1,12 @@
 #include "solver/contact/registry.hpp"
 
+#include "materials/base/checks.hpp"
 #include "materials/base/error.hpp"
+#include "materials/base/text.hpp"
+
+#include <algorithm>
 
 namespace ashimpact {
-
-namespace {
-
-template <class Names>
-std::string joined(const Names& names) {
-    std::string text;
-    for (const std::string_view name : names) {
-        if (!text.empty()) text += ", ";
-        text += name;
-    }
-    return text;
-}
-
-}  // namespace
 
 std::string law_names() {
     return joined(RegisteredLaws::names);
@@ -26,11 +16,120 @@ Law Law::named(std::string_view name) {
     for (std::size_t index = 0; index < RegisteredLaws::size; ++index) {
         if (RegisteredLaws::names[index] == name) return Law(index);
     }
-    throw InputError("unknown contact law '" + std::string(name) + "'", law_names());
+    throw unknown_name("contact law", name, {RegisteredLaws::names.begin(), RegisteredLaws::names.end()});
 }
 
 Detachment Law::default_detachment() const {
     return visit<Detachment>([]<template <class> class L>() { return L<double>::default_detachment; });
+}
+
+std::span<const LawParameter> Law::parameters() const {
+    using Parameters = std::span<const LawParameter>;
+    return visit<Parameters>([]<template <class> class L>() -> Parameters {
+        if constexpr (requires { L<double>::parameters; }) return L<double>::parameters;
+        return {};
+    });
+}
+
+bool Law::takes(const LawParameter& parameter) const {
+    const auto own = parameters();
+    return std::any_of(own.begin(), own.end(),
+                       [&](const LawParameter& known) { return known.name == parameter.name; });
+}
+
+bool Law::self_similar() const {
+    return visit<bool>([]<template <class> class L>() {
+        if constexpr (requires { L<double>::self_similar; }) return L<double>::self_similar;
+        return true;
+    });
+}
+
+bool Law::uses_work_of_adhesion() const {
+    const ContactPair with{.mass = 1,
+                           .effective_radius = 1,
+                           .contact_modulus = 1,
+                           .work_of_adhesion = 1,
+                           .parameters = typical_parameters(*this)};
+    ContactPair without = with;
+    without.work_of_adhesion = 0;
+    return visit<bool>([&]<template <class> class L>() {
+        return L<double>::adhesion_number(with, 1.0) != L<double>::adhesion_number(without, 1.0);
+    });
+}
+
+const std::vector<LawParameter>& law_parameters() {
+    static const auto all = [] {
+        std::vector<LawParameter> found;
+        for (std::size_t i = 0; i < Law::count(); ++i)
+            for (const LawParameter& parameter : Law::at(i).parameters())
+                if (std::none_of(found.begin(), found.end(),
+                                 [&](const LawParameter& known) { return known.name == parameter.name; }))
+                    found.push_back(parameter);
+        return found;
+    }();
+    return all;
+}
+
+std::string ParameterFault::problem() const {
+    std::string names;
+    for (const LawParameter& parameter : parameters) {
+        if (!names.empty()) names += ", ";
+        names += parameter.name;
+    }
+    if (parameters.size() == 1) return names + " is missing";
+    return (given == 0 ? "none" : std::to_string(given)) + std::string(" of ") + names + " given";
+}
+
+std::string ParameterFault::allowed() const {
+    std::string text = parameters.size() == 1 ? "" : "one of them: ";
+    for (const LawParameter& parameter : parameters) {
+        if (&parameter != &parameters.front()) text += "; ";
+        text += std::string(parameter.description) + ", such as \"" + std::string(parameter.example) + '"';
+    }
+    return text;
+}
+
+std::optional<ParameterFault> parameter_fault(Law law,
+                                              const std::function<bool(const LawParameter&)>& is_given) {
+    for (const LawParameter& parameter : law.parameters()) {
+        ParameterFault group{.parameters = {}, .given = 0};
+        for (const LawParameter& other : law.parameters()) {
+            const bool same =
+                parameter.choice == 0 ? other.name == parameter.name : other.choice == parameter.choice;
+            if (!same) continue;
+            group.parameters.push_back(other);
+            group.given += is_given(other) ? 1 : 0;
+        }
+        if (group.given == 1 || (group.given == 0 && parameter.otherwise)) continue;
+        return group;
+    }
+    return std::nullopt;
+}
+
+void require_allowed(const LawParameter& parameter, double value) {
+    if (value > parameter.greatest) {
+        const std::string unit = " " + std::string(si_unit(parameter.dimension));
+        throw InputError(std::string(parameter.name) + " is " + shortest(value) + unit,
+                         "up to " + shortest(parameter.greatest) + unit);
+    }
+    (parameter.may_be_zero ? require_not_negative : require_positive)(parameter.name, value,
+                                                                      parameter.dimension);
+}
+
+void require_parameters(Law law, const ParameterValues<double>& values) {
+    const auto is_given = [&](const LawParameter& parameter) { return values.has(parameter); };
+    if (const auto fault = parameter_fault(law, is_given))
+        throw InputError(fault->problem(), fault->allowed());
+    for (const LawParameter& parameter : law.parameters())
+        if (values.has(parameter)) require_allowed(parameter, values[parameter]);
+}
+
+ParameterValues<double> typical_parameters(Law law) {
+    ParameterValues<double> values;
+    while (const auto fault =
+               parameter_fault(law, [&](const LawParameter& parameter) { return values.has(parameter); }))
+        values.set(fault->parameters.front().name, fault->parameters.front().typical);
+    return values;
 }
 
 std::string_view name_of(Detachment detachment) {
@@ -41,12 +140,12 @@ std::string_view name_of(Detachment detachment) {
 }
 
 Detachment detachment_named(std::string_view name) {
-    std::array<std::string_view, detachment_names.size()> names;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        names[i] = detachment_names[i].name;
-        if (names[i] == name) return detachment_names[i].detachment;
+    std::vector<std::string> names;
+    for (const DetachmentName& entry : detachment_names) {
+        if (entry.name == name) return entry.detachment;
+        names.emplace_back(entry.name);
     }
-    throw InputError("unknown detachment '" + std::string(name) + "'", joined(names));
+    throw unknown_name("detachment", name, names);
 }
 
 }  // namespace ashimpact

@@ -4,12 +4,17 @@
 #include "solver/contact/dmt.hpp"
 #include "solver/contact/hertz.hpp"
 #include "solver/contact/jkr.hpp"
+#include "solver/contact/maugis_dugdale.hpp"
+#include "solver/contact/sjkr.hpp"
 #include "solver/contact/thornton_ning.hpp"
 
 #include <array>
 #include <cstddef>
+#include <functional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ashimpact {
 
@@ -35,7 +40,13 @@ struct LawList {
 };
 
 /// Every contact law with dynamics. Registering a law is one word here.
-using RegisteredLaws = LawList<Hertz, Dmt, BrachDunn, Jkr, ThorntonNing>;
+using RegisteredLaws = LawList<Hertz, Dmt, BrachDunn, Jkr, ThorntonNing, Sjkr, MaugisDugdale>;
+
+/// Whether overlap and force of a law are polynomials of u, as make_motion() takes them.
+template <template <class> class L>
+inline constexpr bool has_polynomials = requires(const L<double>& law) {
+    law.overlap(1.0);
+};
 
 /// A registered contact law, chosen at run time.
 class Law {
@@ -56,6 +67,16 @@ class Law {
     [[nodiscard]] constexpr std::size_t index() const { return index_; }
     [[nodiscard]] std::string_view name() const { return RegisteredLaws::names[index_]; }
     [[nodiscard]] Detachment default_detachment() const;
+    /// The parameters that the law declares.
+    [[nodiscard]] std::span<const LawParameter> parameters() const;
+    /// Whether the law declares this parameter.
+    [[nodiscard]] bool takes(const LawParameter& parameter) const;
+    /// Whether the adhesion number alone tells the law's impacts apart once they are scaled. Not so if the
+    /// law declares `static constexpr bool self_similar = false`: another number of the pair, such as a Tabor
+    /// parameter, remains. Tables and maps in scaled numbers leave such a law to the scalar solver.
+    [[nodiscard]] bool self_similar() const;
+    /// Whether the law's attraction depends on the work of adhesion.
+    [[nodiscard]] bool uses_work_of_adhesion() const;
 
     /// Calls @p visitor.template operator()<L>() with the law's template.
     template <class Result, class Visitor>
@@ -69,6 +90,31 @@ class Law {
     explicit constexpr Law(std::size_t index) : index_(index) {}
     std::size_t index_;
 };
+
+/// The parameters of all registered laws, each name once.
+[[nodiscard]] const std::vector<LawParameter>& law_parameters();
+
+/// Parameters of which not as many are given as a law needs.
+struct ParameterFault {
+    std::vector<LawParameter> parameters;       ///< one, or those of a choice
+    int given;                                  ///< 0, or two or more of a choice
+    [[nodiscard]] std::string problem() const;  ///< "cohesion_energy_density is missing"
+    [[nodiscard]] std::string allowed() const;  ///< what each of them is, in words
+};
+
+/// The first parameter or choice of the law that is not given as it must be; none if all are.
+[[nodiscard]] std::optional<ParameterFault> parameter_fault(
+    Law law, const std::function<bool(const LawParameter&)>& is_given);
+
+/// Checks one value of a parameter [SI]. @throws InputError naming it, its value, unit and what is allowed
+void require_allowed(const LawParameter& parameter, double value);
+
+/// Checks that a law has the parameters it needs and that their values are allowed. @throws InputError
+void require_parameters(Law law, const ParameterValues<double>& values);
+
+/// A value for each parameter of a law that must be given: one for those that may be chosen from. For places
+/// where the law's numbers scale away, such as tables in scaled numbers.
+[[nodiscard]] ParameterValues<double> typical_parameters(Law law);
 
 /// "hertz, dmt, ...", for messages.
 [[nodiscard]] std::string law_names();

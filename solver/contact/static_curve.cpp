@@ -28,46 +28,75 @@ StaticCurve::StaticCurve(Law law, const ContactPair& contact) : law_(law), lengt
     require_positive("effective_radius", contact.effective_radius, Dimension::length);
     require_positive("contact_modulus", contact.contact_modulus, Dimension::pressure);
     require_not_negative("work_of_adhesion", contact.work_of_adhesion, Dimension::energy_per_area);
+    require_parameters(law, contact.parameters);
     if (can_yield(law, contact)) {
         throw InputError(
             "a contact of law '" + std::string(law.name()) + "' that can yield has no static curve",
             "an infinite yield_pressure");
     }
+    if (is_cohesive(law, contact)) {
+        zone_ = CohesiveZone(transition_parameter(contact));
+        units_ = maugis_units(contact);
+        return;
+    }
+    if (law == Law::of<MaugisDugdale>()) law_ = Law::of<Hertz>();  // without adhesion
     force_unit_ = hertz_stiffness(contact) * length_ * std::sqrt(length_);
-    law.visit<void>([&]<template <class> class L>() {
-        adhesion_ = L<double>::adhesion_number(contact, length_);
-        least_root_ = *L<double>{adhesion_}.detachment_point(L<double>::default_detachment);
+    law_.visit<void>([&]<template <class> class L>() {
+        if constexpr (has_polynomials<L>) {
+            adhesion_ = L<double>::adhesion_number(contact, length_);
+            least_root_ = *L<double>{adhesion_}.detachment_point(L<double>::default_detachment);
+        }
     });
 }
 
 StaticCurve StaticCurve::normalised(Law law) {
+    if (!law.parameters().empty())
+        throw InputError("the units of Eq. 21 leave no number of the pair in a law, but law '" +
+                             std::string(law.name()) + "' has parameters of its own",
+                         "a law that has none");
     // A pair with K = 1 and pi w R* = 1, whose SI units are those of Eq. 21.
-    return {law,
-            {.mass = 1.0,
-             .effective_radius = 1.0,
-             .contact_modulus = 0.75,
-             .work_of_adhesion = 1.0 / std::numbers::pi}};
+    const ContactPair unit{.mass = 1.0,
+                           .effective_radius = 1.0,
+                           .contact_modulus = 0.75,
+                           .work_of_adhesion = 1.0 / std::numbers::pi};
+    return {law, unit};
 }
 
 StaticPoint StaticCurve::point(double root) const {
     return law_.visit<StaticPoint>([&]<template <class> class L>() -> StaticPoint {
-        const L<double> numeric{adhesion_};
-        const double attraction = numeric.attractive_force(root);
-        return {.contact_radius = root * root * length_,
-                .overlap = numeric.overlap(root) * length_,
-                .repulsive_force = std::max(0.0, numeric.force(root) - attraction) * force_unit_,
-                .attractive_force = attraction * force_unit_};
+        if constexpr (has_polynomials<L>) {
+            const L<double> numeric{adhesion_};
+            const double attraction = numeric.attractive_force(root);
+            return {.contact_radius = root * root * length_,
+                    .overlap = numeric.overlap(root) * length_,
+                    .repulsive_force = std::max(0.0, numeric.force(root) - attraction) * force_unit_,
+                    .attractive_force = attraction * force_unit_};
+        } else {
+            return {};
+        }
     });
+}
+
+/// Hertz repulsion a^3, and all else attraction.
+StaticPoint StaticCurve::cohesive_point(const CohesiveState& state) const {
+    const auto a = static_cast<double>(state.contact_radius());
+    const double repulsion = a * a * a;
+    return {.contact_radius = a * units_.radius,
+            .overlap = static_cast<double>(zone_->overlap(state)) * units_.overlap,
+            .repulsive_force = repulsion * units_.force,
+            .attractive_force = (static_cast<double>(zone_->force(state)) - repulsion) * units_.force};
 }
 
 StaticPoint StaticCurve::at_contact_radius(double a) const {
     require_at_least("contact_radius", a, first().contact_radius);
+    if (zone_) return cohesive_point(zone_->at_contact_radius(a / units_.radius));
     return point(std::sqrt(a / length_));
 }
 
 StaticPoint StaticCurve::at_overlap(double delta) const {
     require_at_least("overlap", delta, first().overlap);
     if (delta == first().overlap) return first();
+    if (zone_) return cohesive_point(zone_->at_overlap(delta / units_.overlap));
     const auto excess = [&](double step) { return point(least_root_ + step).overlap - delta; };
     double step = std::max(least_root_, std::sqrt(std::sqrt(std::abs(delta) / length_)));
     while (excess(step) < 0.0) step *= 2.0;
@@ -81,7 +110,7 @@ std::vector<StaticPoint> StaticCurve::sampled(double delta, int count) const {
     std::vector<StaticPoint> points;
     points.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) {
-        points.push_back(point(std::sqrt((from + (to - from) * i / (count - 1)) / length_)));
+        points.push_back(at_contact_radius(from + (to - from) * i / (count - 1)));
     }
     return points;
 }

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "solver/contact/maugis/cohesive_zone.hpp"
+#include "solver/contact/maugis/transition.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/contact/registry.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace ashimpact {
@@ -19,9 +22,10 @@ struct StaticPoint {
 };
 
 /// A contact law without dynamics: Dong et al. 2013, Eqs. 9-20 in SI units, Eqs. 21-27 (Figure 3) normalised.
-/// The curve begins where the law detaches by default: at zero overlap, or (JKR) at the
-/// displacement-controlled fold, below which a contact is unstable. A contact that can yield has a history,
-/// not a curve: it is refused.
+/// The curve begins where the law detaches by default: at zero overlap, or for JKR and maugis-dugdale at the
+/// displacement-controlled fold, below which a contact is unstable; of maugis-dugdale that may lie before
+/// contact, where the contact radius is 0. A contact that can yield is refused: its force depends on its
+/// history.
 class StaticCurve {
   public:
     /// @param contact its mass is not used
@@ -30,10 +34,13 @@ class StaticCurve {
 
     /// The law in the units of Eq. 21: a/(pi w R*^2/K)^(1/3), F/(pi w R*), delta/(pi^2 w^2 R*/K^2)^(1/3) with
     /// K = (4/3) E*; no property of a particle is left in it.
+    /// @throws InputError for a law with parameters of its own
     [[nodiscard]] static StaticCurve normalised(Law law);
 
     /// The point where the curve begins.
-    [[nodiscard]] StaticPoint first() const { return point(least_root_); }
+    [[nodiscard]] StaticPoint first() const {
+        return zone_ ? cohesive_point(zone_->pull_off()) : point(least_root_);
+    }
     /// The point of contact radius @p a [m]. @throws InputError below the first point's
     [[nodiscard]] StaticPoint at_contact_radius(double a) const;
     /// The point of overlap @p delta [m]. @throws InputError below the first point's
@@ -44,11 +51,14 @@ class StaticCurve {
 
   private:
     [[nodiscard]] StaticPoint point(double root) const;
+    [[nodiscard]] StaticPoint cohesive_point(const CohesiveState& state) const;
 
     Law law_;
-    double length_;      ///< unit of overlap and contact radius, R* [m]
-    double force_unit_;  ///< [N]
-    double adhesion_;    ///< adhesion number of the law in these units [1]
+    double length_;                       ///< unit of overlap and contact radius, R* [m]
+    double force_unit_;                   ///< [N]
+    double adhesion_;                     ///< adhesion number of the law in these units [1]
+    std::optional<CohesiveZone> zone_{};  ///< of law maugis-dugdale, which takes these two instead
+    MaugisUnits units_{};
     double least_root_;  ///< sqrt(contact radius) where the curve begins, in these units [1]
 };
 

@@ -48,9 +48,8 @@ std::optional<Arrival> critical_arrival(const Motion<Extended>& motion) {
     const bool adhesive = motion.equilibrium > *motion.end;
     if (adhesive && ends_at_rest_point(motion)) return arrival_at_rest_point(motion);
     if (adhesive) return Arrival{.state = {.position = *motion.end}};
-    const bool constant = motion.damping.degree == 0 && motion.damping[0] > 0;
-    if (constant) return at_damped_end(motion);
-    return std::nullopt;
+    if (!(motion.damping[0] > 0)) return std::nullopt;
+    return motion.damping.degree == 0 ? at_damped_end(motion) : arrival_at_rest_point(motion);
 }
 
 std::optional<MotionState<Extended>> back_to_turn(const Motion<Extended>& motion, MotionState<Extended> state,

@@ -11,18 +11,18 @@ namespace ashimpact {
 struct Arrival {
     MotionState<Extended> state;
     Extended dissipated_after = 0;           ///< work of damping from that state to the end
-    std::optional<Extended> time_after = 0;  ///< from that state to the end; none where it takes for ever
+    std::optional<Extended> time_after = 0;  ///< from that state to the end; none if infinite
 };
 
 /// The end of contact is a rest point of the regularised motion (delta'(q_end) = 0).
 [[nodiscard]] bool ends_at_rest_point(const Motion<Extended>& motion);
 
 /// The orbit that arrives at the end of contact with no velocity left; none where no orbit does: without
-/// adhesion only constant damping has one.
+/// adhesion only damping that does not vanish with the contact radius has one.
 [[nodiscard]] std::optional<Arrival> critical_arrival(const Motion<Extended>& motion);
 
-/// Follows the outward leg backward in time to its turning point; none if the orbit escapes to where no
-/// velocity is high enough. @p steps counts Taylor steps. @throws ConvergenceError
+/// Follows the outward leg backward in time to its turning point; none if the orbit escapes, so that no
+/// velocity is high enough to rebound. @p steps counts Taylor steps. @throws ConvergenceError
 [[nodiscard]] std::optional<MotionState<Extended>> back_to_turn(const Motion<Extended>& motion,
                                                                 MotionState<Extended> state, int& steps);
 

@@ -2,6 +2,7 @@
 
 #include "materials/base/checks.hpp"
 #include "solver/critical_velocity/backward_orbit.hpp"
+#include "solver/critical_velocity/maugis/cohesive_critical_velocity.hpp"
 #include "solver/critical_velocity/plastic_critical_velocity.hpp"
 #include "solver/motion/scaled_impact.hpp"
 #include "solver/motion/velocity_scales.hpp"
@@ -39,31 +40,39 @@ CriticalVelocity finite_result(const Motion<Extended>& motion, const Arrival& ar
     return result;
 }
 
-}  // namespace
-
-std::string_view name_of(CaptureVerdict verdict) {
-    switch (verdict) {
-        case CaptureVerdict::finite:
-            return "finite";
-        case CaptureVerdict::always_captured:
-            return "always-captured";
-        case CaptureVerdict::never_captured:
-            return "never-captured";
-    }
-    return {};
+CriticalVelocity cohesive_critical_velocity(const CriticalVelocityProblem& problem) {
+    const bool costs_nothing = problem.detachment == Detachment::zero_overlap;
+    if (problem.damping.coefficient == 0.0 && costs_nothing)
+        return {.verdict = CaptureVerdict::never_captured};
+    const auto [scale, motion, one] =
+        scaled_cohesive_impact({problem.law, problem.detachment, problem.damping, problem.contact, 1.0});
+    const auto critical = critical_cohesive_impact(motion);
+    if (!critical) return {.verdict = CaptureVerdict::always_captured};
+    CriticalVelocity result;
+    result.value = static_cast<double>(critical->velocity) * scale.velocity;
+    result.crossings = {*result.value};
+    result.contact_time = static_cast<double>(critical->contact_time) * scale.time();
+    result.maximum_overlap = static_cast<double>(critical->maximum_overlap) * scale.length;
+    result.dissipated = static_cast<double>(critical->dissipated) * scale.energy();
+    result.detachment_energy = static_cast<double>(critical->break_energy) * scale.energy();
+    result.steps = critical->steps;
+    return result;
 }
+
+}  // namespace
 
 std::optional<CaptureVerdict> verdict_without_adhesion(const Damping& damping) {
     if (damping.coefficient == 0.0) return CaptureVerdict::never_captured;
-    if (damping.law == DampingLaw::constant) return std::nullopt;
-    const bool overdamped =
-        damping.law == DampingLaw::tsuji && damping.coefficient * damping.coefficient >= 5.0;
-    return overdamped ? CaptureVerdict::always_captured : CaptureVerdict::never_captured;
+    if (!vanishes_at_touch(damping.law)) return std::nullopt;
+    const double limit = overdamped_squared(damping.law);  // only a coefficient without a unit has one
+    return damping.coefficient * damping.coefficient >= limit ? CaptureVerdict::always_captured
+                                                              : CaptureVerdict::never_captured;
 }
 
 CriticalVelocity critical_velocity(const CriticalVelocityProblem& problem) {
     validate(Impact{problem.law, problem.detachment, problem.damping, problem.contact, 1.0});
     if (can_yield(problem.law, problem.contact)) return plastic_critical_velocity(problem);
+    if (is_cohesive(problem.law, problem.contact)) return cohesive_critical_velocity(problem);
     const double adhesion_velocity = velocity_of_adhesion(problem.law, problem.contact);
     const double unit = std::max({adhesion_velocity, velocity_of_damping(problem.damping, problem.contact),
                                   std::numeric_limits<double>::min()});

@@ -14,8 +14,11 @@ enum class CaptureVerdict {
     never_captured,   ///< rebounding at every velocity
 };
 
-/// Name as used in artifacts.
-[[nodiscard]] std::string_view name_of(CaptureVerdict verdict);
+template <>
+struct Names<CaptureVerdict> {
+    static constexpr std::string_view kind = "verdict";
+    static constexpr std::array<std::string_view, 3> all{"finite", "always-captured", "never-captured"};
+};
 
 /// An impact whose velocity is asked for.
 struct CriticalVelocityProblem {
@@ -37,16 +40,18 @@ struct CriticalVelocity {
     std::vector<double> crossings{};  ///< every velocity at which capture and rebound change places [m/s]
 };
 
-/// What becomes of elastic impacts without adhesion that end at zero overlap, where it does not depend on
-/// velocity: undamped or with damping proportional to the contact radius they are never captured, with
-/// Tsuji's always from sqrt(5) on. None for constant damping.
+/// What becomes of elastic impacts without adhesion that end at zero overlap, if velocity does not matter.
+/// Undamped they are never captured. With damping that vanishes with the contact radius they are never
+/// captured either, unless the damping law has a limit (Tsuji's sqrt(5)) from which on they always are. None
+/// for damping that does not vanish.
 [[nodiscard]] std::optional<CaptureVerdict> verdict_without_adhesion(const Damping& damping);
 
-/// The dynamic critical velocity v_c: the velocity whose impact arrives at the end of contact with none left.
+/// The dynamic critical velocity v_c: the velocity whose impact arrives at the end of contact at rest.
 ///
-/// One backward integration from there, no root finding: orbits cannot cross, so rebound speed is monotone in
-/// the incident velocity. v_c^2 = 2 (D + U_end - U_touch)/m with the dissipated work D carried along, so
-/// nothing cancels for weak damping. Hertz with constant damping: v_c = 0.5476175 eta^5/(m^3 k^2).
+/// One integration backward in time from there gives it, without root finding: orbits cannot cross, so
+/// rebound speed is monotone in the incident velocity. v_c^2 = 2 (D + U_end - U_touch)/m. The dissipated work
+/// D is integrated as well, so nothing cancels under weak damping. Hertz with constant damping: v_c =
+/// 0.5476175 eta^5/(m^3 k^2).
 /// @throws InputError for inadmissible input, ConvergenceError if the step count runs away
 [[nodiscard]] CriticalVelocity critical_velocity(const CriticalVelocityProblem& problem);
 

@@ -31,6 +31,10 @@ CriticalVelocityCurve::CriticalVelocityCurve(Law law, Detachment detachment, con
     if (can_yield(law, contact))
         throw InputError("law '" + std::string(law.name()) + "' with a finite yield pressure has a history",
                          "a law without one");
+    if (!law.self_similar())
+        throw InputError(
+            "the critical velocities of law '" + std::string(law.name()) + "' are no function of one number",
+            "a law whose are");
     const double middle = logarithmic_damping(contact, damping);
     const double half = adhesive_ ? std::log(factor) : 0.0;
     axis_ = {middle - half, middle + half, adhesive_ ? curve_degree : 0};

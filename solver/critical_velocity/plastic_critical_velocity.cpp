@@ -1,5 +1,6 @@
 #include "solver/critical_velocity/plastic_critical_velocity.hpp"
 
+#include "materials/base/error.hpp"
 #include "solver/critical_velocity/backward_orbit.hpp"
 #include "solver/gsl/root.hpp"
 #include "solver/motion/scaled_impact.hpp"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace ashimpact {
 
@@ -26,8 +28,7 @@ struct Unloading {
 class PlasticCapture {
   public:
     PlasticCapture(const CriticalVelocityProblem& problem, const Scale& scale)
-        : overdamped_(problem.damping.law == DampingLaw::tsuji &&
-                      problem.damping.coefficient * problem.damping.coefficient >= 5.0),
+        : overdamped_(is_overdamped(problem.damping.law, scale.damping_number(problem.damping))),
           scale_(scale),
           motion_(scaled_plastic_motion<Extended>(
               {problem.law, problem.detachment, problem.damping, problem.contact, scale.velocity}, scale)) {}
@@ -88,7 +89,7 @@ class PlasticCapture {
         return unloading;
     }
 
-    bool overdamped_;  ///< Tsuji's damping from sqrt5 on captures, whatever the radius
+    bool overdamped_;  ///< captures, whatever the radius of the flattened sphere
     Scale scale_;
     PlasticMotion<Extended> motion_;
 };
@@ -145,6 +146,14 @@ double confirmed(const CriticalVelocityProblem& problem, double velocity) {
     return upper;
 }
 
+/// Where no impact of a positive energy reaches the critical contact the closure says nothing.
+[[noreturn]] void refuse_outside(const CriticalVelocityProblem& problem) {
+    std::ostringstream what;
+    what << "the critical impact lies outside the range of the plastic closure at a yield pressure of "
+         << problem.contact.yield_pressure << " Pa";
+    throw InputError(what.str(), "a larger yield pressure or less adhesion, or the law jkr");
+}
+
 }  // namespace
 
 CriticalVelocity plastic_critical_velocity(const CriticalVelocityProblem& problem) {
@@ -160,10 +169,16 @@ CriticalVelocity plastic_critical_velocity(const CriticalVelocityProblem& proble
         return {.verdict = captured ? CaptureVerdict::always_captured : CaptureVerdict::never_captured};
     }
     CriticalVelocity result = capture.impact_through(contacts.front());
-    for (const double u : contacts)
-        result.crossings.push_back(confirmed(problem, *capture.impact_through(u).value));
+    if (!std::isfinite(*result.value)) refuse_outside(problem);
+    for (const double u : contacts) {
+        const double crossing = *capture.impact_through(u).value;
+        if (std::isfinite(crossing)) result.crossings.push_back(confirmed(problem, crossing));
+    }
     result.value = result.crossings.front();
     result.steps = capture.steps;
+    for (const double number : {*result.value, result.contact_time.value_or(0.0), result.maximum_overlap.value_or(0.0),
+                                result.dissipated, result.plastic, result.detachment_energy})
+        if (!std::isfinite(number)) refuse_outside(problem);
     return result;
 }
 

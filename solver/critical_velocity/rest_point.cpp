@@ -1,5 +1,6 @@
 #include "solver/critical_velocity/rest_point.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -16,7 +17,7 @@ Extended coefficient(const Polynomial<Extended>& p, int power) {
     return present ? p[power / 2] : 0;
 }
 
-/// Lowest power of x in p(x).
+/// Lowest power of x in p(x); the degree if p is 0.
 int lowest_power(const Polynomial<Extended>& p) {
     int power = 0;
     while (p[power] == 0 && power < p.degree) ++power;
@@ -40,7 +41,7 @@ class RestPoint {
           drag_(motion.drag.shifted(*motion.end)) {
         fall_[0] = 0;                         // U_end - U at the end itself
         fall_[1] = slope_[0] = drag_[0] = 0;  // delta' = 0 there
-        order_ = lowest_power(fall_);
+        order_ = leading_power();
         expand_speed();
         expand_time();
     }
@@ -52,16 +53,32 @@ class RestPoint {
         arrival.state.position = end + z * z;
         arrival.state.velocity = -std::pow(z, static_cast<Extended>(order_)) * value(speed_, z);
         arrival.dissipated_after = integral(work_, order_ + 1 + 2 * lowest_power(drag_), z);
-        arrival.time_after = integral(pace_, time_order(), z);
+        // The time is infinite if the speed vanishes as the overlap does, or faster.
+        if (time_order() < 0)
+            arrival.time_after = std::nullopt;
+        else
+            arrival.time_after = integral(pace_, time_order(), z);
         return arrival;
     }
 
   private:
     [[nodiscard]] int time_order() const { return 1 + 2 * lowest_power(slope_) - order_; }
 
-    /// w = z^order (c_0 + c_1 z + ...) from the equation of energy, term by term.
+    /// Leading power of w in z: of the two terms of the equation of energy, U_end - U goes as z^(2 l) and the
+    /// work of damping against a speed z^p as z^(p + 2 + 2 g), if they are led by q^l and delta' eta by q^g.
+    [[nodiscard]] int leading_power() const {
+        const int by_force = lowest_power(fall_);
+        const bool damped = drag_[lowest_power(drag_)] != 0;
+        return damped ? std::min(by_force, 2 + 2 * lowest_power(drag_)) : by_force;
+    }
+
+    /// w = z^order (c_0 + c_1 z + ...) from the equation of energy, term by term. Where damping is of the
+    /// leading order too, c_0 solves c_0^2 = 2 f + 2 d c_0 and each c_n stands on both sides.
     void expand_speed() {
-        speed_[0] = std::sqrt(2 * fall_[order_]);
+        const Extended drag = coefficient(drag_, order_ - 2);
+        const Extended damped = drag / static_cast<Extended>(order_);
+        speed_[0] = drag == 0 ? std::sqrt(2 * fall_[order_])
+                              : damped + std::sqrt(damped * damped + 2 * fall_[order_]);
         for (std::size_t n = 1; n < speed_.size(); ++n) {
             const int power = static_cast<int>(n) + 2 * order_;
             Extended square = 2 * coefficient(fall_, power);
@@ -70,7 +87,7 @@ class RestPoint {
                           speed_[static_cast<std::size_t>(j)] / static_cast<Extended>(power);
             }
             for (std::size_t i = 1; i < n; ++i) square -= speed_[i] * speed_[n - i];
-            speed_[n] = square / (2 * speed_[0]);
+            speed_[n] = square / (2 * speed_[0] - 4 * drag / static_cast<Extended>(power));
         }
     }
 

@@ -1,20 +1,49 @@
 #pragma once
 
-#include "solver/contact/pair.hpp"
+#include "materials/base/units.hpp"
+#include "solver/damping/constant.hpp"
+#include "solver/damping/contact_radius.hpp"
+#include "solver/damping/tsuji.hpp"
 
 #include <array>
+#include <cstddef>
 #include <string_view>
 
 namespace ashimpact {
 
-/// How the damping force F_d = eta d(delta)/dt depends on the contact.
-enum class DampingLaw {
-    constant,        ///< eta = C; the paper's model (Dong et al. 2013, Eq. 2)
-    contact_radius,  ///< eta = C a; viscoelastic spheres (Kuwabara & Kono 1987; Brilliantov et al. 1996)
-    tsuji,           ///< eta = C sqrt(m k) delta^(1/4), in JKR sqrt(m k) (a^2/R*)^(1/4); Tsuji et al. 1992
+/// How the damping force F_d = eta d(delta)/dt depends on the contact; the position is that in
+/// RegisteredDampings.
+enum class DampingLaw { constant, contact_radius, tsuji };
+
+/// A list of damping laws.
+template <class... D>
+struct DampingList {
+    static constexpr std::size_t size = sizeof...(D);
+
+    /// Calls @p visitor.template operator()<Law>() for the type of @p law.
+    template <class Result, class Visitor>
+    static Result visit(DampingLaw law, Visitor&& visitor) {
+        using Entry = Result (*)(Visitor&);
+        static constexpr std::array<Entry, size> entries{&call<D, Result, Visitor>...};
+        return entries[static_cast<std::size_t>(law)](visitor);
+    }
+    /// Applies @p make to the list of types: make.template operator()<D...>().
+    template <class Make>
+    static constexpr auto apply(Make&& make) {
+        return make.template operator()<D...>();
+    }
+
+  private:
+    template <class One, class Result, class Visitor>
+    static Result call(Visitor& visitor) {
+        return visitor.template operator()<One>();
+    }
 };
 
-/// A damping law and its coefficient C, never negative: [kg/s] constant, [Pa s] contact_radius, [1] tsuji.
+/// Every damping law. Registering one is its header above, its name in DampingLaw, and its type here.
+using RegisteredDampings = DampingList<ConstantDamping, ContactRadiusDamping, TsujiDamping>;
+
+/// A damping law and its coefficient C >= 0 [SI unit of the law's dimension].
 struct Damping {
     DampingLaw law = DampingLaw::constant;
     double coefficient = 0.0;
@@ -23,20 +52,35 @@ struct Damping {
 struct DampingName {
     DampingLaw law;
     std::string_view name;
-    std::string_view unit;  ///< of the coefficient
 };
 
-inline constexpr std::array<DampingName, 3> damping_names{{
-    {DampingLaw::constant, "constant", "kg/s"},
-    {DampingLaw::contact_radius, "contact-radius", "Pa s"},
-    {DampingLaw::tsuji, "tsuji", "1"},
-}};
+/// The registered damping laws and their names as on the command line and in artifacts.
+inline constexpr auto damping_names = RegisteredDampings::apply([]<class... D>() {
+    std::size_t place = 0;
+    return std::array<DampingName, sizeof...(D)>{DampingName{static_cast<DampingLaw>(place++), D::name}...};
+});
 
 /// Name as used on the command line and in artifacts.
 [[nodiscard]] std::string_view name_of(DampingLaw law);
-/// Unit of the coefficient.
+/// What the coefficient measures.
+[[nodiscard]] Dimension dimension_of(DampingLaw law);
+/// SI unit of the coefficient.
 [[nodiscard]] std::string_view unit_of(DampingLaw law);
 /// The damping law of that name. @throws InputError naming the allowed ones
 [[nodiscard]] DampingLaw damping_named(std::string_view name);
+
+/// Whether the damping vanishes with the contact radius. If it does not, every contact without adhesion that
+/// ends at zero overlap has a critical velocity.
+[[nodiscard]] bool vanishes_at_touch(DampingLaw law);
+/// Square of the scaled coefficient from which on every impact that touches at zero contact radius is
+/// captured; infinite if there is none [1].
+[[nodiscard]] double overdamped_squared(DampingLaw law);
+/// Whether a scaled coefficient is as large as that.
+template <class Real>
+[[nodiscard]] bool is_overdamped(DampingLaw law, const Real& number) {
+    return number * number >= Real(overdamped_squared(law));
+}
+/// Scaled coefficient at which a Hertz impact loses @p loss = 1 - e, about [1].
+[[nodiscard]] double hertz_damping_number(DampingLaw law, double loss);
 
 }  // namespace ashimpact

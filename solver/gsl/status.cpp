@@ -14,7 +14,13 @@ void quiet() {
 }
 
 void check(int status, const char* what) {
-    if (status != GSL_SUCCESS) throw ConvergenceError(std::string(what) + ": " + gsl_strerror(status));
+    if (status == GSL_SUCCESS) return;
+    // GSL's words for these are of a programmer's world: "problem with user-supplied function".
+    const bool undefined = status == GSL_EBADFUNC || status == GSL_EFAILED || status == GSL_ENOPROG;
+    throw ConvergenceError(std::string(what) + ": " +
+                           (undefined
+                                ? "the function has no finite value there, or the search gets no further"
+                                : gsl_strerror(status)));
 }
 
 }  // namespace ashimpact::gsl

@@ -17,7 +17,10 @@ namespace {
 constexpr int most_iterations = 60;
 
 void require_memoryless(Law law, const ContactPair& contact) {
-    if (!can_yield(law, contact)) return;
+    if (is_self_similar(law, contact)) return;
+    if (!law.self_similar())
+        throw InputError("the impacts of law '" + std::string(law.name()) + "' have more than two numbers",
+                         "another law for fits of damping");
     throw InputError("law '" + std::string(law.name()) + "' with a finite yield pressure has a history",
                      "a law without one for fits of damping");
 }

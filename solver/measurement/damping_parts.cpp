@@ -85,18 +85,6 @@ void refuse_short_falling(const MeasurementSet& set) {
 
 }  // namespace
 
-std::string_view name_of(DampingPart part) {
-    switch (part) {
-        case DampingPart::falling:
-            return "falling";
-        case DampingPart::flat:
-            return "flat";
-        case DampingPart::rising:
-            return "rising";
-    }
-    return {};
-}
-
 DampingParts find_parts(const std::optional<DampingSmoothing>& smooth, const PartOptions& options) {
     DampingParts result;
     if (!smooth) {

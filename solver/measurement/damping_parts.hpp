@@ -1,5 +1,6 @@
 #pragma once
 
+#include "materials/base/names.hpp"
 #include "solver/measurement/contact_model.hpp"
 #include "solver/measurement/damping_smoothing.hpp"
 
@@ -16,7 +17,11 @@ enum class DampingPart {
     rising,   ///< (iii) plastic
 };
 
-[[nodiscard]] std::string_view name_of(DampingPart part);
+template <>
+struct Names<DampingPart> {
+    static constexpr std::string_view kind = "part";
+    static constexpr std::array<std::string_view, 3> all{"falling", "flat", "rising"};
+};
 
 /// Between two parts.
 struct PartBoundary {

@@ -89,7 +89,11 @@ double Camera::velocity_uncertainty() const {
 
 MeasurementSet with_camera(MeasurementSet set, const Camera& camera) {
     const double u = camera.velocity_uncertainty();
-    for (Measurement& point : set.points) point.noise = VelocityNoise::of_velocities(u, u);
+    const double moves = camera.frame_rate * camera.pixel_size / (camera.frames - 1);
+    for (Measurement& point : set.points) {
+        point.noise = VelocityNoise::of_velocities(u, u);
+        point.resolution = moves;
+    }
     require_resolution(set);
     return set;
 }

@@ -27,18 +27,28 @@ struct VelocityNoise {
     }
 };
 
+/// What a laboratory noted of an impact.
+enum class NotedOutcome {
+    from_reading,  ///< nothing: a reading of zero or below is no rebound that was seen
+    rebound,
+    capture,
+};
+
 /// One measured impact. Kept in velocities, in which a camera's errors are independent and normal; e_n, their
 /// ratio, has errors in both axes of every plot against it.
 struct Measurement {
     double velocity;                       ///< v_in [m/s]
-    double rebound;                        ///< v_r, magnitude; 0 for a capture [m/s]
+    double rebound;                        ///< v_r, magnitude; 0 where none was seen [m/s]
     std::optional<VelocityNoise> noise{};  ///< none: not known
     std::size_t line = 0;                  ///< of the file it stands in; 0: none
     std::size_t count = 1;                 ///< impacts it is the mean of
+    /// Rebound velocity from which on the camera always sees the particle move; 0: not known [m/s].
+    double resolution = 0.0;
+    NotedOutcome outcome = NotedOutcome::from_reading;
 
     [[nodiscard]] double restitution() const { return rebound / velocity; }
-    /// Censored: only that v_in was too small to rebound is known.
-    [[nodiscard]] bool captured() const { return rebound == 0.0; }
+    /// No rebound was seen: a capture, or where nothing says so a rebound too slow to be seen.
+    [[nodiscard]] bool captured() const { return outcome == NotedOutcome::capture || rebound == 0.0; }
 };
 
 /// The impacts of one sample, in the order of the file.
@@ -46,6 +56,7 @@ struct MeasurementSet {
     std::string source;  ///< file name, for messages
     std::vector<Measurement> points;
     std::vector<std::string> warnings{};
+    std::size_t unknown = 0;  ///< impacts of the file whose outcome is not known; they are not among the points
 
     [[nodiscard]] std::size_t captures() const;
     [[nodiscard]] std::size_t rebounds() const { return points.size() - captures(); }

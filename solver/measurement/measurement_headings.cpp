@@ -116,12 +116,31 @@ void require_columns(const MeasurementHeading& heading) {
                          "the uncertainty of a column of the table");
 }
 
+/// Columns that hold no velocity: the outcome, and the correlation of the errors of the two velocities.
+bool take_other(MeasurementHeading& heading, std::string_view name, std::size_t position) {
+    const std::string key = key_of(name);
+    const auto take = [&](std::optional<std::size_t>& column) {
+        if (column) throw InputError("column " + in_quotes(name) + " stands twice", "each quantity once");
+        column = position;
+        return true;
+    };
+    if (key == "outcome" || key == "result") return take(heading.outcome);
+    if (key == "correlation" || key == "rvinvr" || key == "corrvinvr") return take(heading.correlation);
+    return false;
+}
+
 }  // namespace
 
 MeasurementHeading read_measurement_heading(const std::vector<std::string>& cells) {
-    MeasurementHeading heading{.value = {}, .uncertainty = {}, .unused = {}, .columns = cells.size()};
+    MeasurementHeading heading{.value = {},
+                               .uncertainty = {},
+                               .outcome = {},
+                               .correlation = {},
+                               .unused = {},
+                               .columns = cells.size()};
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const auto [name, unit] = split(cells[i]);
+        if (take_other(heading, name, i)) continue;
         const auto meaning = meaning_of(name);
         if (!meaning) {
             heading.unused.emplace_back(cells[i]);

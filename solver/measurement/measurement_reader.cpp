@@ -8,7 +8,9 @@
 #include "solver/measurement/measurement_headings.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
 
 namespace ashimpact {
 
@@ -36,6 +38,20 @@ class TableCells {
         if (entry.standard_uncertainty && !(*entry.standard_uncertainty > 0.0))
             fail(column, row, "has an uncertainty that is not positive", "> 0");
         return entry;
+    }
+
+    /// Zero with the uncertainty of its own column, for a row without a reading.
+    [[nodiscard]] Entry uncertainty(const TableRow& row, MeasuredQuantity quantity) const {
+        Entry entry{0.0, std::nullopt};
+        const auto& column = heading_.uncertainty_of(quantity);
+        if (column && !row.cells[column->position].empty()) entry.standard_uncertainty = read(row, *column).value;
+        return entry;
+    }
+
+    [[nodiscard]] double number(const TableRow& row, std::size_t position, const std::string& name) const {
+        const auto number = read_number(row.cells[position], decimal_comma_);
+        if (!number) throw InputError(in_quotes(row.cells[position]) + " in column " + in_quotes(name) + " is not a number", "a finite number");
+        return number->value;
     }
 
   private:
@@ -90,25 +106,90 @@ std::optional<VelocityNoise> noise_of_restitution(const Entry& velocity, const E
     return VelocityNoise::of_velocities(*velocity.standard_uncertainty, *velocity.standard_uncertainty);
 }
 
-Measurement measurement_of(const MeasurementHeading& heading, const TableCells& cells, const TableRow& row) {
+/// Tables of impacts may be long: a camera that triggers itself fills a million lines.
+constexpr TextLimits impact_table{
+    .content = "a table of impacts", .bytes = std::size_t{256} << 20, .lines = 2'000'000};
+
+constexpr std::array<std::string_view, 7> capture_words{"capture", "captured", "stuck", "stick", "sticks", "deposited", "c"};
+constexpr std::array<std::string_view, 5> rebound_words{"rebound", "rebounded", "rebounds", "bounced", "r"};
+constexpr std::array<std::string_view, 7> unknown_words{"", "unknown", "?", "-", "na", "n/a", "nan"};
+
+template <class Words>
+bool is_one_of(const Words& words, const std::string& text) {
+    return std::find(words.begin(), words.end(), text) != words.end();
+}
+
+/// The outcome that a row's column of outcomes states; none where the row says that it is not known.
+std::optional<NotedOutcome> stated_outcome(const MeasurementHeading& heading, const TableRow& row) {
+    if (!heading.outcome) return NotedOutcome::from_reading;
+    const std::string text = lower_case(row.cells[*heading.outcome]);
+    if (text.empty()) return NotedOutcome::from_reading;
+    if (is_one_of(capture_words, text)) return NotedOutcome::capture;
+    if (is_one_of(rebound_words, text)) return NotedOutcome::rebound;
+    if (is_one_of(unknown_words, text)) return std::nullopt;
+    throw InputError(in_quotes(row.cells[*heading.outcome]) + " in the column of outcomes is none",
+                     "rebound, capture, unknown, or an empty cell");
+}
+
+/// A reading of the rebound below zero: what noise makes of none, or a mistake.
+void require_near_zero(const Measurement& point) {
+    if (point.rebound >= 0.0) return;
+    const double reach = point.noise ? 6.0 * std::sqrt(point.noise->rebound) : 0.1 * point.velocity;
+    if (-point.rebound <= reach) return;
+    throw InputError("v_r is " + shortest(point.rebound) + " m/s, below zero by more than noise explains",
+                     ">= 0 m/s, a magnitude; 0 for a capture");
+}
+
+VelocityNoise correlated(VelocityNoise noise, const MeasurementHeading& heading, const TableCells& cells,
+                         const TableRow& row) {
+    if (!heading.correlation) return noise;
+    const double correlation = cells.number(row, *heading.correlation, "correlation");
+    if (!(std::abs(correlation) < 1.0))
+        throw InputError("the correlation is " + shortest(correlation), "between -1 and 1, both excluded");
+    noise.covariance = correlation * std::sqrt(noise.incident * noise.rebound);
+    return noise;
+}
+
+/// One row; none where its outcome is not known.
+std::optional<Measurement> measurement_of(const MeasurementHeading& heading, const TableCells& cells,
+                                          const TableRow& row) {
     const Entry velocity = cells.entry(row, MeasuredQuantity::velocity);
     if (!(velocity.value > 0.0))
         throw InputError("v_in is " + shortest(velocity.value) + " m/s", "> 0 m/s, a magnitude");
+    auto outcome = stated_outcome(heading, row);
+    if (!outcome) return std::nullopt;
     Measurement point{.velocity = velocity.value, .rebound = 0.0, .noise = {}, .line = row.line};
-    if (heading.of(MeasuredQuantity::rebound)) {
-        const Entry rebound = cells.entry(row, MeasuredQuantity::rebound);
-        if (!(rebound.value >= 0.0))
-            throw InputError("v_r is " + shortest(rebound.value) + " m/s",
-                             ">= 0 m/s, a magnitude; 0 for a capture");
+    const bool as_velocity = heading.of(MeasuredQuantity::rebound).has_value();
+    const auto quantity = as_velocity ? MeasuredQuantity::rebound : MeasuredQuantity::restitution;
+    const std::string cell = lower_case(row.cells[heading.of(quantity)->position]);
+    const bool word = is_one_of(capture_words, cell);
+    if (word && outcome == NotedOutcome::rebound)
+        throw InputError("the outcome is a rebound, and the reading a capture", "one of them");
+    if (is_one_of(unknown_words, cell) && outcome != NotedOutcome::capture) {
+        if (outcome == NotedOutcome::rebound)
+            throw InputError("a rebound without a reading", "a number, or the outcome unknown");
+        return std::nullopt;
+    }
+    if (word) outcome = NotedOutcome::capture;
+    if (word || is_one_of(unknown_words, cell)) {
+        point.noise = as_velocity ? noise_of_rebound(velocity, cells.uncertainty(row, quantity))
+                                  : noise_of_restitution(velocity, cells.uncertainty(row, quantity));
+    } else if (as_velocity) {
+        const Entry rebound = cells.entry(row, quantity);
         point.rebound = rebound.value;
         point.noise = noise_of_rebound(velocity, rebound);
-        return point;
+    } else {
+        const Entry restitution = cells.entry(row, quantity);
+        point.rebound = restitution.value * velocity.value;
+        point.noise = noise_of_restitution(velocity, restitution);
     }
-    const Entry restitution = cells.entry(row, MeasuredQuantity::restitution);
-    if (!(restitution.value >= 0.0))
-        throw InputError("e_n is " + shortest(restitution.value), ">= 0; 0 for a capture");
-    point.rebound = restitution.value * velocity.value;
-    point.noise = noise_of_restitution(velocity, restitution);
+    if (point.noise && as_velocity) point.noise = correlated(*point.noise, heading, cells, row);
+    point.outcome = *outcome;
+    require_near_zero(point);
+    if (outcome == NotedOutcome::capture) point.rebound = 0.0;
+    // A slow rebound that reads zero or less counts as one, as slow as can be.
+    constexpr double slow = 1e-6;
+    point.rebound = std::max(point.rebound, outcome == NotedOutcome::rebound ? slow * point.velocity : 0.0);
     return point;
 }
 
@@ -141,11 +222,18 @@ MeasurementSet read_table(const TextLines& file, std::string_view name) {
         TableRow row = cut_row(lines[i], separator);
         try {
             require_cells(heading, row);
-            set.points.push_back(measurement_of(heading, cells, row));
+            if (auto point = measurement_of(heading, cells, row))
+                set.points.push_back(*std::move(point));
+            else
+                ++set.unknown;
         } catch (const InputError& error) {
             throw error.at(at_line(row.line));
         }
     }
+    if (set.unknown > 0)
+        set.warnings.push_back(std::to_string(set.unknown) + " impacts of unknown outcome are left out");
+    if (set.points.empty() && set.unknown > 0)
+        throw InputError("the outcome of every impact is unknown", "rebounds or captures");
     if (set.points.empty())
         throw InputError("there is no measurement below the heading", "one line an impact")
             .at(at_line(file.last_line()));
@@ -157,7 +245,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name) {
 MeasurementSet read_measurements(std::string_view text, std::string_view name) {
     try {
         if (trimmed(text).empty()) throw InputError("the file is empty", "a table of impacts").at("line 1");
-        MeasurementSet set = read_table(TextLines(text, {.content = "a table of impacts"}), name);
+        MeasurementSet set = read_table(TextLines(text, impact_table), name);
         validate(set);
         return set;
     } catch (const InputError& error) {

@@ -24,22 +24,36 @@ namespace {
 constexpr ContactPair unit_pair{
     .mass = 1.0, .effective_radius = 1.0, .contact_modulus = 0.75, .work_of_adhesion = 1.0};
 
+/// The unit pair with any values of the law's own parameters: scaled impacts do not depend on them.
+ContactPair unit_pair_of(Law law) {
+    ContactPair pair = unit_pair;
+    pair.parameters = typical_parameters(law);
+    return pair;
+}
+
 Impact impact_at(const ScaledImpacts& impacts, double damping_number, double velocity) {
     const Scale scale = Scale::of(unit_pair, velocity);
     const double coefficient = scale.damping_coefficient(DampingLaw::constant, damping_number);
     return {.law = impacts.law(),
             .detachment = impacts.detachment(),
             .damping = {DampingLaw::constant, coefficient},
-            .contact = unit_pair,
+            .contact = unit_pair_of(impacts.law()),
             .velocity = velocity};
 }
 
 /// The unit pair, for any number of impacts.
-struct UnitPairColumns {
-    Eigen::ArrayXd one = Eigen::ArrayXd::Constant(1, 1.0);
-    Eigen::ArrayXd modulus = Eigen::ArrayXd::Constant(1, unit_pair.contact_modulus);
+class UnitPairColumns {
+  public:
+    explicit UnitPairColumns(Law law) : parameters_(typical_parameters(law)) {}
 
-    [[nodiscard]] ContactColumns columns() const { return {one, one, modulus, one}; }
+    [[nodiscard]] ContactColumns columns() const {
+        return {one_, one_, modulus_, one_, never_yields, single_columns(parameters_)};
+    }
+
+  private:
+    Eigen::ArrayXd one_ = Eigen::ArrayXd::Constant(1, 1.0);
+    Eigen::ArrayXd modulus_ = Eigen::ArrayXd::Constant(1, unit_pair.contact_modulus);
+    ParameterValues<double> parameters_;
 };
 
 /// Damping coefficient of damping number one at each velocity.
@@ -79,7 +93,7 @@ double falling_root(const std::function<double(double)>& function, const ScaledI
 ScaledImpacts::ScaledImpacts(Law law, Detachment detachment)
     : law_(law),
       detachment_(detachment),
-      adhesion_velocity_(velocity_of_adhesion(law, unit_pair)),
+      adhesion_velocity_(velocity_of_adhesion(law, unit_pair_of(law))),
       lowest_(-std::numeric_limits<double>::infinity()) {
     validate(impact_at(*this, 0.1, 1.0));
     if (critical_of(impact_at(*this, 0.1, 1.0)).verdict == CaptureVerdict::never_captured) {
@@ -128,7 +142,7 @@ Eigen::ArrayXd ScaledImpacts::velocities(const Eigen::ArrayXd& x) const {
 
 Eigen::ArrayXd ScaledImpacts::damping_numbers(const Eigen::ArrayXd& restitution,
                                               const Eigen::ArrayXd& x) const {
-    const UnitPairColumns unit;
+    const UnitPairColumns unit(law_);
     const Eigen::ArrayXd speed = velocities(x);
     const auto found = dampings_from_restitutions(
         {law_, detachment_, DampingLaw::constant, unit.columns(), speed, restitution});
@@ -137,7 +151,7 @@ Eigen::ArrayXd ScaledImpacts::damping_numbers(const Eigen::ArrayXd& restitution,
 
 Eigen::ArrayXd ScaledImpacts::contact_times(const Eigen::ArrayXd& damping_number,
                                             const Eigen::ArrayXd& x) const {
-    const UnitPairColumns unit;
+    const UnitPairColumns unit(law_);
     const Eigen::ArrayXd speed = velocities(x);
     const Eigen::ArrayXd damping = damping_number * damping_units(speed);
     const auto solved = solve_impacts(

@@ -7,16 +7,15 @@
 
 namespace ashimpact {
 
-/// Overlap and velocity, scaled, below which a rebound has come to nothing: no instrument tells it from a
-/// capture, and its powers would underflow.
+/// Scaled overlap and velocity below which a rebound counts as a capture. No instrument would resolve it, and
+/// its powers would underflow.
 inline constexpr double vanishing_overlap = 1e-100;
 
 template <class Real>
 CaptureTest<Real>::CaptureTest(const Motion<Real>& motion)
     : motion_(motion), by_place_(motion.end.has_value()) {
     const Real q = motion.equilibrium;
-    always_overdamped_ = motion.touch == Real(0) && !motion.squared && motion.damping.degree == 1 &&
-                         motion.damping[1] * motion.damping[1] >= Real(5);
+    always_overdamped_ = motion.touch == Real(0) && motion.overdamped;
     end_overlap_ = by_place_ ? motion.overlap(*motion.end) : Real(0);
     end_potential_ = by_place_ ? motion.potential(*motion.end) : Real(0);
     equilibrium_overlap_ = motion.overlap(q);

@@ -69,17 +69,20 @@ double too_much(RestitutionCurve& curve, double restitution) {
 }
 
 /// Whether enough of the damping captures the impact, so that restitution zero is reachable: not where the
-/// contact ends by force, nor where without adhesion the damping vanishes with the contact radius.
+/// contact ends by force, nor where without adhesion no amount of a damping that vanishes with the contact
+/// radius captures.
 bool reaches_zero(const DampingProblem& problem) {
     return problem.detachment != Detachment::zero_force &&
-           (problem.damping_law != DampingLaw::contact_radius || is_adhesive(problem));
+           (is_adhesive(problem) || !vanishes_at_touch(problem.damping_law) ||
+            std::isfinite(overdamped_squared(problem.damping_law)));
 }
 
 /// Smallest damping that captures, by bisection down to neighbouring numbers.
 double smallest_capturing(const DampingProblem& problem, RestitutionCurve& curve) {
-    const bool linear = problem.damping_law == DampingLaw::tsuji && !is_adhesive(problem) &&
-                        !can_yield(problem.law, problem.contact);
-    if (linear) return std::sqrt(5.0);  // exactly; just below, rebounds are too slow for any arithmetic
+    const double limit = overdamped_squared(problem.damping_law);
+    const bool known =
+        std::isfinite(limit) && !is_adhesive(problem) && !can_yield(problem.law, problem.contact);
+    if (known) return std::sqrt(limit);  // exactly; just below, rebounds are too slow for any arithmetic
     double lower = 0.0;
     double upper = too_much(curve, std::numeric_limits<double>::min());
     while (true) {

@@ -21,10 +21,10 @@ struct DampingInversion {
     int impacts;                  ///< impacts solved on the way
 };
 
-/// Damping from restitution, with adhesion; Dong et al. 2013, section 4.2. Restitution falls monotonically
-/// with damping, so the answer is unique, and exact to the spacing of numbers; restitution 0 gives the
-/// smallest damping that captures.
-/// @throws InputError naming the reachable range where no damping gives the restitution; ConvergenceError
+/// The damping coefficient that gives a measured restitution, adhesion included; Dong et al. 2013,
+/// section 4.2. Restitution falls monotonically with damping, so the answer is unique. It is exact to the
+/// spacing of floating- point numbers. Restitution 0 gives the smallest damping that captures.
+/// @throws InputError if no damping gives the restitution, naming the reachable range; ConvergenceError
 [[nodiscard]] DampingInversion damping_from_restitution(const DampingProblem& problem);
 
 }  // namespace ashimpact

@@ -24,17 +24,17 @@ constexpr double steps_per_damping_time = 100;
 
 /// The scheme needs the force as a function of overlap, from no contact radius at first touch on.
 bool is_treatable(Law law) {
-    return law.visit<bool>([]<template <class> class L>() { return L<double>{1.0}.touch() == 0.0; });
+    return law.visit<bool>([]<template <class> class L>() {
+        if constexpr (has_polynomials<L>) return L<double>{1.0}.touch() == 0.0;
+        return false;
+    });
 }
 
 std::string treatable_laws() {
-    std::string names;
-    for (std::size_t i = 0; i < Law::count(); ++i) {
-        if (!is_treatable(Law::at(i))) continue;
-        if (!names.empty()) names += ", ";
-        names += Law::at(i).name();
-    }
-    return names;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < Law::count(); ++i)
+        if (is_treatable(Law::at(i))) names.emplace_back(Law::at(i).name());
+    return joined(names);
 }
 
 /// Beyond m/eta the damping term of the scheme alone would turn the motion round.
@@ -174,6 +174,7 @@ ImpactResult solve_impact_explicit(const Impact& impact, const ExplicitSchemeOpt
                      .potential = potential * scale.energy(),
                      .dissipated = last.dissipated * scale.energy(),
                      .plastic = 0.0,
+                     .jumps = 0.0,
                      .residual = (0.5 - 0.5 * speed * speed - potential - last.dissipated) * scale.energy(),
                      .minimum = motion.potential(motion.equilibrium) * scale.energy()};
     result.steps = static_cast<int>(count);

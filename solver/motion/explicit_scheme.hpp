@@ -22,7 +22,8 @@ struct ExplicitSchemeOptions {
 /// @throws InputError for what the scheme cannot treat, ConvergenceError at the step limit
 [[nodiscard]] ImpactResult solve_impact_explicit(const Impact& impact, const ExplicitSchemeOptions& options);
 
-/// A time step that gives about @p steps steps per undamped Hertz contact, and 100 in m/eta at least [s].
+/// A time step that gives about @p steps steps in an undamped Hertz contact, and at least 100 in the time
+/// m/eta in which damping acts [s].
 [[nodiscard]] double explicit_time_step(const Impact& impact, double steps);
 
 }  // namespace ashimpact

@@ -2,34 +2,16 @@
 
 #include "materials/base/checks.hpp"
 #include "materials/base/error.hpp"
+#include "materials/base/text.hpp"
 #include "solver/motion/orbit.hpp"
 #include "solver/motion/scaled_impact.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace ashimpact {
 
 namespace {
-
-[[noreturn]] void refuse(double value, std::string_view quantity, std::string_view unit,
-                         const std::string& allowed) {
-    std::ostringstream problem;
-    problem << quantity << " is " << value << ' ' << unit;
-    throw InputError(problem.str(), allowed + " " + std::string(unit));
-}
-
-void require_positive(double value, std::string_view quantity, std::string_view unit) {
-    if (!(value > 0.0) || std::isinf(value)) refuse(value, quantity, unit, "a finite number > 0");
-    if (!is_computable(value)) refuse(value, quantity, unit, std::string(computable_range));
-}
-
-void require_not_negative(double value, std::string_view quantity, std::string_view unit) {
-    if (!(value >= 0.0) || std::isinf(value)) refuse(value, quantity, unit, "a finite number >= 0");
-    if (value > 0.0 && !is_computable(value))
-        refuse(value, quantity, unit, "0, or " + std::string(computable_range));
-}
 
 /// One solved impact with what the ledger needs of its branches.
 struct Solved {
@@ -66,63 +48,109 @@ EnergyLedger ledger_of(const Solved& impact, double unit) {
             .potential = joule(potential),
             .dissipated = joule(last.dissipation),
             .plastic = joule(impact.plastic_work),
+            .jumps = 0.0,
             .residual = joule(incident + impact.touch_potential - remaining - potential - spent),
             .minimum = joule(impact.last.potential(impact.last.equilibrium))};
 }
 
+/// Refuses what the closure of the elastic-plastic law does not carry: results that are not finite, energy that
+/// is not accounted for, or, inside the closure's range, a flattened sphere that gains more by adhesion than the
+/// work spent on it (docs/decisions/0003-plastic-closure.md).
+void require_within_closure(const Impact& impact, const Scale& scale, const ImpactResult& result) {
+    constexpr double least_ratio = 0.5;  // below it adhesion alone yields the contact at first touch
+    const double ratio = ThorntonNing<double>::yield_number(impact.contact, scale.length) /
+                         std::pow(ThorntonNing<double>::adhesion_number(impact.contact, scale.length), 2.0 / 3.0);
+    const EnergyLedger& energy = result.energy;
+    const double size = std::max({energy.incident, std::abs(energy.minimum), std::abs(energy.at_touch)});
+    const bool closed = std::isfinite(size) && std::abs(energy.residual) <= 1e-9 * size;
+    const bool finite = std::isfinite(result.restitution) && std::isfinite(result.maximum_overlap) &&
+                        std::isfinite(energy.plastic) && std::isfinite(energy.dissipated) &&
+                        std::isfinite(result.contact_time.value_or(0.0)) &&
+                        std::isfinite(result.approach_time.value_or(0.0));
+    const bool spends = energy.plastic >= -1e-12 * size || ratio < least_ratio;
+    if (closed && finite && spends) return;
+    std::ostringstream problem;
+    problem << "yield_pressure is " << impact.contact.yield_pressure
+            << " Pa: adhesion alone flattens this contact, outside the range of the plastic closure";
+    std::ostringstream allowed;
+    allowed << "some multiple of " << least_ratio * impact.contact.yield_pressure / ratio
+            << " Pa, at which adhesion alone yields the contact, or the law jkr";
+    throw InputError(problem.str(), allowed.str());
+}
+
 }  // namespace
 
-std::string_view name_of(Outcome outcome) {
-    return outcome == Outcome::rebound ? "rebound" : "capture";
-}
-
 std::optional<std::string> refusal(Law law, Detachment detachment) {
-    return law.visit<std::optional<std::string>>([&]<template <class> class L>()
-                                                     -> std::optional<std::string> {
-        const L<Extended> numeric{1.0L};  // whether it is admissible depends on no number
-        const auto point = numeric.detachment_point(detachment);
-        const std::string subject =
-            std::string(name_of(detachment)) + " does not end a contact of law " + std::string(law.name());
-        if (!point) return subject + ": the law has no such point";
-        const Motion<Extended> motion =
-            make_motion<L, Extended>(numeric.adhesion, DampingLaw::constant, 0.0L, detachment);
-        if (motion.potential(*motion.end) < motion.potential(motion.touch)) {
-            return subject +
-                   ": its potential there is below that at first touch, an undamped impact would gain energy";
-        }
-        return std::nullopt;
-    });
+    return law.visit<std::optional<std::string>>(
+        [&]<template <class> class L>() -> std::optional<std::string> {
+            if constexpr (!has_polynomials<L>) {
+                // Any zone that is short of reach; refusal() of a contact knows which it is.
+                return cohesive_refusal(CohesiveZone(2), detachment);
+            } else {
+                const L<Extended> numeric{1.0L};  // whether it is admissible depends on no number
+                const auto point = numeric.detachment_point(detachment);
+                const std::string subject = std::string(name_of(detachment)) +
+                                            " does not end a contact of law " + std::string(law.name());
+                if (!point) return subject + ": the law has no such point";
+                const Motion<Extended> motion =
+                    make_motion<L, Extended>(numeric.adhesion, DampingLaw::constant, 0.0L, detachment);
+                if (motion.potential(*motion.end) < motion.potential(motion.touch)) {
+                    return subject +
+                           ": its potential there is below that at first touch, an undamped impact would "
+                           "gain energy";
+                }
+                return std::nullopt;
+            }
+        });
 }
 
-std::string admissible_detachments(Law law) {
+std::optional<std::string> refusal(Law law, const ContactPair& contact, Detachment detachment) {
+    if (const auto reason = refusal(law, detachment)) return reason;
+    return is_cohesive(law, contact) ? cohesive_refusal(contact, detachment) : std::nullopt;
+}
+
+namespace {
+
+template <class Refusal>
+std::string not_refused(Refusal&& refusal) {
     std::string names;
     for (const DetachmentName& entry : detachment_names) {
-        if (refusal(law, entry.detachment)) continue;
+        if (refusal(entry.detachment)) continue;
         if (!names.empty()) names += ", ";
         names += entry.name;
     }
     return names;
 }
 
+}  // namespace
+
+std::string admissible_detachments(Law law) {
+    return not_refused([&](Detachment detachment) { return refusal(law, detachment); });
+}
+
 void validate(const ContactPair& contact) {
-    require_positive(contact.mass, "mass", "kg");
-    require_positive(contact.effective_radius, "effective_radius", "m");
-    require_positive(contact.contact_modulus, "contact_modulus", "Pa");
-    require_not_negative(contact.work_of_adhesion, "work_of_adhesion", "J/m2");
-    if (!(contact.yield_pressure > 0.0)) require_positive(contact.yield_pressure, "yield_pressure", "Pa");
+    require_positive("mass", contact.mass, Dimension::mass);
+    require_positive("effective_radius", contact.effective_radius, Dimension::length);
+    require_positive("contact_modulus", contact.contact_modulus, Dimension::pressure);
+    require_not_negative("work_of_adhesion", contact.work_of_adhesion, Dimension::energy_per_area);
+    require_positive_or_infinite("yield_pressure", contact.yield_pressure, Dimension::pressure);
 }
 
 void validate(const Impact& impact) {
     validate(impact.contact);
-    require_positive(impact.velocity, "velocity", "m/s");
-    require_not_negative(impact.damping.coefficient, "damping", unit_of(impact.damping.law));
-    if (const auto reason = refusal(impact.law, impact.detachment)) {
-        throw InputError(*reason, admissible_detachments(impact.law));
+    require_parameters(impact.law, impact.contact.parameters);
+    require_positive("velocity", impact.velocity, Dimension::velocity);
+    require_not_negative("damping", impact.damping.coefficient, dimension_of(impact.damping.law));
+    if (const auto reason = refusal(impact.law, impact.contact, impact.detachment)) {
+        throw InputError(*reason, not_refused([&](Detachment other) {
+            return refusal(impact.law, impact.contact, other);
+        }));
     }
 }
 
 ImpactResult solve_impact(const Impact& impact) {
     validate(impact);
+    if (is_cohesive(impact.law, impact.contact)) return solve_cohesive_impact(impact);
     const Scale scale = Scale::of(impact.contact, impact.velocity);
     const Solved followed = solved(impact, scale);
     const Orbit<Extended>& orbit = followed.orbit;
@@ -140,6 +168,7 @@ ImpactResult solve_impact(const Impact& impact) {
     result.yielded = followed.yielded;
     result.energy = ledger_of(followed, scale.energy());
     result.steps = orbit.steps;
+    if (followed.yielded) require_within_closure(impact, scale, result);
     return result;
 }
 

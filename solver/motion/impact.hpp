@@ -1,5 +1,6 @@
 #pragma once
 
+#include "materials/base/names.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/damping/damping.hpp"
@@ -21,12 +22,15 @@ struct Impact {
 
 enum class Outcome { rebound, capture };
 
-/// "rebound" or "capture".
-[[nodiscard]] std::string_view name_of(Outcome outcome);
+template <>
+struct Names<Outcome> {
+    static constexpr std::string_view kind = "outcome";
+    static constexpr std::array<std::string_view, 2> all{"rebound", "capture"};
+};
 
-/// Where the energy of an impact went, up to detachment, or for a capture up to the greatest overlap; where
-/// it never turns, up to the rest in equilibrium that it tends to [J]. incident + at_touch = remaining +
-/// potential + dissipated + plastic + residual.
+/// Where the energy of an impact went [J]. The ledger of a rebound ends at detachment, that of a capture at
+/// the greatest overlap, or at rest in equilibrium if the motion never turns. incident + at_touch = remaining
+/// + potential + dissipated + plastic + jumps + residual.
 struct EnergyLedger {
     double incident;    ///< m v_in^2/2
     double remaining;   ///< kinetic energy at the end of the ledger
@@ -34,7 +38,8 @@ struct EnergyLedger {
     double potential;   ///< potential at the end of the ledger
     double dissipated;  ///< work taken by damping
     double plastic;     ///< work spent in yielding; below 0 where a flattened contact gains more adhesion
-    double residual;    ///< what does not close: integration error
+    double jumps;       ///< lost where the surfaces jump together and apart; law maugis-dugdale alone
+    double residual;    ///< integration error: what the ledger lacks
     double minimum;     ///< U_min, potential at static equilibrium; the depth of the adhesive well
 };
 
@@ -44,17 +49,21 @@ struct ImpactResult {
     double restitution;                   ///< e_n = v_r/v_in [1]
     double rebound_velocity;              ///< v_r, magnitude [m/s]
     std::optional<double> contact_time;   ///< first touch to detachment [s]
-    std::optional<double> approach_time;  ///< first touch to greatest overlap; none where it never turns [s]
-    double maximum_overlap;               ///< greatest overlap, or its supremum where it never turns [m]
+    std::optional<double> approach_time;  ///< first touch to greatest overlap; none if it never turns [s]
+    double maximum_overlap;               ///< greatest overlap, or its supremum if it never turns [m]
     bool yielded;                         ///< the contact went beyond its yield pressure
     EnergyLedger energy;
     int steps;  ///< Taylor steps taken
 };
 
-/// Why a detachment is not admissible for a law (the reason, in words), or none where it is.
-/// A detachment is admissible where the static potential there is not below that at first touch; otherwise an
-/// undamped impact would gain energy.
+/// Why a detachment is not admissible for a law, in words; none if it is admissible. A detachment is
+/// admissible if the static potential there is not below that at first touch: an undamped impact would gain
+/// energy.
 [[nodiscard]] std::optional<std::string> refusal(Law law, Detachment detachment);
+
+/// The same for one contact: law maugis-dugdale admits load-controlled where the greatest tension lies beyond
+/// the reach of the cohesion, which depends on the transition parameter.
+[[nodiscard]] std::optional<std::string> refusal(Law law, const ContactPair& contact, Detachment detachment);
 
 /// The detachments admissible for a law, "pull-off, load-controlled, ...", for messages.
 [[nodiscard]] std::string admissible_detachments(Law law);

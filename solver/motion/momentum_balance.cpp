@@ -27,7 +27,8 @@ struct Integrator {
     Impulses approach;
     Impulses rebound;
 
-    void operator()(const Motion<Extended>& motion, const MotionExpansion<Extended>& x, Extended used) {
+    template <class Branch>
+    void operator()(const Branch& motion, const MotionExpansion<Extended>& x, Extended used) {
         // 15 points are exact for the series of a step: their terms fall by 1/e^2 each.
         using Rule = boost::math::quadrature::gauss<Extended, 15>;
         const auto over_time = [&](auto&& force) {
@@ -44,6 +45,22 @@ struct Integrator {
         stage.damping += over_time([&](const auto& s) { return motion.damping(s.position) * s.velocity; });
     }
 };
+
+/// An impact followed in units of its own.
+struct Followed {
+    Orbit<Extended> orbit;
+    Scale scale;
+    Extended incident;  ///< velocity at first touch, scaled
+};
+
+Followed followed(const Impact& impact, Integrator& sum) {
+    if (is_cohesive(impact.law, impact.contact)) {
+        const auto [scale, motion, velocity] = scaled_cohesive_impact(impact);
+        return {follow_cohesive(motion, velocity, sum).orbit, scale, velocity};
+    }
+    const Scale scale = Scale::of(impact.contact, impact.velocity);
+    return {scaled_orbit<Extended>(impact, scale, sum), scale, 1};
+}
 
 /// @param momentum at the open end of the stage, scaled
 StageMomentum stage_of(const Impulses& stage, Extended momentum, const Scale& scale) {
@@ -90,20 +107,19 @@ std::string verdict_of(const MomentumBalance& balance) {
 
 MomentumBalance momentum_balance(const Impact& impact) {
     validate(impact);
-    const Scale scale = Scale::of(impact.contact, impact.velocity);
     Integrator sum;
-    const Orbit<Extended> orbit = scaled_orbit<Extended>(impact, scale, sum);
+    const auto [orbit, scale, incident] = followed(impact, sum);
     if (orbit.outcome == Outcome::capture) {
         throw InputError("a captured particle has no momentum balance of a rebound",
                          "a velocity above the critical one");
     }
     const Extended left = std::abs(orbit.end.velocity);
-    return {.approach = stage_of(sum.approach, 1, scale),
+    return {.approach = stage_of(sum.approach, incident, scale),
             .rebound = stage_of(sum.rebound, left, scale),
-            .incident_momentum = scale.momentum(),
+            .incident_momentum = static_cast<double>(incident) * scale.momentum(),
             .damping_impulse =
                 static_cast<double>(sum.approach.damping + std::abs(sum.rebound.damping)) * scale.momentum(),
-            .momentum_lost = static_cast<double>(1 - left) * scale.momentum()};
+            .momentum_lost = static_cast<double>(incident - left) * scale.momentum()};
 }
 
 }  // namespace ashimpact

@@ -12,14 +12,14 @@ struct StageMomentum {
     double static_impulse;   ///< of the contact force F_tot, positive where it pushes the bodies apart [N s]
     double damping_impulse;  ///< of the damping force, as a magnitude [N s]
     double mean_force;       ///< static_impulse/duration [N]
-    double residual;         ///< what does not close: error of the quadrature [N s]
+    double residual;         ///< error of the quadrature: what the momentum balance lacks [N s]
 };
 
 /// The momentum of one rebound, stage by stage; Dong et al. 2013, Eqs. 35-45.
 ///
 /// Approach: static + damping impulse = m v_in (Eqs. 36, 38). Rebound: static - damping impulse = m v_rn (37,
-/// 39). The paper argues for (44) and (45) from equal mean forces (40) and speeds that fall all the way;
-/// neither holds exactly, so both are reported, not presumed.
+/// 39). The paper derives (44) and (45) from equal mean forces (40) and from speeds that fall throughout.
+/// Neither holds exactly, so the balance reports both sides.
 struct MomentumBalance {
     StageMomentum approach;
     StageMomentum rebound;
@@ -30,7 +30,7 @@ struct MomentumBalance {
     double damping_impulse;
     double momentum_lost;  ///< right of (44), m (v_in - v_rn) [N s]
 
-    /// Of two sides equal but for rounding, as without damping, neither is the larger.
+    /// Sides that differ by rounding only, as without damping, count as equal.
     [[nodiscard]] bool damping_exceeds_loss() const;  ///< (44)
     [[nodiscard]] bool rebound_is_longer() const;     ///< (45)
     /// Mean static force of the rebound over that of the approach; the paper takes it for 1 (40) [1].

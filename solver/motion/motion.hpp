@@ -28,6 +28,7 @@ struct Motion {
     Real equilibrium{};          ///< q of the static equilibrium, the minimum of U
     std::optional<Real> end;     ///< q at which the contact ends; none: not a place but total force zero
     bool squared = false;        ///< q = u^2
+    bool overdamped = false;     ///< the damping captures every impact that touches at zero contact radius
 
     /// q of a state u = sqrt(contact radius).
     [[nodiscard]] Real coordinate(const Real& u) const { return squared ? u * u : u; }
@@ -38,31 +39,27 @@ struct Motion {
     }
 };
 
-/// How a damping law depends on u = sqrt(contact radius): eta(u) for the scaled coefficient 1.
-template <class U>
-[[nodiscard]] constexpr U damping_shape(DampingLaw law, const U& u) {
-    switch (law) {
-        case DampingLaw::constant:
-            return U(1);
-        case DampingLaw::contact_radius:
-            return u * u;
-        case DampingLaw::tsuji:
-            return u;
-    }
-    return U(0);
-}
-
-/// The scaled coefficient eta(u) of a damping law.
+/// A damping law with its scaled coefficient.
 template <class Real>
-[[nodiscard]] Polynomial<Real> damping_polynomial(DampingLaw law, Real number) {
-    return number * damping_shape(law, Polynomial<Real>::identity());
-}
+struct ScaledDamping {
+    DampingLaw law;
+    Real number;  ///< scaled coefficient [1]
+
+    /// eta(u)
+    [[nodiscard]] Polynomial<Real> polynomial() const {
+        const auto u = Polynomial<Real>::identity();
+        return number *
+               RegisteredDampings::visit<Polynomial<Real>>(law, [&]<class D>() { return D::shape(u); });
+    }
+};
 
 /// The equation of motion on one branch delta(u), F(u); touch, equilibrium and end remain to be set.
 template <class Real>
 [[nodiscard]] Motion<Real> branch_motion(const Polynomial<Real>& overlap, const Polynomial<Real>& force,
-                                         const Polynomial<Real>& damping) {
+                                         const ScaledDamping<Real>& scaled) {
+    const Polynomial<Real> damping = scaled.polynomial();
     Motion<Real> motion;
+    motion.overdamped = is_overdamped(scaled.law, scaled.number);
     motion.squared = overlap.even() && force.even() && damping.even();
     const auto reduced = [&](const Polynomial<Real>& p) { return motion.squared ? p.of_square() : p; };
     motion.overlap = reduced(overlap);
@@ -83,8 +80,7 @@ template <template <class> class L, class Real>
     const L<Real> numeric{adhesion};
     const L<Polynomial<Real>> law{Polynomial<Real>(adhesion)};
     const auto u = Polynomial<Real>::identity();
-    Motion<Real> motion =
-        branch_motion(law.overlap(u), law.force(u), damping_polynomial<Real>(damping_law, damping_number));
+    Motion<Real> motion = branch_motion<Real>(law.overlap(u), law.force(u), {damping_law, damping_number});
     motion.touch = motion.coordinate(numeric.touch());
     motion.equilibrium = motion.coordinate(*numeric.detachment_point(Detachment::zero_force));
     const bool by_force = detachment == Detachment::zero_force && damping_number != Real(0);

@@ -9,15 +9,15 @@ namespace ashimpact {
 template <class Real>
 struct Orbit {
     Outcome outcome = Outcome::capture;
-    bool turned = false;     ///< false: so damped that it only creeps towards equilibrium
-    MotionState<Real> turn;  ///< at greatest overlap; where it never turns, at rest where it creeps to, but
-                             ///< at the time of end
-    MotionState<Real> end;   ///< at detachment, or where capture was certain
-    Real maximum_overlap{};  ///< greatest overlap, or its supremum
+    bool turned = false;     ///< false: the motion is so damped that it creeps towards equilibrium
+    MotionState<Real> turn;  ///< at greatest overlap; or rest at equilibrium, with the time of `end`, if the
+                             ///< motion never turns
+    MotionState<Real> end;   ///< at detachment, or at the step from which capture was certain
+    Real maximum_overlap{};  ///< greatest overlap, or its supremum if the motion never turns
     int steps = 0;
 };
 
-/// Decides capture, exactly, from the state: nothing is waited for.
+/// Decides capture from the present state, exactly. The integration need not go on until the motion dies out.
 template <class Real>
 class CaptureTest {
   public:
@@ -33,7 +33,7 @@ class CaptureTest {
   private:
     const Motion<Real>& motion_;
     bool by_place_;           ///< the contact ends at a place, so capture is possible at all
-    bool always_overdamped_;  ///< Tsuji's law from sqrt5 on
+    bool always_overdamped_;  ///< so damped that no impact rebounds, whatever its velocity
     Real end_overlap_{};
     Real end_potential_{};
     Real equilibrium_overlap_{};
@@ -45,13 +45,24 @@ enum class ApproachEnd {
     turned,    ///< at greatest overlap
     left,      ///< reached the place where the branch ends
     creeping,  ///< never turns
+    passing,   ///< never turns either: creeps to where the branch ends, and on beyond
+};
+
+/// Whether an approach creeps on beyond the end of its branch; none does where there is nothing beyond.
+struct EndsHere {
+    template <class State>
+    [[nodiscard]] bool operator()(const State& /*state*/) const {
+        return false;
+    }
 };
 
 /// The inward leg on one branch, until the motion turns, creeps, or reaches @p leave_at.
-/// @p observe is called with the branch, each expansion and the part of its step that was used.
-template <class Real, class Observer>
+/// @p observe is called with the branch, each expansion and the part of its step that was used; @p creeps_beyond
+/// with each state of an approach that leaves its branch before equilibrium.
+template <class Real, class Observer, class Beyond = EndsHere>
 ApproachEnd approach(const Motion<Real>& motion, MotionState<Real>& state,
-                     const std::optional<Real>& leave_at, Orbit<Real>& orbit, Observer& observe);
+                     const std::optional<Real>& leave_at, Orbit<Real>& orbit, Observer& observe,
+                     const Beyond& creeps_beyond = {});
 
 /// The outward leg on one branch, until detachment or until capture is certain.
 template <class Real, class Observer>

@@ -41,9 +41,10 @@ template <class Real>
             .dissipation = state.dissipation + excess};
 }
 
-template <class Real, class Observer>
+template <class Real, class Observer, class Beyond>
 ApproachEnd approach(const Motion<Real>& motion, MotionState<Real>& state,
-                     const std::optional<Real>& leave_at, Orbit<Real>& orbit, Observer& observe) {
+                     const std::optional<Real>& leave_at, Orbit<Real>& orbit, Observer& observe,
+                     const Beyond& creeps_beyond) {
     const MotionStepper<Real> stepper(motion);
     const CaptureTest<Real> capture(motion);
     while (true) {
@@ -64,6 +65,10 @@ ApproachEnd approach(const Motion<Real>& motion, MotionState<Real>& state,
             return ApproachEnd::turned;
         }
         const bool leaves_first = leave_at && *leave_at < motion.equilibrium;
+        if (leaves_first && creeps_beyond(state)) {
+            orbit.end = state;
+            return ApproachEnd::passing;
+        }
         if (!leaves_first && capture.creeping_up(state)) {
             orbit.end = state;
             orbit.turn = at_rest_in_equilibrium(motion, state);

@@ -30,6 +30,21 @@ class PlasticMotion {
     [[nodiscard]] Real loading_potential(Real u) const {
         return loading_.potential(loading_.coordinate(u)) + offset_;
     }
+    /// Whether an approach on the elastic branch is so damped that it creeps through yield and on to the
+    /// equilibrium of the loading branch. As CaptureTest::creeping_up(), over both branches: below the line
+    /// v = (eta/2)(delta_eq - delta) it stays where dF/d(delta) <= eta^2/4 all the way.
+    [[nodiscard]] bool creeps_through(const MotionState<Real>& state) const {
+        if (loading_.equilibrium <= loading_.touch) return false;
+        const Real damping = elastic_.damping(state.position);
+        const Real way = loading_.overlap(loading_.equilibrium) - elastic_.overlap(state.position);
+        if (!(state.velocity <= damping / Real(2) * way)) return false;
+        const auto is_soft = [&](const Motion<Real>& branch, const Real& from, const Real& to) {
+            const Polynomial<Real> excess = branch.force.derivative() - damping * damping / Real(4) * branch.slope;
+            return excess.upper_bound(from, to) <= Real(0);
+        };
+        return is_soft(elastic_, state.position, elastic_.coordinate(yield())) &&
+               is_soft(loading_, loading_.touch, loading_.equilibrium);
+    }
     /// Potential at first touch.
     [[nodiscard]] Real touch_potential() const {
         return yields_at_touch() ? loading_potential(yield()) : elastic_.potential(elastic_.touch);
@@ -48,7 +63,7 @@ class PlasticMotion {
     }
 
     YieldedContact<Real> contact_;
-    Polynomial<Real> damping_;
+    ScaledDamping<Real> damping_;
     Detachment detachment_;
     Motion<Real> elastic_;
     Motion<Real> loading_;
@@ -75,21 +90,34 @@ template <class Real, class Observer>
     const Motion<Real>& elastic = motion.elastic();
     const Motion<Real>& loading = motion.loading();
     MotionState<Real> state{.position = elastic.touch, .velocity = velocity};
+    bool passes = false;
     if (!motion.yields_at_touch()) {
         result.last = result.path = elastic;
         const std::optional<Real> yield = elastic.coordinate(motion.yield());
-        const ApproachEnd end = approach<Real>(elastic, state, yield, orbit, observe);
+        const auto creeps_beyond = [&](const MotionState<Real>& s) { return motion.creeps_through(s); };
+        const ApproachEnd end = approach<Real>(elastic, state, yield, orbit, observe, creeps_beyond);
         if (end == ApproachEnd::turned) rebound(elastic, state, orbit, observe);
-        if (end != ApproachEnd::left) return result;
+        if (end == ApproachEnd::turned || end == ApproachEnd::creeping) return result;
+        passes = end == ApproachEnd::passing;
     }
     result.yielded = true;
-    state.position = loading.coordinate(motion.yield());
-    const ApproachEnd end = approach<Real>(loading, state, std::nullopt, orbit, observe);
+    ApproachEnd end = ApproachEnd::creeping;
+    if (passes) {
+        const Real spent = elastic.potential(state.position) - motion.loading_potential(loading.root_radius(loading.equilibrium));
+        orbit.turn = {.position = loading.equilibrium,
+                      .velocity = Real(0),
+                      .time = state.time,
+                      .dissipation = state.dissipation + state.velocity * state.velocity / Real(2) + spent};
+        orbit.maximum_overlap = loading.overlap(loading.equilibrium);
+    } else {
+        state.position = loading.coordinate(motion.yield());
+        end = approach<Real>(loading, state, std::nullopt, orbit, observe);
+    }
     const Real greatest = loading.root_radius(orbit.turn.position);
     result.last = motion.unloading(greatest);
     orbit.turn.position = result.last.coordinate(greatest);
     result.plastic_work = motion.loading_potential(greatest) - result.last.potential(orbit.turn.position);
-    result.path = end == ApproachEnd::turned ? result.last : loading;
+    result.path = end == ApproachEnd::turned ? result.last : passes ? elastic : loading;
     if (end == ApproachEnd::turned) rebound(result.last, orbit.turn, orbit, observe);
     return result;
 }
@@ -98,7 +126,7 @@ template <class Real>
 PlasticMotion<Real>::PlasticMotion(const YieldedContact<Real>& contact, DampingLaw law, Real damping_number,
                                    Detachment detachment)
     : contact_(contact),
-      damping_(damping_polynomial<Real>(law, damping_number)),
+      damping_{law, damping_number},
       detachment_(detachment),
       elastic_(make_motion<ThorntonNing, Real>(contact.adhesion, law, damping_number, detachment)),
       yield_(contact.yield_point()) {

@@ -45,15 +45,7 @@ struct BasicScale {
     }
     /// What the coefficient of a damping law is measured in [unit of the law].
     [[nodiscard]] Real damping_unit(DampingLaw law) const {
-        switch (law) {
-            case DampingLaw::constant:
-                return momentum() / length;
-            case DampingLaw::contact_radius:
-                return momentum() / (length * radius_length);
-            case DampingLaw::tsuji:
-                return Real(1);  // sqrt(m k) L^(1/4) is the unit of damping itself
-        }
-        return Real(0);
+        return RegisteredDampings::visit<Real>(law, [this]<class D>() { return D::unit(*this); });
     }
 };
 using Scale = BasicScale<double>;

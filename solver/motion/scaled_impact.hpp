@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/motion/impact.hpp"
+#include "solver/motion/maugis/cohesive_impact.hpp"
 #include "solver/motion/motion.hpp"
 #include "solver/motion/plastic_motion.hpp"
 #include "solver/motion/scale.hpp"
@@ -10,19 +11,30 @@
 
 namespace ashimpact {
 
-/// The scaled equation of motion of an impact (its velocity is not used: the scale sets it).
+/// The scaled equation of motion of an impact (its velocity is not used: the scale sets it). Not for an
+/// impact that is_cohesive(); law maugis-dugdale without adhesion is Hertz.
 template <class Real>
 [[nodiscard]] Motion<Real> scaled_motion(const Impact& impact, const Scale& scale) {
     return impact.law.visit<Motion<Real>>([&]<template <class> class L>() {
-        return make_motion<L, Real>(L<double>::adhesion_number(impact.contact, scale.length),
-                                    impact.damping.law, scale.damping_number(impact.damping),
-                                    impact.detachment);
+        const Real damping = scale.damping_number(impact.damping);
+        if constexpr (has_polynomials<L>) {
+            return make_motion<L, Real>(L<double>::adhesion_number(impact.contact, scale.length),
+                                        impact.damping.law, damping, impact.detachment);
+        } else {
+            return make_motion<Hertz, Real>(Real(0), impact.damping.law, damping, Detachment::zero_overlap);
+        }
     });
 }
 
 /// Whether an impact's law has a plastic history and its contact can yield.
 [[nodiscard]] inline bool can_yield(Law law, const ContactPair& contact) {
     return law == Law::of<ThorntonNing>() && std::isfinite(contact.yield_pressure);
+}
+
+/// Whether the scaled impacts of this contact depend on its adhesion and damping number alone: the law is
+/// self-similar and the contact has no plastic history.
+[[nodiscard]] inline bool is_self_similar(Law law, const ContactPair& contact) {
+    return law.self_similar() && !can_yield(law, contact);
 }
 
 /// The scaled branches of an elastic-plastic impact; requires can_yield().
@@ -35,7 +47,8 @@ template <class Real>
             impact.detachment};
 }
 
-/// Follows an impact in its own scale, whatever its law; @p observe as in follow().
+/// Follows an impact in its own scale, whatever its law but not where it is_cohesive(); @p observe as in
+/// follow().
 template <class Real, class Observer>
 [[nodiscard]] Orbit<Real> scaled_orbit(const Impact& impact, const Scale& scale, Observer&& observe) {
     return can_yield(impact.law, impact.contact)
@@ -46,6 +59,7 @@ template <class Real, class Observer>
 /// Restitution of an impact in its own scale, without validation or results beside it [1].
 template <class Real>
 [[nodiscard]] Real scaled_restitution(const Impact& impact, const Scale& scale) {
+    if (is_cohesive(impact.law, impact.contact)) return static_cast<Real>(cohesive_restitution(impact));
     constexpr auto unobserved = [](const Motion<Real>&, const MotionExpansion<Real>&, Real) {};
     const Orbit<Real> orbit = scaled_orbit<Real>(impact, scale, unobserved);
     return orbit.outcome == Outcome::rebound ? std::abs(orbit.end.velocity) : Real(0);

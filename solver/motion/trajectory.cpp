@@ -1,11 +1,13 @@
 #include "solver/motion/trajectory.hpp"
 
 #include "materials/base/error.hpp"
+#include "solver/motion/maugis/cohesive_ringing.hpp"
 #include "solver/motion/orbit.hpp"
 #include "solver/motion/scaled_impact.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -13,29 +15,46 @@ namespace ashimpact {
 
 namespace {
 
+/// Turns a scaled state into a point.
+using PointMaker = std::function<TrajectoryPoint(const MotionState<Extended>&)>;
+
 /// One Taylor step of a followed impact.
 struct Piece {
-    std::shared_ptr<const Motion<Extended>> branch;
+    std::shared_ptr<const PointMaker> point;
     MotionExpansion<Extended> expansion;
     Extended used;
     Extended end_time;
 };
 
-/// Keeps the pieces of a followed impact, one copy of each branch.
+/// Keeps the pieces of a followed impact, one point maker for each branch. @tparam Sampler turns branch and
+/// state into a point
+template <class Sampler>
 struct Recorder {
-    std::vector<Piece> pieces;
-    const Motion<Extended>* last = nullptr;
+    const Sampler& sampler;
+    std::vector<Piece> pieces{};
+    const void* last = nullptr;
 
-    void operator()(const Motion<Extended>& motion, const MotionExpansion<Extended>& x, Extended used) {
-        const bool same = &motion == last;
-        last = &motion;
-        pieces.push_back({same ? pieces.back().branch : std::make_shared<const Motion<Extended>>(motion), x,
-                          used, value(x.time, used)});
+    template <class Branch>
+    void operator()(const Branch& branch, const MotionExpansion<Extended>& x, Extended used) {
+        const bool same = &branch == last;
+        last = &branch;
+        pieces.push_back({same ? pieces.back().point : maker(branch), x, used, value(x.time, used)});
+    }
+
+  private:
+    template <class Branch>
+    [[nodiscard]] std::shared_ptr<const PointMaker> maker(const Branch& branch) const {
+        return std::make_shared<const PointMaker>(
+            [this_sampler = sampler, branch](const MotionState<Extended>& s) {
+                return this_sampler.at(branch, s);
+            });
     }
 };
 
 /// The pieces of a captured particle's ringing after @p state, until it rests to 1 % or @p most pieces.
-void ring(const Motion<Extended>& motion, MotionState<Extended> state, std::size_t most, Recorder& record) {
+template <class Sampler>
+void ring(const Motion<Extended>& motion, MotionState<Extended> state, std::size_t most,
+          Recorder<Sampler>& record) {
     const MotionStepper<Extended> stepper(motion);
     record.last = nullptr;  // the branch may have moved
     const Extended rest = motion.potential(motion.equilibrium);
@@ -47,20 +66,6 @@ void ring(const Motion<Extended>& motion, MotionState<Extended> state, std::size
         state = x.at(x.step);
         record(motion, x, x.step);
     }
-}
-
-/// Follows the impact, and its ringing where it is captured.
-Recorder recorded(const Impact& impact, const Scale& scale, std::size_t most) {
-    Recorder record;
-    if (can_yield(impact.law, impact.contact)) {
-        const auto followed = follow_plastic(scaled_plastic_motion<Extended>(impact, scale), 1.0L, record);
-        if (followed.orbit.outcome == Outcome::capture) ring(followed.path, followed.orbit.end, most, record);
-        return record;
-    }
-    const auto motion = scaled_motion<Extended>(impact, scale);
-    const Orbit<Extended> orbit = follow(motion, 1.0L, record);
-    if (orbit.outcome == Outcome::capture) ring(motion, orbit.end, most, record);
-    return record;
 }
 
 /// Pseudo-time within the piece at which its time series reaches @p time.
@@ -106,8 +111,10 @@ class Sampler {
             const Extended flattening = hertz_part / power<6>(u);  // R*/R_p; the Hertz pressure falls with it
             return -rim * std::sqrt(rim / (2 * flattening));
         }
-        return law_.visit<Extended>(
-            [&]<template <class> class L>() { return L<Extended>{adhesion}.attractive_force(u); });
+        return law_.visit<Extended>([&]<template <class> class L>() -> Extended {
+            if constexpr (has_polynomials<L>) return L<Extended>{adhesion}.attractive_force(u);
+            return 0;  // without adhesion, or it would have a cohesive zone
+        });
     }
 
     Law law_;
@@ -115,14 +122,57 @@ class Sampler {
     double adhesion_;
 };
 
+/// The same for an impact with a cohesive zone: its repulsion is the Hertz part a^3, its attraction all else.
+struct CohesiveSampler {
+    Scale scale;
+
+    template <class Branch>
+    [[nodiscard]] TrajectoryPoint at(const Branch& branch, const MotionState<Extended>& s) const {
+        const Extended a = branch.state(s.position).contact_radius();
+        const Extended repulsion = a * a * a;
+        const auto newton = [&](Extended f) { return static_cast<double>(f) * scale.force(); };
+        return {.time = static_cast<double>(s.time) * scale.time(),
+                .overlap = static_cast<double>(branch.overlap(s.position)) * scale.length,
+                .velocity = static_cast<double>(s.velocity) * scale.velocity,
+                .contact_radius = static_cast<double>(a) * scale.radius_length,
+                .repulsive_force = newton(repulsion),
+                .attractive_force = newton(std::min(0.0L, branch.force(s.position) - repulsion)),
+                .damping_force = newton(branch.damping(s.position) * s.velocity)};
+    }
+};
+
+std::vector<Piece> cohesive_pieces(const Impact& impact, std::size_t most) {
+    const auto [scale, motion, velocity] = scaled_cohesive_impact(impact);
+    const CohesiveSampler sampler{scale};
+    Recorder<CohesiveSampler> record{sampler};
+    const CohesiveOrbit followed = follow_cohesive(motion, velocity, record);
+    if (followed.orbit.outcome == Outcome::capture) ring(motion, followed, velocity, most, record);
+    return record.pieces;
+}
+
+/// The pieces of the impact, and of its ringing where it is captured.
+std::vector<Piece> recorded(const Impact& impact, const Scale& scale, std::size_t most) {
+    if (is_cohesive(impact.law, impact.contact)) return cohesive_pieces(impact, most);
+    const Sampler sampler(impact, scale);
+    Recorder<Sampler> record{sampler};
+    if (can_yield(impact.law, impact.contact)) {
+        const auto followed = follow_plastic(scaled_plastic_motion<Extended>(impact, scale), 1.0L, record);
+        if (followed.orbit.outcome == Outcome::capture) ring(followed.path, followed.orbit.end, most, record);
+        return record.pieces;
+    }
+    const auto motion = scaled_motion<Extended>(impact, scale);
+    const Orbit<Extended> orbit = follow(motion, 1.0L, record);
+    if (orbit.outcome == Outcome::capture) ring(motion, orbit.end, most, record);
+    return record.pieces;
+}
+
 }  // namespace
 
 std::vector<TrajectoryPoint> trajectory(const Impact& impact, int count) {
     validate(impact);
     if (count < 2) throw InputError("trajectory has " + std::to_string(count) + " points", "at least 2");
     const Scale scale = Scale::of(impact.contact, impact.velocity);
-    const std::vector<Piece> pieces = recorded(impact, scale, static_cast<std::size_t>(count)).pieces;
-    const Sampler sampler(impact, scale);
+    const std::vector<Piece> pieces = recorded(impact, scale, static_cast<std::size_t>(count));
     const Extended last = pieces.back().end_time;
     std::vector<TrajectoryPoint> points;
     points.reserve(static_cast<std::size_t>(count));
@@ -131,7 +181,7 @@ std::vector<TrajectoryPoint> trajectory(const Impact& impact, int count) {
         const Extended time = last * i / (count - 1);
         while (at + 1 < pieces.size() && pieces[at].end_time < time) ++at;
         const Piece& piece = pieces[at];
-        points.push_back(sampler.at(*piece.branch, piece.expansion.at(pseudo_time(piece, time))));
+        points.push_back((*piece.point)(piece.expansion.at(pseudo_time(piece, time))));
     }
     return points;
 }

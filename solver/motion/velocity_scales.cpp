@@ -8,7 +8,7 @@
 namespace ashimpact {
 
 double velocity_of_damping(const Damping& damping, const ContactPair& contact) {
-    if (damping.law != DampingLaw::constant) return 0.0;
+    if (vanishes_at_touch(damping.law)) return 0.0;
     return std::pow(Scale::of(contact, 1.0).damping_number(damping), 5);
 }
 

@@ -1,6 +1,9 @@
 #include "solver/regime/regime.hpp"
 
 #include "materials/separation_energy.hpp"
+#include "solver/contact/maugis/cohesive_zone.hpp"
+#include "solver/contact/maugis/transition.hpp"
+#include "solver/contact/pressure.hpp"
 #include "solver/motion/scaled_impact.hpp"
 #include "solver/motion/velocity_scales.hpp"
 #include "solver/numeric/series.hpp"
@@ -35,10 +38,13 @@ bool is_jkr(Law law) {
     return law == Law::of<Jkr>() || law == Law::of<ThorntonNing>();
 }
 
-/// The static law of an impact without damping, in the impact's scale.
+/// The static law of an impact without damping, in the impact's scale; that of Hertz where a cohesive zone
+/// has one of its own.
 Motion<double> static_law(const Impact& impact, const Scale& scale) {
     Impact undamped = impact;
     undamped.damping = {};
+    if (is_cohesive(impact.law, impact.contact)) undamped.law = Law::of<Hertz>();
+    if (is_cohesive(impact.law, impact.contact)) undamped.detachment = Detachment::zero_overlap;
     return scaled_motion<double>(undamped, scale);
 }
 
@@ -63,6 +69,7 @@ class Judge {
           scale_(Scale::of(impact.contact, impact.velocity)),
           motion_(static_law(impact, scale_)),
           greatest_(greatest_root(motion_, maximum_overlap / scale_.length)) {
+        if (is_cohesive(impact.law, contact_)) greatest_ = cohesive_root(maximum_overlap);
         regime_.tabor_parameter = tabor_parameter({.work_of_adhesion = contact_.work_of_adhesion,
                                                    .effective_radius = contact_.effective_radius,
                                                    .contact_modulus = contact_.contact_modulus},
@@ -74,7 +81,9 @@ class Judge {
         regime_.contact_radius = greatest_ * greatest_ * scale_.radius_length;
         regime_.relative_contact_radius = regime_.contact_radius / contact_.effective_radius;
         regime_.relative_overlap = maximum_overlap / contact_.effective_radius;
+        regime_.transition_parameter = transition_parameter_of(contact_);
         if (std::isfinite(contact_.yield_pressure)) judge_yield();
+        regime_.greatest_pressure = greatest_pressure();
     }
 
     [[nodiscard]] Regime judged() {
@@ -86,7 +95,45 @@ class Judge {
     }
 
   private:
+    /// State u = sqrt(contact radius) of a cohesive zone at greatest overlap.
+    [[nodiscard]] double cohesive_root(double maximum_overlap) const {
+        const MaugisUnits units = maugis_units(contact_);
+        const CohesiveZone zone(transition_parameter(contact_));
+        const CohesiveState state = zone.at_overlap(maximum_overlap / units.overlap);
+        const auto radius = static_cast<double>(state.contact_radius()) * units.radius;
+        return std::sqrt(radius / scale_.radius_length);
+    }
+
+    [[nodiscard]] double greatest_pressure() const {
+        if (impact_.law == Law::of<ThorntonNing>() && regime_.yields) return contact_.yield_pressure;
+        return pressure_profile(impact_.law, contact_, regime_.contact_radius).central();
+    }
+
+    /// As judge_yield() for a cohesive zone: the centre yields where its own pressure says so.
+    void judge_cohesive_yield() {
+        const MaugisUnits units = maugis_units(contact_);
+        const double lambda = transition_parameter(contact_);
+        const CohesiveZone zone(lambda);
+        const auto margin = [&](double a) {
+            return maugis_dugdale_pressure(contact_, lambda, a).central() - contact_.yield_pressure;
+        };
+        // Hertz reaches p_y at this radius; the cohesion only delays it.
+        double a = std::numbers::pi * contact_.effective_radius * contact_.yield_pressure /
+                   (2.0 * contact_.contact_modulus);
+        double width = a;
+        while (margin(a + width) < 0.0) width *= 2.0;
+        a += sign_change<double>([&](double x) { return margin(a + x); }, width);
+        const CohesiveState at_yield = zone.at_contact_radius(a / units.radius);
+        const auto energy = static_cast<double>(zone.potential(at_yield) - zone.potential(zone.touch()));
+        const bool at_touch = zone.overlap(at_yield) <= zone.overlap(zone.touch());
+        regime_.yield_velocity = ashimpact::yield_velocity(contact_);
+        regime_.law_yield_velocity =
+            at_touch ? 0.0 : std::sqrt(2.0 * std::max(0.0, energy) * units.energy() / contact_.mass);
+        regime_.yields = regime_.contact_radius > a;
+    }
+
     void judge_yield() {
+        if (is_cohesive(impact_.law, contact_)) return judge_cohesive_yield();
         const double yield_number = ThorntonNing<double>::yield_number(contact_, scale_.length);
         const double adhesion = is_jkr(impact_.law) ? regime_.adhesion_number : 0.0;
         const double at_yield = YieldedContact<double>{adhesion, yield_number}.yield_point();
@@ -159,18 +206,13 @@ class Judge {
 
 }  // namespace
 
-std::string_view name_of(AdhesionRegime regime) {
-    switch (regime) {
-        case AdhesionRegime::none:
-            return "none";
-        case AdhesionRegime::dmt:
-            return "dmt";
-        case AdhesionRegime::between:
-            return "between";
-        case AdhesionRegime::jkr:
-            return "jkr";
-    }
-    return {};
+double transition_parameter_of(const ContactPair& contact) {
+    if (contact.work_of_adhesion == 0.0) return 0.0;
+    const ParameterValues<double>& given = contact.parameters;
+    if (given.has(stated_tabor) || given.has(cohesive_stress) || given.has(cohesion_range))
+        return transition_parameter(contact);
+    return transition_parameter(contact,
+                                cohesive_stress_of_range(contact.work_of_adhesion, equilibrium_separation));
 }
 
 Regime regime_of(const Impact& impact, double maximum_overlap) {

@@ -17,18 +17,23 @@ enum class AdhesionRegime {
     jkr,      ///< Tabor parameter above jkr_limit: soft and large, attraction acts within the contact
 };
 
-/// "none", "dmt", "between", "jkr".
-[[nodiscard]] std::string_view name_of(AdhesionRegime regime);
+template <>
+struct Names<AdhesionRegime> {
+    static constexpr std::string_view kind = "adhesion regime";
+    static constexpr std::array<std::string_view, 4> all{"none", "dmt", "between", "jkr"};
+};
 
 /// The numbers that say whether a contact law applies, and what they say of the law chosen.
 struct Regime {
     double tabor_parameter = 0.0;  ///< mu = (R* w^2/(E*^2 z0^3))^(1/3) [1]; Tabor 1977
     AdhesionRegime adhesion = AdhesionRegime::none;
+    double transition_parameter = 0.0;     ///< lambda of Maugis, 1.157 mu of the law's own cohesion [1]
     double damping_number = 0.0;           ///< beta (constant damping) or its like for the others [1]
     double adhesion_number = 0.0;          ///< of the law, in the impact's own scale [1]
     double contact_radius = 0.0;           ///< the law's own at greatest overlap [m]
     double relative_contact_radius = 0.0;  ///< that over R* [1]
     double relative_overlap = 0.0;         ///< greatest overlap over R* [1]
+    double greatest_pressure = 0.0;        ///< in the centre at greatest overlap; p_y where it yields [Pa]
     /// V_y of the closed form, without adhesion and damping; none without a yield pressure [m/s]
     std::optional<double> yield_velocity{};
     /// V_y of the law chosen, its adhesion included, without damping; 0 where adhesion alone yields [m/s]
@@ -46,6 +51,10 @@ inline constexpr double jkr_limit = 5.0;
 
 /// a/R* beyond which the parabolic geometry that every law here assumes is off by 2 % in overlap.
 inline constexpr double widest_contact = 0.3;
+
+/// Maugis' transition parameter of a pair [1]: from the cohesion that it states for law maugis-dugdale, else
+/// of surfaces with the usual equilibrium_separation; 0 without adhesion.
+[[nodiscard]] double transition_parameter_of(const ContactPair& contact);
 
 /// Judges an impact, solved or to be solved. @p maximum_overlap as in ImpactResult [m]
 ///

@@ -4,6 +4,7 @@
 #include "materials/base/text.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/scaled_impact.hpp"
+#include "solver/uncertainty/outcomes/estimate_comparison.hpp"
 #include "solver/uncertainty/outcomes/rebound_check.hpp"
 
 #include <algorithm>
@@ -38,57 +39,68 @@ void note_impacts(MeasuredDamping& result, const MeasurementSet& set) {
     if (set.rebounds() == 0) result.notes.push_back("every impact was captured: there is nothing to fit");
 }
 
-/// The fit of that order among those compared, or a new one.
-DampingCurveFit fit_or_reuse(const OrderComparison& orders, const ContactModel& model,
-                             const MeasurementSet& set, const DampingCurveOptions& options) {
-    for (const DampingCurveFit& fit : orders.fits)
-        if (fit.options.order == options.order) return fit;
-    return fit_damping_curve(model, set, options);
+/// The paper's extrapolation, with what follows from it.
+void extrapolate(MeasuredDamping& result, const ContactModel& model, const RandomContact* contact,
+                 const MeasuredDampingOptions& options) {
+    const MeasurementSet& rising = result.rising->set;
+    DampingCurveFit fit = fit_damping_curve(model, rising, options.extrapolated);
+    require_rebounds_above(fit, rising);
+    DampingResult extrapolated{std::move(fit), {}, {}};
+    if (const auto note = enlargement_note(extrapolated.fit))
+        result.notes.push_back("extrapolated fit: " + *note);
+    if (options.propagate && contact != nullptr) {
+        attempt(result.notes, "propagation of the extrapolated fit", [&] {
+            extrapolated.propagation = propagate_critical_velocity(extrapolated.fit, model, *contact,
+                                                                   options.change, options.propagation);
+        });
+    }
+    extrapolated.check = check(
+        extrapolated.propagation ? extrapolated.propagation->interval : extrapolated.fit.critical_velocity,
+        result.measured, !options.reported);
+    result.extrapolated = std::move(extrapolated);
 }
 
-class RisingBranchFits {
-  public:
-    RisingBranchFits(const ContactModel& model, const RandomContact& contact,
-                     const MeasuredDampingOptions& options, MeasuredDamping& result)
-        : model_(model), contact_(contact), options_(options), result_(result) {}
+MeasuredDamping nothing_yet(Law law, Detachment detachment, const ContactPair& pair, const MeasurementSet& set,
+                            const MeasuredDampingOptions& options) {
+    validate(set);
+    MeasuredDamping result{.law = law,
+                           .detachment = detachment,
+                           .contact = pair,
+                           .impacts = {},
+                           .smoothing = {},
+                           .parts = {},
+                           .rising = {},
+                           .extrapolated = {},
+                           .estimate = {},
+                           .check = {},
+                           .comparison = {},
+                           .measured = options.reported.value_or(MeasuredCriticalVelocity{}),
+                           .accuracy = 0.0,
+                           .notes = {}};
+    if (!options.reported)
+        attempt(result.notes, "measured v_c", [&] { result.measured = measured_critical_velocity(set); });
+    return result;
+}
 
-    void fit() {
-        const MeasurementSet& rising = result_.rising->set;
-        result_.orders = compare_orders(model_, rising, options_.orders, options_.extrapolated);
-        attempt(result_.notes, "extrapolated fit", [&] {
-            result_.extrapolated = completed(
-                fit_or_reuse(result_.orders, model_, rising, options_.extrapolated), "extrapolated");
-        });
-        attempt(result_.notes, "direct fit", [&] {
-            result_.direct = completed(fit_damping_curve(model_, rising, options_.direct), "direct");
-        });
-        const auto spacing = spacing_note(rising);
-        if (result_.direct && spacing) result_.notes.push_back(*spacing);
-        if (result_.extrapolated && result_.direct)
-            result_.comparison = compare(result_.extrapolated->fit, result_.direct->fit);
-    }
+void note_parts(MeasuredDamping& result, const MeasurementSet& set, const PartOptions& options) {
+    result.smoothing = DampingSmoothing::of(result.impacts);
+    result.parts = find_parts(result.smoothing, options);
+    note_impacts(result, set);
+}
 
-  private:
-    DampingResult completed(DampingCurveFit fit, const std::string& name) {
-        require_rebounds_above(fit, result_.rising->set);
-        DampingResult result{std::move(fit), {}, {}};
-        if (const auto note = enlargement_note(result.fit)) result_.notes.push_back(name + " fit: " + *note);
-        if (options_.propagate) {
-            attempt(result_.notes, "propagation of the " + name + " fit", [&] {
-                result.propagation = propagate_critical_velocity(result.fit, model_, contact_,
-                                                                 options_.change, options_.propagation);
-            });
+/// The impacts up to a velocity.
+RisingBranch branch_to(const MeasurementSet& set, double upper) {
+    RisingBranch branch{{set.source, {}, {}}, {}, upper, false};
+    for (std::size_t i = 0; i < set.points.size(); ++i) {
+        if (set.points[i].velocity > upper) {
+            branch.falls_beyond = true;
+            continue;
         }
-        result.check = check(result.propagation ? result.propagation->interval : result.fit.critical_velocity,
-                             result_.measured);
-        return result;
+        branch.set.points.push_back(set.points[i]);
+        branch.indices.push_back(i);
     }
-
-    const ContactModel& model_;
-    const RandomContact& contact_;
-    const MeasuredDampingOptions& options_;
-    MeasuredDamping& result_;
-};
+    return branch;
+}
 
 }  // namespace
 
@@ -105,42 +117,48 @@ VelocityRange velocities_for_fits(Law law, Detachment detachment, const ContactP
 
 MeasuredDamping analyse_impacts(Law law, Detachment detachment, const RandomContact& contact,
                                 const MeasurementSet& set, const MeasuredDampingOptions& options) {
-    validate(set);
     const ContactPair pair = contact.nominal();
-    MeasuredDamping result{.law = law,
-                           .detachment = detachment,
-                           .contact = pair,
-                           .impacts = {},
-                           .smoothing = {},
-                           .parts = {},
-                           .rising = {},
-                           .extrapolated = {},
-                           .direct = {},
-                           .comparison = {},
-                           .orders = {},
-                           .measured = options.reported.value_or(MeasuredCriticalVelocity{}),
-                           .accuracy = 0.0,
-                           .notes = {}};
-    if (!options.reported)
-        attempt(result.notes, "measured v_c", [&] { result.measured = measured_critical_velocity(set); });
     if (can_yield(law, pair)) {
+        MeasuredDamping result = nothing_yet(law, detachment, pair, set, options);
         result.impacts = invert_by_solving(law, detachment, pair, set);
-        result.smoothing = DampingSmoothing::of(result.impacts);
-        result.parts = find_parts(result.smoothing, options.parts);
-        note_impacts(result, set);
+        note_parts(result, set, options.parts);
         result.notes.push_back("no fit: a contact that yields has a history");
         return result;
     }
+    validate(set);
     const ContactModel model =
         make_contact_model(law, detachment, pair, velocities_for_fits(law, detachment, pair, set));
+    MeasuredDamping result = analyse_impacts(model, &contact, set, options);
+    result.law = law;  // without adhesion the model's is Hertz
+    result.detachment = detachment;
+    return result;
+}
+
+MeasuredDamping analyse_impacts(const ContactModel& model, const RandomContact* contact,
+                                const MeasurementSet& set, const MeasuredDampingOptions& options) {
+    const ScaledImpacts& scaled = model.map().impacts();
+    MeasuredDamping result =
+        nothing_yet(scaled.law(), scaled.detachment(), model.contact(), set, options);
     result.accuracy = model.map().accuracy();
-    result.impacts = invert(model, set);
-    result.smoothing = DampingSmoothing::of(result.impacts);
-    result.parts = find_parts(result.smoothing, options.parts);
-    note_impacts(result, set);
+    if (!options.rising_to) {
+        result.impacts = invert(model, set);
+        note_parts(result, set, options.parts);
+    }
     if (set.rebounds() == 0) return result;
-    attempt(result.notes, "fit", [&] { result.rising = rising_branch(model, set, result.smoothing); });
-    if (result.rising) RisingBranchFits(model, contact, options, result).fit();
+    attempt(result.notes, "estimate of v_c", [&] {
+        result.estimate = estimate_critical_velocity(model, set, {.size_scatter = options.size_scatter});
+        const auto& notes = result.estimate->notes;
+        result.notes.insert(result.notes.end(), notes.begin(), notes.end());
+        result.check = check(result.estimate->curve.critical_velocity, result.measured, !options.reported);
+    });
+    attempt(result.notes, "extrapolated fit", [&] {
+        result.rising = options.rising_to ? branch_to(set, *options.rising_to)
+                                          : rising_branch(model, set, result.smoothing);
+        extrapolate(result, model, contact, options);
+    });
+    if (result.estimate && result.extrapolated)
+        result.comparison = compare(result.extrapolated->fit, result.estimate->curve.critical_velocity,
+                                    result.estimate->curve.critical_damping);
     return result;
 }
 

@@ -2,7 +2,9 @@
 
 #include "solver/measurement/damping_parts.hpp"
 #include "solver/measurement/inversion.hpp"
+#include "solver/uncertainty/curve/headline.hpp"
 #include "solver/uncertainty/likelihood/damping_curve_fit.hpp"
+#include "solver/uncertainty/outcomes/estimate_comparison.hpp"
 #include "solver/uncertainty/outcomes/measured_critical_velocity.hpp"
 #include "solver/uncertainty/propagation/critical_velocity_uncertainty.hpp"
 #include "solver/uncertainty/propagation/random_contact.hpp"
@@ -15,9 +17,10 @@ namespace ashimpact {
 
 struct MeasuredDampingOptions {
     PartOptions parts{};
-    DampingCurveOptions extrapolated = extrapolated_fit;
-    DampingCurveOptions direct = direct_fit;
-    std::vector<int> orders{1, 2, 3};  ///< compared beside; empty: none
+    DampingCurveOptions extrapolated{};
+    std::optional<double> size_scatter{};  ///< of single diameters about their mean, relative, where it is known
+    /// End of the rising branch, where it is known: the impacts are then not inverted again [m/s].
+    std::optional<double> rising_to{};
     bool propagate = true;             ///< also the contact's uncertainty, not only that of the impacts
     DampingUnderChange change = DampingUnderChange::reread;
     PropagationOptions propagation{};
@@ -41,11 +44,11 @@ struct MeasuredDamping {
     std::vector<InvertedImpact> impacts;        ///< in the order of the set
     std::optional<DampingSmoothing> smoothing;  ///< eta(v_in) as a smooth curve
     DampingParts parts;                         ///< with the flagged outliers
-    std::optional<RisingBranch> rising;         ///< what the fits use
+    std::optional<RisingBranch> rising;         ///< what the extrapolation uses
     std::optional<DampingResult> extrapolated;  ///< the paper's way
-    std::optional<DampingResult> direct;        ///< from captures, too
-    std::optional<FitComparison> comparison;    ///< of the two
-    OrderComparison orders;             ///< extrapolated fits, excluded rebounds and leave-one-out in each
+    std::optional<CriticalVelocityEstimate> estimate;  ///< the headline: what the impacts support
+    std::optional<CriticalVelocityCheck> check;        ///< of the estimate by the measured v_c
+    std::optional<FitComparison> comparison;           ///< of the two
     MeasuredCriticalVelocity measured;  ///< reported, or from the outcomes
     double accuracy;                    ///< of restitutions read from the law's map; 0: solved [1]
     std::vector<std::string> notes;
@@ -64,6 +67,12 @@ struct MeasuredDamping {
 /// @throws InputError for impacts that are none (no point, numbers not finite, v_in <= 0, v_r < 0) or an
 /// unphysical contact
 [[nodiscard]] MeasuredDamping analyse_impacts(Law law, Detachment detachment, const RandomContact& contact,
+                                              const MeasurementSet& set,
+                                              const MeasuredDampingOptions& options = {});
+
+/// The same through a model that there is already, for a contact without history.
+/// @param contact null: what is known of the contact is not propagated
+[[nodiscard]] MeasuredDamping analyse_impacts(const ContactModel& model, const RandomContact* contact,
                                               const MeasurementSet& set,
                                               const MeasuredDampingOptions& options = {});
 

@@ -85,10 +85,11 @@ bool check_verdict(const Impact& impact) {
 Impact random_impact(Random& random, ContactCase c) {
     const double radius = random.log_uniform(1e-7, 1e-3);
     const double density = random.log_uniform(500.0, 2e4);
-    const ContactPair pair{.mass = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * density,
-                           .effective_radius = radius,
-                           .contact_modulus = random.log_uniform(1e8, 1e12),
-                           .work_of_adhesion = random.log_uniform(1e-4, 10.0)};
+    ContactPair pair{.mass = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * density,
+                     .effective_radius = radius,
+                     .contact_modulus = random.log_uniform(1e8, 1e12),
+                     .work_of_adhesion = random.log_uniform(1e-4, 10.0)};
+    pair.parameters = parameters_like(pair.work_of_adhesion);
     const double velocity = random.log_uniform(1e-4, 1e3);
     if (std::isfinite(c.yield_pressure))
         c.yield_pressure = pair.contact_modulus * random.log_uniform(1e-3, 1.0);
@@ -115,6 +116,7 @@ int lowest_power(const Polynomial<Extended>& p) {
 /// d(delta) ~ x^d dx and U_end - U ~ x^k at the end, the time integral of x^d dx/sqrt(x^k + excess) misses
 /// excess^((d + 1)/k - 1/2). One half but where attraction vanishes with the root of the overlap.
 double power_of_lateness(const Impact& impact) {
+    if (is_cohesive(impact.law, impact.contact)) return 0.5;  // its force is not zero at any end
     const auto motion = scaled_motion<Extended>(impact, Scale::of(impact.contact, impact.velocity));
     Polynomial<Extended> fall = motion.potential.shifted(*motion.end);
     fall[0] = 0;

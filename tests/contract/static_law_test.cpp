@@ -21,9 +21,14 @@ namespace {
 using Real = long double;
 using RealPolynomial = Polynomial<Real>;
 
+/// Every law whose lines are polynomials; that of Maugis has tests of its own.
 template <class Visitor>
 void for_each_law(Visitor&& visitor) {
-    for (std::size_t i = 0; i < Law::count(); ++i) Law::at(i).visit<void>(visitor);
+    for (std::size_t i = 0; i < Law::count(); ++i) {
+        Law::at(i).visit<void>([&]<template <class> class L>() {
+            if constexpr (has_polynomials<L>) visitor.template operator()<L>();
+        });
+    }
 }
 
 /// Adhesion numbers of a law at fly-ash scale.
@@ -105,7 +110,7 @@ TEST_CASE("overlap and force are the polynomials that the motion is built from, 
             }
         }
     });
-    CHECK(value.count() >= static_cast<int>(Law::count()) * 100);
+    CHECK(value.count() >= static_cast<int>(Law::count() - 1) * 100);
     CHECK_MESSAGE(value.deviation() < 1e-18, value.where());
     CHECK_MESSAGE(slope.deviation() < 1e-14, slope.where());
 }
@@ -145,7 +150,7 @@ TEST_CASE("first touch is at zero overlap, and the special points are what their
             }
         }
     });
-    CHECK(worst.count() >= static_cast<int>(Law::count()) * 18);
+    CHECK(worst.count() >= static_cast<int>(Law::count() - 1) * 18);
     CHECK_MESSAGE(worst.deviation() < 1e-17, worst.where());
 }
 

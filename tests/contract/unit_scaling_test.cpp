@@ -23,16 +23,45 @@ constexpr double velocity = length / time_unit;
 constexpr double energy = mass * velocity * velocity;
 constexpr double force = energy / length;
 
-double unit_of_damping(DampingLaw law) {
-    switch (law) {
-        case DampingLaw::constant:
-            return mass / time_unit;
-        case DampingLaw::contact_radius:
-            return mass / (length * time_unit);
-        case DampingLaw::tsuji:
+/// The old SI unit of a dimension in the new one.
+double unit_of(Dimension dimension) {
+    switch (dimension) {
+        case Dimension::fraction:
             return 1.0;
+        case Dimension::length:
+            return length;
+        case Dimension::mass:
+            return mass;
+        case Dimension::time:
+            return time_unit;
+        case Dimension::velocity:
+            return velocity;
+        case Dimension::density:
+            return mass / (length * length * length);
+        case Dimension::pressure:
+            return force / (length * length);
+        case Dimension::force:
+            return force;
+        case Dimension::energy:
+            return energy;
+        case Dimension::energy_per_area:
+            return energy / (length * length);
+        case Dimension::damping:
+            return mass / time_unit;
+        case Dimension::viscosity:
+            return mass / (length * time_unit);
+        case Dimension::impulse:
+            return mass * velocity;
     }
     return 0.0;
+}
+
+ParameterValues<double> in_other_units(const ParameterValues<double>& values) {
+    ParameterValues<double> converted;
+    for (const LawParameter& parameter : law_parameters())
+        if (values.has(parameter))
+            converted.set(parameter.name, values[parameter] * unit_of(parameter.dimension));
+    return converted;
 }
 
 ContactPair in_other_units(const ContactPair& pair) {
@@ -40,11 +69,12 @@ ContactPair in_other_units(const ContactPair& pair) {
             .effective_radius = pair.effective_radius * length,
             .contact_modulus = pair.contact_modulus * force / (length * length),
             .work_of_adhesion = pair.work_of_adhesion * energy / (length * length),
-            .yield_pressure = pair.yield_pressure * force / (length * length)};
+            .yield_pressure = pair.yield_pressure * force / (length * length),
+            .parameters = in_other_units(pair.parameters)};
 }
 
 Damping in_other_units(const Damping& damping) {
-    return {damping.law, damping.coefficient * unit_of_damping(damping.law)};
+    return {damping.law, damping.coefficient * unit_of(dimension_of(damping.law))};
 }
 
 Impact in_other_units(const Impact& impact) {
@@ -147,7 +177,7 @@ TEST_CASE("damping from restitution scales with its unit") {
             problem.velocity *= velocity;
             const DampingInversion b = damping_from_restitution(problem);
             Comparison(name_of(c))
-                .same(a.damping.coefficient, b.damping.coefficient, unit_of_damping(c.damping_law))
+                .same(a.damping.coefficient, b.damping.coefficient, unit_of(dimension_of(c.damping_law)))
                 .same(a.greatest_restitution, b.greatest_restitution, 1.0);
         }
     }

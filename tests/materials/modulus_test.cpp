@@ -140,7 +140,7 @@ TEST_CASE("every rule of the paper's first sample, in its order") {
                             holds(note, "Young's modulus of mullite-dong2013 gives 100 % of the variance");
     CHECK(mullite_dominates);
     for (const RuleResult& result : estimate.rules) {
-        CHECK(mixture_rule(mixture_rule_name(result.rule)) == result.rule);
+        CHECK(named<MixtureRule>(name_of(result.rule)) == result.rule);
         CHECK(result.standard_uncertainty > 0);
     }
 }
@@ -163,7 +163,7 @@ TEST_CASE("a missing Poisson ratio leaves out what needs it, and refuses it when
                 "the rule voigt needs a Poisson ratio for every phase"));
     CHECK(holds(refusal([&] { return estimate_modulus(composition, {.porosity = Porosity{.value = 0.1}}); }),
                 "needs Poisson's ratio"));
-    CHECK(holds(refusal([] { return mixture_rule("eq1"); }), "allowed: parallel, series, hill"));
+    CHECK(holds(refusal([] { return named<MixtureRule>("eq1"); }), "allowed: parallel, series, hill"));
 }
 
 TEST_CASE("porosity acts on the chosen rule, and its own uncertainty is propagated") {

@@ -31,8 +31,8 @@ TEST_CASE(
 
 TEST_CASE("names and back") {
     for (const auto rule : {AdhesionRule::girifalco_good, AdhesionRule::dong2013, AdhesionRule::dupre})
-        CHECK(adhesion_rule(adhesion_rule_name(rule)) == rule);
-    CHECK_THROWS_WITH_AS(static_cast<void>(adhesion_rule("good")),
+        CHECK(named<AdhesionRule>(name_of(rule)) == rule);
+    CHECK_THROWS_WITH_AS(static_cast<void>(named<AdhesionRule>("good")),
                          "no adhesion rule is called \"good\"; allowed: girifalco-good, dong2013, dupre",
                          InputError);
 }

@@ -212,10 +212,10 @@ TEST_CASE("the complete case reads back as the same impacts, with their uncertai
     }
 }
 
-TEST_CASE("laws know whether they attract and whether they yield") {
-    CHECK_FALSE(is_adhesive(Law::of<Hertz>()));
+TEST_CASE("laws know whether they use a work of adhesion and whether they yield") {
+    for (const Law law : {Law::of<Hertz>(), Law::of<Sjkr>()}) CHECK_FALSE(law.uses_work_of_adhesion());
     for (const Law law : {Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>(), Law::of<ThorntonNing>()})
-        CHECK(is_adhesive(law));
+        CHECK(law.uses_work_of_adhesion());
     CHECK(yields(Law::of<ThorntonNing>()));
     CHECK_FALSE(yields(Law::of<Jkr>()));
 }

@@ -323,6 +323,26 @@ TEST_CASE("other damping laws go through every stage, with their unit") {
     }
 }
 
+TEST_CASE("a parameter of a law goes from the particle of a case through the artifacts to every stage") {
+    Json document = test::example_case();
+    document["laws"] = {"sjkr"};
+    document.erase("work_of_adhesion");
+    CHECK_THROWS_WITH_AS(static_cast<void>(computed_from(document)),
+                         doctest::Contains("/samples/0: cohesion_energy_density is missing, here and in "
+                                           "\"particle\", for law \"sjkr\""),
+                         InputError);
+    document["particle"]["cohesion_energy_density"] = "100 MJ/m3";
+    document["samples"][0]["cohesion_energy_density"] = {
+        {"value", 50}, {"unit", "MJ/m3"}, {"standard_uncertainty", 5}, {"source", "calibrated"}};
+    const Artifacts artifacts = computed_from(document);
+    const Json& contact = artifacts.at("2-contact.json").document["result"]["samples"][0];
+    CHECK(contact["cohesion_energy_density"]["value"] == 50e6);
+    CHECK(contact["cohesion_energy_density"]["unit"] == "Pa");
+    CHECK(contact["cohesion_energy_density"]["source"] == "calibrated");
+    const Json& velocity = artifacts.at("7-critical-velocity.json").document["result"]["samples"][0]["sjkr"];
+    CHECK(velocity["critical_velocity"]["value"].get<double>() > 0);
+}
+
 TEST_CASE("without adhesive laws no work of adhesion is needed") {
     Json document = test::example_case();
     document["laws"] = {"hertz"};

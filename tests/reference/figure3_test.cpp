@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "materials/base/error.hpp"
 #include "solver/contact/static_curve.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/contact_cases.hpp"
@@ -68,6 +69,10 @@ TEST_CASE(
     "the figure's table: evenly spaced in contact radius, from the start of the curve to the overlap asked "
     "for") {
     for (std::size_t i = 0; i < Law::count(); ++i) {
+        if (!Law::at(i).parameters().empty()) {  // Eq. 21 has no unit for them
+            CHECK_THROWS_AS(static_cast<void>(StaticCurve::normalised(Law::at(i))), InputError);
+            continue;
+        }
         const StaticCurve curve = StaticCurve::normalised(Law::at(i));
         const std::vector<StaticPoint> table = curve.sampled(3.0, 61);
         CAPTURE(Law::at(i).name());

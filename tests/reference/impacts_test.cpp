@@ -14,6 +14,15 @@ using namespace ashimpact::test;
 
 namespace {
 
+/// Parameters of the law's own, by name; none where the row has none.
+ParameterValues<double> parameters_of(const nlohmann::json& row) {
+    ParameterValues<double> values;
+    for (const LawParameter& parameter : law_parameters())
+        if (row.contains("parameters") && row.at("parameters").contains(parameter.name))
+            values.set(parameter.name, row.at("parameters").at(parameter.name).get<double>());
+    return values;
+}
+
 Impact impact_from(const nlohmann::json& sphere, const nlohmann::json& row) {
     return {.law = Law::named(row.at("law").get<std::string>()),
             .detachment = detachment_named(row.at("detachment").get<std::string>()),
@@ -21,7 +30,8 @@ Impact impact_from(const nlohmann::json& sphere, const nlohmann::json& row) {
             .contact = {.mass = sphere.at("mass"),
                         .effective_radius = sphere.at("radius"),
                         .contact_modulus = sphere.at("contact_modulus"),
-                        .work_of_adhesion = row.at("work_of_adhesion")},
+                        .work_of_adhesion = row.at("work_of_adhesion"),
+                        .parameters = parameters_of(row)},
             .velocity = row.at("velocity")};
 }
 
@@ -49,7 +59,7 @@ TEST_CASE("every reference impact: outcome, restitution, contact time and overla
     const nlohmann::json data = data_file("reference/impacts.json");
     Deviations by_place;
     Deviations by_force;
-    std::set<std::string> ways;
+    std::set<std::string> laws;
     int captures = 0;
     for (const auto& row : data.at("cases")) {
         CAPTURE(row.dump());
@@ -58,13 +68,19 @@ TEST_CASE("every reference impact: outcome, restitution, contact time and overla
         CHECK(result.contact_time.has_value() == !row.at("contact_time").is_null());
         captures += result.outcome == Outcome::capture ? 1 : 0;
         const auto detachment = row.at("detachment").get<std::string>();
-        ways.insert(row.at("law").get<std::string>() + " " + detachment);
+        laws.insert(row.at("law").get<std::string>());
         (detachment == "zero-force" ? by_force : by_place).see(row, result);
     }
-    CHECK(by_place.restitution.count() == 84);
-    CHECK(by_force.restitution.count() == 8);
-    CHECK(captures == 7);
-    CHECK(ways.size() == 6);
+    CHECK(by_force.restitution.count() > 0);
+    CHECK(by_place.restitution.count() + by_force.restitution.count() ==
+          static_cast<int>(data.at("cases").size()));
+    CHECK(captures > 0);
+    for (std::size_t i = 0; i < Law::count(); ++i) {
+        if (Law::at(i) == Law::of<ThorntonNing>()) continue;   // elastic, it is jkr; see its own tests
+        if (Law::at(i) == Law::of<MaugisDugdale>()) continue;  // tests/oracles integrates it in time
+        CAPTURE(Law::at(i).name());
+        CHECK(laws.contains(std::string(Law::at(i).name())));
+    }
     CHECK_MESSAGE(by_place.restitution.deviation() < 1e-9, by_place.restitution.where());
     CHECK_MESSAGE(by_place.contact_time.deviation() < 1e-9, by_place.contact_time.where());
     CHECK_MESSAGE(by_place.maximum_overlap.deviation() < 1e-9, by_place.maximum_overlap.where());

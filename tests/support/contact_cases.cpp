@@ -56,12 +56,22 @@ std::string name_of(const ContactCase& c) {
            std::string(name_of(c.detachment)) + (std::isfinite(c.yield_pressure) ? ", yielding" : "");
 }
 
+ParameterValues<double> parameters_like(double work_of_adhesion) {
+    ParameterValues<double> values;
+    for (std::size_t i = 0; i < Law::count(); ++i) {
+        const double factor = Law::at(i).uses_work_of_adhesion() ? 1.0 : work_of_adhesion / 0.3;
+        for (const auto& [name, value] : typical_parameters(Law::at(i))) values.set(name, factor * value);
+    }
+    return values;
+}
+
 ContactPair ash(double work_of_adhesion) {
     constexpr double radius = 44e-6;
     return {.mass = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * 2600.0,
             .effective_radius = radius,
             .contact_modulus = 90e9,
-            .work_of_adhesion = work_of_adhesion};
+            .work_of_adhesion = work_of_adhesion,
+            .parameters = parameters_like(work_of_adhesion)};
 }
 
 Impact impact_of(const ContactCase& c, const ContactPair& pair, double damping_number, double velocity) {
@@ -84,6 +94,7 @@ std::string describe(const Impact& impact) {
          << ", E* = " << impact.contact.contact_modulus << ", w = " << impact.contact.work_of_adhesion
          << ", p_y = " << impact.contact.yield_pressure << ", C = " << impact.damping.coefficient
          << ", v = " << impact.velocity;
+    for (const auto& [name, value] : impact.contact.parameters) text << ", " << name << " = " << value;
     return text.str();
 }
 

@@ -32,7 +32,11 @@ struct ContactCase {
 /// "dmt, tsuji, zero-overlap"; "..., yielding".
 [[nodiscard]] std::string name_of(const ContactCase& c);
 
-/// The sphere of the reference impacts (88 um, 2600 kg/m3) on its wall, E* = 90 GPa.
+/// A value of every parameter that a law must be given: typical ones, but in proportion to @p
+/// work_of_adhesion (typical at 0.3 J/m2) for laws whose attraction comes from their parameters alone.
+[[nodiscard]] ParameterValues<double> parameters_like(double work_of_adhesion);
+
+/// The sphere of the reference impacts (88 um, 2600 kg/m3) on its wall, E* = 90 GPa, with parameters_like().
 [[nodiscard]] ContactPair ash(double work_of_adhesion);
 
 /// Works of adhesion, velocities and scaled dampings that span the reference impacts [J/m2], [m/s], [1].

@@ -53,8 +53,8 @@ class Ode {
     /// @param stride the step to try; afterwards the step to try next
     void step(double& x, double limit, double& stride, State& state) {
         gsl::check(gsl_odeiv2_evolve_apply(evolve_.get(), control_.get(), step_.get(), &system_, &x, limit,
-                                      &stride, state.data()),
-              "integrating an ODE");
+                                           &stride, state.data()),
+                   "integrating an ODE");
     }
 
     /// Integrates from x to exactly limit, in either direction. A fresh start: nothing is remembered of

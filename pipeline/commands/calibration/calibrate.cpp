@@ -22,25 +22,16 @@ namespace ashimpact {
 
 namespace {
 
-const CalibrationQuantityName& entry_of(CalibrationQuantity quantity) {
-    for (const CalibrationQuantityName& entry : calibration_quantity_names)
-        if (entry.quantity == quantity) return entry;
-    throw std::logic_error("calibration quantity without a name");
-}
-
 /// "density" or "density:each".
 FreeConstant read_free(const std::string& text) {
     const auto colon = text.find(':');
-    const std::string name = text.substr(0, colon);
     const bool each = colon != std::string::npos;
-    std::vector<std::string> names;
-    for (const CalibrationQuantityName& entry : calibration_quantity_names) {
-        names.emplace_back(entry.name);
-        if (entry.name == name && (!each || text.substr(colon) == ":each")) return {entry.quantity, each};
-    }
-    throw InputError("unknown constant " + in_quotes(text),
-                     joined(names) + "; with :each for one value a sample")
-        .at("--free");
+    return at_place("--free", [&]() -> FreeConstant {
+        if (each && text.substr(colon) != ":each")
+            throw InputError("the constant " + in_quotes(text) + " ends in " + in_quotes(text.substr(colon)),
+                             ":each, for one value a sample");
+        return {named<CalibrationQuantity>(text.substr(0, colon)), each};
+    });
 }
 
 /// One observation beside what the calibrated model says.
@@ -74,8 +65,8 @@ Json rows_json(const std::vector<Row>& rows) {
 }
 
 /// "density of 88 um", "work_of_adhesion".
-std::string name_of(const Case& data, const CalibratedConstant& constant) {
-    const std::string name(entry_of(constant.quantity).name);
+std::string title_of(const Case& data, const CalibratedConstant& constant) {
+    const std::string name(name_of(constant.quantity));
     return constant.sample ? fmt::format("{} of {}", name, data.samples[*constant.sample].name) : name;
 }
 
@@ -83,7 +74,7 @@ Json profile_json(const Case& data, const CalibrationSummary& summary, const Con
                   std::string_view unit) {
     Json traded = Json::array();
     for (const std::size_t other : profile.traded_with)
-        traded.push_back(name_of(data, summary.constants[other]));
+        traded.push_back(title_of(data, summary.constants[other]));
     return {{"interval", interval_json(profile.interval, unit)},
             {"identifiable", profile.identifiable},
             {"traded_with", traded},
@@ -95,16 +86,15 @@ Json constants_json(const Case& data, const CalibrationSummary& summary,
     Json list = Json::array();
     for (std::size_t i = 0; i < summary.constants.size(); ++i) {
         const CalibratedConstant& constant = summary.constants[i];
-        const CalibrationQuantityName& entry = entry_of(constant.quantity);
-        Json value = quantity_json(constant.value, entry.unit);
+        const std::string_view unit = si_unit(dimension_of(constant.quantity));
+        Json value = quantity_json(constant.value, unit);
         value["standard_uncertainty"] = constant.standard_uncertainty;
         list.push_back(
-            {{"quantity", entry.name},
+            {{"quantity", name_of(constant.quantity)},
              {"sample", constant.sample ? Json(data.samples[*constant.sample].name) : Json(nullptr)},
              {"value", value},
-             {"interval_95",
-              {quantity_json(constant.lower, entry.unit), quantity_json(constant.upper, entry.unit)}},
-             {"profile", profile_json(data, summary, profiles[i], entry.unit)}});
+             {"interval_95", {quantity_json(constant.lower, unit), quantity_json(constant.upper, unit)}},
+             {"profile", profile_json(data, summary, profiles[i], unit)}});
     }
     return list;
 }
@@ -127,11 +117,11 @@ std::string identification_text(const Case& data, const CalibrationSummary& summ
                                 const std::vector<ConstantProfile>& profiles) {
     std::string text;
     for (std::size_t i = 0; i < profiles.size(); ++i) {
-        const std::string name = name_of(data, summary.constants[i]);
+        const std::string name = title_of(data, summary.constants[i]);
         for (std::size_t j = 0; j < i; ++j)
-            text +=
-                fmt::format("correlation of {} with {}: {:+.3f}\n", name, name_of(data, summary.constants[j]),
-                            summary.correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+            text += fmt::format(
+                "correlation of {} with {}: {:+.3f}\n", name, title_of(data, summary.constants[j]),
+                summary.correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
         if (!profiles[i].statement.empty()) text += fmt::format("{}: {}\n", name, profiles[i].statement);
     }
     return text;
@@ -143,10 +133,11 @@ std::string calibration_text(const Case& data, const CalibrationSummary& summary
     TextTable constants({"constant", "sample", "value", "95 % interval", "by profile likelihood"});
     for (std::size_t i = 0; i < summary.constants.size(); ++i) {
         const CalibratedConstant& constant = summary.constants[i];
-        const CalibrationQuantityName& entry = entry_of(constant.quantity);
-        constants.add({std::string(entry.name), constant.sample ? data.samples[*constant.sample].name : "all",
-                       readable(constant.value, entry.unit), curvature_text(constant, entry.unit),
-                       profile_text(profiles[i].interval, entry.unit)});
+        const std::string_view unit = si_unit(dimension_of(constant.quantity));
+        constants.add({std::string(name_of(constant.quantity)),
+                       constant.sample ? data.samples[*constant.sample].name : "all",
+                       readable(constant.value, unit), curvature_text(constant, unit),
+                       profile_text(profiles[i].interval, unit)});
     }
     TextTable residuals({"sample", "law", "published", "calibrated", "difference", "in u"});
     for (const auto* rows : {&velocities, &times})

@@ -81,8 +81,8 @@ void require_wall_to_matter(const Case& data) {
 }  // namespace
 
 CalibrationProblem calibration_problem(const Case& data, const Artifacts& before) {
-    const auto moduli = before.read("1-modulus.json", read_moduli);
-    const auto contacts = before.read("2-contact.json", read_contacts);
+    const auto moduli = before.read(modulus_artifact, read_moduli);
+    const auto contacts = before.read(contact_artifact, read_contacts);
     CalibrationProblem problem{
         .samples = {}, .free = data.calibration, .critical_velocities = {}, .contact_times = {}};
     const bool elastic = data.wall && std::holds_alternative<ElasticWall>(*data.wall);
@@ -96,8 +96,8 @@ CalibrationProblem calibration_problem(const Case& data, const Artifacts& before
     for (std::size_t i = 0; i < data.samples.size(); ++i) {
         const Sample& sample = data.samples[i];
         problem.samples.push_back(start_of(data, sample,
-                                           entry_named(moduli, sample.name, before, "1-modulus.json"),
-                                           entry_named(contacts, sample.name, before, "2-contact.json")));
+                                           entry_named(moduli, sample.name, before, modulus_artifact),
+                                           entry_named(contacts, sample.name, before, contact_artifact)));
         if (sample.published) add_observations(*sample.published, i, problem);
     }
     return problem;

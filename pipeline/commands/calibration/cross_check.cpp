@@ -186,12 +186,12 @@ void run_cross_check_command(const CrossCheckOptions& options, std::ostream& out
     const auto file = options.case_file.empty() ? std::nullopt : std::optional(options.case_file);
     const Artifacts artifacts = compute_artifacts(file, "contact");
     const Case data = read_case_artifact(artifacts);
-    const auto contacts = artifacts.read("2-contact.json", read_contacts);
+    const auto contacts = artifacts.read(contact_artifact, read_contacts);
     std::vector<SampleCheck> checks;
     for (const Sample& sample : data.samples) {
         const auto* plan = sample.restitution ? std::get_if<Reconstruction>(&*sample.restitution) : nullptr;
         if (plan == nullptr) continue;
-        const ContactPair& contact = entry_named(contacts, sample.name, artifacts, "2-contact.json").pair;
+        const ContactPair& contact = entry_named(contacts, sample.name, artifacts, contact_artifact).pair;
         checks.push_back(check_sample(data, sample, *plan, contact));
     }
     if (checks.empty())

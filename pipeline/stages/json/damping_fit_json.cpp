@@ -12,11 +12,6 @@ namespace {
 constexpr auto damping_unit = "kg/s";
 constexpr auto velocity_unit = "m/s";
 
-std::string_view name_of(IntervalMethod method) {
-    return method == IntervalMethod::profile_likelihood ? "profile likelihood"
-                                                        : "curvature of the likelihood";
-}
-
 /// The rebounds of a fit as columns.
 Json residuals_json(const DampingCurveFit& fit, const std::vector<std::size_t>& numbers) {
     std::vector<double> number, restitution, distance, leverage, deleted, influence, weight;
@@ -52,14 +47,17 @@ Json with_known_noise(const DampingCurveFit& fit, double value) {
     return fit.noise_known ? Json(value) : Json(nullptr);
 }
 
-Json order_json(const DampingCurveFit& fit) {
-    return {{"order", fit.options.order},
-            {"critical_damping", estimate_json(fit.critical_damping, damping_unit)},
-            {"critical_velocity", estimate_json(fit.critical_velocity, velocity_unit)},
-            {"chi_squared", with_known_noise(fit, fit.chi_squared)},
-            {"degrees_of_freedom", fit.degrees_of_freedom},
-            {"akaike", finite_json(fit.akaike)},
-            {"prediction_error", finite_json(fit.prediction_error)}};
+/// The critical damping of a node, with its interval.
+Interval damping_interval(const View& node, double value) {
+    const auto end = [&](const char* key) -> std::optional<double> {
+        const auto found = node.at("critical_damping_interval").find(key);
+        return found ? std::optional(found->number(Dimension::damping)) : std::nullopt;
+    };
+    return {.value = value,
+            .standard_uncertainty =
+                node.at("critical_damping").quantity(Dimension::damping).standard_uncertainty.value_or(0),
+            .lower = end("lower"),
+            .upper = end("upper")};
 }
 
 }  // namespace
@@ -68,7 +66,6 @@ Json damping_fit_json(const DampingCurveFit& fit, const std::vector<std::size_t>
     Json excluded = Json::array();
     for (const ExcludedRebound& rebound : fit.excluded) excluded.push_back(numbers.at(rebound.index));
     return {{"order", fit.options.order},
-            {"uses_captures", fit.options.captures},
             {"robust", fit.options.robust},
             {"coefficients", column_json(values_of(fit.damping.coefficients), Dimension::damping)},
             {"covariance", {{"values", matrix_json(fit.covariance)}, {"unit", "(kg/s)2"}}},
@@ -76,15 +73,12 @@ Json damping_fit_json(const DampingCurveFit& fit, const std::vector<std::size_t>
             {"critical_damping_interval", interval_json(fit.critical_damping, damping_unit)},
             {"critical_velocity", estimate_json(fit.critical_velocity, velocity_unit)},
             {"critical_velocity_interval", interval_json(fit.critical_velocity, velocity_unit)},
-            {"interval_method", name_of(fit.interval_method)},
             {"rebounds", fit.rebounds.size()},
-            {"captures", fit.captures},
             {"chi_squared", with_known_noise(fit, fit.chi_squared)},
             {"degrees_of_freedom", fit.degrees_of_freedom},
             {"probability", with_known_noise(fit, fit.probability)},
             {"noise_known", fit.noise_known},
             {"scatter", quantity_json(fit.scatter, fit.noise_known ? "1" : velocity_unit)},
-            {"akaike", finite_json(fit.akaike)},
             {"prediction_error", finite_json(fit.prediction_error)},
             {"restitution_range", {fit.restitutions[0], fit.restitutions[1]}},
             {"extrapolation", finite_json(fit.extrapolation)},
@@ -95,7 +89,6 @@ Json damping_fit_json(const DampingCurveFit& fit, const std::vector<std::size_t>
 DampingCurveFit read_damping_fit(const View& node) {
     DampingCurveFit fit{};
     fit.options = {.order = node.at("order").integer(),
-                   .captures = node.at("uses_captures").truth(),
                    .robust = node.at("robust").truth()};
     const auto coefficients = node.at("coefficients").column(Dimension::damping);
     const auto size = static_cast<Eigen::Index>(coefficients.size());
@@ -112,29 +105,31 @@ DampingCurveFit read_damping_fit(const View& node) {
             node.at("covariance").fail("the matrix is not square", "order + 1 rows and columns");
         fit.covariance.row(i) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), size);
     }
-    const auto end = [&](const char* key) -> std::optional<double> {
-        const auto value = node.at("critical_damping_interval").find(key);
-        return value ? std::optional(value->number(Dimension::damping)) : std::nullopt;
-    };
-    fit.critical_damping = {
-        .value = fit.damping.critical_damping(),
-        .standard_uncertainty =
-            node.at("critical_damping").quantity(Dimension::damping).standard_uncertainty.value_or(0),
-        .lower = end("lower"),
-        .upper = end("upper")};
-    fit.captures = static_cast<std::size_t>(node.at("captures").integer());
+    fit.critical_damping = damping_interval(node, fit.damping.critical_damping());
     const auto range = node.at("restitution_range").column(Dimension::fraction);
     if (range.size() != 2) node.at("restitution_range").fail("is not a range", "least and greatest");
     fit.restitutions = {range[0], range[1]};
     return fit;
 }
 
-Json orders_json(const OrderComparison& comparison) {
-    Json fits = Json::array();
-    for (const DampingCurveFit& fit : comparison.fits) fits.push_back(order_json(fit));
-    Json json{{"fits", fits}, {"notes", comparison.notes}};
-    json["best"] = comparison.best ? Json(*comparison.best) : Json(nullptr);
-    return json;
+Json damping_estimate_json(const CriticalVelocityEstimate& estimate) {
+    const CurveEstimate& curve = estimate.curve;
+    return {{"method", estimate_method},
+            {"critical_damping", estimate_json(curve.critical_damping, damping_unit)},
+            {"critical_damping_interval", interval_json(curve.critical_damping, damping_unit)},
+            {"critical_velocity", estimate_json(curve.critical_velocity, velocity_unit)},
+            {"critical_velocity_interval", interval_json(curve.critical_velocity, velocity_unit)},
+            {"rebounds", estimate.rebounds},
+            {"captures", estimate.captures},
+            {"noise_known", estimate.noise_known},
+            {"scatter", quantity_json(curve.scatter.noise, estimate.noise_known ? "1" : velocity_unit)},
+            {"particle_scatter", curve.scatter.damping}};
+}
+
+Interval read_critical_damping(const View& node) {
+    const double value = node.at("critical_damping").number(Dimension::damping);
+    if (!(value > 0)) node.at("critical_damping").fail("the critical damping is not positive", "> 0 kg/s");
+    return damping_interval(node, value);
 }
 
 Json comparison_json(const FitComparison& comparison) {

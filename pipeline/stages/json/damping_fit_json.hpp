@@ -1,7 +1,9 @@
 #pragma once
 
 #include "pipeline/json/view.hpp"
+#include "solver/uncertainty/curve/headline.hpp"
 #include "solver/uncertainty/likelihood/damping_curve_fit.hpp"
+#include "solver/uncertainty/outcomes/estimate_comparison.hpp"
 
 namespace ashimpact {
 
@@ -14,10 +16,13 @@ namespace ashimpact {
 /// What a propagation needs of a fit, from damping_fit_json().
 [[nodiscard]] DampingCurveFit read_damping_fit(const View& node);
 
-/// Orders of the polynomial beside each other, and why some are missing.
-[[nodiscard]] Json orders_json(const OrderComparison& comparison);
+/// What the impacts support: critical damping and velocity with their intervals, and what they rest on.
+[[nodiscard]] Json damping_estimate_json(const CriticalVelocityEstimate& estimate);
 
-/// What an extrapolated and a direct fit say of one another.
+/// eta_c of damping_estimate_json().
+[[nodiscard]] Interval read_critical_damping(const View& node);
+
+/// What the paper's extrapolation and the estimate say of one another.
 [[nodiscard]] Json comparison_json(const FitComparison& comparison);
 
 }  // namespace ashimpact

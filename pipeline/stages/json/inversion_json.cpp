@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "pipeline/case/laws.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/text/readable.hpp"
+#include "solver/damping/damping.hpp"
 
 namespace ashimpact {
 

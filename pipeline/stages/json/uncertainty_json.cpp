@@ -52,11 +52,11 @@ Json measured_velocity_json(const MeasuredCriticalVelocity& measured) {
         {"note", measured.note}};
 }
 
-Json check_json(const Interval& model, const MeasuredCriticalVelocity& measured) {
+Json check_json(const Interval& model, const MeasuredCriticalVelocity& measured, bool same_impacts) {
     const bool comparable =
         !measured.value || model.standard_uncertainty > 0 || measured.standard_uncertainty.value_or(0) > 0;
     const CriticalVelocityCheck verdict =
-        comparable ? check(model, measured)
+        comparable ? check(model, measured, same_impacts)
                    : CriticalVelocityCheck{CriticalVelocityVerdict::not_comparable, std::nullopt};
     return {{"verdict", name_of(verdict.verdict)},
             {"deviation", verdict.deviation ? finite_json(*verdict.deviation) : Json(nullptr)}};

@@ -16,6 +16,8 @@ namespace ashimpact {
 [[nodiscard]] Json measured_velocity_json(const MeasuredCriticalVelocity& measured);
 
 /// Verdict on a modelled v_c, null deviation where there is nothing to measure it in.
-[[nodiscard]] Json check_json(const Interval& model, const MeasuredCriticalVelocity& measured);
+/// @param same_impacts both come from the same impacts, and share errors
+[[nodiscard]] Json check_json(const Interval& model, const MeasuredCriticalVelocity& measured,
+                              bool same_impacts = false);
 
 }  // namespace ashimpact

@@ -12,7 +12,7 @@
 namespace ashimpact {
 
 bool has_contact_model(const LawChoice& choice, DampingLaw damping_law, const ContactPair& contact) {
-    return damping_law == DampingLaw::constant && !can_yield(choice.law, contact);
+    return damping_law == DampingLaw::constant && is_self_similar(choice.law, contact);
 }
 
 ContactModel contact_model_for(const LawChoice& choice, const ContactPair& contact,

@@ -11,8 +11,8 @@ namespace ashimpact {
 namespace {
 
 /// An input that cannot be negative.
-RandomInput positive(const char* name, const Quantity& quantity) {
-    return {.name = name,
+RandomInput positive(std::string name, const Quantity& quantity) {
+    return {.name = std::move(name),
             .value = quantity.value,
             .standard_uncertainty = quantity.standard_uncertainty.value_or(0),
             .distribution = quantity.value > 0 ? lognormal_around : normal_around};
@@ -28,10 +28,13 @@ SphereOnWall sphere_of(const SampleContact& contact) {
     Quantity diameter = contact.effective_radius;
     diameter.value *= 2;
     if (diameter.standard_uncertainty) *diameter.standard_uncertainty *= 2;
-    return {.diameter = positive("diameter", diameter),
-            .density = positive("density", contact.density),
-            .work_of_adhesion = positive("work of adhesion", contact.work_of_adhesion),
-            .yield_pressure = contact.pair.yield_pressure};
+    SphereOnWall sphere{.diameter = positive("diameter", diameter),
+                        .density = positive("density", contact.density),
+                        .work_of_adhesion = positive("work of adhesion", contact.work_of_adhesion),
+                        .yield_pressure = contact.pair.yield_pressure};
+    for (const auto& [parameter, value] : contact.parameters)
+        sphere.parameters.emplace_back(parameter, positive(std::string(parameter.name), value));
+    return sphere;
 }
 
 /// The same contact from its phases and wall, where the case describes it that way.

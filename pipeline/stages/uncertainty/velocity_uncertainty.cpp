@@ -8,38 +8,64 @@
 #include "pipeline/stages/json/uncertainty_json.hpp"
 #include "pipeline/stages/uncertainty/contact_models.hpp"
 #include "solver/critical_velocity/critical_velocity_curve.hpp"
+#include "solver/uncertainty/curve/headline.hpp"
 #include "solver/uncertainty/propagation/critical_velocity_uncertainty.hpp"
 
 namespace ashimpact {
 
 namespace {
 
+constexpr const char* extrapolation_method = "eta(e) extrapolated to e = 0, a polynomial (Dong et al. 2013)";
+
 Json propagated_json(const VelocityTask& task, const Propagation& propagation,
                      const std::vector<RandomInput>& inputs) {
     Json json{{"critical_velocity", estimate_json(propagation.interval, si_unit(Dimension::velocity))},
               {"interval", interval_json(propagation.interval, si_unit(Dimension::velocity))},
               {"uncertainty", propagation_json(propagation, inputs)}};
-    if (task.measured) json["check"] = check_json(propagation.interval, *task.measured);
+    if (task.measured) json["check"] = check_json(propagation.interval, *task.measured,
+                                                    task.from_impacts() && !task.measured_is_reported);
     return json;
 }
 
-/// From a fit to measured impacts.
-Json from_fit(const VelocityTask& task, const DampingCurveFit& fit) {
+/// By the paper's extrapolation of measured impacts.
+Json from_extrapolation(const VelocityTask& task) {
     const ContactModel model = contact_model_for(task.choice, task.contact.pair, task.series->impacts);
     const auto change = task.data.uncertainty.reread ? DampingUnderChange::reread : DampingUnderChange::held;
-    Json json = propagated_json(
-        task,
-        propagate_critical_velocity(fit, model, task.uncertain, change, task.data.uncertainty.propagation),
-        task.uncertain.inputs);
+    Json json = propagated_json(task,
+                                propagate_critical_velocity(*task.fit.extrapolated, model, task.uncertain,
+                                                            change, task.data.uncertainty.propagation),
+                                task.uncertain.inputs);
     json["uncertainty"]["damping"] = task.data.uncertainty.reread ? "reread" : "held";
+    return json;
+}
+
+/// From what the impacts support. The curve v_r(v_in) is what was measured, and it ends at v_c whatever the
+/// contact is: where the damping is read again with another contact, v_c stays.
+Json from_estimate(const VelocityTask& task) {
+    const Interval& damping = *task.fit.estimate;
+    const auto velocity_at = [&](const std::optional<double>& value) -> std::optional<double> {
+        if (!value) return std::nullopt;
+        return critical_velocity({task.choice.law, task.choice.detachment, {DampingLaw::constant, *value}, task.contact.pair})
+            .value;
+    };
+    Interval velocity{.value = *velocity_at(damping.value),
+                      .standard_uncertainty = 0,
+                      .lower = velocity_at(damping.lower),
+                      .upper = velocity_at(damping.upper)};
+    const double up = 1 + 1e-4;
+    velocity.standard_uncertainty = (*velocity_at(damping.value * up) - *velocity_at(damping.value / up)) /
+                                    (damping.value * (up - 1 / up)) * damping.standard_uncertainty;
+    Json json{{"critical_velocity", estimate_json(velocity, si_unit(Dimension::velocity))},
+              {"interval", interval_json(velocity, si_unit(Dimension::velocity))}};
+    if (task.measured) json["check"] = check_json(velocity, *task.measured, !task.measured_is_reported);
     return json;
 }
 
 /// From a critical damping that is known by itself.
 Json from_damping(const VelocityTask& task) {
     const RandomInput damping{.name = fit_factor,
-                              .value = task.fit.critical_damping,
-                              .standard_uncertainty = task.fit.critical_damping_uncertainty.value_or(0),
+                              .value = task.critical_damping(),
+                              .standard_uncertainty = task.critical_damping_uncertainty(),
                               .distribution = lognormal_around};
     std::vector<RandomInput> inputs{damping};
     inputs.insert(inputs.end(), task.uncertain.inputs.begin(), task.uncertain.inputs.end());
@@ -57,26 +83,37 @@ Json from_damping(const VelocityTask& task) {
 
 Json velocity_uncertainty_json(const VelocityTask& task, double velocity, std::vector<std::string>& notes) {
     Json json = Json::object();
+    const char* method = "critical damping of 6-fit.json";
+    const bool measured = task.series != nullptr && (task.fit.extrapolated || task.fit.estimate);
     if (!has_contact_model(task.choice, task.data.damping_law, task.contact.pair)) {
         constexpr const char* reason =
             "no interval: that takes constant damping and a contact that does not yield";
         notes.emplace_back(reason);
         json["interval_note"] = reason;
-    } else if ((task.fit.extrapolated || task.fit.direct) && task.series != nullptr) {
-        json = attempt("interval", notes, [&] {
-                   return from_fit(task, task.fit.extrapolated ? *task.fit.extrapolated : *task.fit.direct);
-               }).value_or(Json::object());
-        if (task.fit.direct)
-            json["direct"] = attempt("interval of the direct fit", notes, [&] {
-                                 return from_fit(task, *task.fit.direct);
-                             }).value_or(Json(nullptr));
+    } else if (measured) {
+        Json extrapolated = nullptr;
+        if (task.fit.extrapolated)
+            extrapolated = attempt("interval of the extrapolation", notes, [&] {
+                               return from_extrapolation(task);
+                           }).value_or(Json(nullptr));
+        if (task.fit.estimate && task.data.uncertainty.reread)
+            json = from_estimate(task);
+        else if (task.fit.estimate)
+            json = attempt("interval", notes, [&] { return from_damping(task); }).value_or(Json::object());
+        else if (!extrapolated.is_null())
+            json = extrapolated;
+        json["extrapolated"] = extrapolated;
+        method = task.fit.estimate ? estimate_method : extrapolation_method;
     } else {
         json = attempt("interval", notes, [&] { return from_damping(task); }).value_or(Json::object());
+        method = extrapolation_method;
     }
     if (!json.contains("critical_velocity"))
         json["critical_velocity"] = quantity_json(velocity, Dimension::velocity);
     // The value stays that of the exact solver; only its uncertainty comes from the propagation.
     json["critical_velocity"]["value"] = velocity;
+    json["critical_velocity"]["interval"] = json.contains("interval") ? json["interval"] : Json(nullptr);
+    json["critical_velocity"]["method"] = method;
     return json;
 }
 

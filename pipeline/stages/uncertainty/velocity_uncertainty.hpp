@@ -21,10 +21,20 @@ struct VelocityTask {
     const RestitutionSeries* series;  ///< null: none was given
     const LawFit& fit;
     const std::optional<MeasuredCriticalVelocity>& measured;
+    bool measured_is_reported;  ///< by the case, and not read from the same impacts
+
+    [[nodiscard]] bool from_impacts() const { return fit.estimate || fit.extrapolated; }
+    /// eta_c that v_c follows from: what the impacts support, or else that of the polynomial [SI].
+    [[nodiscard]] double critical_damping() const {
+        return fit.estimate ? fit.estimate->value : fit.critical_damping;
+    }
+    [[nodiscard]] double critical_damping_uncertainty() const {
+        return fit.estimate ? fit.estimate->standard_uncertainty : fit.critical_damping_uncertainty.value_or(0);
+    }
 };
 
 /// The interval of v_c by propagation of everything that is uncertain, with the ranking of what dominates,
-/// the check against the measured one, and the same of the direct fit; keys that are added to those of the
+/// the check against the measured one, and the same of the paper's extrapolation; keys that are added to those of the
 /// critical velocity. What cannot be had becomes a note.
 /// @param velocity v_c at the critical damping [m/s]
 [[nodiscard]] Json velocity_uncertainty_json(const VelocityTask& task, double velocity,

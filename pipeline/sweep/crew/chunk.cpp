@@ -59,6 +59,13 @@ class Chunk {
         return values;
     }
 
+    [[nodiscard]] bool is_given(ImpactInput input) const {
+        const SweepSpec& spec = plan_.spec();
+        return spec.fixed[static_cast<std::size_t>(input)] ||
+               std::any_of(spec.variables.begin(), spec.variables.end(),
+                           [&](const SweepVariable& variable) { return variable.input == input; });
+    }
+
     [[nodiscard]] std::vector<double> column(ImpactInput input, double fallback) const {
         const SweepSpec& spec = plan_.spec();
         for (std::size_t i = 0; i < spec.variables.size(); ++i)
@@ -74,7 +81,11 @@ class Chunk {
                               .work_of_adhesion = column(ImpactInput::work_of_adhesion, 0),
                               .yield_pressure = column(ImpactInput::yield_pressure, infinite),
                               .damping = column(ImpactInput::damping, 0),
-                              .velocity = column(ImpactInput::velocity, 0)};
+                              .velocity = column(ImpactInput::velocity, 0),
+                              .parameters = {}};
+        for (const LawParameter& parameter : law_parameters())
+            if (is_given(input_of(parameter)))
+                columns.parameters.emplace_back(parameter.name, column(input_of(parameter), 0));
         const std::vector<double> density = column(ImpactInput::density, 0);
         for (std::size_t i = 0; i < density.size(); ++i)
             if (density[i] > 0) columns.mass[i] = sphere_mass(columns.effective_radius[i], density[i]);

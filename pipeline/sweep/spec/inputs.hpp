@@ -5,11 +5,13 @@
 #include <string_view>
 
 #include "materials/base/units.hpp"
+#include "solver/contact/registry.hpp"
 #include "solver/damping/damping.hpp"
 
 namespace ashimpact {
 
-/// What a sweep may vary of an impact of a sphere on a flat wall.
+/// What a sweep may vary of an impact of a sphere on a flat wall: these, and the parameters of contact laws,
+/// which follow them in the order of law_parameters().
 enum class ImpactInput {
     radius,
     density,
@@ -21,7 +23,12 @@ enum class ImpactInput {
     velocity
 };
 
-inline constexpr std::size_t impact_input_count = 8;
+/// Number of inputs, parameters of contact laws among them.
+[[nodiscard]] std::size_t impact_input_count();
+/// The input that a parameter of contact laws is.
+[[nodiscard]] ImpactInput input_of(const LawParameter& parameter);
+/// Checks a value of an input [SI]. @throws InputError naming it and what is allowed
+void require_allowed(ImpactInput input, double value, Dimension dimension);
 
 [[nodiscard]] std::string_view name_of(ImpactInput input);
 /// The input of that name, which the schema has checked.

@@ -29,7 +29,8 @@ struct ObservableStatistics {
 struct SweepSpec {
     std::vector<LawChoice> laws;
     DampingLaw damping_law = DampingLaw::constant;
-    std::array<std::optional<double>, impact_input_count> fixed{};  ///< inputs that do not vary [SI]
+    std::vector<std::optional<double>> fixed =
+        std::vector<std::optional<double>>(impact_input_count());  ///< inputs that do not vary [SI]
     std::vector<SweepVariable> variables;
     Sampling sampling{};
     std::vector<ObservableStatistics> statistics;  ///< `captured` first, always there

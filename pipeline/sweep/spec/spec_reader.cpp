@@ -3,12 +3,13 @@
 
 #include "materials/base/checks.hpp"
 #include "materials/base/text.hpp"
-#include "pipeline/case/laws.hpp"
 #include "pipeline/json/schema.hpp"
+#include "pipeline/json/schema_version.hpp"
 #include "pipeline/json/view.hpp"
 #include "pipeline/json/writer.hpp"
 #include "pipeline/sweep/spec/spec.hpp"
 #include "pipeline/sweep/spec/variable_reader.hpp"
+#include "solver/damping/damping.hpp"
 #include "solver/motion/impact.hpp"
 
 namespace ashimpact {
@@ -40,7 +41,8 @@ std::vector<LawChoice> read_laws(const View& impact) {
     return laws;
 }
 
-bool any_law(const SweepSpec& spec, bool (*predicate)(Law)) {
+template <class Predicate>
+bool any_law(const SweepSpec& spec, Predicate&& predicate) {
     return std::any_of(spec.laws.begin(), spec.laws.end(),
                        [&](const LawChoice& c) { return predicate(c.law); });
 }
@@ -51,12 +53,7 @@ void read_fixed(const View& impact, SweepSpec& spec) {
         const ImpactInput input = impact_input_named(key);
         const Dimension dimension = dimension_of(input, spec.damping_law);
         const double value = node.number(dimension);
-        node.located([&] {
-            if (may_be_zero(input))
-                require_not_negative(name_of(input), value, dimension);
-            else
-                require_positive(name_of(input), value, dimension);
-        });
+        node.located([&] { require_allowed(input, value, dimension); });
         spec.fixed[static_cast<std::size_t>(input)] = value;
     }
 }
@@ -98,12 +95,22 @@ void check_inputs(const View& document, SweepSpec& spec) {
         require_input(document, spec, ImpactInput::density, ", and so is \"mass\"");
     for (const ImpactInput input : {ImpactInput::radius, ImpactInput::contact_modulus, ImpactInput::velocity})
         require_input(document, spec, input);
-    const bool adhesive = any_law(spec, is_adhesive);
+    const bool adhesive = any_law(spec, [](Law law) { return law.uses_work_of_adhesion(); });
     const bool yielding = any_law(spec, yields);
     if (adhesive) require_input(document, spec, ImpactInput::work_of_adhesion);
     if (yielding) require_input(document, spec, ImpactInput::yield_pressure);
     warn_unused(spec, ImpactInput::work_of_adhesion, adhesive);
     warn_unused(spec, ImpactInput::yield_pressure, yielding);
+    for (const LawParameter& parameter : law_parameters())
+        warn_unused(spec, input_of(parameter), any_law(spec, [&](Law law) { return law.takes(parameter); }));
+    for (const LawChoice& choice : spec.laws) {
+        const auto fault = parameter_fault(
+            choice.law, [&](const LawParameter& parameter) { return is_given(spec, input_of(parameter)); });
+        if (fault)
+            document.at("impact").fail(
+                fault->problem() + ", here or in /variables, for law " + in_quotes(choice.law.name()),
+                fault->allowed());
+    }
 }
 
 std::uint64_t read_count(const View& node, double most) {
@@ -205,8 +212,11 @@ void check_sampling(const View& document, const SweepSpec& spec) {
         if (static_cast<double>(design.points()) > most_samples)
             throw InputError("too many points", "1e15 at most");
         if (design.points() < design.groups())
-            throw InputError("\"samples\" is less than the number of shifts",
-                             "a sample or more for each shift");
+            throw InputError(
+                "\"samples\" is " + std::to_string(design.points()),
+                spec.sampling.method == SamplingMethod::random
+                    ? "16 or more: errors are estimated by leaving out a sixteenth at a time"
+                    : std::to_string(design.groups()) + " or more, a sample for each of the \"shifts\"");
     });
 }
 
@@ -214,6 +224,7 @@ void check_sampling(const View& document, const SweepSpec& spec) {
 
 LoadedSpec read_sweep_spec(const std::string& text) {
     const Json json = without_comments(parse_json(text));
+    require_schema_version(json, false);
     validate_document(json, "sweep");
     const View document(json);
     SweepSpec spec;

@@ -153,8 +153,7 @@ void check_values(const View& node, const Distribution& distribution, ImpactInpu
     to_quantiles(distribution, values);
     if (const auto* choice = std::get_if<Choice>(&distribution)) values = choice->values;
     node.located([&] {
-        for (const double value : values)
-            if (value != 0 || !may_be_zero(input)) require_positive(name_of(input), value, dimension);
+        for (const double value : values) require_allowed(input, value, dimension);
     });
 }
 

@@ -4,6 +4,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/text.hpp"
+#include "pipeline/commands/contact_options.hpp"
 #include "solver/batch/impact_batch.hpp"
 
 namespace ashimpact {
@@ -11,6 +12,8 @@ namespace ashimpact {
 namespace {
 
 Impact impact_at(const ContactModel& model, const ImpactColumns& impacts, std::size_t i) {
+    ParameterValues<double> parameters;
+    for (const auto& [name, values] : impacts.parameters) parameters.set(name, values[i]);
     return {.law = model.law,
             .detachment = model.detachment,
             .damping = {model.damping_law, impacts.damping[i]},
@@ -18,7 +21,8 @@ Impact impact_at(const ContactModel& model, const ImpactColumns& impacts, std::s
                         .effective_radius = impacts.effective_radius[i],
                         .contact_modulus = impacts.contact_modulus[i],
                         .work_of_adhesion = impacts.work_of_adhesion[i],
-                        .yield_pressure = impacts.yield_pressure[i]},
+                        .yield_pressure = impacts.yield_pressure[i],
+                        .parameters = parameters},
             .velocity = impacts.velocity[i]};
 }
 
@@ -33,8 +37,12 @@ std::string command_of(const Impact& impact) {
     add("mass", impact.contact.mass);
     add("radius", impact.contact.effective_radius);
     add("contact-modulus", impact.contact.contact_modulus);
-    add("work-of-adhesion", impact.contact.work_of_adhesion);
+    if (impact.law.uses_work_of_adhesion()) add("work-of-adhesion", impact.contact.work_of_adhesion);
     if (impact.law == Law::of<ThorntonNing>()) add("yield-pressure", impact.contact.yield_pressure);
+    for (const LawParameter& parameter : impact.law.parameters()) {
+        if (!impact.contact.parameters.has(parameter)) continue;
+        command += " " + option_of(parameter) + " " + shortest(impact.contact.parameters[parameter]);
+    }
     add("damping", impact.damping.coefficient);
     add("velocity", impact.velocity);
     return command;
@@ -44,11 +52,13 @@ ImpactBatch batch_of(const ContactModel& model, const ImpactColumns& impacts) {
     const auto column = [](const std::vector<double>& values) {
         return Eigen::Map<const Eigen::ArrayXd>(values.data(), std::ssize(values));
     };
+    std::vector<ParameterColumn> parameters;
+    for (const auto& [name, values] : impacts.parameters) parameters.push_back({name, column(values)});
     return {model.law,
             model.detachment,
             model.damping_law,
             {column(impacts.mass), column(impacts.effective_radius), column(impacts.contact_modulus),
-             column(impacts.work_of_adhesion), column(impacts.yield_pressure)},
+             column(impacts.work_of_adhesion), column(impacts.yield_pressure), parameters},
             column(impacts.damping),
             column(impacts.velocity)};
 }

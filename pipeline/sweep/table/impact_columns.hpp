@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "solver/batch/method.hpp"
@@ -20,6 +22,7 @@ struct ImpactColumns {
     std::vector<double> yield_pressure;
     std::vector<double> damping;
     std::vector<double> velocity;
+    std::vector<std::pair<std::string_view, std::vector<double>>> parameters;  ///< of contact laws, by name
 };
 
 /// What is the same for all of them.

@@ -1,6 +1,10 @@
 #include "pipeline/sweep/table/outputs.hpp"
 
+#include <cmath>
+#include <variant>
+
 #include "materials/base/error.hpp"
+#include "materials/base/text.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/sweep/table/row_log.hpp"
 #include "pipeline/sweep/table/table_file.hpp"
@@ -36,6 +40,27 @@ void check_table(const SweepFiles& files, const SweepPlan& plan) {
         refuse(files.table, "is there already and is the table of another sweep", another);
 }
 
+/// Refuses a table that cannot have room, before anything is computed. Digits of numbers drawn at random do
+/// not shrink: 6.5 bytes are left of each. Everything else is taken to shrink to a hundredth of its 8 bytes.
+/// Until the table is written its rows stand beside it.
+void check_room(const SweepFiles& files, const SweepPlan& plan) {
+    double random = 0;
+    for (const SweepVariable& variable : plan.spec().variables)
+        random += std::holds_alternative<Choice>(variable.distribution) ? 0 : 1;
+    const auto columns = static_cast<double>(plan.table_columns().size());
+    const double row = 6.5 * random + 0.08 * (columns - random);
+    const double needed = 2 * row * static_cast<double>(plan.rows());
+    std::error_code failure;
+    const auto folder = std::filesystem::absolute(files.table, failure).parent_path();
+    const auto space = std::filesystem::space(folder, failure);
+    if (failure || needed <= static_cast<double>(space.available)) return;
+    const auto gigabytes = [](double bytes) { return shortest(std::round(bytes / 1e8) / 10) + " GB"; };
+    throw InputError("a table of " + std::to_string(plan.rows()) + " rows takes " + gigabytes(needed) +
+                         " or more, and " + gigabytes(static_cast<double>(space.available)) + " are free",
+                     "fewer samples, no \"table\", or a larger disk; -o")
+        .in_file(files.table.string());
+}
+
 /// Whether a file is there and does not begin as a sweep's own do.
 bool is_foreign(const std::filesystem::path& file, std::string_view mark) {
     constexpr std::size_t enough = 64;
@@ -53,6 +78,7 @@ void check_outputs(const SweepFiles& files, const std::filesystem::path& spec, c
         if ((with_table || file != files.table) && is_same_file(file, spec))
             refuse(file, "is the spec, which would be lost", another);
     if (with_table) check_table(files, plan);
+    if (with_table) check_room(files, plan);
     if (is_foreign(files.rows, row_log_mark))
         refuse(files.rows, "is there already and holds no rows of a sweep", another);
     if (is_foreign(files.checkpoint, checkpoint_mark))

@@ -1,13 +1,12 @@
 #include "pipeline/sweep/table/table_file.hpp"
 
-#include <hdf5.h>
-
 #include <array>
 #include <fstream>
 #include <set>
 
 #include "data/version.hpp"
 #include "materials/base/error.hpp"
+#include "pipeline/sweep/table/hdf5_file.hpp"
 #include "pipeline/sweep/table/row_log.hpp"
 #include "pipeline/sweep/table/rows.hpp"
 
@@ -15,65 +14,14 @@ namespace ashimpact {
 
 namespace {
 
+using hdf5::add_attribute;
+using hdf5::check;
+using hdf5::Handle;
+using hdf5::Hdf5Error;
+using hdf5::silence;
+using hdf5::timeless;
+
 constexpr auto spec_attribute = "spec_sha256";
-
-/// What HDF5 refuses to do; its own messages are long and go to standard error unless asked not to.
-class Hdf5Error : public std::runtime_error {
-  public:
-    explicit Hdf5Error(const char* what) : std::runtime_error(std::string("HDF5: ") + what + " failed") {}
-};
-
-void check(herr_t status, const char* what) {
-    if (status < 0) throw Hdf5Error(what);
-}
-
-/// An HDF5 identifier, closed in the end.
-class Handle {
-  public:
-    using Close = herr_t (*)(hid_t);
-
-    Handle(hid_t id, Close closer, const char* what) : id_(id), close_(closer) {
-        if (id < 0) throw Hdf5Error(what);
-    }
-    Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
-    Handle(const Handle&) = delete;
-    Handle& operator=(const Handle&) = delete;
-    Handle& operator=(Handle&&) = delete;
-    ~Handle() {
-        if (id_ >= 0) close_(id_);
-    }
-    [[nodiscard]] hid_t id() const { return id_; }
-    /// Closes it now and says whether all was written.
-    void close(const char* what) { check(close_(std::exchange(id_, -1)), what); }
-
-  private:
-    hid_t id_;
-    Close close_;
-};
-
-/// Before anything else is asked of HDF5. Its clean-up at exit writes what a full disk refused before, and
-/// crashes over it: whatever is to be written is closed here, so nothing is left for it to do.
-void silence() {
-    static const herr_t no_clean_up = H5dont_atexit();  // refused from the second time on
-    check(no_clean_up, "H5dont_atexit");
-    check(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr), "H5Eset_auto");
-}
-
-/// A property list without time stamps.
-Handle timeless(hid_t kind) {
-    Handle properties(H5Pcreate(kind), H5Pclose, "H5Pcreate");
-    check(H5Pset_obj_track_times(properties.id(), 0), "H5Pset_obj_track_times");
-    return properties;
-}
-
-void add_attribute(hid_t object, const char* name, const std::string& value) {
-    const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "H5Tcopy");
-    check(H5Tset_size(type.id(), value.size() + 1), "H5Tset_size");
-    const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "H5Screate");
-    const Handle attribute(H5Acreate2(object, name, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
-                           H5Aclose, "H5Acreate");
-    check(H5Awrite(attribute.id(), type.id(), value.c_str()), "H5Awrite");
-}
 
 std::string rows_text(const SweepPlan& plan) {
     if (!plan.with_sensitivity()) return "row n is point n";

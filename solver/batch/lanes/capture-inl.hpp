@@ -9,6 +9,8 @@
 #include "solver/batch/lanes/equation-inl.hpp"
 #include "solver/batch/lanes/number-inl.hpp"
 
+#include <limits>
+
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
 
@@ -70,10 +72,11 @@ class LaneCapture {
     }
 
   private:
-    /// Tsuji's damping from sqrt(5) on captures whatever touches at q = 0.
+    /// Some damping laws capture whatever touches at q = 0 from a limit on.
     [[nodiscard]] HWY_INLINE Mask overdamped() const {
-        if constexpr (F::damping != DampingLaw::tsuji) return none();
-        return both(places_.touch <= Lanes(0.0), equation_.damping * equation_.damping >= Lanes(5.0));
+        constexpr double limit = F::Damping::overdamped_squared;
+        if constexpr (limit == std::numeric_limits<double>::infinity()) return none();
+        return both(places_.touch <= Lanes(0.0), equation_.damping * equation_.damping >= Lanes(limit));
     }
 
     const Equation<F>& equation_;

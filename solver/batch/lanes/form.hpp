@@ -15,16 +15,16 @@ namespace ashimpact {
 /// y = v + beta g(q) is velocity plus the impulse damping has taken since q = 0 (Lienard's variable). In (q,
 /// y) no product of two unknowns is left, and each rate depends on one of the two through q alone: the
 /// leapfrog's form.
-template <template <class> class L, DampingLaw damping_law>
+template <template <class> class L, class DampingType>
 struct Form {
     template <class Real>
     using ContactLaw = L<Real>;
-    static constexpr DampingLaw damping = damping_law;
+    using Damping = DampingType;
 
   private:
     static constexpr L<Symbol> law{Symbol::monomial(0, 1)};
     static constexpr Symbol u = Symbol::monomial(1, 0);
-    static constexpr Symbol shape_of_u = damping_shape(damping_law, u);
+    static constexpr Symbol shape_of_u = Damping::shape(u);
 
   public:
     /// q = u^2, u = sqrt(contact radius).
@@ -50,14 +50,7 @@ struct Form {
 /// Calls @p call with the Form of a contact law and a damping law.
 template <template <class> class L, class Call>
 void with_form(DampingLaw damping_law, const Call& call) {
-    switch (damping_law) {
-        case DampingLaw::constant:
-            return call(Form<L, DampingLaw::constant>());
-        case DampingLaw::contact_radius:
-            return call(Form<L, DampingLaw::contact_radius>());
-        case DampingLaw::tsuji:
-            return call(Form<L, DampingLaw::tsuji>());
-    }
+    RegisteredDampings::visit<void>(damping_law, [&]<class Damping>() { call(Form<L, Damping>()); });
 }
 
 }  // namespace ashimpact

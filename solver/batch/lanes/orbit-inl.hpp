@@ -14,12 +14,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
 
-/// Follows the impacts of one register of lanes, each on its own; a lane that has ended is left as it is.
+/// Follows the impacts of one register of lanes independently. A lane that has ended does not change any
+/// more.
 template <class F>
 class LaneOrbit {
   public:
     static constexpr int sequences = 8;
-    static constexpr int late = 5;  ///< steps from which on creeping is asked for: rare, and never in a hurry
+    static constexpr int late = 5;  ///< creeping is tested only from this step on; it is rare and slow
 
     LaneOrbit() = default;
     /// @param to_turn whether to follow the impacts only to their turning points, for turning_point(); only
@@ -28,7 +29,7 @@ class LaneOrbit {
         : equation_(equation),
           places_(places_of(equation, detachment)),
           pilot_(inward_step(equation, places_)),
-          error_scale_(Lanes(F::damping == DampingLaw::tsuji ? 3.0 : 1.0) / places_.speed_squared),
+          error_scale_(Lanes(F::Damping::error_weight) / places_.speed_squared),
           to_turn_(to_turn),
           approaching_(every()),
           active_(every()) {

@@ -33,7 +33,7 @@ using PowerSet = std::uint64_t;
     return 0;
 }
 
-/// The set with x and with what it takes to get every member as a product of two lower ones.
+/// The set, completed so that every member but x is the product of two lower members.
 [[nodiscard]] constexpr PowerSet closed(PowerSet set) {
     set = (set | power_bit(1)) & ~power_bit(0);
     for (int power = highest(set); power > 1; --power) {

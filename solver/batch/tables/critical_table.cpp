@@ -15,11 +15,17 @@ constexpr int degree = 16;
 constexpr double tolerance = 1e-12;  ///< of ln(work/beta), in its last coefficients
 
 /// Any adhesive pair: the function sought does not depend on it.
-constexpr ContactPair sample_pair{
-    .mass = 1e-9, .effective_radius = 44e-6, .contact_modulus = 90e9, .work_of_adhesion = 0.3};
+ContactPair sample_pair(Law law) {
+    return {.mass = 1e-9,
+            .effective_radius = 44e-6,
+            .contact_modulus = 90e9,
+            .work_of_adhesion = 0.3,
+            .parameters = typical_parameters(law)};
+}
 
 Scale sample_scale(Law law) {
-    return Scale::of(sample_pair, velocity_of_adhesion(law, sample_pair));
+    const ContactPair pair = sample_pair(law);
+    return Scale::of(pair, velocity_of_adhesion(law, pair));
 }
 
 /// Sum of coefficients times Chebyshev polynomials at t in [-1, 1] (Clenshaw).
@@ -82,7 +88,7 @@ std::optional<CriticalTable::Entry> CriticalTable::at(double beta) {
 
 CriticalVelocity CriticalTable::solved(double beta) const {
     const double coefficient = sample_scale(law_).damping_coefficient(damping_law_, beta);
-    return critical_velocity({law_, detachment_, {damping_law_, coefficient}, sample_pair});
+    return critical_velocity({law_, detachment_, {damping_law_, coefficient}, sample_pair(law_)});
 }
 
 void CriticalTable::compute(double lower, double upper, bool may_halve, Piece& piece) const {

@@ -10,24 +10,24 @@
 
 namespace ashimpact::batch {
 
-/// The critical velocity of one law, detachment and damping law with adhesion, as a function of its only
-/// number: the damping number beta in the scale in which the adhesion number is 1 (velocity V_a). Tabulated
-/// is the work of damping at v_c over beta, by Chebyshev polynomials through backward integrations on octaves
-/// of beta, halved until the last coefficients are below 1e-12. A piece is computed when it is first asked
-/// for.
+/// The critical velocity of one law, detachment and damping law with adhesion. It depends on one number: the
+/// damping number beta in the scale in which the adhesion number is 1 (velocity V_a). The table holds the
+/// work of damping at v_c over beta as Chebyshev polynomials on octaves of beta, through backward
+/// integrations. Octaves are halved until the last coefficients are below 1e-12. A piece is computed when it
+/// is first needed.
 ///
-/// Relative error of v_c below 1e-10 (1e-12 as measured in the tests). Next to the damping from which
-/// everything is captured the table does not tell.
+/// The relative error of v_c is below 1e-10 (1e-12 as measured in the tests). The table has no value next to
+/// the damping from which on everything is captured.
 class CriticalTable {
   public:
-    /// The table of that combination, one a process; any thread may ask.
+    /// The table of that combination, one for the process. Thread-safe.
     [[nodiscard]] static CriticalTable& of(Law law, Detachment detachment, DampingLaw damping_law);
 
     struct Entry {
         CaptureVerdict verdict;
         double value;  ///< v_c/V_a, where finite
     };
-    /// At beta >= 0; none where the table does not tell.
+    /// The entry at beta >= 0; none where the table has no value.
     [[nodiscard]] std::optional<Entry> at(double beta);
 
   private:

@@ -21,15 +21,15 @@ struct RestitutionPolynomials {
     Coefficients contact_time;  ///< in units of the scale's time
 };
 
-/// A square of a table of impacts; computed once, and the same for ever after.
+/// A square of a table of impacts; computed once, then immutable.
 class RestitutionPiece {
   public:
     enum class State {
         unknown,
-        rebound,  ///< everywhere, and the polynomials tell it
-        capture,  ///< everywhere
+        rebound,  ///< every impact of the square rebounds, and the polynomials give its result
+        capture,  ///< every impact of the square is captured
         quartered,
-        untold,  ///< at the edge of capture
+        untold,  ///< undecided, at the edge of capture: integrate
     };
 
     /// The whole table: 0 <= x, y <= 1.

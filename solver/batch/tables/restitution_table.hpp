@@ -9,27 +9,27 @@
 
 namespace ashimpact::batch {
 
-/// The impacts of one law, detachment and damping law, all of them: scaled, they have but two numbers, the
-/// adhesion number A and the damping number beta. Tabulated are e^2 and the contact time by Chebyshev
-/// polynomials through impacts that the batch solver integrates, on squares of x = A/(1 + A) and
-/// y = beta/(1 + beta), quartered until the last coefficients are negligible. A square is computed when it
-/// is first asked for, and is the same whenever that is.
+/// All impacts of one law, detachment and damping law. Scaled, they differ in two numbers, the adhesion
+/// number A and the damping number beta. The table holds e^2 and the contact time as Chebyshev polynomials on
+/// squares of x = A/(1 + A) and y = beta/(1 + beta), through impacts that the batch solver integrates.
+/// Squares are quartered until the last coefficients are negligible. A square is computed when it is first
+/// needed; its values do not depend on when.
 ///
-/// More adhesion and more damping capture more, so that two opposite corners tell whether a square
-/// rebounds or is captured as a whole. Those that are still cut by the edge of capture at the last quartering
-/// are not told: there the impact has to be integrated. docs/decisions/0010-tables.md
+/// More adhesion and more damping capture more. So two opposite corners show whether a whole square rebounds
+/// or is captured. Squares that the edge of capture still cuts after the last quartering are undecided:
+/// integrate their impacts. docs/decisions/0010-tables.md
 class RestitutionTable {
   public:
     using State = RestitutionPiece::State;
 
-    /// The table of that combination for the present instruction set, one a process; any thread may ask.
+    /// The table of that combination for the present instruction set, one for the process. Thread-safe.
     [[nodiscard]] static RestitutionTable& of(Law law, Detachment detachment, DampingLaw damping_law);
 
     RestitutionTable(Kernels kernels, Detachment detachment, DampingLaw damping_law)
         : kernels_(kernels), detachment_(detachment), damping_law_(damping_law) {}
 
-    /// The piece of a place 0 <= x, y <= 1: it rebounds, is captured, or is untold; none for a place that is
-    /// not a number.
+    /// The piece that holds a place 0 <= x, y <= 1: its state is rebound, capture or untold. None if the
+    /// place is not a number.
     [[nodiscard]] const RestitutionPiece* at(double x, double y) {
         if (!(x + y <= 2.0)) return nullptr;
         const std::size_t place = index_of(x) * index_size + index_of(y);

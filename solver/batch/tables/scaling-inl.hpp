@@ -25,10 +25,14 @@ namespace ashimpact::HWY_NAMESPACE {
 
 [[nodiscard]] inline BasicContactPair<LaneNumber> read_pair(const batch::Inputs& in, std::size_t i,
                                                             std::size_t count) {
-    return {.mass = LaneNumber(read(in.mass, i, count)),
-            .effective_radius = LaneNumber(read(in.effective_radius, i, count)),
-            .contact_modulus = LaneNumber(read(in.contact_modulus, i, count)),
-            .work_of_adhesion = LaneNumber(read(in.work_of_adhesion, i, count))};
+    BasicContactPair<LaneNumber> pair{.mass = LaneNumber(read(in.mass, i, count)),
+                                      .effective_radius = LaneNumber(read(in.effective_radius, i, count)),
+                                      .contact_modulus = LaneNumber(read(in.contact_modulus, i, count)),
+                                      .work_of_adhesion = LaneNumber(read(in.work_of_adhesion, i, count))};
+    for (std::size_t k = 0; k < in.parameters.count; ++k)
+        pair.parameters.set(in.parameters.parameter[k]->name,
+                            LaneNumber(read(in.parameters.values[k], i, count)));
+    return pair;
 }
 
 /// The two numbers of a scaled impact, and its units.
@@ -46,7 +50,7 @@ template <class F>
     const auto scale = BasicScale<LaneNumber>::of(pair, LaneNumber(read(in.velocity, i, count)));
     ScaledLanes result;
     result.adhesion = F::template ContactLaw<LaneNumber>::adhesion_number(pair, scale.length).lanes();
-    result.damping = read(in.damping, i, count) / scale.damping_unit(F::damping).lanes();
+    result.damping = read(in.damping, i, count) / F::Damping::unit(scale).lanes();
     result.length = scale.length.lanes();
     result.time = scale.time().lanes();
     return result;

@@ -3,7 +3,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/text.hpp"
 #include "solver/gsl/distribution.hpp"
-#include "solver/uncertainty/likelihood/fitted_curve.hpp"
+#include "solver/uncertainty/likelihood/closest_curve.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,16 +14,37 @@ namespace ashimpact {
 
 namespace {
 
-/// -2 ln L + 2 p, corrected for few points; L as if all rebounds were as likely as those used.
-double corrected_akaike(const FittedCurve& curve) {
-    const auto n = static_cast<double>(curve.data.rebounds.size());
-    const auto used = static_cast<double>(curve.used);
-    const double p = static_cast<double>(curve.maximum.coefficients.size()) +
-                     (curve.goodness.scatter == 1.0 ? 0.0 : 1.0);  // the noise is a parameter, too
-    const double misfit = 2.0 * curve.maximum.value / used + 4.0 * std::log(curve.goodness.scatter);
-    const double correction =
-        n > p + 1.0 ? 2.0 * p * (p + 1.0) / (n - p - 1.0) : std::numeric_limits<double>::infinity();
-    return n * misfit + 2.0 * p + correction;
+constexpr double least_probability = 0.01;  ///< of the scatter, below which the noise is enlarged
+
+/// How well the rebounds are fitted, with the noise as given.
+struct Goodness {
+    double chi_squared;
+    int degrees_of_freedom;
+    double probability;
+    double scatter;
+};
+
+/// @param data with the noise as it was measured, or 1 m/s
+Goodness goodness_of(const ContactModel& model, const RestitutionData& data,
+                     const Eigen::VectorXd& coefficients, bool noise_known) {
+    constexpr double rounding = 1e-13;
+    const double effective = std::accumulate(data.weights.begin(), data.weights.end(), 0.0);
+    const int freedom =
+        std::max(0, static_cast<int>(std::lround(effective)) - static_cast<int>(coefficients.size()));
+    const double chi_squared = RestitutionDistances(model, data).rows(coefficients).residuals.squaredNorm();
+    const double probability = noise_known ? gsl::chi_squared_exceedance(chi_squared, freedom) : 1.0;
+    const bool enlarge = !noise_known || probability < least_probability;
+    const double scatter = enlarge && freedom > 0 ? std::sqrt(chi_squared / freedom) : 1.0;
+    return {chi_squared, freedom, probability, std::max(scatter, rounding)};
+}
+
+Interval curvature_interval(double value, double deviation, const Goodness& goodness) {
+    const bool estimated = goodness.scatter != 1.0;
+    const double quantile =
+        gsl::student_quantile(0.5 + 0.5 * confidence, estimated ? goodness.degrees_of_freedom : 0);
+    Interval interval{value, deviation, value - quantile * deviation, value + quantile * deviation};
+    if (*interval.lower <= 0.0) interval.lower = std::nullopt;
+    return interval;
 }
 
 double critical_velocity_at(const ContactModel& model, double damping) {
@@ -79,49 +100,34 @@ void add_range(DampingCurveFit& fit, const RestitutionData& data) {
     fit.extrapolation = fit.restitutions[0] / (fit.restitutions[1] - fit.restitutions[0]);
 }
 
-/// @param options the order becomes that of the fit
-FittedCurve fit_of_order(const ContactModel& model, const ReboundSelection& selection,
-                         DampingCurveOptions& options) {
-    constexpr int lowest = 2;
-    while (true) {
-        try {
-            return fit_curve(model, selection.data, options, selection.noise_known);
-        } catch (const ConvergenceError&) {
-            if (!options.lower_if_needed || options.order <= lowest) throw;
-            --options.order;
-        }
-    }
-}
-
 }  // namespace
 
 DampingCurveFit fit_damping_curve(const ContactModel& model, const MeasurementSet& set,
-                                  const DampingCurveOptions& wanted) {
+                                  const DampingCurveOptions& options) {
     validate(set);
     ReboundSelection selection = select_rebounds(model, set);
-    require_enough(selection, set, wanted.order);
-    if (wanted.captures) selection.data.captures = captures_of(set);
-    DampingCurveOptions options = wanted;
-    const FittedCurve curve = fit_of_order(model, selection, options);
-    const Goodness& goodness = curve.goodness;
+    require_enough(selection, set, options.order);
+    RestitutionData& data = selection.data;
+    Eigen::VectorXd near = closest(model, data, starting_coefficients(model, data, options.order));
+    if (options.robust) near = closest_robustly(model, data, near);
+    const Goodness goodness = goodness_of(model, data, near, selection.noise_known);
+    if (!(near[0] > 0.0)) throw ConvergenceError("the polynomial gives no positive damping at e = 0");
+    const RestitutionData enlarged = data.with_noise_scaled(goodness.scatter * goodness.scatter);
 
     DampingCurveFit fit{};
     fit.options = options;
-    fit.damping = {curve.maximum.coefficients};
-    fit.covariance = curve.maximum.covariance;
-    fit.interval_method = curve.profiled ? IntervalMethod::profile_likelihood : IntervalMethod::curvature;
-    fit.critical_damping = curve.critical_damping;
+    fit.damping = {near};
+    fit.covariance = covariance_from(RestitutionDistances(model, enlarged).rows(near).jacobian);
+    fit.critical_damping = curvature_interval(near[0], std::sqrt(fit.covariance(0, 0)), goodness);
     fit.critical_velocity = critical_velocity_of(model, fit.critical_damping);
     fit.excluded = selection.excluded;
-    fit.captures = curve.data.captures.size();
     fit.chi_squared = goodness.chi_squared;
     fit.degrees_of_freedom = goodness.degrees_of_freedom;
     fit.probability = goodness.probability;
     fit.scatter = goodness.scatter;
     fit.noise_known = selection.noise_known;
-    fit.akaike = corrected_akaike(curve);
-    add_rebounds(fit, model, curve.data, selection);
-    add_range(fit, curve.data);
+    add_rebounds(fit, model, enlarged, selection);
+    add_range(fit, enlarged);
     return fit;
 }
 
@@ -130,49 +136,6 @@ std::optional<std::string> enlargement_note(const DampingCurveFit& fit) {
     return "the rebounds scatter " + shortest(std::round(100.0 * fit.scatter) / 100.0) +
            " times their stated uncertainty about a damping of order " + std::to_string(fit.options.order) +
            " in the restitution: uncertainties are enlarged by that";
-}
-
-OrderComparison compare_orders(const ContactModel& model, const MeasurementSet& set,
-                               const std::vector<int>& orders, DampingCurveOptions options) {
-    OrderComparison result;
-    const auto miss = [&](int order, const std::string& reason) {
-        result.notes.push_back("no fit of order " + std::to_string(order) + ": " + reason);
-    };
-    double least = std::numeric_limits<double>::infinity();
-    for (const int order : orders) {
-        options.order = order;
-        try {
-            result.fits.push_back(fit_damping_curve(model, set, options));
-        } catch (const InputError& error) {
-            miss(order, error.problem());
-            continue;
-        } catch (const ConvergenceError& error) {
-            miss(order, error.what());
-            continue;
-        }
-        if (!(result.fits.back().akaike < least)) continue;
-        least = result.fits.back().akaike;
-        result.best = order;
-    }
-    return result;
-}
-
-FitComparison compare(const DampingCurveFit& extrapolated, const DampingCurveFit& direct) {
-    FitComparison result{};
-    result.critical_damping_ratio = direct.critical_damping.value / extrapolated.critical_damping.value;
-    result.critical_velocity_ratio = direct.critical_velocity.value / extrapolated.critical_velocity.value;
-    result.consistent = direct.critical_damping.contains(extrapolated.critical_damping.value);
-    result.exclude_one_another = disjoint(extrapolated.critical_damping, direct.critical_damping);
-    result.statement = "critical velocity of the direct fit over that of the extrapolated one: " +
-                       shortest(std::round(1e4 * result.critical_velocity_ratio) / 1e4);
-    if (result.consistent) {
-        result.statement += "; consistent: the extrapolated one lies within the direct 95 % interval";
-    } else {
-        const int order = extrapolated.options.order;
-        result.statement += "; they disagree: a damping of order " + std::to_string(order) +
-                            " in the restitution does not describe these impacts down to capture";
-    }
-    return result;
 }
 
 }  // namespace ashimpact

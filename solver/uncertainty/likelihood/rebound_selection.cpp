@@ -26,7 +26,7 @@ bool above_reach(const Measurement& point) {
 
 ReboundSelection select_rebounds(const ContactModel& model, const MeasurementSet& set) {
     ReboundSelection selection{
-        .data = {{}, {}, {}, 0.0}, .indices = {}, .excluded = {}, .noise_known = set.has_noise()};
+        .data = {{}, {}, 0.0}, .indices = {}, .excluded = {}, .noise_known = set.has_noise()};
     double greatest = 0.0;
     double fastest = 0.0;
     for (std::size_t i = 0; i < set.points.size(); ++i) {
@@ -80,49 +80,9 @@ Eigen::VectorXd starting_coefficients(const ContactModel& model, const Restituti
     throw ConvergenceError("no damping curve through the measurements could be started");
 }
 
-std::vector<CapturedImpact> captures_of(const MeasurementSet& set) {
-    std::vector<CapturedImpact> captures;
-    for (const Measurement& point : set.points) {
-        if (point.captured())
-            captures.push_back({point.velocity, point.noise ? std::sqrt(point.noise->incident) : 1.0});
-    }
-    return captures;
-}
-
-RestitutionData away_from_fastest(const RestitutionData& data) {
-    if (data.rebounds.size() <= few_rebounds) return data;
-    const auto [slowest, fastest] = std::minmax_element(
-        data.rebounds.begin(), data.rebounds.end(),
-        [](const Measurement& a, const Measurement& b) { return a.velocity < b.velocity; });
-    double variance = 0.0;
-    for (const Measurement& point : data.rebounds)
-        variance += point.noise->incident / static_cast<double>(data.rebounds.size());
-    // As many lie above a place well within as there is room for up to the end.
-    const double room = 6.0 * std::sqrt(variance);
-    const double place = fastest->velocity - room;
-    if (place - room < slowest->velocity) return data;
-    const auto faster_than = [&](double velocity) {
-        return static_cast<double>(
-            std::count_if(data.rebounds.begin(), data.rebounds.end(),
-                          [&](const auto& point) { return point.velocity > velocity; }));
-    };
-    const double above = faster_than(place);
-    const double below = faster_than(place - room) - above;
-    const double end = place + room * std::min(1.0, above / std::max(1.0, below));
-    RestitutionData result{{}, {}, data.captures, data.greatest_restitution};
-    for (std::size_t i = 0; i < data.rebounds.size(); ++i) {
-        const Measurement& point = data.rebounds[i];
-        if (point.velocity > end - 3.0 * std::sqrt(point.noise->incident)) continue;
-        result.rebounds.push_back(point);
-        result.weights.push_back(data.weights[i]);
-    }
-    return result;
-}
-
 RestitutionData RestitutionData::with_noise_scaled(double factor) const {
     RestitutionData result = *this;
     for (Measurement& point : result.rebounds) point.noise = point.noise->scaled(factor);
-    for (CapturedImpact& capture : result.captures) capture.standard_uncertainty *= std::sqrt(factor);
     return result;
 }
 

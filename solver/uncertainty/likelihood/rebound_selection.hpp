@@ -20,10 +20,6 @@ struct ExcludedRebound {
     Exclusion reason;
 };
 
-/// Rebounds up to which likelihoods are taken as they are: what is wrong by much less than their noise in
-/// each is not seen, and everything can be computed with all of them.
-inline constexpr std::size_t few_rebounds = 400;
-
 /// The rebounds of a set that a fit can use, and where they stand in it.
 struct ReboundSelection {
     RestitutionData data;  ///< without captures; noise that is not known is 1 m/s
@@ -41,14 +37,5 @@ void require_enough(const ReboundSelection& selection, const MeasurementSet& set
 /// lower order where that of @p order gives no curve. @throws ConvergenceError where none does
 [[nodiscard]] Eigen::VectorXd starting_coefficients(const ContactModel& model, const RestitutionData& data,
                                                     int order);
-
-/// Rebounds whose likelihood does not depend on where the velocities end that a laboratory aimed at: all true
-/// velocities are taken as equally likely, but close to the fastest none lie above. Of a few hundred that
-/// cannot be told from chance; of more, those within three standard uncertainties of that end are left out.
-/// A choice by v_in alone has no effect on what the others say.
-[[nodiscard]] RestitutionData away_from_fastest(const RestitutionData& data);
-
-/// The captures of a set; noise that is not known is 1 m/s.
-[[nodiscard]] std::vector<CapturedImpact> captures_of(const MeasurementSet& set);
 
 }  // namespace ashimpact

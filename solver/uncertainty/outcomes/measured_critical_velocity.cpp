@@ -2,6 +2,7 @@
 
 #include "solver/gsl/distribution.hpp"
 #include "solver/uncertainty/outcomes/capture_transition.hpp"
+#include "solver/uncertainty/outcomes/estimate_comparison.hpp"
 #include "solver/uncertainty/profile.hpp"
 
 #include <algorithm>
@@ -114,21 +115,8 @@ MeasuredCriticalVelocity measured_critical_velocity(const MeasurementSet& set) {
     return result;
 }
 
-std::string_view name_of(CriticalVelocityVerdict verdict) {
-    switch (verdict) {
-        case CriticalVelocityVerdict::agrees:
-            return "agrees";
-        case CriticalVelocityVerdict::model_too_low:
-            return "model-too-low";
-        case CriticalVelocityVerdict::model_too_high:
-            return "model-too-high";
-        case CriticalVelocityVerdict::not_comparable:
-            return "not-comparable";
-    }
-    return {};
-}
-
-CriticalVelocityCheck check(const Interval& model, const MeasuredCriticalVelocity& measured) {
+CriticalVelocityCheck check(const Interval& model, const MeasuredCriticalVelocity& measured,
+                            bool same_impacts) {
     if (!measured.value) {
         const bool low = measured.lower && model.upper && *model.upper < *measured.lower;
         const bool high = measured.upper && model.lower && *model.lower > *measured.upper;
@@ -136,7 +124,10 @@ CriticalVelocityCheck check(const Interval& model, const MeasuredCriticalVelocit
         if (high) return {CriticalVelocityVerdict::model_too_high, {}};
         return {CriticalVelocityVerdict::not_comparable, {}};
     }
-    const double joint = std::hypot(model.standard_uncertainty, *measured.standard_uncertainty);
+    const double own = measured.standard_uncertainty.value_or(0.0);
+    const double joint = same_impacts ? shared_difference(model.standard_uncertainty, own)
+                                      : std::hypot(model.standard_uncertainty, own);
+    if (!(joint > 0.0)) return {CriticalVelocityVerdict::not_comparable, {}};
     const double deviation = (model.value - *measured.value) / joint;
     const double limit = gsl::normal_quantile(0.5 + 0.5 * confidence);
     if (std::abs(deviation) <= limit) return {CriticalVelocityVerdict::agrees, deviation};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "materials/base/names.hpp"
 #include "solver/measurement/measurement.hpp"
 #include "solver/uncertainty/interval.hpp"
 
@@ -36,13 +37,19 @@ struct MeasuredCriticalVelocity {
 
 enum class CriticalVelocityVerdict { agrees, model_too_low, model_too_high, not_comparable };
 
-[[nodiscard]] std::string_view name_of(CriticalVelocityVerdict verdict);
+template <>
+struct Names<CriticalVelocityVerdict> {
+    static constexpr std::string_view kind = "verdict";
+    static constexpr std::array<std::string_view, 4> all{"agrees", "model-too-low", "model-too-high",
+                                                         "not-comparable"};
+};
 
 /// Whether a modelled v_c agrees with the measured one within their joint 95 % uncertainty.
 struct CriticalVelocityCheck {
     CriticalVelocityVerdict verdict;
     std::optional<double> deviation;  ///< model less measurement, in joint standard uncertainties
 };
-[[nodiscard]] CriticalVelocityCheck check(const Interval& model, const MeasuredCriticalVelocity& measured);
+[[nodiscard]] CriticalVelocityCheck check(const Interval& model, const MeasuredCriticalVelocity& measured,
+                                          bool same_impacts = false);
 
 }  // namespace ashimpact

@@ -48,34 +48,4 @@ void require_rebounds_above(const DampingCurveFit& fit, const MeasurementSet& se
         .in_file(set.source);
 }
 
-std::optional<std::string> spacing_note(const MeasurementSet& set) {
-    constexpr double apart = 2.0;     // standard uncertainties between neighbours of different steps
-    constexpr double evenness = 0.3;  // deviation of even steps over their mean
-    constexpr std::size_t fewest = 5;
-    if (!set.has_noise()) return std::nullopt;
-    std::vector<double> velocities;
-    double variance = 0.0;
-    for (const Measurement& point : set.points) {
-        velocities.push_back(point.velocity);
-        variance += point.noise->incident / static_cast<double>(set.points.size());
-    }
-    const double u = std::sqrt(variance);
-    std::sort(velocities.begin(), velocities.end());
-    std::vector<double> steps;
-    double begin = velocities.front();
-    for (std::size_t i = 1; i < velocities.size(); ++i) {
-        if (velocities[i] - velocities[i - 1] <= apart * u) continue;
-        steps.push_back(velocities[i] - begin);
-        begin = velocities[i];
-    }
-    if (steps.size() < fewest) return std::nullopt;
-    const Moments moments = Moments::of(steps);
-    if (std::sqrt(moments.variance()) > evenness * moments.mean) return std::nullopt;
-    return "the velocities stand in even steps of " + shortest(std::round(1e3 * moments.mean) / 1e3) +
-           " m/s, " + shortest(std::round(10.0 * moments.mean / u) / 10.0) +
-           " standard uncertainties: fits take all velocities as equally likely, and where a step lies at "
-           "v_c the "
-           "interval of the direct fit holds less often than stated";
-}
-
 }  // namespace ashimpact

@@ -2,9 +2,6 @@
 
 #include "solver/uncertainty/likelihood/damping_curve_fit.hpp"
 
-#include <optional>
-#include <string>
-
 namespace ashimpact {
 
 /// Checks a fitted v_c against the impacts it was fitted to: below v_c nothing rebounds.
@@ -13,10 +10,5 @@ namespace ashimpact {
 /// enlarged or estimated). The v_in of the slowest one is allowed the noise that the slowest of so many has.
 /// @throws InputError where v_c, less its uncertainty, lies above that
 void require_rebounds_above(const DampingCurveFit& fit, const MeasurementSet& set);
-
-/// That the velocities of a series stand in even steps wider than their noise, in words; none where they do
-/// not. The likelihood takes all velocities as equally likely, and a step at v_c then counts for more than it
-/// knows.
-[[nodiscard]] std::optional<std::string> spacing_note(const MeasurementSet& set);
 
 }  // namespace ashimpact

@@ -57,8 +57,7 @@ class Rereading {
   public:
     Rereading(const DampingCurveFit& fit, const ContactModel& model)
         : model_(model), order_(fit.damping.order()) {
-        // Where the curve was measured; captures measure its beginning.
-        const double lower = fit.captures > 0 ? 0.0 : fit.restitutions[0];
+        const double lower = fit.restitutions[0];  // where the curve was measured
         greatest_ = std::min(fit.restitutions[1], 0.99);
         const ChebyshevAxis axis{lower, greatest_, 3 * (order_ + 1)};
         Eigen::MatrixXd powers(axis.degree + 1, order_ + 1);

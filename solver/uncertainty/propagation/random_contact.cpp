@@ -52,6 +52,19 @@ double stable_poisson_ratio(double value) {
     return std::clamp(value, -0.99, 0.5);
 }
 
+/// The contact modulus that the next values give.
+void set_modulus(ContactPair& pair, SphereOnWall& sphere, Values& values) {
+    if (sphere.contact_modulus) {
+        pair.contact_modulus = values.next();
+        return;
+    }
+    ElasticBody particle{.young_modulus = 0.0, .poisson_ratio = stable_poisson_ratio(values.next())};
+    ElasticBody wall{.young_modulus = values.next(), .poisson_ratio = 0.0};
+    wall.poisson_ratio = stable_poisson_ratio(values.next());
+    particle.young_modulus = sphere.mixture ? mixed_modulus(*sphere.mixture, values) : values.next();
+    pair.contact_modulus = contact_modulus(particle, wall);
+}
+
 }  // namespace
 
 ContactPair RandomContact::nominal() const {
@@ -74,6 +87,7 @@ RandomContact random_contact(const SphereOnWall& sphere) {
         if (sphere.young_modulus) result.inputs.push_back(*sphere.young_modulus);
         if (sphere.mixture) add_mixture(result.inputs, sphere.mixture->composition);
     }
+    for (const auto& [parameter, input] : sphere.parameters) result.inputs.push_back(input);
     result.contact = [sphere = SphereOnWall(sphere)](std::span<const double> all) mutable {
         Values values(all);
         const double radius = 0.5 * values.next();
@@ -82,15 +96,9 @@ RandomContact random_contact(const SphereOnWall& sphere) {
                          .contact_modulus = 0.0,
                          .work_of_adhesion = values.next(),
                          .yield_pressure = sphere.yield_pressure};
-        if (sphere.contact_modulus) {
-            pair.contact_modulus = values.next();
-            return pair;
-        }
-        ElasticBody particle{.young_modulus = 0.0, .poisson_ratio = stable_poisson_ratio(values.next())};
-        ElasticBody wall{.young_modulus = values.next(), .poisson_ratio = 0.0};
-        wall.poisson_ratio = stable_poisson_ratio(values.next());
-        particle.young_modulus = sphere.mixture ? mixed_modulus(*sphere.mixture, values) : values.next();
-        pair.contact_modulus = contact_modulus(particle, wall);
+        set_modulus(pair, sphere, values);
+        for (const auto& [parameter, input] : sphere.parameters)
+            pair.parameters.set(parameter.name, values.next());
         return pair;
     };
     return result;

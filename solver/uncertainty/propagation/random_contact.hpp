@@ -6,8 +6,10 @@
 #include "solver/uncertainty/propagation/propagation.hpp"
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace ashimpact {
@@ -40,6 +42,7 @@ struct SphereOnWall {
     std::optional<RandomInput> young_modulus{};                       ///< of the particle [Pa], or
     std::optional<RandomInput> contact_modulus{};                     ///< E* itself [Pa]
     double yield_pressure = std::numeric_limits<double>::infinity();  ///< [Pa]
+    std::vector<std::pair<LawParameter, RandomInput>> parameters{};   ///< of laws that declare their own [SI]
 };
 
 /// The inputs of a sphere on a wall: first its diameter, density, w, and what its contact modulus comes from;

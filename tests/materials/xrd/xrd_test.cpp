@@ -35,7 +35,7 @@ double amorphous_of(const XrdSample& sample) {
 TEST_CASE("a complete BGMN list of six phases") {
     const XrdResult result = read("fa07-corundum.lst");
     CHECK(result.format == XrdFormat::bgmn_lst);
-    CHECK(xrd_format_name(result.format) == "BGMN/Profex .lst");
+    CHECK(name_of(result.format) == "BGMN/Profex .lst");
     REQUIRE(result.samples.size() == 1);
     const XrdSample& sample = result.samples[0];
     CHECK(sample.name == "FA-07_10pct-corundum");

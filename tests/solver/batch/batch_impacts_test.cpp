@@ -217,7 +217,7 @@ TEST_CASE("what is inadmissible is refused with the place of the first such impa
     impacts.velocity[4321] = -1.0;
     impacts.velocity[4500] = std::numeric_limits<double>::quiet_NaN();
     CHECK_THROWS_WITH_AS(static_cast<void>(solve_impacts(impacts.batch(), {.threads = 2})),
-                         "impact 4321: velocity is -1 m/s; allowed: a finite number > 0 m/s", InputError);
+                         "impact 4321: velocity is -1 m/s; allowed: a positive velocity [m/s]", InputError);
     impacts.velocity.conservativeResize(17);
     CHECK_THROWS_AS(static_cast<void>(solve_impacts(impacts.batch())), InputError);
     impacts = random_impacts(4, 1.0, 17).front();

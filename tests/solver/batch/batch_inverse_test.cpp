@@ -125,10 +125,10 @@ TEST_CASE("inverse problems: no bit depends on threads or order, and the first f
     Impacts impacts = random_impacts(10, 0.5, 35).front();
     impacts.mass[7] = 0.0;
     CHECK_THROWS_WITH_AS(static_cast<void>(critical_velocities(critical_batch(impacts))),
-                         "impact 7: mass is 0 kg; allowed: a finite number > 0 kg", InputError);
+                         "impact 7: mass is 0 kg; allowed: a positive mass [kg]", InputError);
     const Eigen::ArrayXd restitution = Eigen::ArrayXd::Constant(1, 0.5);
     CHECK_THROWS_WITH_AS(static_cast<void>(dampings_from_restitutions(damping_batch(impacts, restitution))),
-                         "impact 7: mass is 0 kg; allowed: a finite number > 0 kg", InputError);
+                         "impact 7: mass is 0 kg; allowed: a positive mass [kg]", InputError);
     impacts.effective_radius[4] = 1e-41;
     CHECK_THROWS_WITH_AS(static_cast<void>(critical_velocities(critical_batch(impacts))),
                          "impact 4: effective_radius is 1e-41 m; allowed: 1e-40 to 1e40 m", InputError);

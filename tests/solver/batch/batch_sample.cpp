@@ -1,6 +1,8 @@
 #include "tests/solver/batch/batch_sample.hpp"
 
+#include "solver/batch/kernel.hpp"
 #include "solver/motion/scale.hpp"
+#include "tests/support/contact_cases.hpp"
 
 #include <cmath>
 #include <cstring>
@@ -37,11 +39,35 @@ Impacts random_impacts(Law law, Detachment detachment, DampingLaw damping_law, E
         impacts.mass[i] = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * density;
         impacts.contact_modulus[i] = random.scale(3e10, 1.5e11);
         impacts.work_of_adhesion[i] = random.scale(0.01, 1.0);
+        for (const auto& [name, value] : parameters_like(impacts.work_of_adhesion[i])) {
+            Eigen::ArrayXd& column = impacts.parameters[name];
+            column.conservativeResize(count);
+            column[i] = value;
+        }
         impacts.velocity[i] = random.scale(0.01, 20.0);
         const Scale scale = Scale::of(impacts.at(i).contact, impacts.velocity[i]);
         impacts.damping[i] = scale.damping_coefficient(damping_law, random.uniform(0.0, most_damping));
     }
     return impacts;
+}
+
+std::vector<ParameterColumn> parameter_columns(const Impacts::Parameters& parameters) {
+    std::vector<ParameterColumn> columns;
+    for (const auto& [name, values] : parameters) columns.push_back({name, values});
+    return columns;
+}
+
+ParameterValues<double> parameters_at(const Impacts::Parameters& parameters, Eigen::Index i) {
+    ParameterValues<double> values;
+    for (const auto& [name, column] : parameters) values.set(name, column[i]);
+    return values;
+}
+
+Impacts::Parameters picked_parameters(const Impacts::Parameters& parameters,
+                                      const std::vector<Eigen::Index>& places) {
+    Impacts::Parameters picked;
+    for (const auto& [name, column] : parameters) picked[name] = column(places);
+    return picked;
 }
 
 bool same_bits(const Eigen::ArrayXd& a, const Eigen::ArrayXd& b) {
@@ -52,8 +78,13 @@ bool same_bits(const Eigen::ArrayXd& a, const Eigen::ArrayXd& b) {
 }  // namespace
 
 ImpactBatch Impacts::batch() const {
-    return {law,     detachment, damping_law, {mass, effective_radius, contact_modulus, work_of_adhesion},
-            damping, velocity};
+    return {law,
+            detachment,
+            damping_law,
+            {mass, effective_radius, contact_modulus, work_of_adhesion, never_yields,
+             parameter_columns(parameters)},
+            damping,
+            velocity};
 }
 
 Impact Impacts::at(Eigen::Index i) const {
@@ -63,7 +94,8 @@ Impact Impacts::at(Eigen::Index i) const {
             {.mass = mass[i],
              .effective_radius = effective_radius[i],
              .contact_modulus = contact_modulus[i],
-             .work_of_adhesion = work_of_adhesion[i]},
+             .work_of_adhesion = work_of_adhesion[i],
+             .parameters = parameters_at(parameters, i)},
             velocity[i]};
 }
 
@@ -75,6 +107,7 @@ Impacts Impacts::picked(const std::vector<Eigen::Index>& places) const {
             .effective_radius = effective_radius(places),
             .contact_modulus = contact_modulus(places),
             .work_of_adhesion = work_of_adhesion(places),
+            .parameters = picked_parameters(parameters, places),
             .damping = damping(places),
             .velocity = velocity(places)};
 }
@@ -82,7 +115,9 @@ Impacts Impacts::picked(const std::vector<Eigen::Index>& places) const {
 std::vector<Impacts> random_impacts(Eigen::Index count, double most_damping, std::uint64_t seed) {
     Random random(seed);
     std::vector<Impacts> sets;
-    for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()}) {
+    for (std::size_t i = 0; i < Law::count(); ++i) {
+        const Law law = Law::at(i);
+        if (!batch::has_kernels(law)) continue;
         for (const DetachmentName& detachment : detachment_names) {
             if (refusal(law, detachment.detachment)) continue;
             for (const DampingName& damping : damping_names) {

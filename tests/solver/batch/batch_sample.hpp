@@ -5,6 +5,8 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <map>
+#include <string_view>
 #include <vector>
 
 namespace ashimpact::test {
@@ -20,6 +22,8 @@ struct Impacts {
     Eigen::ArrayXd work_of_adhesion{};
     Eigen::ArrayXd damping{};
     Eigen::ArrayXd velocity{};
+    using Parameters = std::map<std::string_view, Eigen::ArrayXd>;
+    Parameters parameters{};  ///< of laws, by name
 
     [[nodiscard]] Eigen::Index size() const { return velocity.size(); }
     [[nodiscard]] ImpactBatch batch() const;

@@ -88,12 +88,13 @@ TEST_CASE("a number out of range is refused with its quantity, value, unit and w
     const auto velocity = [](Impact& impact, double value) { impact.velocity = value; };
     const auto damping = [](Impact& impact, double value) { impact.damping.coefficient = value; };
 
-    CHECK(refused(-1e-9, mass) == "mass is -1e-09 kg; allowed: a finite number > 0 kg");
-    CHECK(refused(0.0, radius) == "effective_radius is 0 m; allowed: a finite number > 0 m");
-    CHECK(refused(not_a_number, modulus) == "contact_modulus is nan Pa; allowed: a finite number > 0 Pa");
-    CHECK(refused(-0.3, adhesion) == "work_of_adhesion is -0.3 J/m2; allowed: a finite number >= 0 J/m2");
-    CHECK(refused(-2.0, velocity) == "velocity is -2 m/s; allowed: a finite number > 0 m/s");
-    CHECK(refused(-0.0153, damping) == "damping is -0.0153 kg/s; allowed: a finite number >= 0 kg/s");
+    CHECK(refused(-1e-9, mass) == "mass is -1e-09 kg; allowed: a positive mass [kg]");
+    CHECK(refused(0.0, radius) == "effective_radius is 0 m; allowed: a positive length [m]");
+    CHECK(refused(not_a_number, modulus) == "contact_modulus is nan Pa; allowed: a positive pressure [Pa]");
+    CHECK(refused(-0.3, adhesion) ==
+          "work_of_adhesion is -0.3 J/m2; allowed: a non-negative energy per area [J/m2]");
+    CHECK(refused(-2.0, velocity) == "velocity is -2 m/s; allowed: a positive velocity [m/s]");
+    CHECK(refused(-0.0153, damping) == "damping is -0.0153 kg/s; allowed: a non-negative damping [kg/s]");
     for (const double value : {0.0, -1.0, not_a_number, infinity}) {
         CAPTURE(value);
         CHECK(contains(refused(value, mass), "mass is "));
@@ -112,5 +113,5 @@ TEST_CASE("a damping out of range is named in the unit of its law") {
     Impact impact = ash_impact(Law::of<Hertz>(), Detachment::zero_overlap);
     impact.damping = {DampingLaw::contact_radius, -3.0};
     CHECK(input_error_of([&] { validate(impact); }) ==
-          "damping is -3 Pa s; allowed: a finite number >= 0 Pa s");
+          "damping is -3 Pa s; allowed: a non-negative viscosity [Pa s]");
 }

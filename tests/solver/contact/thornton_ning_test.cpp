@@ -446,7 +446,55 @@ TEST_CASE("where damping leaves hardly any speed, impacts still tell the upper c
 
 TEST_CASE("a yield pressure that is none is refused; the law admits pull-off and load-controlled ends") {
     CHECK(input_error_of([] { static_cast<void>(solve_impact(undamped(yielding_ash(0.3, 0.0), 2.0))); }) ==
-          "yield_pressure is 0 Pa; allowed: a finite number > 0 Pa");
+          "yield_pressure is 0 Pa; allowed: a positive pressure [Pa]");
     CHECK(admissible_detachments(Law::of<ThorntonNing>()) == "pull-off, load-controlled");
     CHECK(contains(refusal(Law::of<ThorntonNing>(), Detachment::zero_overlap).value(), "no such point"));
+}
+
+TEST_CASE("so damped that it creeps through its yield point, an impact ends at rest on the loading branch") {
+    for (const double damping : {0.05, 0.1595, 1.0, 100.0}) {
+        CAPTURE(damping);
+        const double radius = 12.57e-6;
+        const Impact impact{.law = Law::of<ThorntonNing>(),
+                            .detachment = Detachment::pull_off,
+                            .damping = {DampingLaw::constant, damping},
+                            .contact = {.mass = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * 784.0,
+                                        .effective_radius = radius,
+                                        .contact_modulus = 7.14e9,
+                                        .work_of_adhesion = 0.315,
+                                        .yield_pressure = 92.7e6},
+                            .velocity = 11.84};
+        const ImpactResult result = solve_impact(impact);
+        CHECK(result.outcome == Outcome::capture);
+        CHECK(result.yielded);
+        CHECK_FALSE(result.approach_time.has_value());
+        // The place of rest is that of statics: it does not depend on the damping.
+        CHECK(std::abs(result.maximum_overlap / 6.032e-9 - 1.0) < 1e-3);
+        CHECK(std::abs(result.energy.residual) <= 1e-12 * result.energy.incident);
+    }
+}
+
+TEST_CASE("a yield pressure far below what adhesion alone yields is refused with the limit, or its energy closes") {
+    int refused = 0;
+    for (const double pressure : {1e2, 1e4, 362548.64, 1e6, 1e8, 1e10}) {
+        CAPTURE(pressure);
+        const Impact impact{.law = Law::of<ThorntonNing>(),
+                            .detachment = Detachment::pull_off,
+                            .damping = {DampingLaw::constant, 0.0},
+                            .contact = {.mass = 3.5054099638796742e-18,
+                                        .effective_radius = 1.2863186468109448e-10,
+                                        .contact_modulus = 142931452779.51965,
+                                        .work_of_adhesion = 0.6442932735822301,
+                                        .yield_pressure = pressure},
+                            .velocity = 103624.64055734755};
+        try {
+            const ImpactResult result = solve_impact(impact);
+            CHECK(std::abs(result.energy.residual) <= 1e-9 * result.energy.incident);
+        } catch (const InputError& error) {
+            ++refused;
+            CHECK(error.problem().find("outside the range of the plastic closure") != std::string::npos);
+            CHECK(error.allowed().find(" Pa") != std::string::npos);
+        }
+    }
+    CHECK(refused > 0);
 }

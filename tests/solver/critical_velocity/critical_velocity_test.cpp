@@ -152,3 +152,30 @@ TEST_CASE("inadmissible problems are refused") {
     CHECK(contains(input_error_of([&] { static_cast<void>(critical_velocity(problem)); }),
                    "zero-force does not end a contact of law dmt"));
 }
+
+TEST_CASE("sjkr: attraction and overlap vanish together, so v_c is reached in infinite time, and to all digits") {
+    // Bisected between capture and rebound of an independent time-domain integration (DOP853, rtol 1e-13,
+    // tests/data/reference/impacts.py), to 7e-12 and 2e-9.
+    const struct {
+        double damping;
+        double value;
+        double accuracy;
+    } references[]{{0.0141, 0.86073302185687, 1e-11}, {0.002, 0.00340318197946675, 2e-9}};
+    const Law law = Law::of<Sjkr>();
+    for (const auto& reference : references) {
+        const CriticalVelocity critical = critical_velocity(
+            {law, law.default_detachment(), {DampingLaw::constant, reference.damping}, ash(0.3)});
+        REQUIRE(critical.value);
+        CHECK(relative_difference(*critical.value, reference.value) < reference.accuracy);
+        CHECK_FALSE(critical.contact_time);
+    }
+    for (const DampingName& damping : damping_names) {
+        const ContactCase c{law, damping.law, Detachment::zero_overlap};
+        const Impact impact = impact_of(c, ash(0.3), 0.3, 2.0);
+        const CriticalVelocity critical =
+            critical_velocity({law, impact.detachment, impact.damping, impact.contact});
+        CAPTURE(damping.name);
+        CHECK(critical.value);
+        CHECK_FALSE(critical.contact_time);
+    }
+}

@@ -12,7 +12,7 @@
 #include "solver/uncertainty/outcomes/measured_critical_velocity.hpp"
 #include "solver/uncertainty/outcomes/rebound_check.hpp"
 #include "tests/relative_difference.hpp"
-#include "tests/solver/uncertainty/coverage.hpp"
+#include "tests/solver/uncertainty/ash_laboratory.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/random.hpp"
 
@@ -230,22 +230,6 @@ TEST_CASE("damping that falls all along has one part, and none of no length") {
     CHECK(parts.parts[0] == DampingPart::falling);
     CHECK(parts.boundaries.empty());
     CHECK(parts.outliers.empty());  // nearly without scatter: the spline's own misfit is no outlier
-}
-
-TEST_CASE("velocities in even steps wider than their noise are told from random and from dense ones") {
-    Random random(5);
-    const auto series = [&](const auto& velocity) {
-        MeasurementSet set{.source = "lab", .points = {}};
-        for (int i = 0; i < 60; ++i)
-            set.points.push_back({.velocity = velocity(i) + random.normal(0.01),
-                                  .rebound = 0.3,
-                                  .noise = VelocityNoise::of_velocities(0.01, 0.01)});
-        return set;
-    };
-    CHECK(spacing_note(series([](int i) { return 1.0 + 0.1 * i; })));
-    CHECK(spacing_note(series([](int i) { return 1.0 + 0.1 * (i / 5); })));  // five impacts each
-    CHECK_FALSE(spacing_note(series([&](int) { return random.uniform(1.0, 7.0); })));
-    CHECK_FALSE(spacing_note(series([](int i) { return 1.0 + 0.005 * i; })));
 }
 
 TEST_CASE("outcomes whose noise reaches below zero give no measured v_c") {

@@ -10,7 +10,7 @@
 #include "solver/motion/velocity_scales.hpp"
 #include "solver/uncertainty/propagation/critical_velocity_uncertainty.hpp"
 #include "tests/relative_difference.hpp"
-#include "tests/solver/uncertainty/coverage.hpp"
+#include "tests/solver/uncertainty/ash_laboratory.hpp"
 #include "tests/support/errors.hpp"
 
 using namespace ashimpact;

@@ -1,0 +1,96 @@
+#!/usr/bin/env python3
+"""Compares what the code made of the impacts with expected.json. Usage: python3 compare.py [LOG]
+
+The log holds, for each run, a line "impact NUMBER RESOLUTION TIME_STEP" and rows "step position velocity".
+The contact ends where the sphere is back at the height at which it touched: read between the steps. A code
+with a finite time step is off by a series in that step; each restitution is extrapolated to step zero.
+Exit status 0: all agree, 1: some do not."""
+import json
+import sys
+
+
+def read_log(path):
+    """Yields (number, resolution, time step, rows) of each run."""
+    runs = []
+    with open(path, errors="replace") as log:
+        for line in log:
+            words = line.split()
+            if len(words) == 4 and words[0] == "impact" and words[1].isdigit():
+                runs.append((int(words[1]), int(words[2]), float(words[3]), []))
+            elif runs and len(words) == 3 and words[0].isdigit():
+                runs[-1][3].append((int(words[0]), float(words[1]), float(words[2])))
+    return runs
+
+
+def neville(times, values, time):
+    p = list(values)
+    for level in range(1, len(p)):
+        for i in range(len(p) - level):
+            p[i] += (time - times[i]) / (times[i + level] - times[i]) * (p[i + 1] - p[i])
+    return p[0]
+
+
+def end_of_contact(rows):
+    """Velocity with which the sphere is back at the height of first touch; None: it stays below."""
+    start = rows[0][1]
+    turned = next((i for i, row in enumerate(rows) if row[2] > 0), None)
+    end = None if turned is None else next((i for i in range(turned, len(rows)) if rows[i][1] >= start), None)
+    if end is None:
+        return None
+    inside = rows[max(0, end - 5):end]
+    times = [row[0] for row in inside]
+    heights = [row[1] - start for row in inside]
+    velocities = [row[2] for row in inside]
+    low, high = times[-1], rows[end][0] + (rows[end][0] - times[-1])
+    for _ in range(200):
+        middle = 0.5 * (low + high)
+        if neville(times, heights, middle) < 0:
+            low = middle
+        else:
+            high = middle
+    return neville(times, velocities, low)
+
+
+def at_step_zero(steps, values, powers):
+    """c0 of value(h) = c0 + c1 h^p1 + ... through all points."""
+    largest = max(steps)
+    rows = [[1.0] + [(h / largest) ** p for p in powers[:len(steps) - 1]] + [v] for h, v in zip(steps, values)]
+    size = len(rows)
+    for column in range(size):
+        pivot = max(range(column, size), key=lambda i: abs(rows[i][column]))
+        rows[column], rows[pivot] = rows[pivot], rows[column]
+        for i in range(size):
+            if i != column:
+                factor = rows[i][column] / rows[column][column]
+                rows[i] = [a - factor * b for a, b in zip(rows[i], rows[column])]
+    return rows[0][size] / rows[0][0]
+
+
+def main():
+    with open("expected.json") as file:
+        expected = json.load(file)
+    runs = read_log(sys.argv[1] if len(sys.argv) > 1 else expected["log"])
+    failures = 0
+    print("   d [um]     v [m/s]   outcome      e expected         e found   difference")
+    for number, impact in enumerate(expected["impacts"], 1):
+        mine = [run for run in runs if run[0] == number and run[3]]
+        velocity = impact["velocity"]["value"]
+        ends = [(run[2], end_of_contact(run[3])) for run in mine]
+        captured = [end is None for _, end in ends]
+        outcome = "none" if not ends else "capture" if all(captured) else "rebound" if not any(captured) else "both"
+        found = 0.0
+        if outcome == "rebound":
+            found = at_step_zero([h for h, _ in ends], [v / velocity for _, v in ends], expected["powers"])
+        difference = found - impact["restitution"]["value"]
+        agrees = outcome == impact["outcome"] and abs(difference) <= expected["tolerance"]
+        failures += not agrees
+        print("%9.4g %11.6g   %-8s %13.9f %15.9f   %10.1e%s"
+              % (1e6 * impact["diameter"]["value"], velocity, outcome, impact["restitution"]["value"], found,
+                 difference, "" if agrees else "   differs: expected " + impact["outcome"]))
+    print("%d of %d impacts agree within %g" % (len(expected["impacts"]) - failures, len(expected["impacts"]),
+                                                expected["tolerance"]))
+    return 1 if failures or not expected["impacts"] else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,41 @@
+/* Wall boundary of ash particles in Ansys Fluent: hook `ash_wall` as the DPM boundary function of a wall.
+ * Below the critical velocity of its size a particle stays on the wall, above it rebounds with the restitution of its
+ * size and normal velocity, both from the table of ash_table_data.h. The wall is at rest.
+ * Compiled and exercised against a stand-in for udf.h; not run in Fluent. */
+#include "udf.h"
+
+#include "ash_table.h"
+#include "ash_table_data.h"
+
+#define ASH_TANGENTIAL_LOSS 0.0 /* share of the tangential velocity that a rebound takes, 0 to 1 */
+
+DEFINE_DPM_BC(ash_wall, tp, t, f, f_normal, dim)
+{
+    double normal_velocity = 0.0, restitution = 0.0;
+    int i;
+
+    for (i = 0; i < dim; ++i) normal_velocity += TP_VEL(tp)[i] * f_normal[i];
+    if (normal_velocity <= 0.0) return PATH_ACTIVE; /* it flies away already */
+
+    switch (ash_restitution(&ash_table, TP_DIAM(tp), normal_velocity, &restitution)) {
+        case ash_found:
+            break;
+        case ash_diameter_outside:
+            Message("ash_wall: diameter %g m; the table holds %g to %g m: export one with --from-diameter and --to-diameter\n",
+                    TP_DIAM(tp), ash_table.diameter[0], ash_table.diameter[ash_table.sizes - 1]);
+            return PATH_ABORT;
+        case ash_velocity_outside:
+            Message("ash_wall: velocity %g m/s; the table holds %g to %g m/s: export one with --to-velocity\n",
+                    normal_velocity, ash_table.from_velocity, ash_table.to_velocity);
+            return PATH_ABORT;
+    }
+    if (restitution <= 0.0) return PATH_END; /* stays on the wall */
+
+    for (i = 0; i < dim; ++i) {
+        const double normal = normal_velocity * f_normal[i];
+        const double tangential = TP_VEL(tp)[i] - normal;
+        TP_VEL(tp)[i] = (1.0 - ASH_TANGENTIAL_LOSS) * tangential - restitution * normal;
+        TP_VEL0(tp)[i] = TP_VEL(tp)[i];
+    }
+    return PATH_ACTIVE;
+}

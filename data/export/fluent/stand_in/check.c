@@ -1,0 +1,29 @@
+/* Sends particles at ash_wall: reads "diameter velocity" a line, writes "diameter velocity restitution", with -1 for a
+ * particle that the function gave up. The wall stands aslant, and the particle slides along it as fast as it falls. */
+#include "udf.h"
+
+int ash_wall(Tracked_Particle* tp, Thread* t, face_t f, real f_normal[], int dim);
+
+int main(void)
+{
+    real normal[3] = {0.6, 0.0, 0.8}, along[3] = {0.8, 0.0, -0.6};
+    double diameter, velocity;
+    while (scanf("%lf %lf", &diameter, &velocity) == 2) {
+        Tracked_Particle particle;
+        Thread thread = {0};
+        double away = 0.0, slid = 0.0, e;
+        int i, fate;
+        particle.diameter = diameter;
+        for (i = 0; i < 3; ++i)
+            particle.velocity[i] = particle.velocity_before[i] = velocity * (normal[i] + along[i]);
+        fate = ash_wall(&particle, &thread, 0, normal, 3);
+        for (i = 0; i < 3; ++i) {
+            away -= particle.velocity_before[i] * normal[i];
+            slid += particle.velocity_before[i] * along[i];
+        }
+        e = fate == PATH_END ? 0.0 : away / velocity;
+        if (fate == PATH_ACTIVE && (slid / velocity - 1 > 1e-12 || 1 - slid / velocity > 1e-12)) fate = PATH_ABORT;
+        printf("%.17g %.17g %.17g\n", diameter, velocity, fate == PATH_ABORT ? -1.0 : e);
+    }
+    return 0;
+}

@@ -1,0 +1,56 @@
+#!/usr/bin/env python3
+"""Compares the parcels of check/ with expected.json: what the model recorded at the wall, and the velocity with which
+each parcel flies away in the end. Exit status 0: all agree, 1: some do not."""
+import csv
+import glob
+import json
+import os
+import re
+import sys
+
+FOLDER = os.path.dirname(os.path.abspath(__file__))
+
+
+def field(path):
+    """The list of a lagrangian field in ASCII, each entry a list of numbers."""
+    with open(path) as file:
+        text = file.read()
+    number = r"[-+0-9.eE]+"
+    uniform = re.search(r"\n(\d+)\{(.*?)\}", text)
+    if uniform:
+        return [[float(x) for x in re.findall(number, uniform.group(2))]] * int(uniform.group(1))
+    body = text[re.search(r"\n\d+\s*\n\(", text).end():text.rindex(")")]
+    return [[float(x) for x in re.findall(number, line)] for line in body.strip().splitlines()]
+
+
+def main():
+    with open(os.path.join(FOLDER, "expected.json")) as file:
+        expected = json.load(file)
+    records = []
+    for path in glob.glob(os.path.join(FOLDER, "check/postProcessing/ashImpact/kinematicCloud/impacts_*.csv")):
+        with open(path) as file:
+            records += list(csv.DictReader(file))
+    place = os.path.join(FOLDER, "check/0.001/lagrangian/kinematicCloud")
+    left = dict(zip([int(x[0]) for x in field(place + "/origId")],
+                    [abs(u[2]) for u in field(place + "/U")])) if os.path.isdir(place) else {}
+    tolerance = expected["tolerance"]
+    failures = 0
+    print("   d [um]     v [m/s]   outcome      e expected       e at wall   difference   e of flight")
+    for impact in expected["impacts"]:
+        d, v, e = (impact[key]["value"] for key in ("diameter", "velocity", "restitution"))
+        mine = [row for row in records if abs(float(row["diameter [m]"]) / d - 1) < 1e-9
+                and abs(float(row["velocity [m/s]"]) / v - 1) < 1e-6]
+        found = float(mine[0]["restitution [1]"]) if mine else float("nan")
+        flight = left.get(int(mine[0]["origId"]), float("nan")) / v if mine else float("nan")
+        agrees = (len(mine) == 1 and (found > 0) == (impact["outcome"] == "rebound") and abs(found - e) <= tolerance
+                  and abs(flight - found) <= 1e-9)
+        failures += not agrees
+        print("%9.4g %11.6g   %-8s %13.9f %15.9f   %10.1e %13.9f%s"
+              % (1e6 * d, v, impact["outcome"], e, found, found - e, flight, "" if agrees else "   differs"))
+    print("%d of %d parcels agree within %g" % (len(expected["impacts"]) - failures, len(expected["impacts"]),
+                                                tolerance))
+    return 1 if failures or not expected["impacts"] else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

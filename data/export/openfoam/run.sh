@@ -1,0 +1,12 @@
+#!/bin/sh
+# Builds src/libashImpact.so if it is not there, sends the parcels of expected.json at a wall, compares.
+set -e
+cd "$(dirname "$0")"
+export WM_PROJECT_DIR="${WM_PROJECT_DIR:-/usr/share/openfoam}"    # without it every program of Debian's package aborts
+[ -f src/libashImpact.so ] || sh src/build.sh
+cd check
+rm -rf 0.* postProcessing
+blockMesh >log.blockMesh 2>&1 || { tail -n 20 log.blockMesh >&2; exit 1; }
+icoUncoupledKinematicParcelFoam >log.parcels 2>&1 || { tail -n 20 log.parcels >&2; exit 1; }
+cd ..
+python3 compare.py

@@ -1,0 +1,329 @@
+#include "AshImpact.H"
+#include "IFstream.H"
+#include "OSspecific.H"
+#include "wallPolyPatch.H"
+
+template<class CloudType>
+void Foam::AshImpact<CloudType>::readTable(const fileName& file)
+{
+    IFstream stream(file);
+    if (!stream.good())
+    {
+        FatalErrorInFunction
+            << "Cannot read the table " << file << nl
+            << "It is the file ashTable of `ashimpact export openfoam`; copy it into constant/." << exit(FatalError);
+    }
+    const dictionary dict(stream);
+    dict.readEntry("diameter", diameter_);
+    dict.readEntry("startVelocity", startVelocity_);
+    dict.readEntry("slope", slope_);
+    dict.readEntry("restitution", restitution_);
+    table_.step = dict.get<scalar>("step");
+    table_.from_velocity = dict.get<scalar>("fromVelocity");
+    table_.to_velocity = dict.get<scalar>("toVelocity");
+    table_.captures = dict.get<bool>("captures");
+    table_.sizes = diameter_.size();
+    table_.nodes = dict.get<label>("nodes");
+    if
+    (
+        table_.sizes < 1 || table_.nodes < 2 || !(table_.step > 0)
+     || startVelocity_.size() != table_.sizes || slope_.size() != table_.sizes
+     || restitution_.size() != table_.sizes*table_.nodes
+    )
+    {
+        FatalErrorInFunction << "The lists of " << file << " do not fit one another" << exit(FatalError);
+    }
+    pointTable();
+}
+
+
+template<class CloudType>
+void Foam::AshImpact<CloudType>::openSolver(const fileName& file)
+{
+    #ifdef ASHIMPACT_C_INTERFACE
+    IFstream stream(file);
+    const dictionary dict(stream);
+    const word law(dict.get<word>("law"));
+    const word detachment(dict.get<word>("detachment"));
+    const word dampingLaw(dict.get<word>("dampingLaw"));
+    ashimpact_parameter ash[4];
+    ash[0].name = "density";
+    ash[0].value = dict.get<scalar>("density");
+    ash[1].name = "contact_modulus";
+    ash[1].value = dict.get<scalar>("contactModulus");
+    ash[2].name = "work_of_adhesion";
+    ash[2].value = dict.get<scalar>("workOfAdhesion");
+    ash[3].name = "damping";
+    ash[3].value = dict.get<scalar>("damping");
+    ashimpact_model* model = nullptr;
+    ashimpact_error error;
+    if
+    (
+        ashimpact_open(law.c_str(), detachment.c_str(), dampingLaw.c_str(), ash, 4, &model, &error) != ASHIMPACT_OK
+    )
+    {
+        FatalErrorInFunction << file << ": " << error.message << exit(FatalError);
+    }
+    model_ = std::shared_ptr<ashimpact_model>(model, ashimpact_close);
+    #else
+    FatalErrorInFunction
+        << "This library was built without ashimpact.h: `solver` is not available, the table is." << nl
+        << "Build it with `sh src/build.sh solver`." << exit(FatalError);
+    #endif
+}
+
+
+template<class CloudType>
+void Foam::AshImpact<CloudType>::pointTable()
+{
+    table_.diameter = diameter_.cdata();
+    table_.start_velocity = startVelocity_.cdata();
+    table_.slope = slope_.cdata();
+    table_.restitution = restitution_.cdata();
+}
+
+
+template<class CloudType>
+Foam::AshImpact<CloudType>::AshImpact(const dictionary& dict, CloudType& cloud)
+:
+    PatchInteractionModel<CloudType>(dict, cloud, typeName),
+    table_(),
+    mu_(this->coeffDict().template lookupOrDefault<scalar>("mu", 0)),
+    patches_(this->coeffDict().template lookupOrDefault<wordRes>("patches", wordRes(1, wordRe(".*", wordRe::REGEX)))),
+    remove_(this->coeffDict().template lookupOrDefault<bool>("remove", false)),
+    record_(recordNone),
+    nStuck_(cloud.mesh().boundaryMesh().nNonProcessor(), Zero),
+    massStuck_(nStuck_.size(), Zero),
+    nRebound_(nStuck_.size(), Zero),
+    massRebound_(nStuck_.size(), Zero)
+{
+    const word record(this->coeffDict().template lookupOrDefault<word>("record", "none"));
+    if (record == "stuck") record_ = recordStuck;
+    else if (record == "all") record_ = recordAll;
+    else if (record != "none")
+    {
+        FatalIOErrorInFunction(this->coeffDict())
+            << "record is " << record << "; allowed: none, stuck, all" << exit(FatalIOError);
+    }
+    if (!(mu_ >= 0 && mu_ <= 1))
+    {
+        FatalIOErrorInFunction(this->coeffDict()) << "mu is " << mu_ << "; allowed: 0 to 1" << exit(FatalIOError);
+    }
+    const Time& time = cloud.mesh().time();
+    const fileName folder(time.globalPath()/time.constant());
+    if (this->coeffDict().template lookupOrDefault<bool>("solver", false)) openSolver(folder/"ashSolver");
+    else readTable(folder/this->coeffDict().template lookupOrDefault<fileName>("table", "ashTable"));
+}
+
+
+template<class CloudType>
+Foam::AshImpact<CloudType>::AshImpact(const AshImpact<CloudType>& model)
+:
+    PatchInteractionModel<CloudType>(model),
+    diameter_(model.diameter_),
+    startVelocity_(model.startVelocity_),
+    slope_(model.slope_),
+    restitution_(model.restitution_),
+    table_(model.table_),
+    #ifdef ASHIMPACT_C_INTERFACE
+    model_(model.model_),
+    #endif
+    mu_(model.mu_),
+    patches_(model.patches_),
+    remove_(model.remove_),
+    record_(model.record_),
+    nStuck_(model.nStuck_),
+    massStuck_(model.massStuck_),
+    nRebound_(model.nRebound_),
+    massRebound_(model.massRebound_)
+{
+    pointTable();
+}
+
+
+template<class CloudType>
+Foam::volScalarField& Foam::AshImpact<CloudType>::stuck()
+{
+    if (!stuckPtr_.valid())
+    {
+        const fvMesh& mesh = this->owner().mesh();
+        stuckPtr_.reset
+        (
+            new volScalarField
+            (
+                IOobject
+                (
+                    this->owner().name() + ":ashStuck",
+                    mesh.time().timeName(),
+                    mesh,
+                    IOobject::READ_IF_PRESENT,
+                    IOobject::AUTO_WRITE
+                ),
+                mesh,
+                dimensionedScalar(dimMass, Zero)
+            )
+        );
+    }
+    return *stuckPtr_;
+}
+
+
+template<class CloudType>
+Foam::OFstream& Foam::AshImpact<CloudType>::recordFile()
+{
+    if (!recordPtr_.valid())
+    {
+        const Time& time = this->owner().mesh().time();
+        const fileName folder(time.globalPath()/"postProcessing"/"ashImpact"/this->owner().name());
+        mkDir(folder);
+        recordPtr_.reset
+        (
+            new OFstream(folder/("impacts_" + time.timeName() + "_" + Foam::name(Pstream::myProcNo()) + ".csv"))
+        );
+        recordPtr_->precision(17);
+        *recordPtr_
+            << "time [s],patch,face,x [m],y [m],z [m],diameter [m],velocity [m/s],tangential_velocity [m/s],"
+               "restitution [1],particles,origProc,origId" << endl;
+    }
+    return *recordPtr_;
+}
+
+
+template<class CloudType>
+Foam::scalar Foam::AshImpact<CloudType>::restitution(const scalar diameter, const scalar velocity) const
+{
+    double e = 0;
+    #ifdef ASHIMPACT_C_INTERFACE
+    if (model_)
+    {
+        ashimpact_error error;
+        if (ashimpact_restitution(model_.get(), diameter, velocity, &e, &error) != ASHIMPACT_OK)
+        {
+            FatalErrorInFunction << error.message << exit(FatalError);
+        }
+        return e;
+    }
+    #endif
+    switch (ash_restitution(&table_, diameter, velocity, &e))
+    {
+        case ash_found:
+            break;
+        case ash_diameter_outside:
+            FatalErrorInFunction
+                << "A parcel of " << diameter << " m hit a wall; the table holds " << diameter_.first() << " to "
+                << diameter_.last() << " m." << nl << "Export one with --from-diameter and --to-diameter."
+                << exit(FatalError);
+            break;
+        case ash_velocity_outside:
+            FatalErrorInFunction
+                << "A parcel hit a wall with " << velocity << " m/s; the table holds " << table_.from_velocity
+                << " to " << table_.to_velocity << " m/s." << nl << "Export one with --to-velocity."
+                << exit(FatalError);
+            break;
+    }
+    return e;
+}
+
+
+template<class CloudType>
+bool Foam::AshImpact<CloudType>::correct
+(
+    typename CloudType::parcelType& p,
+    const polyPatch& pp,
+    bool& keepParticle
+)
+{
+    if (!isA<wallPolyPatch>(pp) || !patches_.match(pp.name()))
+    {
+        return false;
+    }
+    keepParticle = true;
+    p.active(true);
+
+    vector nw;
+    vector Up;
+    this->owner().patchData(p, pp, nw, Up);
+    vector& U = p.U();
+    U -= Up;   // relative to the wall
+    const scalar Un = U & nw;
+    const vector Ut = U - Un*nw;
+    if (Un <= 0)
+    {
+        U += Up;
+        return true;
+    }
+
+    const scalar e = restitution(p.d(), Un);
+    const scalar mass = p.nParticle()*p.mass();
+    const label patchi = pp.index();
+    if (record_ == recordAll || (record_ == recordStuck && e <= 0))
+    {
+        const vector at(p.position());
+        recordFile()
+            << this->owner().mesh().time().value() << ',' << pp.name() << ',' << pp.whichFace(p.face()) << ','
+            << at.x() << ',' << at.y() << ',' << at.z() << ',' << p.d() << ',' << Un << ',' << mag(Ut) << ',' << e
+            << ',' << p.nParticle() << ',' << p.origProc() << ',' << p.origId() << nl;
+    }
+    if (e > 0)
+    {
+        U -= (1 + e)*Un*nw + mu_*Ut;
+        U += Up;
+        nRebound_[patchi]++;
+        massRebound_[patchi] += mass;
+    }
+    else
+    {
+        p.active(false);
+        U = Zero;
+        keepParticle = !remove_;
+        nStuck_[patchi]++;
+        massStuck_[patchi] += mass;
+        stuck().boundaryFieldRef()[patchi][pp.whichFace(p.face())] += mass;
+    }
+    return true;
+}
+
+
+template<class CloudType>
+void Foam::AshImpact<CloudType>::writeFileHeader(Ostream& os)
+{
+    PatchInteractionModel<CloudType>::writeFileHeader(os);
+    forAll(nStuck_, patchi)
+    {
+        const word& patchName = this->owner().mesh().boundary()[patchi].name();
+        this->writeTabbed(os, patchName + "_nStuck");
+        this->writeTabbed(os, patchName + "_massStuck");
+        this->writeTabbed(os, patchName + "_nRebound");
+        this->writeTabbed(os, patchName + "_massRebound");
+    }
+}
+
+
+template<class CloudType>
+void Foam::AshImpact<CloudType>::info(Ostream& os)
+{
+    PatchInteractionModel<CloudType>::info(os);
+    labelList nStuck(nStuck_);
+    scalarList massStuck(massStuck_);
+    labelList nRebound(nRebound_);
+    scalarList massRebound(massRebound_);
+    Pstream::listCombineGather(nStuck, plusEqOp<label>());
+    Pstream::listCombineGather(massStuck, plusEqOp<scalar>());
+    Pstream::listCombineGather(nRebound, plusEqOp<label>());
+    Pstream::listCombineGather(massRebound, plusEqOp<scalar>());
+    forAll(nStuck, patchi)
+    {
+        const polyPatch& pp = this->owner().mesh().boundaryMesh()[patchi];
+        if (isA<wallPolyPatch>(pp) && patches_.match(pp.name()))
+        {
+            os  << "    Ash on patch " << pp.name() << " (impacts, mass)" << nl
+                << "      - stuck                       = " << nStuck[patchi] << ", " << massStuck[patchi] << nl
+                << "      - rebounded                   = " << nRebound[patchi] << ", " << massRebound[patchi] << nl;
+        }
+        this->file()
+            << tab << nStuck[patchi] << tab << massStuck[patchi]
+            << tab << nRebound[patchi] << tab << massRebound[patchi];
+    }
+    this->file() << endl;
+    if (recordPtr_.valid()) recordPtr_->flush();
+}

@@ -1,0 +1,83 @@
+# Impacts of ash on a wall in YADE; rows for compare.py go to log.impacts.
+#   yade -n -x impacts.py          (or sh run.sh, which compares too)
+# YADE's wall counts as a mirror sphere: R* = R/2. Young's modulus 2 sqrt(2) E* with nu = 0 makes up for it, so that the
+# repulsion is (4/3) E* sqrt(R) overlap^(3/2).
+import json
+import math
+
+CONTACT_MODULUS, DENSITY, WORK_OF_ADHESION = @contact_modulus@, @density@, @work_of_adhesion@
+LAW, DAMPING_LAW = "@law@", "@damping_law@"
+COEFFICIENT, REFERENCE_DIAMETER, EXPONENT = @coefficient@, @diameter@, @exponent@
+RESTITUTION = @restitution@      # YADE's own `en`; None: the damping is that of ash_force()
+RESOLUTIONS = (500, 750, 1125, 1690, 2530)      # steps a contact
+
+
+def ash_force(body):
+    """What YADE does not have of the law: attraction and damping of a sphere in contact with the wall z = 0."""
+    radius = body.shape.radius
+    overlap = radius - body.state.pos[2]
+    if overlap < 0 or RESTITUTION is not None:
+        return
+    force = 0.0
+    if LAW == "dmt":
+        force = -2 * math.pi * WORK_OF_ADHESION * radius
+    elif LAW == "brach-dunn":
+        tension = (6 * WORK_OF_ADHESION ** 2 * radius * CONTACT_MODULUS / math.pi) ** (1 / 3)
+        force = -2 * math.pi * tension * math.sqrt(radius * overlap)
+    damping = COEFFICIENT * (2 * radius / REFERENCE_DIAMETER) ** EXPONENT
+    if DAMPING_LAW == "contact-radius":
+        damping *= math.sqrt(radius * overlap)
+    elif DAMPING_LAW == "tsuji":
+        damping *= math.sqrt(body.state.mass * 4 / 3 * CONTACT_MODULUS * math.sqrt(radius)) * overlap ** 0.25
+    O.forces.addF(body.id, Vector3(0, 0, force - damping * body.state.vel[2]))
+
+
+def ash_forces():
+    """For every sphere: what a PyRunner of your own scene calls."""
+    for body in O.bodies:
+        if isinstance(body.shape, Sphere):
+            ash_force(body)
+
+
+def ash_material():
+    return FrictMat(young=2 * math.sqrt(2) * CONTACT_MODULUS, poisson=0, density=DENSITY, frictionAngle=0)
+
+
+def ash_engines():
+    properties = {} if RESTITUTION is None else {"en": RESTITUTION, "es": RESTITUTION}
+    return [ForceResetter(), InsertionSortCollider([Bo1_Sphere_Aabb(), Bo1_Wall_Aabb()]),
+            InteractionLoop([Ig2_Wall_Sphere_ScGeom()], [Ip2_FrictMat_FrictMat_MindlinPhys(**properties)],
+                            [Law2_ScGeom_MindlinPhys_Mindlin()]),
+            PyRunner(command="ash_forces()", iterPeriod=1), NewtonIntegrator(damping=0, gravity=(0, 0, 0))]
+
+
+def impact(log, number, diameter, velocity, contact_time, captured):
+    for resolution in RESOLUTIONS:
+        O.reset()
+        O.materials.append(ash_material())
+        O.bodies.append(wall(0, axis=2))
+        O.bodies.append(sphere((0, 0, diameter / 2), diameter / 2))
+        O.bodies[1].state.vel = Vector3(0, 0, -velocity)
+        O.engines = ash_engines()
+        O.dt = contact_time / (resolution - 0.5)
+        log.write("impact %d %d %.17g\n" % (number, resolution, O.dt))
+        every = 50 if captured else 1
+        steps = 12 * resolution if captured else 4 * resolution
+        for step in range(0, steps + 1, every):
+            state = O.bodies[1].state
+            log.write("%d %.17g %.17g\n" % (step, state.pos[2] - diameter / 2, state.vel[2]))
+            if state.vel[2] > 0 and state.pos[2] > diameter / 2 and not captured:
+                break       # it has left
+            O.run(every, True)
+
+
+with open("expected.json") as file:
+    expected = json.load(file)
+with open("log.impacts", "w") as log:
+    for number, one in enumerate(expected["impacts"], 1):
+        captured = one["outcome"] == "capture"
+        diameter, velocity = one["diameter"]["value"], one["velocity"]["value"]
+        mass = DENSITY * math.pi / 6 * diameter ** 3
+        stiffness = 4 / 3 * CONTACT_MODULUS * math.sqrt(diameter / 2)
+        hertz = 3.21806546 * (mass ** 2 / (stiffness ** 2 * velocity)) ** 0.2
+        impact(log, number, diameter, velocity, hertz if captured else one["contact_time"]["value"], captured)

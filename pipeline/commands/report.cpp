@@ -1,0 +1,81 @@
+#include "pipeline/commands/report.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <ostream>
+
+#include "materials/base/error.hpp"
+#include "materials/base/text.hpp"
+#include "pipeline/files/file.hpp"
+#include "pipeline/report/figure_file.hpp"
+#include "pipeline/report/figures/figures.hpp"
+#include "pipeline/report/page/run_page.hpp"
+#include "pipeline/report/report.hpp"
+#include "pipeline/run.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+/// A run from its folder.
+report::RunData loaded(const std::filesystem::path& folder, const std::string& label) {
+    if (!std::filesystem::is_directory(folder))
+        throw InputError("is no folder", "the folder of a run").in_file(folder.string());
+    return {load_artifacts(folder, report::report_artifacts()), label};
+}
+
+/// The artifacts of one run from files of it, completed from the folder of the first; a folder stands for its
+/// files.
+Artifacts gathered(const std::vector<std::string>& given) {
+    const std::filesystem::path first(given.front());
+    const auto folder = std::filesystem::is_directory(first) ? first : first.parent_path();
+    Artifacts artifacts;
+    for (const std::string_view file : report::report_artifacts()) {
+        auto from = folder;
+        for (const std::string& name : given)
+            if (std::filesystem::path(name).filename() == file)
+                from = std::filesystem::path(name).parent_path();
+        artifacts.add(load_artifacts(from, {file}).at(file));
+    }
+    for (const std::string& name : given) {
+        bool known = std::filesystem::is_directory(name);
+        for (const std::string_view file : report::report_artifacts())
+            known = known || std::filesystem::path(name).filename() == file;
+        std::vector<std::string> allowed(report::report_artifacts().begin(),
+                                         report::report_artifacts().end());
+        if (!known)
+            throw InputError("is no artifact of a run", "the folder of a run, or " + joined(allowed))
+                .in_file(name);
+    }
+    return artifacts;
+}
+
+}  // namespace
+
+void run_report_command(const ReportOptions& options, std::ostream& out) {
+    std::filesystem::path output = options.output;
+    if (output.empty() && options.runs.size() > 1)
+        throw InputError("is missing; several runs have no folder in common for their report", "-o FILE.html")
+            .at("-o");
+    if (output.empty()) output = std::filesystem::path(options.runs.front()) / report::report_file;
+    std::vector<report::RunData> runs;
+    for (const std::string& folder : options.runs)
+        runs.push_back(loaded(folder, options.runs.size() > 1 ? folder : ""));
+    write_file(output, report::run_page(runs));
+    out << output.string() << '\n';
+}
+
+void run_figure_command(const FigureOptions& options, std::ostream& out) {
+    const report::FigureFormat format = report::format_of(options.output);
+    const report::RunData run(gathered(options.artifacts), "");
+    const report::Figure figure = report::figure_named(options.name, run);
+    if (figure.panels.empty())
+        throw InputError("has nothing to show in this run: " + figure.caption, "another figure")
+            .at(options.name);
+    const report::Width width = options.width == "single" ? report::Width::narrow : report::Width::wide;
+    write_file(options.output, report::figure_bytes(figure, width, format));
+    out << options.output << '\n';
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,212 @@
+#include "pipeline/export/dem.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "pipeline/case/laws.hpp"
+#include "pipeline/export/expected.hpp"
+#include "pipeline/text/readable.hpp"
+#include "solver/contact/pair.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+constexpr double captured_horizon = 12;  // Hertz contacts after which a captured sphere is still there
+constexpr double rebound_horizon = 4;    // contacts: near v_c a finite time step makes the contact longer
+constexpr int captured_every = 50;       // steps between two rows of output; a rebound needs every step
+constexpr double cloud_steps = 200;      // of the shortest contact
+constexpr double cloud_horizon = 6;      // of the longest contact
+
+bool is(const ExportSubject& subject, std::string_view law) {
+    return subject.law.name() == law;
+}
+
+/// Contact time of an elastic Hertz impact [s]: 3.218 (m^2/(k^2 v))^(1/5); Johnson 1985, section 11.4.
+double hertz_time(const ExportSubject& subject, double diameter, double velocity) {
+    const ContactPair contact = contact_at(subject, diameter);
+    const double k = hertz_stiffness(contact);
+    return 3.21806546 * std::pow(contact.mass * contact.mass / (k * k * velocity), 0.2);
+}
+
+/// Damping coefficient at the velocity v_ash_impact, a sum of ramps through the nodes, cut into lines.
+std::string velocity_curve(const std::vector<DampingNode>& nodes) {
+    constexpr std::size_t ramps_a_line = 6;
+    std::string lines;
+    std::string sum = exact(nodes.front().coefficient);
+    double slope_before = 0;
+    std::size_t part = 0;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const bool last = i + 1 == nodes.size();
+        const double slope = last ? 0
+                                  : (nodes[i + 1].coefficient - nodes[i].coefficient) /
+                                        (nodes[i + 1].velocity - nodes[i].velocity);
+        sum += fmt::format(" + ({})*(v_ash_impact>{})*(v_ash_impact-{})", exact(slope - slope_before),
+                           exact(nodes[i].velocity), exact(nodes[i].velocity));
+        slope_before = slope;
+        if ((i + 1) % ramps_a_line == 0 || last) {
+            lines += fmt::format("variable         ash_curve{} atom \"{}\"\n", part, sum);
+            sum = fmt::format("v_ash_curve{}", part++);
+        }
+    }
+    return lines + fmt::format("variable         ash_curve atom \"{}\"\n", sum);
+}
+
+/// Remembers the velocity of approach of each particle for as long as its contact lasts.
+std::string impact_memory() {
+    return "variable         ash_impact atom \"-vz\"\n"
+           "run              0\n"
+           "fix              ash_memory all store/state 1 v_ash_impact\n"
+           "variable         ash_impact atom \"(v_ash_overlap<=0)*(-vz) + "
+           "(v_ash_overlap>0)*f_ash_memory\"\n";
+}
+
+std::string damping_variable(const ExportSubject& subject) {
+    const SizedDamping& damping = subject.damping;
+    std::string lines;
+    std::string formula = exact(damping.nodes.front().coefficient);
+    if (damping.depends_on_velocity()) {
+        lines = impact_memory() + velocity_curve(damping.nodes);
+        formula = "v_ash_curve";
+    }
+    if (damping.exponent != 0)
+        formula += fmt::format("*(2*c_ash_radius/{})^({})", exact(damping.reference_diameter),
+                               exact(damping.exponent));
+    if (damping.law == DampingLaw::contact_radius) formula += "*sqrt(c_ash_radius*v_ash_depth)";
+    if (damping.law == DampingLaw::tsuji)
+        formula += fmt::format("*sqrt(mass*{}*sqrt(c_ash_radius))*sqrt(sqrt(v_ash_depth))",
+                               exact(4.0 / 3.0 * subject.contact.contact_modulus));
+    return lines + fmt::format("variable         ash_damping atom \"{}\"\n", formula);
+}
+
+/// Attraction on a sphere in contact, positive [N].
+std::string attraction_formula(const ExportSubject& subject) {
+    const double w = subject.contact.work_of_adhesion;
+    if (is(subject, "dmt")) return fmt::format("2*PI*{}*c_ash_radius", exact(w));
+    const double cube =
+        6 * w * w * subject.contact.contact_modulus;  // 2 pi f sqrt(R delta), f^3 = 6 w^2 R E*/pi
+    return fmt::format("2*PI*({}*c_ash_radius/PI)^(1/3)*sqrt(c_ash_radius*v_ash_depth)", exact(cube));
+}
+
+template <class Value>
+std::string list_of(const std::vector<ExpectedImpact>& impacts, std::string_view name, Value&& value) {
+    std::string line = fmt::format("variable         {} index", name);
+    for (const ExpectedImpact& impact : impacts) line += " " + value(impact);
+    return line + "\n";
+}
+
+}  // namespace
+
+std::optional<std::string> added_forces_refusal(const ExportSubject& subject) {
+    if (!is(subject, "hertz") && !is(subject, "dmt") && !is(subject, "brach-dunn"))
+        return fmt::format("its walls know no {}", subject.law.name());
+    const bool zero_force = subject.detachment == Detachment::zero_force;
+    if (subject.detachment != Detachment::zero_overlap && !zero_force)
+        return fmt::format("its walls let go at zero overlap, not at {}", name_of(subject.detachment));
+    const SizedDamping& damping = subject.damping;
+    const bool known = damping.law == DampingLaw::constant || damping.law == DampingLaw::contact_radius ||
+                       damping.law == DampingLaw::tsuji;
+    if (!known) return fmt::format("it has no damping law {}", name_of(damping.law));
+    if (zero_force && !damping.is_zero())
+        return "its walls do not let go where the force of contact and damping is zero; zero-overlap does it";
+    return std::nullopt;
+}
+
+std::string added_forces(const ExportSubject& subject, bool attraction, bool damping) {
+    if (!attraction && !damping) return "";
+    std::string lines =
+        "compute          ash_radius all property/atom radius\n"
+        "variable         ash_overlap atom \"c_ash_radius - z + v_ash_wall_z\"\n"
+        "variable         ash_depth atom \"v_ash_overlap*(v_ash_overlap>0)\"\n";
+    std::string force;
+    if (damping) {
+        lines += damping_variable(subject);
+        force = "-v_ash_damping*vz";
+    }
+    if (attraction) {
+        lines += fmt::format("variable         ash_attraction atom \"{}\"\n", attraction_formula(subject));
+        force += (force.empty() ? "-" : " - ") + std::string("v_ash_attraction");
+    }
+    return lines + fmt::format("variable         ash_force atom \"(v_ash_overlap>=0)*({})\"\n", force) +
+           "fix              ash_force all addforce 0 0 v_ash_force\n";
+}
+
+std::vector<std::string> added_force_conversions(const ExportSubject& subject, bool attraction,
+                                                 bool damping) {
+    std::vector<std::string> lines;
+    if (attraction)
+        lines.emplace_back(
+            is(subject, "dmt")
+                ? "attraction 2 pi w R* while in contact, by `fix addforce`"
+                : "attraction 2 pi f sqrt(R* overlap), f = (6 w^2 R* E*/pi)^(1/3), by `fix addforce`");
+    if (damping)
+        lines.emplace_back("damping force -eta v on the normal velocity while in contact, by `fix addforce`");
+    if (damping && subject.damping.depends_on_velocity())
+        lines.emplace_back(
+            "eta follows the velocity of approach, which `fix store/state` keeps for as long as the contact "
+            "lasts");
+    return lines;
+}
+
+ExportFile impact_variables(const ExportSubject& subject) {
+    const auto impacts = expected_impacts(subject);
+    const auto is_capture = [](const ExpectedImpact& each) { return each.outcome == Outcome::capture; };
+    std::size_t number = 0;
+    std::string text = "# The impacts of expected.json; SI units.\n";
+    text += list_of(impacts, "number", [&](const ExpectedImpact&) { return std::to_string(++number); });
+    text += list_of(impacts, "diameter", [](const ExpectedImpact& each) { return exact(each.diameter); });
+    text += list_of(impacts, "mass", [&](const ExpectedImpact& each) {
+        return exact(contact_at(subject, each.diameter).mass);
+    });
+    text += list_of(impacts, "velocity", [](const ExpectedImpact& each) { return exact(each.velocity); });
+    text += list_of(impacts, "contact_time", [&](const ExpectedImpact& each) {
+        return exact(each.contact_time.value_or(hertz_time(subject, each.diameter, each.velocity)));
+    });
+    text += list_of(impacts, "horizon", [&](const ExpectedImpact& each) {
+        return exact(is_capture(each) ? captured_horizon : rebound_horizon);
+    });
+    text += list_of(impacts, "every", [&](const ExpectedImpact& each) {
+        return std::to_string(is_capture(each) ? captured_every : 1);
+    });
+    text +=
+        list_of(impacts, "ash_wall_z", [](const ExpectedImpact& each) { return exact(-each.diameter / 2); });
+    return {"impacts.in", text};
+}
+
+TemplateValues dem_values(const ExportSubject& subject) {
+    double fastest = 0;
+    double shortest_contact = std::numeric_limits<double>::infinity();
+    double longest_contact = 0;
+    for (const ExpectedImpact& each : expected_impacts(subject)) {
+        fastest = std::max(fastest, each.velocity);
+        shortest_contact = std::min(shortest_contact, each.contact_time.value_or(shortest_contact));
+        longest_contact = std::max({longest_contact, each.contact_time.value_or(0),
+                                    hertz_time(subject, each.diameter, each.velocity)});
+    }
+    if (!std::isfinite(shortest_contact)) shortest_contact = longest_contact;
+    TemplateValues values = common_values(subject);
+    const double size = subject.to_diameter;
+    values.merge(TemplateValues{{"box", exact(5 * size)},
+                                {"skin", exact(0.05 * subject.from_diameter)},
+                                {"shortest", readable(shortest_contact, "s")},
+                                {"fastest", exact(fastest)},
+                                {"time_step", exact(shortest_contact / cloud_steps)},
+                                {"steps", fmt::format("{:.0f}", std::ceil(cloud_horizon * longest_contact /
+                                                                          shortest_contact * cloud_steps))},
+                                {"cloud_box", exact(100 * size)},
+                                {"cloud_top", exact(1000 * size)},
+                                {"young_modulus", exact(2 * subject.contact.contact_modulus)},
+                                {"stiffness", exact(4.0 / 3.0 * subject.contact.contact_modulus)}});
+    return values;
+}
+
+ExportFile dem_expected(const ExportSubject& subject, std::string_view code, std::string_view log,
+                        double tolerance) {
+    const Json powers = subject.damping.is_zero() ? Json{2, 2.5, 3.5, 4} : Json{1, 2, 2.5, 3};
+    return expected_json(subject, code, {{"log", log}, {"powers", powers}, {"tolerance", tolerance}});
+}
+
+}  // namespace ashimpact

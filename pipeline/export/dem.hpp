@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "pipeline/export/folder.hpp"
+
+namespace ashimpact {
+
+/// Files that the DEM codes with LAMMPS's input language share, of which one sphere on one wall is the check.
+/// impacts.in: the impacts as index variables.
+[[nodiscard]] ExportFile impact_variables(const ExportSubject& subject);
+
+/// Values of the decks: box, skin, time step of the cloud.
+[[nodiscard]] TemplateValues dem_values(const ExportSubject& subject);
+
+/// Commands of ash_wall.in that add what the wall of the code does not have, as forces of atom-style
+/// variables: attraction if @p attraction, damping if @p damping.
+[[nodiscard]] std::string added_forces(const ExportSubject& subject, bool attraction, bool damping);
+
+/// What these codes cannot do, in words; none: they can.
+[[nodiscard]] std::optional<std::string> added_forces_refusal(const ExportSubject& subject);
+
+/// Conversions that these forces make, for assumptions.md.
+[[nodiscard]] std::vector<std::string> added_force_conversions(const ExportSubject& subject, bool attraction,
+                                                               bool damping);
+
+/// expected.json with the powers of the time step in the error of the restitution.
+[[nodiscard]] ExportFile dem_expected(const ExportSubject& subject, std::string_view code,
+                                      std::string_view log, double tolerance);
+
+[[nodiscard]] ExportFolder lammps_folder(const ExportSubject& subject);
+[[nodiscard]] ExportFolder liggghts_folder(const ExportSubject& subject);
+[[nodiscard]] ExportFolder yade_folder(const ExportSubject& subject);
+
+}  // namespace ashimpact

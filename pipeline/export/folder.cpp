@@ -1,0 +1,120 @@
+#include "pipeline/export/folder.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+#include <stdexcept>
+
+#include "data/embedded.hpp"
+#include "data/version.hpp"
+#include "materials/base/text.hpp"
+#include "pipeline/case/laws.hpp"
+#include "pipeline/export/expected.hpp"
+#include "pipeline/text/readable.hpp"
+#include "solver/regime/regime.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+std::string_view template_text(std::string_view path) {
+    const auto text = embedded_file("export/" + std::string(path));
+    if (!text) throw std::logic_error("no template export/" + std::string(path));
+    return *text;
+}
+
+std::string damping_words(const ExportSubject& subject) {
+    const SizedDamping& damping = subject.damping;
+    if (damping.is_zero()) return "none";
+    std::string words =
+        damping.depends_on_velocity()
+            ? fmt::format("{} at {} nodes of v_in", name_of(damping.law), damping.nodes.size())
+            : fmt::format("{} {}", name_of(damping.law),
+                          readable(damping.nodes.front().coefficient, unit_of(damping.law)));
+    if (damping.exponent != 0)
+        words += fmt::format(" at {}, times (d/d_0)^{}", readable(damping.reference_diameter, "m"),
+                             shortest(damping.exponent));
+    return words;
+}
+
+/// What regime_of() remarks on the impacts of the folder, each once.
+std::set<std::string> remarks(const ExportSubject& subject) {
+    std::set<std::string> lines;
+    for (const ExpectedImpact& each : expected_impacts(subject)) {
+        if (!each.maximum_overlap) continue;
+        const Regime regime =
+            regime_of(impact_at(subject, each.diameter, each.velocity), *each.maximum_overlap);
+        for (const std::string& warning : regime.warnings)
+            lines.insert(readable(each.diameter, "m") + ": " + warning);
+    }
+    return lines;
+}
+
+}  // namespace
+
+std::string exact(double value) {
+    return fmt::format("{:.17g}", value);
+}
+
+std::string filled(std::string_view path, const TemplateValues& values) {
+    const std::string_view text = template_text(path);
+    std::string result;
+    std::size_t position = 0;
+    for (std::size_t open = 0; (open = text.find('@', position)) != std::string_view::npos;) {
+        const std::size_t close = text.find('@', open + 1);
+        const auto value = close == std::string_view::npos
+                               ? values.end()
+                               : values.find(text.substr(open + 1, close - open - 1));
+        if (value == values.end())
+            throw std::logic_error(
+                fmt::format("template {}: no value for {}", path,
+                            text.substr(open, std::min(close - open + 1, std::size_t{40}))));
+        result.append(text, position, open - position).append(value->second);
+        position = close + 1;
+    }
+    return result.append(text, position);
+}
+
+ExportFile unchanged(std::string_view path) {
+    return {std::string(path.substr(path.rfind('/') + 1)), std::string(template_text(path))};
+}
+
+TemplateValues common_values(const ExportSubject& subject) {
+    return {{"law", std::string(subject.law.name())},
+            {"detachment", std::string(name_of(subject.detachment))},
+            {"damping", damping_words(subject)},
+            {"version", std::string(program_version())},
+            {"diameter", exact(subject.reference_diameter())},
+            {"radius", exact(subject.contact.effective_radius)},
+            {"density", exact(subject.density)},
+            {"contact_modulus", exact(subject.contact.contact_modulus)},
+            {"work_of_adhesion", exact(subject.contact.work_of_adhesion)},
+            {"from", readable(subject.from_diameter, "m")},
+            {"to", readable(subject.to_diameter, "m")},
+            {"smallest", exact(subject.from_diameter)},
+            {"largest", exact(subject.to_diameter)}};
+}
+
+ExportFile assumptions(const ExportSubject& subject, const std::vector<std::string>& conversions) {
+    std::string text = "# Assumptions and conversions\n\n## The numbers and where they come from\n\n";
+    for (const std::string& origin : subject.origins) text += "- " + origin + "\n";
+    text += fmt::format(
+        "- sizes from {} to {}: E*, w and the density are the same for all of them, R* = d/2, m = density pi "
+        "d^3/6\n- damping: {}\n- law {}, contact ends at {}; one normal impact on a flat wall, no rotation, "
+        "no "
+        "friction\n",
+        readable(subject.from_diameter, "m"), readable(subject.to_diameter, "m"), damping_words(subject),
+        subject.law.name(), name_of(subject.detachment));
+    text += "\n## What they became\n\n";
+    for (const std::string& conversion : conversions) text += "- " + conversion + "\n";
+    text += "\n## What the model holds for\n\n";
+    const auto lines = remarks(subject);
+    for (const std::string& line : lines) text += "- " + line + "\n";
+    if (lines.empty()) text += "- nothing speaks against this law in these impacts\n";
+    text += fmt::format(
+        "- between {} and {} only; for another wall, humidity or temperature the numbers above are others\n",
+        readable(subject.from_diameter, "m"), readable(subject.to_diameter, "m"));
+    return {"assumptions.md", without_controls(text)};
+}
+
+}  // namespace ashimpact

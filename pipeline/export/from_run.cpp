@@ -1,0 +1,159 @@
+#include "pipeline/export/from_run.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+
+#include "materials/base/text.hpp"
+#include "pipeline/case/laws.hpp"
+#include "pipeline/run.hpp"
+#include "pipeline/stages/contact.hpp"
+#include "pipeline/stages/critical_velocity.hpp"
+#include "pipeline/stages/damping.hpp"
+#include "pipeline/stages/fit.hpp"
+#include "pipeline/stages/read_case_artifact.hpp"
+#include "pipeline/text/readable.hpp"
+#include "solver/calibration/reconstruction.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+constexpr int curve_nodes = 24;
+
+/// A sample's name as text: nothing in it may end a line or look like code to a reader of Markdown.
+std::string as_text(const std::string& name) {
+    std::string text = in_quotes(name);
+    std::ranges::replace(text, '`', '\'');
+    return text;
+}
+
+template <class Entry>
+const Entry& sample_named(const std::vector<Entry>& entries, const RunChoice& choice) {
+    std::vector<std::string> names;
+    for (const Entry& entry : entries) {
+        if (entry.name == choice.sample) return entry;
+        names.push_back(in_quotes(entry.name));
+    }
+    throw InputError(choice.sample.empty() ? "is missing" : "no sample is called " + in_quotes(choice.sample),
+                     joined(names))
+        .at("--sample");
+}
+
+LawChoice law_of(const Case& data, const RunChoice& choice) {
+    if (choice.law.empty()) {
+        if (data.laws.size() > 1)
+            spdlog::warn("warning: the run has several laws; {} is exported, --law chooses another",
+                         data.laws.front().law.name());
+        return data.laws.front();
+    }
+    std::vector<std::string> names;
+    for (const LawChoice& each : data.laws) {
+        if (each.law.name() == choice.law) return each;
+        names.emplace_back(each.law.name());
+    }
+    throw InputError("the run has no law " + in_quotes(choice.law), joined(names)).at("--law");
+}
+
+const LawFit& fit_of(const SampleFit& sample, const LawChoice& law) {
+    if (const LawFit* fit = sample.laws.find(law.law)) return *fit;
+    throw InputError(
+        fmt::format("there is no fit of the damping by {} for {}", law.law.name(), in_quotes(sample.name)),
+        "a law with a fit in 6-fit.json")
+        .at("--law");
+}
+
+/// Largest restitution of the rising branch.
+double greatest_restitution(const DampingSeries& series) {
+    double greatest = 0;
+    for (std::size_t i = 0; i < series.velocity.size(); ++i)
+        if (!series.rising_to || series.velocity[i] <= *series.rising_to)
+            greatest = std::max(greatest, series.restitution[i]);
+    return greatest;
+}
+
+/// eta(v_in): where an impact with the fit's eta(e) gives e back, from v_c on.
+std::vector<DampingNode> followed(const LawFit& fit, const LawChoice& law, const ContactPair& contact,
+                                  double greatest) {
+    const CriticalVelocity critical =
+        critical_velocity({.law = law.law,
+                           .detachment = law.detachment,
+                           .damping = {DampingLaw::constant, fit.critical_damping},
+                           .contact = contact});
+    if (!critical.value)
+        throw InputError("the critical damping has no finite critical velocity",
+                         "damping that is not followed")
+            .at("--follow-velocity");
+    std::vector<DampingNode> nodes{{*critical.value, fit.critical_damping}};
+    for (int i = 1; i <= curve_nodes; ++i) {
+        const double e = greatest * i / curve_nodes;
+        const double eta = (fit.a * e + fit.b) * e + fit.c;
+        const double velocity = velocity_of_restitution({.law = law.law,
+                                                         .detachment = law.detachment,
+                                                         .damping = {DampingLaw::constant, eta},
+                                                         .contact = contact,
+                                                         .velocity = *critical.value},
+                                                        e);
+        // Adhesive laws fold back just above v_c, by less than a per cent; see least_rebound().
+        if (velocity > 1.001 * nodes.back().velocity) nodes.push_back({velocity, eta});
+    }
+    return nodes;
+}
+
+}  // namespace
+
+ExportSubject subject_of_run(const RunChoice& choice) {
+    const Artifacts artifacts = load_artifacts(
+        choice.folder,
+        {case_artifact, "2-contact.json", "5-damping.json", "6-fit.json", "7-critical-velocity.json"});
+    const Case data = read_case_artifact(artifacts);
+    const LawChoice law = law_of(data, choice);
+    const Dimension dimension = dimension_of(data.damping_law);
+    const auto contacts = artifacts.read("2-contact.json", read_contacts);
+    const auto fits =
+        artifacts.read("6-fit.json", [&](const View& result) { return read_fits(result, dimension); });
+    const SampleContact& contact = sample_named(contacts, choice);
+    const LawFit& fit = fit_of(sample_named(fits, choice), law);
+    const double diameter = 2 * contact.pair.effective_radius;
+
+    ExportSubject subject{.law = law.law,
+                          .detachment = law.detachment,
+                          .contact = contact.pair,
+                          .density = contact.density.value,
+                          .damping = {.law = data.damping_law,
+                                      .nodes = {{0, fit.critical_damping}},
+                                      .reference_diameter = diameter},
+                          .from_diameter = diameter,
+                          .to_diameter = diameter};
+    subject.origins = {fmt::format("sample {} of a run of ashimpact, diameter {}", as_text(choice.sample),
+                                   readable(diameter, "m")),
+                       fmt::format("E* = {}, contact modulus of particle and wall together (2-contact.json)",
+                                   readable(contact.contact_modulus)),
+                       fmt::format("w = {}, work of adhesion of the pair of surfaces (2-contact.json)",
+                                   readable(contact.work_of_adhesion)),
+                       fmt::format("density {} (2-contact.json)", readable(contact.density))};
+    if (!choice.follow_velocity) {
+        subject.origins.push_back(
+            "damping: the critical damping eta(e = 0) of 6-fit.json, at every velocity: "
+            "v_c is the run's, e above it is that of constant damping");
+        return subject;
+    }
+    if (data.damping_law != DampingLaw::constant)
+        throw InputError("the fit of the run is of another damping law", "a run with damping_law constant")
+            .at("--follow-velocity");
+    const auto dampings = artifacts.read(
+        "5-damping.json", [&](const View& result) { return read_dampings(result, dimension); });
+    const DampingSeries* series = sample_named(dampings, choice).laws.find(law.law);
+    if (series == nullptr)
+        throw InputError("5-damping.json has no impacts by this law", "a law with impacts").at("--law");
+    subject.damping.nodes = followed(fit, law, contact.pair, greatest_restitution(*series));
+    subject.to_velocity = subject.damping.nodes.back().velocity;
+    subject.origins.push_back(fmt::format(
+        "damping: the fit eta(e) of 6-fit.json along the velocity, {} nodes over the rising branch, "
+        "from v_c to {}",
+        subject.damping.nodes.size(), readable(*subject.to_velocity, "m/s")));
+    return subject;
+}
+
+}  // namespace ashimpact

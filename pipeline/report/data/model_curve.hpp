@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "pipeline/case/case.hpp"
+#include "solver/contact/pair.hpp"
+
+namespace ashimpact::report {
+
+/// A law, a contact and a damping eta(e) whose impacts are wanted.
+struct CurveProblem {
+    LawChoice choice;
+    DampingLaw damping_law;
+    ContactPair contact;
+    std::vector<double> coefficients;             ///< of eta(e), ascending [unit of the damping law]
+    std::vector<std::vector<double>> covariance;  ///< of the coefficients
+    double greatest_restitution;                  ///< where the curve ends [1]
+};
+
+/// An impact on the model's curve e(v_in): its damping is eta(e) of the fit.
+struct CurveImpact {
+    double velocity;      ///< v_in [m/s]
+    double lower, upper;  ///< 95 % band of the velocity at this restitution; NaN where nothing is known [m/s]
+    double restitution;   ///< [1]
+    double damping;       ///< [unit of the damping law]
+    double contact_time;  ///< [s]
+    double dissipated;    ///< share of the incident energy that damping takes [1]
+    double adhesion;      ///< share that breaking the contact takes [1]
+    double plastic;       ///< share that yielding takes [1]
+};
+
+using ModelCurve = std::vector<CurveImpact>;
+
+/// The curve e(v_in) that a fit eta(e) implies, from just above e = 0 to the greatest restitution, with the
+/// band that the uncertainty of eta(e) makes. Empty for damping laws other than the constant one, whose
+/// restitution need not rise with velocity, and where the curve cannot be solved.
+[[nodiscard]] ModelCurve model_curve(const CurveProblem& problem);
+
+}  // namespace ashimpact::report

@@ -1,0 +1,161 @@
+#include "pipeline/report/data/run_data.hpp"
+
+#include <algorithm>
+
+#include "pipeline/case/laws.hpp"
+#include "pipeline/stages/in_parallel.hpp"
+#include "pipeline/stages/read_case_artifact.hpp"
+
+namespace ashimpact::report {
+
+namespace {
+
+/// The entry of a sample in an artifact's result.
+Json entry_of(const Artifacts& artifacts, std::string_view file, const std::string& name) {
+    const Json& result = artifacts.at(file).document.at("result");
+    for (const Json& sample : result.at("samples"))
+        if (sample.at("name") == name) return sample;
+    return Json::object();
+}
+
+Json member(const Json& object, const std::string& key) {
+    return object.contains(key) ? object.at(key) : Json(nullptr);
+}
+
+/// The coefficients of the fit that the headline comes from.
+std::vector<double> coefficients_of(const LawData& law) {
+    if (law.fit == nullptr) return {};
+    const bool direct = law.headline.method.find("direct") != std::string::npos && law.fit->direct;
+    if (!direct) return {law.fit->c, law.fit->b, law.fit->a};
+    const Json& values = law.fit_json.at("direct").at("coefficients").at("values");
+    return values.get<std::vector<double>>();
+}
+
+/// Variance and covariance of the coefficients, ascending; the rounding of printed ones where that is all
+/// there is.
+std::vector<std::vector<double>> covariance_of(const LawData& law) {
+    const std::size_t count = law.coefficients.size();
+    std::vector<std::vector<double>> covariance(count, std::vector<double>(count, 0.0));
+    if (law.measured != nullptr && law.measured->coefficient_uncertainty) {
+        const double u = *law.measured->coefficient_uncertainty;
+        for (std::size_t i = 0; i < count; ++i) covariance[i][i] = u * u;
+        return covariance;
+    }
+    const bool direct = count != 3 || (law.headline.method.find("direct") != std::string::npos);
+    const char* which = direct ? "direct" : "extrapolated";
+    if (!law.fit_json.is_object() || !law.fit_json.contains(which)) return covariance;
+    const Json& values = law.fit_json.at(which).at("covariance").at("values");
+    if (values.size() != count) return covariance;
+    return values.get<std::vector<std::vector<double>>>();
+}
+
+}  // namespace
+
+std::string display_name(std::string_view law) {
+    const bool spelled = law.find_first_of("aeiou") == std::string_view::npos;  // an abbreviation
+    std::string name;
+    bool capital = true;
+    for (const char c : law) {
+        const bool letter = c >= 'a' && c <= 'z';
+        name += letter && (capital || spelled) ? static_cast<char>(c - 'a' + 'A') : c;
+        capital = !letter;
+    }
+    return name;
+}
+
+RunData::RunData(Artifacts artifacts, std::string label)
+    : label_(std::move(label)),
+      artifacts_(std::move(artifacts)),
+      case_(read_case_artifact(artifacts_)),
+      contacts_(artifacts_.read("2-contact.json", read_contacts)),
+      analytic_(artifacts_.read("3-analytic.json", read_analytic)),
+      restitutions_(artifacts_.read("4-restitution.json", read_restitutions)),
+      dampings_(
+          artifacts_.read("5-damping.json",
+                          [&](const View& v) { return read_dampings(v, dimension_of(case_.damping_law)); })),
+      fits_(artifacts_.read("6-fit.json",
+                            [&](const View& v) { return read_fits(v, dimension_of(case_.damping_law)); })),
+      velocities_(artifacts_.read("7-critical-velocity.json", read_critical_velocities)) {
+    for (const Sample& sample : case_.samples) read_sample(sample);
+    std::vector<LawData*> laws;
+    std::vector<const SampleData*> owners;
+    for (SampleData& sample : samples_)
+        for (LawData& law : sample.laws) {
+            laws.push_back(&law);
+            owners.push_back(&sample);
+        }
+    std::vector<std::size_t> positions(laws.size());
+    for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = i;
+    const auto curves = in_parallel(positions, [&](std::size_t i) -> ModelCurve {
+        const LawData& law = *laws[i];
+        if (law.damping == nullptr || law.coefficients.empty() || !law.headline.value) return {};
+        const double greatest =
+            law.damping->restitution.empty()
+                ? 0.0
+                : *std::max_element(law.damping->restitution.begin(), law.damping->restitution.end());
+        return model_curve({.choice = law.choice,
+                            .damping_law = case_.damping_law,
+                            .contact = owners[i]->contact->pair,
+                            .coefficients = law.coefficients,
+                            .covariance = covariance_of(law),
+                            .greatest_restitution = greatest});
+    });
+    for (std::size_t i = 0; i < laws.size(); ++i) laws[i]->curve = curves[i];
+}
+
+void RunData::read_sample(const Sample& sample) {
+    const Json dampings = entry_of(artifacts_, "5-damping.json", sample.name);
+    const Json fits = entry_of(artifacts_, "6-fit.json", sample.name);
+    const Json velocities = entry_of(artifacts_, "7-critical-velocity.json", sample.name);
+    const Json histories = entry_of(artifacts_, "8-histories.json", sample.name);
+    SampleData entry{.name = sample.name,
+                     .sample = &sample,
+                     .contact = &entry_named(contacts_, sample.name, artifacts_, "2-contact.json"),
+                     .analytic = &entry_named(analytic_, sample.name, artifacts_, "3-analytic.json"),
+                     .modulus = entry_of(artifacts_, "1-modulus.json", sample.name),
+                     .comparison = entry_of(artifacts_, "comparison.json", sample.name),
+                     .measured = member(velocities, "measured")};
+    const SampleRestitution& restitution =
+        entry_named(restitutions_, sample.name, artifacts_, "4-restitution.json");
+    const SampleDamping& damping = entry_named(dampings_, sample.name, artifacts_, "5-damping.json");
+    const SampleFit& fit = entry_named(fits_, sample.name, artifacts_, "6-fit.json");
+    const SampleCriticalVelocity& velocity =
+        entry_named(velocities_, sample.name, artifacts_, "7-critical-velocity.json");
+    for (const LawChoice& choice : case_.laws) {
+        const std::string key(choice.law.name());
+        LawData law{.choice = choice,
+                    .name = display_name(key),
+                    .measured = restitution.of(choice.law),
+                    .damping = damping.laws.find(choice.law),
+                    .fit = fit.laws.find(choice.law),
+                    .velocity = velocity.laws.find(choice.law),
+                    .damping_json = member(dampings, key),
+                    .fit_json = member(fits, key),
+                    .velocity_json = member(velocities, key),
+                    .histories = member(histories, key)};
+        if (law.velocity_json.is_object()) law.headline = headline_of(law.velocity_json);
+        law.coefficients = coefficients_of(law);
+        entry.laws.push_back(std::move(law));
+    }
+    samples_.push_back(std::move(entry));
+}
+
+std::string RunData::damping_unit() const {
+    return std::string(unit_of(case_.damping_law));
+}
+
+bool RunData::any_reconstructed() const {
+    for (const auto& sample : restitutions_)
+        for (const auto& series : sample.series)
+            if (series.origin != "measured") return true;
+    return false;
+}
+
+bool RunData::any_measured() const {
+    for (const auto& sample : restitutions_)
+        for (const auto& series : sample.series)
+            if (series.origin == "measured") return true;
+    return false;
+}
+
+}  // namespace ashimpact::report

@@ -1,0 +1,99 @@
+#include "pipeline/report/drawing/axes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/base/text.hpp"
+#include "pipeline/report/drawing/markup.hpp"
+
+namespace ashimpact::report {
+
+namespace {
+
+/// The ends of an axis in its shown unit, with a margin that keeps marks off the frame.
+Range shown_range(const Axis& axis, Range extent) {
+    extent = drawable(extent, axis.spacing);
+    if (axis.spacing == Spacing::logarithmic) {
+        const double margin = std::pow(extent.to / extent.from, 0.05);
+        extent = {extent.from / margin, extent.to * margin};
+    } else {
+        const double margin = 0.05 * (extent.to - extent.from);
+        const bool grounded = axis.from_zero && extent.from >= 0;
+        extent = {grounded ? 0 : extent.from - margin, extent.to + margin};
+    }
+    if (axis.from) extent.from = *axis.from;
+    if (axis.to) extent.to = *axis.to;
+    extent = drawable(extent, axis.spacing);
+    return {extent.from / axis.scale, extent.to / axis.scale};
+}
+
+int vertical_ticks(double height) {
+    return std::max(3, static_cast<int>(height / 28));
+}
+
+}  // namespace
+
+std::string axis_label(const Axis& axis) {
+    return subscripted(axis.label) + (axis.unit.empty() ? "" : " [" + escaped(axis.unit) + "]");
+}
+
+Scale scale_of(const Axis& axis, Range extent, Range at) {
+    return {axis.spacing, shown_range(axis, extent), at};
+}
+
+std::string horizontal_axis(const Axis& axis, const Scale& scale, const Box& plot) {
+    std::string svg;
+    const double bottom = plot.top + plot.height;
+    double free_from = -1e9;
+    for (const Tick& tick : scale.ticks(std::max(3, static_cast<int>(plot.width / 40)))) {
+        const double x = scale(tick.value);
+        svg += fmt::format("<path class=\"grid\" d=\"M{} {}V{}\"/>", pixels(x), pixels(plot.top),
+                           pixels(bottom));
+        const double half = text_width(tick.label, tick_size) / 2;
+        if (x - half < free_from) continue;  // would touch the label before it
+        free_from = x + half + 4;
+        svg += fmt::format("<text class=\"tick mid soft\" x=\"{}\" y=\"{}\">{}</text>",
+                           pixels(std::min(x, plot.left + plot.width + 8 - half)), pixels(bottom + 14),
+                           tick.label);
+    }
+    return svg + fmt::format("<text class=\"mid\" x=\"{}\" y=\"{}\">{}</text>",
+                             pixels(plot.left + plot.width / 2), pixels(bottom + 30), axis_label(axis));
+}
+
+std::string vertical_grid(const Scale& scale, const Box& plot) {
+    std::string svg;
+    for (const Tick& tick : scale.ticks(vertical_ticks(plot.height))) {
+        const double y = scale(tick.value);
+        svg += fmt::format("<path class=\"grid\" d=\"M{} {}H{}\"/>", pixels(plot.left), pixels(y),
+                           pixels(plot.left + plot.width));
+        svg += fmt::format("<text class=\"tick end soft\" x=\"{}\" y=\"{}\">{}</text>", pixels(plot.left - 5),
+                           pixels(y + 4), tick.label);
+    }
+    return svg;
+}
+
+double tick_width(const Axis& axis, Range extent, double height) {
+    double width = 0;
+    for (const Tick& tick : scale_of(axis, extent, {height, 0}).ticks(vertical_ticks(height)))
+        width = std::max(width, text_width(tick.label, tick_size));
+    return width + 8;
+}
+
+std::string axis_data(char which, const Axis& axis, const Scale& scale) {
+    return fmt::format(" data-{0}=\"{1} {2} {3} {4} {5}\" data-{0}-name=\"{6}\" data-{0}-unit=\"{7}\"", which,
+                       shortest(scale.values().from), shortest(scale.values().to), pixels(scale.at().from),
+                       pixels(scale.at().to), scale.spacing() == Spacing::logarithmic ? "log" : "linear",
+                       escaped(axis.label), escaped(axis.unit));
+}
+
+std::string title_text(const std::string& title, double x, double y, double most) {
+    if (title.empty()) return {};
+    const std::string shown = fitted(title, label_size * 1.06, most);
+    const std::string whole = shown == title ? "" : "<title>" + escaped(title) + "</title>";
+    return fmt::format("<text class=\"title\" x=\"{}\" y=\"{}\">{}{}</text>", pixels(x), pixels(y),
+                       isolated(shown), whole);
+}
+
+}  // namespace ashimpact::report

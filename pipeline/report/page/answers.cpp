@@ -1,0 +1,149 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "pipeline/report/drawing/markup.hpp"
+#include "pipeline/report/page/html.hpp"
+#include "pipeline/report/page/run_page.hpp"
+
+namespace ashimpact::report {
+
+namespace {
+
+std::string listed(const std::vector<std::string>& words) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
+    return text;
+}
+
+std::string verdict_of(const LawData& law) {
+    if (law.velocity_json.is_object() && law.velocity_json.contains("check") &&
+        law.velocity_json.at("check").is_object())
+        return law.velocity_json.at("check").at("verdict").get<std::string>();
+    return {};
+}
+
+/// "DMT and JKR agree with the measured 1.92 m/s; Hertz is too low."
+std::string measured_sentence(const SampleData& sample) {
+    const auto measured = number_in(sample.measured, "critical_velocity");
+    if (!measured) return "No measured critical velocity to compare with.";
+    std::vector<std::string> agree;
+    std::vector<std::string> low;
+    std::vector<std::string> high;
+    for (const LawData& law : sample.laws) {
+        const std::string verdict = verdict_of(law);
+        if (verdict == "agrees") agree.push_back(law.name);
+        if (verdict == "model-too-low") low.push_back(law.name);
+        if (verdict == "model-too-high") high.push_back(law.name);
+    }
+    std::string text = fmt::format("Measured: {:#.3g} m/s", *measured);
+    const auto add = [&](const std::vector<std::string>& laws, const char* one, const char* many) {
+        if (!laws.empty()) text += fmt::format("; {} {}", listed(laws), laws.size() == 1 ? one : many);
+    };
+    add(agree, "agrees with it", "agree with it");
+    add(low, "is too low", "are too low");
+    add(high, "is too high", "are too high");
+    return text + ".";
+}
+
+std::string answer(const SampleData& sample) {
+    std::vector<double> velocities;
+    std::vector<std::string> by_law;
+    for (const LawData& law : sample.laws) {
+        if (law.headline.value) velocities.push_back(*law.headline.value);
+        by_law.push_back(fmt::format("{} {}", law.name, text_of(law.headline)));
+    }
+    if (velocities.empty())
+        return fmt::format(
+            "<li>{}: no law gives a finite critical velocity.<span class=\"rest\">{}.</span></li>\n",
+            html_name(sample.name), escaped(listed(by_law)));
+    const auto [least, greatest] = std::minmax_element(velocities.begin(), velocities.end());
+    const std::string range = velocities.size() == 1 || *greatest - *least < 5e-4 * *greatest
+                                  ? fmt::format("{:#.3g} m/s", *greatest)
+                                  : fmt::format("{:#.3g} to {:#.3g} m/s", *least, *greatest);
+    return fmt::format(
+        "<li>A particle of {} stays on the wall when it is slower than <span class=\"value\">{}</span>{}"
+        "<span class=\"rest\">{}.</span><span class=\"rest\">{}</span></li>\n",
+        html_name(sample.name), range, velocities.size() > 1 ? ", depending on the contact law." : ".",
+        escaped(listed(by_law)), escaped(measured_sentence(sample)));
+}
+
+std::string text_or_dash(const std::optional<double>& value, double unit = 1) {
+    return value ? fmt::format("{:.4g}", *value / unit) : std::string("–");
+}
+
+std::string verdict_words(const LawData& law) {
+    const std::string verdict = verdict_of(law);
+    if (verdict == "model-too-low") return "too low";
+    if (verdict == "model-too-high") return "too high";
+    return verdict == "agrees" ? "agrees" : "–";
+}
+
+std::string velocity_cell(const LawData& law) {
+    if (law.headline.value) return fmt::format("{:#.3g}", *law.headline.value);
+    return law.velocity != nullptr ? escaped(law.velocity->verdict) : "–";
+}
+
+std::string interval_cell(const LawData& law) {
+    if (!law.headline.value || !law.headline.with_interval) return "–";
+    const auto end = [](const std::optional<double>& value) {
+        return value ? fmt::format("{:#.3g}", *value) : std::string("open");
+    };
+    return end(law.headline.lower) + " to " + end(law.headline.upper);
+}
+
+}  // namespace
+
+std::string answers_html(const RunData& run) {
+    std::string html = "<ul class=\"answers\">\n";
+    for (const SampleData& sample : run.samples()) html += answer(sample);
+    return html + "</ul>\n";
+}
+
+std::string comparison_html(const RunData& run) {
+    std::string html =
+        "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"Critical "
+        "velocities\"><table><thead><tr>";
+    for (const char* column :
+         {"sample", "E [GPa]", "E* [GPa]", "W<sub>s</sub> [fJ]", "v<sub>c</sub>, Eq. 30 [m/s]", "law",
+          "dynamic v<sub>c</sub> [m/s]", "95 % interval", "published", "measured", "verdict"})
+        html += fmt::format("<th scope=\"col\">{}</th>", column);
+    html += "</tr></thead><tbody>\n";
+    for (const SampleData& sample : run.samples()) {
+        bool first = true;
+        const auto measured = number_in(sample.measured, "critical_velocity");
+        for (const LawData& law : sample.laws) {
+            html += first ? "<tr class=\"first\">" : "<tr>";
+            if (first)
+                html += fmt::format(
+                    "<th scope=\"rowgroup\" rowspan=\"{0}\">{1}</th><td rowspan=\"{0}\">{2}</td><td "
+                    "rowspan=\"{0}\">{3}</td><td rowspan=\"{0}\">{4}</td><td rowspan=\"{0}\">{5}</td>",
+                    sample.laws.size(), html_name(sample.name),
+                    text_or_dash(number_in(sample.modulus, "young_modulus"), 1e9),
+                    text_or_dash(sample.contact->pair.contact_modulus, 1e9),
+                    text_or_dash(sample.analytic->separation_energy, 1e-15),
+                    text_or_dash(sample.analytic->critical_velocity));
+            const Quantity* printed = sample.sample->published
+                                          ? sample.sample->published->critical_velocity.find(law.choice.law)
+                                          : nullptr;
+            html += fmt::format(
+                "<td class=\"text\">{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td "
+                "class=\"text\">{}</td></tr>\n",
+                escaped(law.name), velocity_cell(law), interval_cell(law),
+                printed != nullptr ? fmt::format("{:.4g}", printed->value) : "–", text_or_dash(measured),
+                verdict_words(law));
+            first = false;
+        }
+    }
+    html += "</tbody></table></div>\n";
+    for (const SampleData& sample : run.samples())
+        for (const LawData& law : sample.laws)
+            if (law.velocity != nullptr && law.velocity->interval_note.is_string())
+                html +=
+                    fmt::format("<p class=\"where\">{}, {}: {}.</p>\n", html_name(sample.name),
+                                escaped(law.name), escaped(law.velocity->interval_note.get<std::string>()));
+    return html;
+}
+
+}  // namespace ashimpact::report

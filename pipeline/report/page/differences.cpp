@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "materials/base/text.hpp"
+#include "pipeline/report/drawing/markup.hpp"
+#include "pipeline/report/page/html.hpp"
+#include "pipeline/report/page/run_page.hpp"
+#include "pipeline/text/readable.hpp"
+
+namespace ashimpact::report {
+
+namespace {
+
+/// A quantity, number or word as a reader takes it in.
+std::string shown(const Json& value) {
+    if (value.is_object() && value.contains("value") && value.at("value").is_number())
+        return readable(value.at("value").get<double>(), value.value("unit", "1"));
+    if (value.is_string()) return value.get<std::string>();
+    if (value.is_number()) return shortest(value.get<double>());
+    const std::string text = value.dump();
+    return text.size() > 60 ? fmt::format("{} values", value.size()) : text;
+}
+
+/// An input by its path; entries of lists with names go by these.
+using Inputs = std::vector<std::pair<std::string, std::string>>;
+
+void flatten(const Json& node, const std::string& path, Inputs& into) {
+    const bool quantity = node.is_object() && node.contains("value");
+    if (node.is_object() && !quantity) {
+        for (const auto& [key, value] : node.items())
+            if (key != "published" && key != "name")
+                flatten(value, path.empty() ? key : path + ", " + key, into);
+        return;
+    }
+    const bool named =
+        node.is_array() && !node.empty() && node.front().is_object() && node.front().contains("name");
+    if (!named) {
+        into.emplace_back(path, node.is_array() ? node.dump() : shown(node));
+        return;
+    }
+    for (const Json& element : node) flatten(element, path + ", " + element.value("name", "?"), into);
+}
+
+std::string value_at(const Inputs& inputs, const std::string& path) {
+    for (const auto& [key, value] : inputs)
+        if (key == path) return value;
+    return "–";
+}
+
+}  // namespace
+
+std::string differences_html(const std::vector<RunData>& runs) {
+    std::vector<Inputs> all;
+    std::vector<std::string> paths;
+    for (const RunData& run : runs) {
+        Inputs inputs;
+        flatten(run.artifacts().at("0-case.json").document.at("result"), "", inputs);
+        for (const auto& [path, value] : inputs)
+            if (std::find(paths.begin(), paths.end(), path) == paths.end()) paths.push_back(path);
+        all.push_back(std::move(inputs));
+    }
+    NumberTable table{.columns = {"input"}};
+    for (const RunData& run : runs) table.columns.push_back(run.label());
+    for (const std::string& path : paths) {
+        std::vector<Cell> row{path};
+        bool differs = false;
+        const std::string first = value_at(all.front(), path);
+        for (const Inputs& inputs : all) {
+            std::string value = value_at(inputs, path);
+            differs = differs || value != first;
+            row.emplace_back(value.size() > 80 ? value.substr(0, 60) + "…" : value);
+        }
+        if (differs) table.rows.push_back(std::move(row));
+    }
+    std::string html = "<section><h2 id=\"differences\">What differs between the inputs</h2>\n";
+    if (table.rows.empty()) return html + "<p>Nothing: the runs have the same inputs.</p></section>\n";
+    return html + html_table(table, "What differs between the inputs") + "</section>\n";
+}
+
+}  // namespace ashimpact::report

@@ -1,0 +1,52 @@
+#include "pipeline/report/report.hpp"
+
+#include "pipeline/report/figure_file.hpp"
+#include "pipeline/report/figures/figures.hpp"
+#include "pipeline/report/page/run_page.hpp"
+
+namespace ashimpact::report {
+
+namespace {
+
+/// Each figure for one column and for two, as SVG and as PDF.
+void add_figures(const RunData& run, const std::filesystem::path& folder, std::vector<FileContent>& files) {
+    for (const FigureMaker& maker : figure_makers()) {
+        const Figure figure = maker.make(run);
+        if (figure.panels.empty()) continue;
+        for (const Width width : {Width::wide, Width::narrow})
+            for (const FigureFormat format : {FigureFormat::svg, FigureFormat::pdf}) {
+                const std::string name = figure.id + (width == Width::narrow ? "-single" : "") +
+                                         (format == FigureFormat::svg ? ".svg" : ".pdf");
+                files.push_back({folder / "figures" / name, figure_bytes(figure, width, format)});
+            }
+    }
+}
+
+}  // namespace
+
+const std::vector<std::string_view>& report_artifacts() {
+    static const std::vector<std::string_view> files = [] {
+        std::vector<std::string_view> all{case_artifact};
+        for (const Stage& stage : stages()) all.push_back(stage.file);
+        return all;
+    }();
+    return files;
+}
+
+Presentation present(Artifacts artifacts, const PresentationPlan& plan) {
+    std::vector<RunData> runs;
+    runs.emplace_back(std::move(artifacts), "");
+    Presentation made;
+    if (plan.page) {
+        made.page = plan.folder / report_file;
+        made.files.push_back({made.page, run_page(runs)});
+    }
+    if (plan.figures) add_figures(runs.front(), plan.folder, made.files);
+    return made;
+}
+
+void require_figure_programs() {
+    require_converter(FigureFormat::pdf);
+}
+
+}  // namespace ashimpact::report

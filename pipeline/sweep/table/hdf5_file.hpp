@@ -1,0 +1,53 @@
+#pragma once
+
+#include <hdf5.h>
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace ashimpact::hdf5 {
+
+/// What HDF5 refuses to do; its own messages are long and go to standard error unless asked not to.
+class Hdf5Error : public std::runtime_error {
+  public:
+    explicit Hdf5Error(const char* what) : std::runtime_error(std::string("HDF5: ") + what + " failed") {}
+};
+
+/// @throws Hdf5Error for a negative status
+void check(herr_t status, const char* what);
+
+/// An HDF5 identifier, closed in the end.
+class Handle {
+  public:
+    using Close = herr_t (*)(hid_t);
+
+    Handle(hid_t id, Close closer, const char* what) : id_(id), close_(closer) {
+        if (id < 0) throw Hdf5Error(what);
+    }
+    Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+    Handle(const Handle&) = delete;
+    Handle& operator=(const Handle&) = delete;
+    Handle& operator=(Handle&&) = delete;
+    ~Handle() {
+        if (id_ >= 0) close_(id_);
+    }
+    [[nodiscard]] hid_t id() const { return id_; }
+    /// Closes it now and says whether all was written.
+    void close(const char* what) { check(close_(std::exchange(id_, -1)), what); }
+
+  private:
+    hid_t id_;
+    Close close_;
+};
+
+/// Keeps HDF5 from writing its messages to standard error. Before anything else is asked of HDF5: its clean-up
+/// at exit writes what a full disk refused before, and crashes over it; whatever is to be written is closed
+/// before, so nothing is left for it to do.
+void silence();
+/// A property list without time stamps.
+[[nodiscard]] Handle timeless(hid_t kind);
+/// Adds a text to a file, group or dataset.
+void add_attribute(hid_t object, const char* name, const std::string& value);
+
+}  // namespace ashimpact::hdf5

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "solver/contact/detachment.hpp"
+#include "solver/contact/jkr.hpp"
+#include "solver/contact/pair.hpp"
+#include "solver/contact/parameter.hpp"
+
+#include <array>
+#include <string_view>
+
+namespace ashimpact {
+
+/// Tabor parameter of a pair, mu = (R* w^2/(E*^2 z0^3))^(1/3); Tabor 1977.
+inline constexpr LawParameter stated_tabor{
+    .name = "tabor",
+    .dimension = Dimension::fraction,
+    .description = "Tabor parameter mu of the pair",
+    .example = "2",
+    .typical = 2.0,
+    .choice = 1,
+};
+/// Stress sigma_0 of the cohesive zone.
+inline constexpr LawParameter cohesive_stress{
+    .name = "cohesive_stress",
+    .dimension = Dimension::pressure,
+    .description = "sigma_0, stress of the cohesive zone",
+    .example = "770 MPa",
+    .typical = 7.7e8,
+    .choice = 1,
+};
+/// Equilibrium separation z0 of the two surfaces.
+inline constexpr LawParameter cohesion_range{
+    .name = "cohesion_range",
+    .dimension = Dimension::length,
+    .description = "z0, range of the attraction",
+    .example = "0.4 nm",
+    .typical = 4e-10,
+    .choice = 1,
+};
+
+/// Maugis 1992 (J. Colloid Interface Sci. 150:243): elastic spheres with a cohesive zone of constant stress
+/// (Dugdale) around the contact, between Dmt (short of reach: lambda to 0) and Jkr (lambda to infinity).
+///
+/// Overlap and force are no polynomials of one coordinate, so this type only declares the law; the static law
+/// is CohesiveZone, the impact CohesiveMotion. Sources, branches and limits: docs/laws/maugis-dugdale.md.
+template <class Real>
+struct MaugisDugdale {
+    static constexpr std::string_view name = "maugis-dugdale";
+    static constexpr Detachment default_detachment = Detachment::pull_off;
+    static constexpr bool self_similar = false;
+    static constexpr std::array parameters{stated_tabor, cohesive_stress, cohesion_range};
+
+    /// That of Jkr: the share of adhesion in an impact of that length, whatever its range.
+    [[nodiscard]] static Real adhesion_number(const BasicContactPair<Real>& pair, const Real& length) {
+        return Jkr<Real>::adhesion_number(pair, length);
+    }
+};
+
+}  // namespace ashimpact

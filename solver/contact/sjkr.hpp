@@ -1,0 +1,68 @@
+#pragma once
+
+#include "solver/contact/detachment.hpp"
+#include "solver/contact/pair.hpp"
+#include "solver/contact/parameter.hpp"
+#include "solver/numeric/power.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string_view>
+
+namespace ashimpact {
+
+/// Cohesion energy density k_c of Sjkr.
+inline constexpr LawParameter cohesion_energy_density{
+    .name = "cohesion_energy_density",
+    .dimension = Dimension::pressure,
+    .description = "k_c, cohesion energy per volume (J/m3 is Pa)",
+    .example = "100 MJ/m3",
+    .typical = 1e8,
+    .may_be_zero = true,
+};
+
+/// "Simplified JKR" of DEM codes (LIGGGHTS: cohesion sjkr): Hertz repulsion and an attraction k_c pi a^2 in
+/// proportion to the contact area, a^2 = R* delta. No work of adhesion enters. Normalisation and state as in
+/// Hertz. Validity: an empirical closure; it has neither a pull-off force nor hysteresis.
+template <class Real>
+struct Sjkr {
+    static constexpr std::string_view name = "sjkr";
+    static constexpr Detachment default_detachment = Detachment::zero_overlap;
+    static constexpr std::array parameters{cohesion_energy_density};
+
+    Real adhesion;  ///< pi k_c R* / (k L^(1/2)) [1]
+
+    /// Adhesion number of the law for lengths in @p length [m].
+    [[nodiscard]] static Real adhesion_number(const BasicContactPair<Real>& pair, const Real& length) {
+        return Real(std::numbers::pi) * pair.parameters[cohesion_energy_density] * pair.effective_radius /
+               (hertz_stiffness(pair) * root<2>(length));
+    }
+
+    /// Overlap, positive in contact [L].
+    template <class U>
+    [[nodiscard]] constexpr U overlap(const U& u) const {
+        return power<4>(u);
+    }
+    /// Total static force, positive where repulsive [k L^(3/2)].
+    template <class U>
+    [[nodiscard]] constexpr U force(const U& u) const {
+        return power<6>(u) - adhesion * power<4>(u);
+    }
+    /// Attractive part of the force, never positive [k L^(3/2)].
+    [[nodiscard]] Real attractive_force(const Real& u) const { return -adhesion * power<4>(u); }
+
+    /// State at first touch.
+    [[nodiscard]] Real touch() const { return Real{}; }
+
+    /// State at which the static law detaches; none where the law has no such point.
+    [[nodiscard]] std::optional<Real> detachment_point(Detachment detachment) const {
+        if (detachment == Detachment::zero_overlap) return Real{};
+        if (detachment == Detachment::zero_force) return root<2>(adhesion);
+        if (detachment == Detachment::load_controlled) return root<2>(adhesion * Real(2) / Real(3));
+        return std::nullopt;
+    }
+};
+
+}  // namespace ashimpact

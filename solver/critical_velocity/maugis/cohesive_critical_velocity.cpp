@@ -1,0 +1,175 @@
+#include "solver/critical_velocity/maugis/cohesive_critical_velocity.hpp"
+
+#include "solver/motion/orbit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ashimpact {
+
+namespace {
+
+using Terms = Series<Extended>;
+
+/// Beyond this coordinate, in units of the equilibrium, a backward orbit has escaped.
+constexpr Extended farthest_escape = 1e25L;
+
+/// The critical orbit near the fold of the touching branch, where delta'(q) = 0: v is a power series of
+/// x = q - q_fold with v dv/dx = -delta' (eta v + F), the root that arrives (v < 0 for x > 0).
+class FoldArrival {
+  public:
+    FoldArrival(const TouchingBranch& branch, Extended fold) : statics_(branch.statics(fold)) {
+        statics_.slope[0] = 0;
+        // v_1^2 = -delta''(fold) F(fold)
+        velocity_[1] = -std::sqrt(-statics_.slope[1] * statics_.force[0]);
+        total_[0] = statics_.force[0];
+        for (std::size_t n = 2; n < velocity_.size(); ++n) {
+            total_[n - 1] = statics_.force[n - 1] + product_coefficient(statics_.damping, velocity_, n - 1);
+            Extended rest = -product_coefficient(statics_.slope, total_, n);  // total_[n] meets slope[0] = 0
+            for (std::size_t i = 2; i < n; ++i)
+                rest -= static_cast<Extended>(n + 1) / 2 * velocity_[i] * velocity_[n + 1 - i];
+            velocity_[n] = rest / (static_cast<Extended>(n + 1) * velocity_[1]);
+        }
+    }
+
+    /// The orbit where its series still hold to rounding.
+    [[nodiscard]] Arrival arrival(Extended fold) const {
+        const Extended e = std::numbers::e_v<Extended>;
+        const Extended x = convergence() / (e * e);
+        Arrival arrival;
+        arrival.state.position = fold + x;
+        arrival.state.velocity = value(velocity_, x);
+        // From x to the fold: work of eta v over d(delta), time of d(delta)/v.
+        Terms work{};
+        Terms pace{};
+        for (std::size_t n = 0; n + 1 < velocity_.size(); ++n) {
+            Terms drag{};
+            for (std::size_t i = 0; i <= n; ++i)
+                drag[i] = product_coefficient(statics_.damping, velocity_, i);
+            work[n + 1] = -product_coefficient(drag, statics_.slope, n) / static_cast<Extended>(n + 1);
+        }
+        Terms quotient{};  // delta'/v, both without their leading power
+        for (std::size_t n = 0; n + 1 < velocity_.size(); ++n) {
+            Extended rest = statics_.slope[n + 1];
+            for (std::size_t k = 0; k < n; ++k) rest -= quotient[k] * velocity_[n - k + 1];
+            quotient[n] = rest / velocity_[1];
+            pace[n + 1] = -quotient[n] / static_cast<Extended>(n + 1);
+        }
+        arrival.dissipated_after = value(work, x);
+        arrival.time_after = value(pace, x);
+        return arrival;
+    }
+
+  private:
+    [[nodiscard]] Extended convergence() const {
+        Terms pace{};  // without the zero at the head, which says nothing of the radius
+        std::copy(velocity_.begin() + 1, velocity_.end(), pace.begin());
+        pace.back() = velocity_.back() / radius(statics_.slope);
+        return std::min({radius(pace), radius(statics_.slope), radius(statics_.force)});
+    }
+
+    TouchingBranch::Statics statics_;
+    Terms velocity_{};
+    Terms total_{};
+};
+
+/// Follows a branch backward in time.
+class Backward {
+  public:
+    /// Until the velocity vanishes; false where the orbit escapes beyond @p farthest.
+    template <class Branch>
+    bool to_rest(const Branch& branch, MotionState<Extended>& state, Extended farthest) {
+        while (state.position < farthest) {
+            const MotionExpansion<Extended> x = expansion(branch, state);
+            const auto rest =
+                event_within(x, x.step, [](const MotionState<Extended>& s) { return -s.velocity; });
+            state = x.at(rest.value_or(x.step));
+            if (!rest) continue;
+            state.velocity = 0;
+            return true;
+        }
+        return false;
+    }
+
+    /// Until the coordinate @p place, where the coordinate changes with @p direction on the way; or rest,
+    /// where rounding leaves the orbit just short of the place.
+    template <class Branch>
+    void to_place(const Branch& branch, MotionState<Extended>& state, Extended place, Extended direction) {
+        while (true) {
+            const MotionExpansion<Extended> x = expansion(branch, state);
+            const auto rest = event_within(
+                x, x.step, [&](const MotionState<Extended>& s) { return -direction * s.velocity; });
+            const Extended part = rest.value_or(x.step);
+            const auto there = event_within(
+                x, part, [&](const MotionState<Extended>& s) { return direction * (place - s.position); });
+            state = x.at(there.value_or(part));
+            if (there || rest) return;
+        }
+    }
+
+    int steps = 0;
+
+  private:
+    template <class Branch>
+    MotionExpansion<Extended> expansion(const Branch& branch, const MotionState<Extended>& state) {
+        if (++steps > most_steps) throw ConvergenceError("impact did not end within the step limit");
+        MotionExpansion<Extended> x = branch.expand(state);
+        x.step = -x.step;
+        return x;
+    }
+};
+
+/// Time that the critical orbit takes from cohesive radius @p c to rest at the fold of the gap branch, c_f:
+/// with U(c_f) - U(c) = (pi lambda/8) (c - c_f)^2 (c^2 + 2 c c_f/3 + c_f^2/3) the integral of delta'(c)/v is
+/// an arsinh.
+Extended gap_time_to_rest(const CohesiveZone& zone, Extended c) {
+    const Extended fold = zone.pull_off().cohesive_radius;
+    const auto primitive = [&](Extended x) {
+        return std::asinh((3 * x + fold) / (std::numbers::sqrt2_v<Extended> * fold));
+    };
+    return (primitive(c) - primitive(fold)) / std::sqrt(std::numbers::pi_v<Extended> * zone.lambda() / 4);
+}
+
+/// The orbit just before the end of contact, on the touching branch.
+Arrival arrival_of(const CohesiveMotion& motion) {
+    const TouchingBranch& branch = motion.touching();
+    const CohesiveState& end = motion.end();
+    if (!end.touching()) {
+        const CohesiveState join = motion.zone().join();
+        const Extended fall = motion.potential_at_end() - motion.zone().potential(join);
+        return {.state = {.position = branch.coordinate(join), .velocity = -std::sqrt(2 * fall)},
+                .time_after = gap_time_to_rest(motion.zone(), join.cohesive_radius)};
+    }
+    const Extended place = branch.coordinate(end);
+    if (end.angle == motion.zone().pull_off().angle) return FoldArrival(branch, place).arrival(place);
+    return {.state = {.position = place}};
+}
+
+}  // namespace
+
+std::optional<CriticalCohesiveImpact> critical_cohesive_impact(const CohesiveMotion& motion) {
+    const TouchingBranch& branch = motion.touching();
+    Backward backward;
+    const Arrival arrival = arrival_of(motion);
+    MotionState<Extended> state = arrival.state;
+    const Extended farthest =
+        farthest_escape * std::max({1.0L, branch.coordinate(motion.zone().equilibrium()), state.position});
+    if (!backward.to_rest(branch, state, farthest)) return std::nullopt;
+    CriticalCohesiveImpact result;
+    result.maximum_overlap = branch.overlap(state.position);
+    const CohesiveState& first = motion.begin().touching() ? motion.begin() : motion.zone().join();
+    backward.to_place(branch, state, branch.coordinate(first), -1);
+    if (!motion.begin().touching()) {
+        state.position = GapBranch::coordinate(first);
+        backward.to_place(motion.gap(), state, GapBranch::coordinate(motion.begin()), -1);
+    }
+    result.dissipated = arrival.dissipated_after - state.dissipation;
+    result.break_energy = motion.potential_at_end() - motion.potential_at_begin();
+    result.velocity = std::sqrt(2 * (result.dissipated + result.break_energy));
+    result.contact_time = *arrival.time_after - state.time;
+    result.steps = backward.steps;
+    return result;
+}
+
+}  // namespace ashimpact

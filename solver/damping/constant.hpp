@@ -1,0 +1,33 @@
+#pragma once
+
+#include "materials/base/units.hpp"
+
+#include <limits>
+#include <string_view>
+
+namespace ashimpact {
+
+/// Constant damping, eta = C: the paper's model (Dong et al. 2013, Eq. 2).
+struct ConstantDamping {
+    static constexpr std::string_view name = "constant";
+    static constexpr Dimension dimension = Dimension::damping;
+    static constexpr double overdamped_squared = std::numeric_limits<double>::infinity();
+    static constexpr double error_weight = 1.0;
+
+    /// eta at u = sqrt(contact radius) for the scaled coefficient 1.
+    template <class U>
+    [[nodiscard]] static constexpr U shape(const U& /*u*/) {
+        return U(1);
+    }
+    /// The coefficient whose scaled value is 1 [kg/s].
+    template <class Scale>
+    [[nodiscard]] static auto unit(const Scale& scale) {
+        return scale.momentum() / scale.length;
+    }
+    /// Scaled coefficient at which a Hertz impact loses @p loss = 1 - e, within a few per cent [1].
+    [[nodiscard]] static double hertz_number(double loss) {
+        return loss * (0.558 + 0.22 * loss + 0.33 * loss * loss * loss);
+    }
+};
+
+}  // namespace ashimpact

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "materials/base/units.hpp"
+
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+namespace ashimpact {
+
+/// Damping in proportion to the contact radius, eta = C a: viscoelastic spheres (Kuwabara & Kono 1987;
+/// Brilliantov et al. 1996).
+struct ContactRadiusDamping {
+    static constexpr std::string_view name = "contact-radius";
+    static constexpr Dimension dimension = Dimension::viscosity;
+    static constexpr double overdamped_squared = std::numeric_limits<double>::infinity();
+    static constexpr double error_weight = 1.0;
+
+    /// eta at u = sqrt(contact radius) for the scaled coefficient 1.
+    template <class U>
+    [[nodiscard]] static constexpr U shape(const U& u) {
+        return u * u;
+    }
+    /// The coefficient whose scaled value is 1 [Pa s].
+    template <class Scale>
+    [[nodiscard]] static auto unit(const Scale& scale) {
+        return scale.momentum() / (scale.length * scale.radius_length);
+    }
+    /// Scaled coefficient at which a Hertz impact loses @p loss = 1 - e, within a few per cent [1].
+    [[nodiscard]] static double hertz_number(double loss) { return 0.88 * -std::log1p(-loss); }
+};
+
+}  // namespace ashimpact

@@ -1,0 +1,187 @@
+#include "solver/motion/maugis/cohesive_branches.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace ashimpact {
+
+namespace {
+
+using Terms = Series<Extended>;
+constexpr std::size_t term_count = std::tuple_size_v<Terms>;
+
+/// The static law of a touching state as power series of any parameter, from that of the contact radius:
+/// order by order, each new coefficient from those before it. Names as in CohesiveZone.
+class SeriesOfZone {
+  public:
+    SeriesOfZone(Extended lambda, const CohesiveZone& zone, const CohesiveState& state) : lambda_(lambda) {
+        angle_[0] = state.angle;
+        outer_[0] = state.cohesive_radius;
+        sine_[0] = std::sin(state.angle);
+        cosine_[0] = state.contact_radius() / state.cohesive_radius;
+        quadratic_[0] = zone.quadratic(state.angle);
+        linear_[0] = zone.linear(state.angle);
+    }
+
+    /// Computes coefficient @p n of overlap_by_radius and force; @p radius is known up to n.
+    void advance(const Terms& radius, std::size_t n) {
+        const auto product = [n](const Terms& x, const Terms& y) { return product_coefficient(x, y, n); };
+        sine_cosine_[n] = product(sine_, cosine_);
+        angle_cosine_[n] = product(angle_, cosine_);
+        outer_squared_[n] = product(outer_, outer_);
+        wall_[n] = product(sine_, outer_squared_);
+        pull_[n] = 2 * lambda_ * wall_[n] + 4 * lambda_ * lambda_ / 3 * outer_[n];
+        numerator_[n] = product(angle_, pull_);
+        denominator_[n] = 2 * product(quadratic_, outer_) + linear_[n];
+        divide(m_, numerator_, denominator_, n);
+        cosine_m_[n] = product(cosine_, m_);
+        turn_[n] = product(cosine_, cosine_m_) + product(outer_, sine_);
+        gain_[n] =
+            2 * (product(radius, cosine_m_) + wall_[n]) + 4 * lambda_ / 3 * (outer_[n] - product(m_, sine_));
+        cosine_gain_[n] = product(cosine_, gain_);
+        divide(overlap_by_radius, cosine_gain_, turn_, n);
+        radius_squared_[n] = product(radius, radius);
+        spread_[n] = sine_cosine_[n] + angle_[n];
+        force[n] = product(radius_squared_, radius) - lambda_ * product(outer_squared_, spread_);
+    }
+
+    /// Computes coefficient n + 1 of what follows the contact radius, from the coefficients 0..n of its
+    /// derivative @p rate by the parameter.
+    void follow(const Terms& rate, std::size_t n) {
+        const auto product = [n](const Terms& x, const Terms& y) { return product_coefficient(x, y, n); };
+        const Extended factor = Extended(1) / static_cast<Extended>(n + 1);
+        radius_fall_[n] = -rate[n];
+        divide(angle_rate_, radius_fall_, turn_, n);  // d(theta)/da = -1/T
+        angle_[n + 1] = factor * angle_rate_[n];
+        sine_[n + 1] = factor * product(cosine_, angle_rate_);
+        cosine_[n + 1] = -factor * product(sine_, angle_rate_);
+        outer_[n + 1] = -factor * product(cosine_m_, angle_rate_);
+        swing_[n] = product(angle_cosine_, angle_rate_);
+        quadratic_[n + 1] = factor * 2 * lambda_ * product(sine_, swing_);
+        linear_[n + 1] = factor * 4 * lambda_ * lambda_ / 3 * swing_[n];
+    }
+
+    Terms overlap_by_radius{};  ///< d(delta)/da
+    Terms force{};
+
+  private:
+    static void divide(Terms& quotient, const Terms& numerator, const Terms& denominator, std::size_t n) {
+        Extended rest = numerator[n];
+        for (std::size_t k = 0; k < n; ++k) rest -= quotient[k] * denominator[n - k];
+        quotient[n] = rest / denominator[0];
+    }
+
+    Extended lambda_;
+    Terms angle_{}, outer_{}, sine_{}, cosine_{}, quadratic_{}, linear_{};
+    Terms radius_fall_{}, angle_rate_{}, swing_{}, sine_cosine_{}, angle_cosine_{}, outer_squared_{}, wall_{},
+        pull_{};
+    Terms numerator_{}, denominator_{}, m_{}, cosine_m_{}, turn_{}, gain_{}, cosine_gain_{};
+    Terms radius_squared_{}, spread_{};
+};
+
+/// Radius of convergence, under a name that does not read as a contact radius.
+Extended convergence(const Terms& terms) {
+    return radius(terms);
+}
+
+/// Coefficient n of p(q) for a series q, whose powers are kept in @p powers.
+Extended composed(const Polynomial<Extended>& p, std::array<Terms, Polynomial<Extended>::capacity>& powers,
+                  const Terms& q, std::size_t n) {
+    if (p.degree == 0) return n == 0 ? p[0] : 0;
+    powers[1][n] = q[n];
+    Extended sum = (n == 0 ? p[0] : 0) + p[1] * q[n];
+    for (int j = 2; j <= p.degree; ++j) {
+        const auto i = static_cast<std::size_t>(j);
+        powers[i][n] = product_coefficient(powers[i - 1], q, n);
+        sum += p[j] * powers[i][n];
+    }
+    return sum;
+}
+
+}  // namespace
+
+TouchingBranch::TouchingBranch(const CohesiveZone& zone, const Polynomial<Extended>& damping)
+    : zone_(zone), rooted_(!damping.even()), damping_(rooted_ ? damping : damping.of_square()) {}
+
+Extended TouchingBranch::coordinate(const CohesiveState& state) const {
+    const Extended a = state.contact_radius();
+    return rooted_ ? std::sqrt(a) : a;
+}
+
+CohesiveState TouchingBranch::state(Extended q) const {
+    return zone_.at_contact_radius(rooted_ ? q * q : q);
+}
+
+Extended TouchingBranch::slope(Extended q) const {
+    const CohesiveState at = state(q);
+    const CohesiveZone::Slopes slopes = zone_.slopes(at);
+    const Extended by_radius = at.contact_radius() / at.cohesive_radius * slopes.overlap / slopes.radius;
+    return rooted_ ? 2 * q * by_radius : by_radius;
+}
+
+MotionExpansion<Extended> TouchingBranch::expand(const MotionState<Extended>& state) const {
+    MotionExpansion<Extended> x{};
+    x.position[0] = state.position;
+    x.velocity[0] = state.velocity;
+    x.time[0] = state.time;
+    x.dissipation[0] = state.dissipation;
+    SeriesOfZone zone(zone_.lambda(), zone_, this->state(state.position));
+    std::array<Terms, Polynomial<Extended>::capacity> powers{};
+    Terms radius{};
+    Terms rate{};  // of the contact radius
+    Terms slope{};
+    Terms eta{};
+    Terms drag_force{};
+    Terms total{};
+    Terms power{};
+    for (std::size_t n = 0; n + 1 < term_count; ++n) {
+        const auto product = [n](const Terms& a, const Terms& b) { return product_coefficient(a, b, n); };
+        radius[n] = rooted_ ? product(x.position, x.position) : x.position[n];
+        rate[n] = rooted_ ? 2 * product(x.position, x.velocity) : x.velocity[n];
+        zone.advance(radius, n);
+        slope[n] = rooted_ ? 2 * product(x.position, zone.overlap_by_radius) : zone.overlap_by_radius[n];
+        eta[n] = composed(damping_, powers, x.position, n);
+        drag_force[n] = product(eta, x.velocity);
+        total[n] = zone.force[n] + drag_force[n];
+        power[n] = product(slope, drag_force);
+        const Extended factor = Extended(1) / static_cast<Extended>(n + 1);
+        x.position[n + 1] = factor * x.velocity[n];
+        x.velocity[n + 1] = -factor * product(slope, total);
+        x.time[n + 1] = factor * slope[n];
+        x.dissipation[n + 1] = factor * product(power, x.velocity);
+        zone.follow(rate, n);
+    }
+    const Extended within = std::min(convergence(x.position), convergence(x.velocity));
+    x.step = within / (std::numbers::e_v<Extended> * std::numbers::e_v<Extended>);
+    return x;
+}
+
+TouchingBranch::Statics TouchingBranch::statics(Extended q) const {
+    Statics result{};
+    SeriesOfZone zone(zone_.lambda(), zone_, state(q));
+    std::array<Terms, Polynomial<Extended>::capacity> powers{};
+    Terms place{};  // q itself
+    place[0] = q;
+    place[1] = 1;
+    Terms radius{};
+    Terms rate{};
+    Terms twice{};
+    twice[0] = 2 * q;
+    twice[1] = 2;
+    for (std::size_t n = 0; n < term_count; ++n) {
+        radius[n] = rooted_ ? product_coefficient(place, place, n) : place[n];
+        rate[n] = rooted_ ? twice[n] : Extended(n == 0 ? 1 : 0);
+        zone.advance(radius, n);
+        result.force[n] = zone.force[n];
+        result.slope[n] =
+            rooted_ ? product_coefficient(twice, zone.overlap_by_radius, n) : zone.overlap_by_radius[n];
+        result.damping[n] = composed(damping_, powers, place, n);
+        if (n + 1 < term_count) zone.follow(rate, n);
+    }
+    return result;
+}
+
+GapBranch::GapBranch(const CohesiveZone& zone)
+    : motion_(branch_motion<Extended>(zone.gap_overlap(), zone.gap_force(), {DampingLaw::constant, 0.0L})) {}
+
+}  // namespace ashimpact

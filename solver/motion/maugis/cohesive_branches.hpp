@@ -1,0 +1,65 @@
+#pragma once
+
+#include "solver/contact/maugis/cohesive_zone.hpp"
+#include "solver/motion/motion_stepper.hpp"
+
+namespace ashimpact {
+
+/// The touching part of a Maugis-Dugdale impact (CohesiveZone) in the regularised form of Motion:
+///
+///     dq/dtheta = v,   dv/dtheta = -delta'(q) (eta(q) v + F(q)),   dt/dtheta = delta'(q),
+///
+/// with q the contact radius a, or sqrt(a) where the damping needs it. Units of Maugis, mass 1.
+class TouchingBranch {
+  public:
+    /// @param damping eta as a polynomial of sqrt(a)
+    TouchingBranch(const CohesiveZone& zone, const Polynomial<Extended>& damping);
+
+    [[nodiscard]] Extended coordinate(const CohesiveState& state) const;
+    [[nodiscard]] CohesiveState state(Extended q) const;
+    [[nodiscard]] Extended overlap(Extended q) const { return zone_.overlap(state(q)); }
+    [[nodiscard]] Extended slope(Extended q) const;  ///< d(delta)/dq
+    [[nodiscard]] Extended force(Extended q) const { return zone_.force(state(q)); }
+    [[nodiscard]] Extended potential(Extended q) const { return zone_.potential(state(q)); }
+    [[nodiscard]] Extended damping(Extended q) const { return damping_(q); }
+    [[nodiscard]] const Polynomial<Extended>& damping() const { return damping_; }
+
+    /// The motion as Taylor series about a state; MotionExpansion::step as in MotionStepper.
+    [[nodiscard]] MotionExpansion<Extended> expand(const MotionState<Extended>& state) const;
+
+    /// d(delta)/dq, F and eta as power series of q - @p q.
+    struct Statics {
+        Series<Extended> slope;
+        Series<Extended> force;
+        Series<Extended> damping;
+    };
+    [[nodiscard]] Statics statics(Extended q) const;
+
+  private:
+    CohesiveZone zone_;
+    bool rooted_;  ///< q = sqrt(a)
+    Polynomial<Extended> damping_;
+};
+
+/// The part of the impact in which the surfaces attract one another across a gap; conservative. q is the
+/// radius c of the cohesive zone, in which everything is a polynomial.
+class GapBranch {
+  public:
+    explicit GapBranch(const CohesiveZone& zone);
+
+    [[nodiscard]] static Extended coordinate(const CohesiveState& state) { return state.cohesive_radius; }
+    [[nodiscard]] static CohesiveState state(Extended q) { return CohesiveZone::in_gap(q); }
+    [[nodiscard]] Extended overlap(Extended q) const { return motion_.overlap(q); }
+    [[nodiscard]] Extended slope(Extended q) const { return motion_.slope(q); }
+    [[nodiscard]] Extended force(Extended q) const { return motion_.force(q); }
+    [[nodiscard]] Extended potential(Extended q) const { return motion_.potential(q); }
+    [[nodiscard]] static Extended damping(Extended /*q*/) { return 0; }
+    [[nodiscard]] MotionExpansion<Extended> expand(const MotionState<Extended>& state) const {
+        return MotionStepper<Extended>(motion_).expand(state);
+    }
+
+  private:
+    Motion<Extended> motion_;
+};
+
+}  // namespace ashimpact

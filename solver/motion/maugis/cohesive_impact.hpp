@@ -1,0 +1,28 @@
+#pragma once
+
+#include "solver/motion/impact.hpp"
+#include "solver/motion/maugis/cohesive_orbit.hpp"
+
+namespace ashimpact {
+
+/// Whether an impact follows a cohesive zone: law maugis-dugdale with adhesion. Without, the law is Hertz.
+[[nodiscard]] inline bool is_cohesive(Law law, const ContactPair& contact) {
+    return law == Law::of<MaugisDugdale>() && contact.work_of_adhesion > 0.0;
+}
+
+/// An impact that is_cohesive() in units of Maugis.
+struct ScaledCohesiveImpact {
+    Scale scale;  ///< its velocity is the unit of velocity, not that of the impact
+    CohesiveMotion motion;
+    Extended velocity;  ///< of the impact, in that unit
+};
+
+/// The impact in units of Maugis. @throws InputError for a transition parameter out of range
+[[nodiscard]] ScaledCohesiveImpact scaled_cohesive_impact(const Impact& impact);
+
+/// solve_impact(), restitution_of() and refusal() of an impact that is_cohesive(), without other validation.
+[[nodiscard]] ImpactResult solve_cohesive_impact(const Impact& impact);
+[[nodiscard]] Extended cohesive_restitution(const Impact& impact);
+[[nodiscard]] std::optional<std::string> cohesive_refusal(const ContactPair& contact, Detachment detachment);
+
+}  // namespace ashimpact

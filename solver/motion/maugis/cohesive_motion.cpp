@@ -1,0 +1,58 @@
+#include "solver/motion/maugis/cohesive_motion.hpp"
+
+#include "solver/contact/maugis/transition.hpp"
+
+#include <cmath>
+
+namespace ashimpact {
+
+namespace {
+
+CohesiveState end_of(const CohesiveZone& zone, Detachment detachment) {
+    switch (detachment) {
+        case Detachment::zero_overlap:
+            return zone.at_overlap(0);
+        case Detachment::load_controlled:
+            return zone.greatest_tension();
+        case Detachment::zero_force:
+            return zone.equilibrium();
+        case Detachment::pull_off:
+            break;
+    }
+    return zone.pull_off();
+}
+
+}  // namespace
+
+CohesiveMotion::CohesiveMotion(const CohesiveZone& zone, const Polynomial<Extended>& damping,
+                               Detachment detachment)
+    : zone_(zone),
+      touching_(zone, damping),
+      gap_(zone),
+      begin_(zone.touch()),
+      end_(end_of(zone, detachment)) {
+    if (detachment != Detachment::zero_overlap) return;
+    begin_ = end_;
+    before_ = zone.potential(begin_);
+}
+
+std::optional<std::string> cohesive_refusal(const CohesiveZone& zone, Detachment detachment) {
+    const std::string subject =
+        std::string(name_of(detachment)) + " does not end a contact of law maugis-dugdale";
+    if (detachment == Detachment::zero_force) {
+        return subject +
+               ": its potential there is below that at first touch, an undamped impact would gain energy";
+    }
+    const bool gains =
+        detachment == Detachment::load_controlled && zone.overlap(zone.greatest_tension()) > -zone.reach();
+    if (!gains) return std::nullopt;
+    return subject + " of so long a reach (lambda " + std::to_string(static_cast<double>(zone.lambda())) +
+           "): the tension is greatest within the reach of the cohesion, an undamped impact would gain "
+           "energy";
+}
+
+double maugis_velocity(const ContactPair& contact) {
+    return std::sqrt(maugis_units(contact).energy() / contact.mass);
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "solver/contact/detachment.hpp"
+#include "solver/motion/impact.hpp"
+#include "solver/motion/maugis/cohesive_branches.hpp"
+#include "solver/motion/scale.hpp"
+
+#include <optional>
+#include <string>
+
+namespace ashimpact {
+
+/// A Maugis-Dugdale impact: the branches it moves on, where it begins and where it ends; units of Maugis,
+/// mass 1.
+///
+/// The surfaces come into reach at delta = -h_0 and jump to the stable state of that overlap; the velocity
+/// does not change, the energy of the jump is lost. Where the contact ends at zero overlap the impact begins
+/// there too, on the stable branch: what happens across the gap is then no part of it.
+class CohesiveMotion {
+  public:
+    /// @param damping eta as a polynomial of sqrt(a)
+    CohesiveMotion(const CohesiveZone& zone, const Polynomial<Extended>& damping, Detachment detachment);
+
+    [[nodiscard]] const CohesiveZone& zone() const { return zone_; }
+    [[nodiscard]] const TouchingBranch& touching() const { return touching_; }
+    [[nodiscard]] const GapBranch& gap() const { return gap_; }
+    [[nodiscard]] const CohesiveState& begin() const { return begin_; }
+    [[nodiscard]] const CohesiveState& end() const { return end_; }
+    /// Potential before the surfaces come into reach: 0, or that of the first state at zero overlap.
+    [[nodiscard]] Extended potential_before() const { return before_; }
+    /// Potential after the contact has ended; likewise.
+    [[nodiscard]] Extended potential_after() const { return before_; }
+    [[nodiscard]] Extended potential_at_begin() const { return zone_.potential(begin_); }
+    [[nodiscard]] Extended potential_at_end() const { return zone_.potential(end_); }
+
+  private:
+    CohesiveZone zone_;
+    TouchingBranch touching_;
+    GapBranch gap_;
+    CohesiveState begin_;
+    CohesiveState end_;
+    Extended before_ = 0;
+};
+
+/// Why the detachment does not end a contact of this transition parameter, or none where it does.
+[[nodiscard]] std::optional<std::string> cohesive_refusal(const CohesiveZone& zone, Detachment detachment);
+
+/// Velocity whose scale has the units of Maugis [m/s]; w must be above 0.
+[[nodiscard]] double maugis_velocity(const ContactPair& contact);
+
+}  // namespace ashimpact

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "solver/uncertainty/curve/impact_probability.hpp"
+
+#include <Eigen/Dense>
+
+#include <vector>
+
+namespace ashimpact {
+
+/// What is taken to be known before the impacts are looked at.
+struct CurvePrior {
+    bool noise_known;
+    double noise;                   ///< where it is not known, about how much [m/s]
+    std::optional<double> scatter;  ///< of ln eta between particles, where it is known
+};
+
+/// -ln of the posterior density of the parameters of a curve at one smoothness.
+///
+/// Parameters: ln v_c, the coefficients of g, ln of the noise's scale, ln of the scatter between particles.
+class CurvePosterior {
+  public:
+    CurvePosterior(const RestitutionTable& table, const std::vector<RecordedImpact>& impacts,
+                   const CurvePrior& prior, double roughness);
+
+    static constexpr int critical = 0;
+    static constexpr int first_term = 1;
+    static constexpr int noise = first_term + SmoothDamping::terms;
+    static constexpr int scatter = noise + 1;
+    static constexpr int size = scatter + 1;
+    using Vector = Eigen::Matrix<double, size, 1>;
+    using Matrix = Eigen::Matrix<double, size, size>;
+
+    [[nodiscard]] double operator()(const Vector& parameters) const;
+    [[nodiscard]] SmoothDamping curve(const Vector& parameters) const;
+    [[nodiscard]] Scatter scatter_of(const Vector& parameters) const;
+    [[nodiscard]] Vector start(double log_critical_velocity) const;
+    [[nodiscard]] const std::vector<RecordedImpact>& impacts() const { return *impacts_; }
+
+    struct Curvature {
+        double value;
+        Vector gradient;
+        Matrix hessian;
+    };
+    [[nodiscard]] Curvature curvature(const Vector& parameters) const;
+    [[nodiscard]] Vector gradient(const Vector& parameters) const;
+    [[nodiscard]] bool free(int parameter) const { return parameter != scatter || !prior_.scatter; }
+
+  private:
+    [[nodiscard]] double prior_term(const Vector& parameters) const;
+
+    const RestitutionTable* table_;
+    const std::vector<RecordedImpact>* impacts_;
+    CurvePrior prior_;
+    double roughness_;
+    double fastest_;  ///< ln v
+    double slowest_;
+};
+
+}  // namespace ashimpact

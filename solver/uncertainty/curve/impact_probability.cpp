@@ -1,0 +1,195 @@
+#include "solver/uncertainty/curve/impact_probability.hpp"
+
+#include "solver/gsl/quadrature.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ashimpact {
+
+namespace {
+
+constexpr double root_two_pi = 2.5066282746310002;
+
+double normal_below(double z) {
+    return 0.5 * std::erfc(-z * std::numbers::sqrt2 / 2.0);
+}
+
+double normal_density(double difference, double variance) {
+    return std::exp(-0.5 * difference * difference / variance) / (root_two_pi * std::sqrt(variance));
+}
+
+constexpr int quadrature_nodes = 16;
+
+/// Nodes of [0, 1].
+const auto& unit_nodes() {
+    static const auto nodes = gsl::gauss_legendre<quadrature_nodes>(0.0, 1.0);
+    return nodes;
+}
+
+class Probability {
+  public:
+    Probability(const SmoothDamping& curve, const Scatter& scatter, const RecordedImpact& impact)
+        : curve_(curve),
+          impact_(impact),
+          x_(impact.log_velocity),
+          velocity_share_(scatter.noise * impact.incident_u / impact.velocity),
+          rebound_u_(scatter.noise * impact.rebound_u),
+          damping_(scatter.damping) {
+        // A particle with more damping is one at a lower velocity: both noises shift the impact along ln v.
+        const double from_critical = x_ - curve.log_critical_velocity();
+        const double least = velocity_share_ + 0.02;
+        const double away = from_critical < 0.0 ? std::min(from_critical, -least) : std::max(from_critical, least);
+        const double place = curve.log_critical_velocity() + away;
+        const double slope = std::max(0.02, curve.at(place).distance / away);
+        const double by_damping = damping_ / slope;
+        width_ = std::hypot(velocity_share_, by_damping);
+        share_ = velocity_share_ * velocity_share_ / (width_ * width_);
+        below_ = -from_critical / width_;
+    }
+
+    [[nodiscard]] double captured() const { return normal_below(below_); }
+
+    /// Density of the reading, of rebounds.
+    [[nodiscard]] double rebounds() const {
+        if (below_ < -far_end) return far();
+        if (below_ > -far_begin) return near([this](double r, double extra) { return reading(r, extra); }, true);
+        const double t = (-below_ - far_begin) / (far_end - far_begin);
+        const double blend = t * t * (3.0 - 2.0 * t);
+        return (1.0 - blend) * near([this](double r, double extra) { return reading(r, extra); }, true) +
+               blend * far();
+    }
+
+    /// Probability of a rebound that was taken for a capture.
+    [[nodiscard]] double unseen() const {
+        if (below_ < -far_end && curve_.at(x_).restitution * impact_.velocity >
+                                     8.0 * rebound_u_ + impact_.resolution)
+            return 0.0;
+        return near([this](double r, double) { return at_rest(r); }, false);
+    }
+
+  private:
+    static constexpr double reach = 6.0;
+    static constexpr double far_begin = 5.0;
+    static constexpr double far_end = 7.0;
+
+    /// Probability that a rebound is recorded as zero.
+    [[nodiscard]] double at_rest(double r) const {
+        if (impact_.resolution > 0.0) return std::clamp(1.0 - r / impact_.resolution, 0.0, 1.0);
+        return normal_below(-r / rebound_u_);
+    }
+
+    [[nodiscard]] double reading(double r, double extra) const {
+        const double seen = impact_.resolution > 0.0 ? 1.0 - at_rest(r) : 1.0;
+        return seen * normal_density(impact_.rebound - r, rebound_u_ * rebound_u_ + extra);
+    }
+
+    [[nodiscard]] double rebound_at(double y) const {
+        return curve_.at(x_ + y).restitution * impact_.velocity * std::exp(share_ * y);
+    }
+
+    /// Integral over the shifts y that rebound, e being about a root or a power of the distance from v_c.
+    template <class Function>
+    [[nodiscard]] double near(const Function& function, bool narrow) const {
+        const double from = std::max(below_ * width_, -reach * width_);
+        const double to = std::max(from, 0.0) + reach * width_;
+        double low = 0.0;
+        double high = std::sqrt(to - from);
+        if (narrow) narrow_down(from, low, high);
+        double sum = 0.0;
+        for (const auto& node : unit_nodes()) {
+            const double q = low + (high - low) * node.position;
+            const double y = from + q * q;
+            const double r = rebound_at(y);
+            const double extra = share_ * (1.0 - share_) * r * r * width_ * width_;
+            sum += node.weight * 2.0 * q * normal_density(y, width_ * width_) * function(r, extra);
+        }
+        return sum * (high - low);
+    }
+
+    /// Leaves out shifts whose rebound is further from the reading than the noise reaches.
+    void narrow_down(double from, double& low, double& high) const {
+        const double band = reach * rebound_u_;
+        const auto r_at = [&](double q) { return rebound_at(from + q * q); };
+        const double range = r_at(high) - r_at(low);
+        if (range < 2.0 * band) return;
+        const auto root = [&](double value) {
+            double a = low;
+            double b = high;
+            for (int i = 0; i < 14; ++i) {
+                const double middle = 0.5 * (a + b);
+                (r_at(middle) < value ? a : b) = middle;
+            }
+            return std::pair(a, b);
+        };
+        const double lowest = impact_.rebound - band;
+        const double highest = impact_.rebound + band;
+        const double new_low = r_at(low) < lowest ? root(lowest).first : low;
+        const double new_high = r_at(high) > highest ? root(highest).second : high;
+        low = new_low;
+        high = std::max(new_high, low + 1e-9);
+    }
+
+    /// Far from v_c the curve is nearly straight over the noise: three places give mean and variance.
+    [[nodiscard]] double far() const {
+        const auto here = curve_.at(x_);
+        const double r = impact_.velocity * here.restitution;
+        const double by_damping = impact_.velocity * here.by_distance * damping_;
+        double variance = rebound_u_ * rebound_u_ + by_damping * by_damping;
+        double mean = r;
+        if (velocity_share_ > 0.0) {
+            const double step = std::min(std::sqrt(3.0), 0.9 / velocity_share_);
+            const double up_x = std::log1p(step * velocity_share_);
+            const double down_x = std::log1p(-step * velocity_share_);
+            const double up = impact_.velocity * (1.0 + step * velocity_share_) * curve_.at(x_ + up_x).restitution;
+            const double down =
+                impact_.velocity * (1.0 - step * velocity_share_) * curve_.at(x_ + down_x).restitution;
+            const double weight = 0.5 / (step * step);
+            mean += weight * (up + down - 2.0 * r);
+            variance += weight * ((up - r) * (up - r) + (down - r) * (down - r)) - (mean - r) * (mean - r);
+        }
+        return normal_density(impact_.rebound - mean, variance);
+    }
+
+    const SmoothDamping& curve_;
+    const RecordedImpact& impact_;
+    double x_;
+    double velocity_share_;  ///< u(v_in)/v_in
+    double rebound_u_;
+    double damping_;
+    double width_ = 0.0;  ///< of all shifts along ln v
+    double share_ = 0.0;  ///< of the variance of the shift that v_in has
+    double below_ = 0.0;  ///< v_c over the impact, in widths
+};
+
+}  // namespace
+
+double log_probability(const SmoothDamping& curve, const Scatter& scatter, const RecordedImpact& impact) {
+    const Probability probability(curve, scatter, impact);
+    const double flat = 1.0 / (1.5 * impact.velocity);  // density of an outlier's reading
+    constexpr double at_rest = 0.1;                       // share of outliers that read zero
+    double regular = 0.0;
+    double outlier = flat;
+    switch (impact.recorded) {
+        case Recorded::rebound:
+            regular = probability.rebounds();
+            break;
+        case Recorded::capture:
+            regular = probability.captured();
+            outlier = at_rest;
+            break;
+        case Recorded::zero:
+            regular = probability.captured() + probability.unseen();
+            outlier = at_rest;
+            break;
+        case Recorded::unknown: {
+            const double u = scatter.noise * impact.rebound_u;
+            regular = probability.rebounds() + probability.captured() * normal_density(impact.rebound, u * u);
+            break;
+        }
+    }
+    return std::log((1.0 - scatter.outliers) * regular + scatter.outliers * outlier);
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "solver/uncertainty/curve/smooth_damping.hpp"
+
+namespace ashimpact {
+
+/// What was recorded of an impact.
+enum class Recorded {
+    rebound,  ///< with a velocity above zero
+    zero,     ///< no rebound was seen: a capture, or a rebound too slow for the camera
+    capture,  ///< seen to stick
+    unknown,  ///< a reading that does not say which
+};
+
+/// One impact as the likelihood needs it.
+struct RecordedImpact {
+    Recorded recorded;
+    double velocity;    ///< v_in [m/s]
+    double log_velocity;  ///< ln v_in
+    double rebound;     ///< v_r as read; 0 where there is no reading [m/s]
+    double incident_u;  ///< standard uncertainty of v_in, in units of the noise scale
+    double rebound_u;   ///< of v_r
+    double resolution;  ///< v_r from which on the camera always sees it move; 0: not known [m/s]
+    double count = 1.0; ///< impacts that this one stands for
+};
+
+/// How measurements scatter about the curve.
+struct Scatter {
+    double noise;    ///< factor on the uncertainties of both velocities
+    double damping;  ///< standard deviation of ln eta between particles, or of what acts like it (size)
+    double outliers; ///< share of impacts that say nothing
+};
+
+/// ln of the probability (density) of what was recorded, summed over the true velocities and over the particles
+/// it may have been.
+[[nodiscard]] double log_probability(const SmoothDamping& curve, const Scatter& scatter,
+                                     const RecordedImpact& impact);
+
+}  // namespace ashimpact

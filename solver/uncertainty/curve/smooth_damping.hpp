@@ -1,0 +1,56 @@
+#pragma once
+
+#include "solver/uncertainty/curve/restitution_table.hpp"
+
+#include <array>
+
+namespace ashimpact {
+
+/// A smooth curve of damping over velocity, anchored at the critical velocity:
+///
+///     ln eta(v) = ln eta_capture(v_c) + g(t),   g(t) = sum_k c_k (T_k(2t - 1) - T_k(-1)),
+///
+/// t in [0, 1] the restitution that constant damping of the same v_c would give at v, over the one at the
+/// fastest impact. In t both kinds of truth are smooth: a damping that goes with the velocity, and one that goes
+/// with the restitution, which for adhesive laws rises vertically at v_c. g = 0 is constant damping. v_c is a
+/// parameter of its own, and above it every impact rebounds.
+class SmoothDamping {
+  public:
+    static constexpr int terms = 7;
+
+    /// @param log_critical_velocity ln v_c @param fastest ln v of the fastest impact
+    SmoothDamping(const RestitutionTable& table, double log_critical_velocity, double fastest,
+                  const std::array<double, terms>& coefficients);
+
+    struct Place {
+        double distance;     ///< phi = ln(eta_capture(v)/eta(v)), negative below v_c
+        double restitution;  ///< 0 below v_c
+        double by_distance;  ///< d e/d phi
+    };
+    /// @param x ln v
+    [[nodiscard]] Place at(double x) const;
+    /// ln eta. @param x ln v, above v_c
+    [[nodiscard]] double log_damping(double x) const { return table_->log_capture_damping(x) - at(x).distance; }
+    [[nodiscard]] double log_critical_velocity() const { return critical_; }
+    /// How much the curve lingers at e = 0 above v_c, where the distance is less than 0.6 of what constant damping
+    /// gives: there v_c would say nothing. -ln of a prior density.
+    [[nodiscard]] double lingering() const { return lingering_; }
+
+  private:
+    [[nodiscard]] double deviation(double t) const;
+    [[nodiscard]] Place computed(double x) const;
+
+    // Places are tabulated along the root of ln(v/v_c), in which e begins smoothly.
+    static constexpr int cells = 96;
+
+    const RestitutionTable* table_;
+    double critical_;
+    double critical_damping_;
+    double span_;  ///< of the reference's restitution
+    double step_;  ///< of the root
+    double lingering_ = 0.0;
+    std::array<double, terms> coefficients_;
+    std::array<Place, cells + 3> places_;  ///< from one step before v_c on
+};
+
+}  // namespace ashimpact

@@ -1,0 +1,59 @@
+#include "solver/uncertainty/likelihood/closest_curve.hpp"
+
+#include "solver/gsl/nonlinear_fit.hpp"
+#include "solver/gsl/robust.hpp"
+#include "solver/uncertainty/likelihood/damping_polynomial.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ashimpact {
+
+namespace {
+
+/// Turns values of eta at restitutions spread over the curve, the first at e = 0, into coefficients. The
+/// values are all of one size, the coefficients of high powers are not.
+Eigen::MatrixXd coefficients_from_values(double greatest_restitution, Eigen::Index count) {
+    Eigen::MatrixXd powers(count, count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const double share = count > 1 ? static_cast<double>(i) / static_cast<double>(count - 1) : 0.0;
+        powers.row(i) =
+            DampingPolynomial::powers(share * greatest_restitution, static_cast<int>(count) - 1).transpose();
+    }
+    return powers.inverse();
+}
+
+}  // namespace
+
+Eigen::VectorXd closest(const ContactModel& model, const RestitutionData& data,
+                        const Eigen::VectorXd& start) {
+    const RestitutionDistances distances(model, data);
+    const Eigen::MatrixXd to_coefficients = coefficients_from_values(data.greatest_restitution, start.size());
+    const Eigen::VectorXd values = to_coefficients.partialPivLu().solve(start);
+    const gsl::NonlinearFit fit = gsl::fit_nonlinear(
+        {.residuals = [&](const Eigen::VectorXd& x) { return distances.rows(to_coefficients * x).residuals; },
+         .jacobian = [&](const Eigen::VectorXd& x) -> Eigen::MatrixXd {
+             return distances.rows(to_coefficients * x).jacobian * to_coefficients;
+         }},
+        values, {.parameter_tolerance = 1e-8, .gradient_tolerance = 1e-12});
+    return to_coefficients * fit.parameters;
+}
+
+Eigen::VectorXd closest_robustly(const ContactModel& model, RestitutionData& data, Eigen::VectorXd start) {
+    RestitutionData plain = data;
+    for (int i = 0; i < 50; ++i) {
+        const Eigen::VectorXd weights = gsl::bisquare_weights(
+            RestitutionDistances(model, plain).rows(start).residuals, static_cast<int>(start.size()));
+        double change = 0.0;
+        for (std::size_t j = 0; j < data.weights.size(); ++j) {
+            const double weight = weights[static_cast<Eigen::Index>(j)];
+            change = std::max(change, std::abs(weight - data.weights[j]));
+            data.weights[j] = weight;
+        }
+        if (change < 1e-4) break;
+        start = closest(model, data, start);
+    }
+    return start;
+}
+
+}  // namespace ashimpact

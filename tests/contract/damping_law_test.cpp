@@ -1,0 +1,77 @@
+// Every registered damping law: its shape, its unit, its limit and the guess that searches start from.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include "solver/damping/damping.hpp"
+#include "solver/motion/damping_inversion.hpp"
+#include "solver/motion/scale.hpp"
+#include "tests/relative_difference.hpp"
+#include "tests/support/contact_cases.hpp"
+
+using namespace ashimpact;
+using namespace ashimpact::test;
+
+namespace {
+
+/// Damping eta(a) [kg/s] of the coefficient C at a contact radius [m], worked out in the scale of a velocity.
+double damping_at(DampingLaw law, double coefficient, double contact_radius, double velocity) {
+    const Scale scale = Scale::of(ash(0.0), velocity);
+    const double u = std::sqrt(contact_radius / scale.radius_length);
+    const double shape = RegisteredDampings::visit<double>(law, [u]<class D>() { return D::shape(u); });
+    return scale.damping_number({law, coefficient}) * shape * scale.momentum() / scale.length;
+}
+
+DampingProblem hertz_problem(DampingLaw law, double restitution) {
+    return {Law::of<Hertz>(), Detachment::zero_overlap, law, ash(0.0), 2.0, restitution};
+}
+
+}  // namespace
+
+TEST_CASE("a damping law stands where its name does, and shape is never negative") {
+    for (std::size_t i = 0; i < damping_names.size(); ++i) {
+        const DampingLaw law = damping_names[i].law;
+        CAPTURE(damping_names[i].name);
+        CHECK(static_cast<std::size_t>(law) == i);
+        for (const double u : {0.0, 0.3, 1.0, 2.0}) {
+            CHECK(RegisteredDampings::visit<double>(law, [u]<class D>() { return D::shape(u); }) >= 0.0);
+        }
+        CHECK(RegisteredDampings::visit<double>(law, []<class D>() { return D::shape(1.0); }) == 1.0);
+    }
+}
+
+TEST_CASE("the damping of a contact radius does not depend on the velocity whose scale it is worked out in") {
+    for (const DampingName& damping : damping_names) {
+        CAPTURE(damping.name);
+        for (const double radius : {1e-7, 1e-6, 5e-6}) {
+            const double one = damping_at(damping.law, 1.0, radius, 0.3);
+            CHECK(relative_difference(one, damping_at(damping.law, 1.0, radius, 20.0)) < 1e-13);
+        }
+    }
+}
+
+TEST_CASE("searches start within ten per cent of the damping of a Hertz impact") {
+    for (const DampingName& damping : damping_names) {
+        for (const double loss : {0.05, 0.3, 0.7, 0.95}) {
+            const DampingInversion found = damping_from_restitution(hertz_problem(damping.law, 1.0 - loss));
+            const double number = Scale::of(ash(0.0), 2.0).damping_number(found.damping);
+            CAPTURE(damping.name);
+            CAPTURE(loss);
+            CHECK(relative_difference(hertz_damping_number(damping.law, loss), number) < 0.1);
+        }
+    }
+}
+
+TEST_CASE("a law's limit of overdamping is where Hertz impacts cease to rebound") {
+    for (const DampingName& damping : damping_names) {
+        const double limit = std::sqrt(overdamped_squared(damping.law));
+        if (!std::isfinite(limit)) continue;
+        CAPTURE(damping.name);
+        const ContactCase hertz{Law::of<Hertz>(), damping.law, Detachment::zero_overlap};
+        for (const double v : ash_velocities) {
+            CHECK(solve_impact(impact_of(hertz, ash(0.0), 0.99 * limit, v)).outcome == Outcome::rebound);
+            CHECK(solve_impact(impact_of(hertz, ash(0.0), 1.0000001 * limit, v)).outcome == Outcome::capture);
+        }
+    }
+}

@@ -1,0 +1,192 @@
+#include <doctest/doctest.h>
+
+#include <filesystem>
+
+#include "tests/pipeline/sandbox.hpp"
+
+using namespace ashimpact;
+using test::ashimpact_program;
+using test::Sandbox;
+
+namespace {
+
+Json quick_case() {
+    Json document = test::example_case();
+    while (document["samples"].size() > 1) document["samples"].erase(1);
+    document["laws"] = {"hertz"};
+    return document;
+}
+
+void run_case(const Sandbox& sandbox, const Json& document, const std::string& folder) {
+    test::write_example(sandbox, document);
+    const auto run = ashimpact_program(sandbox, "run case.json -o " + folder);
+    REQUIRE_MESSAGE(run.status == 0, run.err);
+}
+
+/// One line, status 2, and the folder as it was.
+void check_refused(const Sandbox& sandbox, const std::string& arguments, const std::string& says) {
+    CAPTURE(arguments);
+    const auto before = sandbox.everything();
+    const auto finished = ashimpact_program(sandbox, arguments);
+    CHECK(finished.status == 2);
+    CHECK_MESSAGE(finished.err.find(says) != std::string::npos, finished.err);
+    CHECK(sandbox.everything() == before);
+}
+
+}  // namespace
+
+TEST_CASE("every artifact carries the identity of its run; a mixture of two runs is refused") {
+    const Sandbox sandbox;
+    run_case(sandbox, quick_case(), "one");
+    Json other = quick_case();
+    other["samples"][0]["diameter"] = "77 um";
+    run_case(sandbox, other, "two");
+    const std::string run = sandbox.json("one/0-case.json")["provenance"]["run"];
+    CHECK(run.size() == 64);
+    CHECK(sandbox.json("two/0-case.json")["provenance"]["run"] != run);
+    for (const auto& entry : std::filesystem::directory_iterator(sandbox.folder() / "one")) {
+        const std::string name = entry.path().filename().string();
+        if (!name.ends_with(".json")) continue;
+        CAPTURE(name);
+        CHECK(sandbox.json("one/" + name)["provenance"]["run"] == run);
+        CHECK(sandbox.json("one/" + name)["schema_version"] == 1);
+    }
+    sandbox.write("one/3-analytic.json", sandbox.read("two/3-analytic.json"));
+    check_refused(sandbox, "run -o one --from comparison",
+                  "one/3-analytic.json: is of another run than 0-case.json beside it");
+    check_refused(sandbox, "run -o one --only damping", "one/3-analytic.json: is of another run");
+}
+
+TEST_CASE("the same case gives the same run and the same bytes") {
+    const Sandbox sandbox;
+    run_case(sandbox, quick_case(), "one");
+    const auto before = sandbox.everything();
+    run_case(sandbox, quick_case(), "one");
+    CHECK(sandbox.everything() == before);
+    CHECK(ashimpact_program(sandbox, "run -o one --from comparison").status == 0);
+    CHECK(sandbox.read("one/comparison.json") == std::find_if(before.begin(), before.end(), [](const auto& file) {
+                                                     return file.first == "one/comparison.json";
+                                                 })->second);
+}
+
+TEST_CASE("an edited artifact is taken and said to be edited; another layout is no edit") {
+    const Sandbox sandbox;
+    run_case(sandbox, quick_case(), "one");
+    Json artifact = sandbox.json("one/3-analytic.json");
+    sandbox.write("one/3-analytic.json", artifact.dump(7));
+    auto run = ashimpact_program(sandbox, "run -o one --only comparison");
+    CHECK(run.status == 0);
+    CHECK_MESSAGE(run.err.find("edited") == std::string::npos, run.err);
+
+    artifact["result"]["samples"][0]["critical_velocity"]["value"] = 0.25;
+    sandbox.write("one/3-analytic.json", artifact.dump());
+    run = ashimpact_program(sandbox, "run -o one --only comparison");
+    CHECK(run.status == 0);
+    CHECK_MESSAGE(run.err.find("one/3-analytic.json: was edited after ashimpact wrote it; its values count") !=
+                      std::string::npos,
+                  run.err);
+    const Json comparison = sandbox.json("one/comparison.json");
+    CHECK(comparison["result"]["samples"][0]["analytic_critical_velocity"]["value"] == 0.25);
+    CHECK(comparison["warnings"].dump().find("3-analytic.json was edited after ashimpact wrote it") !=
+          std::string::npos);
+}
+
+TEST_CASE("what cannot be is refused in an edited artifact, with file and place") {
+    const Sandbox sandbox;
+    run_case(sandbox, quick_case(), "one");
+    const Json whole = sandbox.json("one/3-analytic.json");
+    for (const char* value : {"-2", "1e300"}) {
+        Json artifact = whole;
+        artifact["result"]["samples"][0]["critical_velocity"]["value"] = Json::parse(value);
+        sandbox.write("one/3-analytic.json", artifact.dump());
+        check_refused(sandbox, "run -o one --only comparison",
+                      "one/3-analytic.json: /result/samples/0/critical_velocity/value: is ");
+    }
+}
+
+TEST_CASE("a value edited without its interval counts, and its interval is dropped with a warning") {
+    const Sandbox sandbox;
+    run_case(sandbox, quick_case(), "one");
+    const Json whole = sandbox.json("one/7-critical-velocity.json");
+    REQUIRE(whole["provenance"].contains("intervals"));
+    const Json entry = whole["provenance"]["intervals"][0];
+    const Json::json_pointer at(entry["at"].get<std::string>());
+    for (const double factor : {1.001, 3.0}) {  // inside of the interval, and outside of it
+        CAPTURE(factor);
+        Json artifact = whole;
+        Json& object = artifact[at];
+        Json& quantity = object.contains("value") ? object : object["critical_velocity"];
+        quantity["value"] = factor * entry["value"].get<double>();
+        sandbox.write("one/7-critical-velocity.json", artifact.dump());
+        const auto run = ashimpact_program(sandbox, "run -o one --only comparison");
+        REQUIRE_MESSAGE(run.status == 0, run.err);
+        CHECK_MESSAGE(run.err.find("was edited without its interval, which is dropped") != std::string::npos,
+                      run.err);
+    }
+}
+
+TEST_CASE("artifacts and cases of another schema version are refused by version") {
+    const Sandbox sandbox;
+    run_case(sandbox, quick_case(), "one");
+    const Json whole = sandbox.json("one/3-analytic.json");
+    Json artifact = whole;
+    artifact.erase("schema_version");
+    sandbox.write("one/3-analytic.json", artifact.dump());
+    check_refused(sandbox, "run -o one --only comparison", "\"schema_version\" is missing: an artifact of an earlier");
+    artifact["schema_version"] = 2;
+    sandbox.write("one/3-analytic.json", artifact.dump());
+    check_refused(sandbox, "run -o one --only comparison", "/schema_version: is 2; allowed: 1");
+    Json document = quick_case();
+    document["schema_version"] = 7;
+    sandbox.write("case.json", document.dump());
+    check_refused(sandbox, "run case.json -o two", "case.json: /schema_version: is 7; allowed: 1");
+    document["schema_version"] = 1;
+    sandbox.write("case.json", document.dump());
+    CHECK(ashimpact_program(sandbox, "run case.json -o two").status == 0);
+}
+
+TEST_CASE("impossible numbers of a case, a NUL in a name and endless lists are refused with their place") {
+    const Sandbox sandbox;
+    const auto refused = [&](const char* pointer, const Json& value, const std::string& says) {
+        Json document = quick_case();
+        document[Json::json_pointer(pointer)] = value;
+        test::write_example(sandbox, document);
+        check_refused(sandbox, "run case.json -o out", says);
+    };
+    refused("/wall/poisson_ratio", {{"value", 0.3}, {"unit", "1"}, {"standard_uncertainty", 1e30}},
+            "case.json: /wall/poisson_ratio/standard_uncertainty: a standard uncertainty of 1e+30; allowed: 0 to 1");
+    refused("/samples/0/density", {{"value", 2500}, {"unit", "kg/m3"}, {"standard_uncertainty", 1e308}},
+            "case.json: /samples/0/density/standard_uncertainty: a standard uncertainty of 1e+308");
+    refused("/samples/0/density", {{"value", 2500}, {"unit", "kg/m3"}, {"standard_uncertainty", 1e6}},
+            "case.json: /samples/0/density/standard_uncertainty: is 1e+06; allowed: ten times the value at most");
+    refused("/samples/0/restitution/file", std::string("impacts.csv\0x", 13),
+            "case.json: /samples/0/restitution/file: holds a NUL character");
+    refused("/laws", std::vector<std::string>(10'000, "hertz"), "case.json: /laws: is a list of 10000");
+}
+
+TEST_CASE("a case names files of its own folder only, through links too, unless that is allowed") {
+    const Sandbox sandbox;
+    test::write_example(sandbox, quick_case());
+    Json document = quick_case();
+    for (const char* name : {"ash.csv", "impacts.csv"}) sandbox.write(std::string("inside/") + name, sandbox.read(name));
+    document["samples"][0]["restitution"]["file"] = "../impacts.csv";
+    sandbox.write("inside/case.json", document.dump());
+    check_refused(sandbox, "run inside/case.json -o out", "impacts.csv: lies outside of the folder of the case");
+    CHECK(ashimpact_program(sandbox, "run inside/case.json -o allowed --allow-outside").status == 0);
+    std::filesystem::create_symlink("../impacts.csv", sandbox.folder() / "inside/link.csv");
+    document["samples"][0]["restitution"]["file"] = "link.csv";
+    sandbox.write("inside/case.json", document.dump());
+    check_refused(sandbox, "run inside/case.json -o out", "link.csv: lies outside of the folder of the case");
+    document["samples"][0]["restitution"]["file"] = "impacts.csv";
+    sandbox.write("inside/case.json", document.dump());
+    CHECK(ashimpact_program(sandbox, "run inside/case.json -o out").status == 0);
+}
+
+TEST_CASE("a run whose standard output is closed has written its files, and says so with status 0") {
+    const Sandbox sandbox;
+    test::write_example(sandbox, quick_case());
+    const auto run = ashimpact_program(sandbox, "run case.json -o out >/dev/full 2>err; echo $? >status; true");
+    CHECK(sandbox.read("status") == "0\n");
+    CHECK(sandbox.read("err").find("warning: standard output: cannot be written") != std::string::npos);
+    CHECK(sandbox.has("out/comparison.json"));
+}

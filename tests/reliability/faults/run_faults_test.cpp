@@ -1,0 +1,223 @@
+// Whatever fails or kills a run while it writes, its folder is the old run or the new one. ASHIMPACT_WHOLE: whole
+// runs instead of single stages.
+#include <doctest/doctest.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <random>
+#include <thread>
+
+#include "tests/pipeline/sandbox.hpp"
+#include "tests/pipeline/sweep/process.hpp"
+
+using namespace ashimpact;
+using test::Ended;
+using test::Process;
+using test::Sandbox;
+using Files = std::vector<std::pair<std::string, std::string>>;
+
+namespace {
+
+bool whole() {
+    return std::getenv("ASHIMPACT_WHOLE") != nullptr;
+}
+
+const std::vector<std::string>& command() {
+    static const std::vector<std::string> full{ASHIMPACT_PROGRAM, "run", "case.json", "-o", "out"};
+    static const std::vector<std::string> short_one{ASHIMPACT_PROGRAM, "run",   "-o",
+                                                    "out",             "--only", "comparison"};
+    return whole() ? full : short_one;
+}
+
+Json small_case(double velocity) {
+    Json document = test::example_case();
+    while (document["samples"].size() > 1) document["samples"].erase(1);
+    document["laws"] = {"hertz"};
+    document["samples"][0]["measured_critical_velocity"] = velocity;
+    return document;
+}
+
+/// A folder with an old run in "out", a file of someone else there, and what a new run will make of it.
+class Scene {
+  public:
+    Scene() {
+        test::write_example(sandbox_, small_case(1.5));
+        CHECK(test::run(sandbox_, {ASHIMPACT_PROGRAM, "run", "case.json", "-o", "out"}).status == 0);
+        sandbox_.write("out/notes.txt", "mine");
+        Json artifact = sandbox_.json("out/3-analytic.json");
+        artifact["result"]["samples"][0]["critical_velocity"]["value"] = 0.5;
+        if (whole())
+            test::write_example(sandbox_, small_case(2.5));
+        else
+            sandbox_.write("out/3-analytic.json", artifact.dump());
+        old_ = sandbox_.everything();
+        const Ended ended = test::run(sandbox_, command());
+        CHECK_MESSAGE(ended.status == 0, ended.err);
+        new_ = sandbox_.everything();
+        CHECK(old_ != new_);
+    }
+
+    /// The folder as it was before the new run.
+    void restore(const Sandbox& sandbox) const {
+        std::filesystem::remove_all(sandbox.folder() / "out");
+        for (const auto& [name, content] : old_)
+            if (!std::filesystem::is_directory(sandbox_.folder() / name)) sandbox.write(name, content);
+    }
+    [[nodiscard]] bool is_old(const Sandbox& sandbox) const { return visible(sandbox) == visible(old_); }
+    [[nodiscard]] bool is_new(const Sandbox& sandbox) const { return visible(sandbox) == visible(new_); }
+    [[nodiscard]] const Files& after() const { return new_; }
+
+  private:
+    static Files visible(Files files) {
+        std::erase_if(files, [](const auto& file) { return file.first.find("/.") != std::string::npos; });
+        return files;
+    }
+    static Files visible(const Sandbox& sandbox) { return visible(sandbox.everything()); }
+
+    Sandbox sandbox_;
+    Files old_;
+    Files new_;
+};
+
+std::vector<std::string> with_fault(const Sandbox& counts, long call, const std::string& error) {
+    return {std::string("LD_PRELOAD=") + ASHIMPACT_FAIL_CALL, "ASHIMPACT_FAULT_CALL=" + std::to_string(call),
+            "ASHIMPACT_FAULT_ERROR=" + error, "ASHIMPACT_FAULT_COUNT=" + counts.path("calls")};
+}
+
+/// How many system calls a write phase has in which nothing fails.
+long calls_of(const Scene& scene) {
+    const Sandbox sandbox;
+    const Sandbox counts;
+    scene.restore(sandbox);
+    CHECK(test::run(sandbox, command(), with_fault(counts, 0, "kill")).status == 0);
+    return static_cast<long>(counts.read("calls").size());
+}
+
+/// Waits until the process that renames, which outlives a run that is killed, is done too.
+void await_settled(const Scene& scene, const Sandbox& sandbox) {
+    for (int i = 0; i < 500 && !scene.is_old(sandbox) && !scene.is_new(sandbox); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+}
+
+/// The next run finds its way, whatever the one before left.
+void check_goes_on(const Scene& scene, const Sandbox& sandbox) {
+    Ended ended = test::run(sandbox, command());
+    for (int i = 0; i < 100 && ended.status == 2 && ended.err.find("another run") != std::string::npos; ++i)
+        ended = test::run(sandbox, command());
+    CHECK_MESSAGE(ended.status == 0, ended.err);
+    CHECK(sandbox.everything() == scene.after());
+}
+
+}  // namespace
+
+TEST_CASE("each system call of the write phase fails once: the folder is the old run or the new one") {
+    const Scene scene;
+    for (const int error : {ENOSPC, EIO, EINTR, EACCES}) {
+        const long calls = calls_of(scene);
+        int refused = 0;
+        for (long call = 1; call <= calls; ++call) {
+            const Sandbox sandbox;
+            const Sandbox counts;
+            scene.restore(sandbox);
+            const Ended ended = test::run(sandbox, command(), with_fault(counts, call, std::to_string(error)));
+            CAPTURE(error);
+            CAPTURE(call);
+            CAPTURE(ended.err);
+            CHECK((ended.status == 0 || ended.status == 2));
+            if (ended.status == 0) CHECK(scene.is_new(sandbox));
+            if (ended.status == 2) CHECK(scene.is_old(sandbox));
+            if (ended.status == 2) CHECK(test::lines_of(ended.err).back().find("out") != std::string::npos);
+            refused += ended.status == 2 ? 1 : 0;
+            if (call % 5 == 0) check_goes_on(scene, sandbox);
+        }
+        MESSAGE(std::strerror(error) << ": " << calls << " calls, " << refused << " runs refused");
+        CHECK(calls > 20);
+        if (error != EINTR) CHECK(refused > 5);
+    }
+}
+
+TEST_CASE("killed at each system call of the write phase, the folder is the old run or the new one") {
+    const Scene scene;
+    const long calls = calls_of(scene);
+    int killed = 0;
+    for (long call = 1; call <= calls; ++call) {
+        const Sandbox sandbox;
+        const Sandbox counts;
+        scene.restore(sandbox);
+        const Ended ended = test::run(sandbox, command(), with_fault(counts, call, "kill"));
+        CAPTURE(call);
+        CAPTURE(ended.err);
+        CHECK((ended.status == 0 || ended.status == 128 + SIGKILL));
+        killed += ended.status != 0 ? 1 : 0;
+        await_settled(scene, sandbox);
+        CHECK((scene.is_old(sandbox) || scene.is_new(sandbox)));
+        if (call % 3 == 0) check_goes_on(scene, sandbox);
+    }
+    CHECK(killed > 20);
+}
+
+TEST_CASE("killed at random moments, the folder is the old run or the new one") {
+    const Scene scene;
+    std::minstd_rand random(5);
+    const int rounds = whole() ? 300 : 12;
+    const auto start = std::chrono::steady_clock::now();
+    {
+        const Sandbox sandbox;
+        scene.restore(sandbox);
+        REQUIRE(test::run(sandbox, command()).status == 0);
+    }
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    int killed = 0;
+    for (int round = 0; round < rounds; ++round) {
+        const Sandbox sandbox;
+        scene.restore(sandbox);
+        Process process(sandbox, command(), {});
+        // Most of them in the last part, where it writes.
+        const double part = round % 3 == 0 ? std::uniform_real_distribution<double>(0, 1)(random)
+                                           : std::uniform_real_distribution<double>(0.8, 1.1)(random);
+        std::this_thread::sleep_for(took * part);
+        process.signal(SIGKILL);
+        killed += process.wait().status != 0 ? 1 : 0;
+        await_settled(scene, sandbox);
+        CAPTURE(round);
+        CHECK((scene.is_old(sandbox) || scene.is_new(sandbox)));
+    }
+    MESSAGE(killed << " of " << rounds << " runs were killed");
+    CHECK(killed > 0);
+}
+
+TEST_CASE("twenty runs into one folder: one at a time, the others say so, and the folder is whole") {
+    const Scene scene;
+    const Sandbox sandbox;
+    scene.restore(sandbox);
+    std::vector<std::unique_ptr<Process>> runs;
+    for (int i = 0; i < 20; ++i)
+        runs.push_back(std::make_unique<Process>(sandbox, command(), std::vector<std::string>{}));
+    int done = 0;
+    for (const auto& run : runs) {
+        const Ended ended = run->wait();
+        CAPTURE(ended.err);
+        CHECK((ended.status == 0 || ended.status == 2));
+        if (ended.status == 2) CHECK(ended.err.find("another run is at work in this folder") != std::string::npos);
+        done += ended.status == 0 ? 1 : 0;
+    }
+    CHECK(done >= 1);
+    CHECK(sandbox.everything() == scene.after());
+}
+
+TEST_CASE("a pipe in the way is refused at once, and an interruption ends a run at any time") {
+    const Scene scene;
+    const Sandbox sandbox;
+    scene.restore(sandbox);
+    std::filesystem::remove(sandbox.path("out/manifest.json"));
+    REQUIRE(mkfifo(sandbox.path("out/manifest.json").c_str(), 0600) == 0);
+    const Ended ended = test::run(sandbox, command());
+    CHECK(ended.status == 2);
+    CHECK(ended.err.find("manifest.json: cannot be written: it is no plain file") != std::string::npos);
+}

@@ -1,0 +1,160 @@
+#include "tests/reliability/fuzz/targets.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+
+#include "materials/base/error.hpp"
+#include "materials/base/text_lines.hpp"
+#include "materials/base/units.hpp"
+#include "materials/xrd/readers.hpp"
+#include "materials/xrd/xrd.hpp"
+#include "pipeline/case/case_reader.hpp"
+#include "pipeline/json/schema.hpp"
+#include "pipeline/run_identity.hpp"
+#include "pipeline/sweep/spec/plan.hpp"
+#include "pipeline/text/artifact_text.hpp"
+#include "solver/batch/impact_batch.hpp"
+#include "solver/measurement/measurement_reader.hpp"
+
+namespace ashimpact::test {
+
+namespace {
+
+/// A promise that was broken: no InputError, so a finding.
+void require(bool holds, const char* promise) {
+    if (!holds) throw std::logic_error(promise);
+}
+
+void feed_case(std::string_view bytes) {
+    const Json document = without_comments(parse_json(bytes));
+    validate_document(document, "case");
+    InputFiles files = InputFiles::built_in("cases/example/case.json");  // no file of this machine
+    static_cast<void>(read_case(View(document), built_in_phases(), files));
+}
+
+void check_fractions(const XrdResult& result) {
+    for (const XrdSample& sample : result.samples) require(!sample.name.empty() || result.samples.size() == 1, "a name");
+}
+
+constexpr TextLimits limits{};
+
+template <XrdResult (*read)(const TextLines&)>
+void feed_reader(std::string_view bytes) {
+    check_fractions(read(TextLines(bytes, limits)));
+}
+
+void feed_artifact(std::string_view bytes) {
+    Json document = without_comments(parse_json(bytes));
+    const std::string schema =
+        document.is_object() && document.contains("schema") && document["schema"].is_string()
+            ? document["schema"].get<std::string>()
+            : "3-analytic";
+    validate_document(document, schema);
+    if (schema == "case" || schema == "sweep" || schema == "published") return;
+    if (is_edited(document)) static_cast<void>(accept_edits(document));
+    require(!artifact_text(document).empty(), "an artifact has a text");
+}
+
+void feed_sweep(std::string_view bytes) {
+    const SweepPlan plan{std::string(bytes)};
+    require(plan.points_in(0) > 0 && plan.chunks() > 0, "a sweep has points");
+}
+
+void feed_quantity(std::string_view bytes) {
+    if (bytes.empty()) return;
+    const auto dimension = static_cast<Dimension>(static_cast<unsigned char>(bytes.front()) % 13);
+    require(std::isfinite(parse_quantity(bytes.substr(1), dimension)), "a quantity is finite");
+}
+
+/// Numbers for an impact from bytes: exponents within 16 decades around those of ash, any digits.
+class Numbers {
+  public:
+    explicit Numbers(std::string_view bytes) : bytes_(bytes) {}
+    [[nodiscard]] std::size_t below(std::size_t count) { return next() % count; }
+    [[nodiscard]] double around(double value) {
+        const double digits = (next() * 256.0 + next()) / 65536.0;
+        return value * std::pow(10.0, 16.0 * (next() / 255.0 - 0.5) + digits);
+    }
+
+  private:
+    unsigned next() {
+        if (at_ == bytes_.size()) return 128;
+        return static_cast<unsigned char>(bytes_[at_++]);
+    }
+    std::string_view bytes_;
+    std::size_t at_ = 0;
+};
+
+Impact impact_from(std::string_view bytes) {
+    Numbers numbers(bytes);
+    const Law law = Law::at(numbers.below(Law::count()));
+    const auto detachment = detachment_names[numbers.below(detachment_names.size())].detachment;
+    const auto damping_law = damping_names[numbers.below(damping_names.size())].law;
+    const bool damped = numbers.below(4) != 0;
+    const bool adhesive = numbers.below(4) != 0;
+    return {.law = law,
+            .detachment = detachment,
+            .damping = {damping_law, damped ? numbers.around(damping_law == DampingLaw::tsuji ? 0.3 : 0.01) : 0.0},
+            .contact = {.mass = numbers.around(1e-9),
+                        .effective_radius = numbers.around(44e-6),
+                        .contact_modulus = numbers.around(90e9),
+                        .work_of_adhesion = adhesive ? numbers.around(0.3) : 0.0,
+                        .yield_pressure = numbers.around(1e9)},
+            .velocity = numbers.around(1.0)};
+}
+
+void feed_solver(std::string_view bytes) {
+    const Impact impact = impact_from(bytes);
+    const ImpactResult alone = solve_impact(impact);
+    require(alone.restitution >= 0.0 && alone.restitution <= 1.0, "0 <= e <= 1");
+    require((alone.outcome == Outcome::rebound) == (alone.restitution > 0.0), "a rebound has a restitution");
+    require(!alone.contact_time || *alone.contact_time > 0.0, "a contact takes time");
+    const auto one = [](double value) { return Eigen::ArrayXd::Constant(1, value).eval(); };
+    const ContactPair& pair = impact.contact;
+    const Eigen::ArrayXd mass = one(pair.mass), radius = one(pair.effective_radius), modulus = one(pair.contact_modulus),
+                         adhesion = one(pair.work_of_adhesion), yield = one(pair.yield_pressure),
+                         damping = one(impact.damping.coefficient), velocity = one(impact.velocity);
+    const ImpactBatch batch{impact.law,     impact.detachment, impact.damping.law,
+                            {mass, radius, modulus, adhesion, yield}, damping, velocity};
+    const ImpactBatchResult with_turn = solve_impacts(batch);
+    const ImpactBatchResult without = solve_impacts(batch, {.turning_point = false});
+    const double conditioning = 1.0 + std::abs(alone.energy.minimum) / alone.energy.incident;
+    const double difference = std::abs(std::pow(without.restitution[0], 2) - std::pow(alone.restitution, 2));
+    require(difference <= 2e-12 * conditioning, "the batch agrees with the scalar solver");
+    require(with_turn.restitution[0] == without.restitution[0], "asking for more changes nothing");
+    require(std::abs(with_turn.maximum_overlap[0] / alone.maximum_overlap - 1.0) <= 1e-8, "overlaps agree");
+}
+
+}  // namespace
+
+const std::map<std::string, FuzzTarget>& fuzz_targets() {
+    static const std::map<std::string, FuzzTarget> targets{
+        {"case", feed_case},
+        {"xrd-bgmn", feed_reader<xrd::read_bgmn>},
+        {"xrd-gsas2", feed_reader<xrd::read_gsas2>},
+        {"xrd-table", feed_reader<xrd::read_table>},
+        {"xrd-json", feed_reader<xrd::read_json>},
+        {"xrd", [](std::string_view bytes) { check_fractions(read_xrd(bytes, "input")); }},
+        {"impacts", [](std::string_view bytes) { static_cast<void>(read_measurements(bytes, "input")); }},
+        {"artifact", feed_artifact},
+        {"sweep", feed_sweep},
+        {"quantity", feed_quantity},
+        {"solver", feed_solver},
+    };
+    return targets;
+}
+
+void feed(const FuzzTarget& target, std::string_view bytes) {
+    try {
+        target(bytes);
+    } catch (const InputError& error) {
+        require(std::strlen(error.what()) > 0, "a refusal says why");
+        require(error.problem().find('\n') == std::string::npos, "a refusal is one line");
+    } catch (const ConvergenceError&) {
+        return;
+    }
+}
+
+}  // namespace ashimpact::test

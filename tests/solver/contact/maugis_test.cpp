@@ -1,0 +1,254 @@
+// The static law of Maugis and Dugdale: its equations as printed, its limits, its energies and pressures.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "materials/base/error.hpp"
+#include "materials/separation_energy.hpp"
+#include "solver/contact/maugis/cohesive_zone.hpp"
+#include "solver/contact/maugis/transition.hpp"
+#include "solver/contact/pressure.hpp"
+#include "solver/contact/static_curve.hpp"
+#include "solver/motion/maugis/cohesive_motion.hpp"
+#include "tests/relative_difference.hpp"
+#include "tests/support/contact_cases.hpp"
+#include "tests/support/quadrature.hpp"
+
+using namespace ashimpact;
+using namespace ashimpact::test;
+
+namespace {
+
+namespace numbers = std::numbers;
+constexpr double maugis_lambdas[] = {0.01, 0.05, 0.2, 0.5, 0.7, 0.93, 0.95, 1.5, 5.0, 50.0, 1000.0};
+
+/// Angles of stable touching states, from far inside outwards.
+template <class Visit>
+void for_each_stable_state(const CohesiveZone& zone, Visit&& visit) {
+    const Extended edge = zone.pull_off().angle;
+    for (int i = 1; i < 200; ++i) visit(zone.at_angle(edge * std::pow(0.95L, static_cast<Extended>(i))));
+}
+
+double force_of(const CohesiveZone& zone, const CohesiveState& state) {
+    return static_cast<double>(zone.force(state));
+}
+
+}  // namespace
+
+TEST_CASE("states solve Maugis' equations as printed, in m = c/a") {
+    for (const double lambda : maugis_lambdas) {
+        CAPTURE(lambda);
+        const CohesiveZone zone(lambda);
+        const Extended l = lambda;
+        Extended worst = 0;
+        for_each_stable_state(zone, [&](const CohesiveState& state) {
+            const Extended a = state.contact_radius();
+            const Extended m = state.cohesive_radius / a;
+            const Extended s = std::tan(state.angle);
+            const Extended theta = std::acos(1 / m);
+            const Extended one = l * a * a / 2 * (s + (m * m - 2) * state.angle) +
+                                 4 * l * l * a / 3 * (s * state.angle - m + 1);
+            const Extended overlap = a * a - 4 * l / 3 * a * s;
+            const Extended total = a * a * a - l * a * a * (s + m * m * state.angle);
+            // The printed forms cancel where the angle is small.
+            const Extended rounding = 1e-17L / (state.angle * state.angle);
+            worst = std::max(worst, std::abs(one - 1) / (1 + 1e3L * rounding * (1 + l * a * s)));
+            worst = std::max(worst, std::abs(zone.overlap(state) - overlap) / (a * a + 1));
+            worst = std::max(worst, std::abs(zone.force(state) - total) / (a * a * a + 2));
+            worst = std::max(worst, std::abs(theta - state.angle));
+        });
+        CHECK(worst < 1e-9);
+    }
+}
+
+TEST_CASE("the force is the slope of the potential, and stiffness rises all along the stable branch") {
+    for (const double lambda : maugis_lambdas) {
+        CAPTURE(lambda);
+        const CohesiveZone zone(lambda);
+        Extended worst = 0;
+        Extended stiffest = std::numeric_limits<Extended>::infinity();
+        int falls = 0;
+        for_each_stable_state(zone, [&](const CohesiveState& state) {
+            const CohesiveState in = zone.at_angle(state.angle * (1 - 1e-6L));
+            const CohesiveState out = zone.at_angle(state.angle * (1 + 1e-6L));
+            const Extended way = zone.overlap(in) - zone.overlap(out);
+            const Extended work = zone.potential(in) - zone.potential(out);
+            const Extended size = std::abs(zone.force(state)) + 1;
+            worst = std::max(worst, std::abs(work / way - zone.force(state)) / size);
+            // From far inside outwards the stiffness falls.
+            const Extended stiffness = zone.stiffness(state);
+            falls += stiffness < stiffest ? 1 : 0;
+            stiffest = stiffness;
+            CHECK(zone.at_contact_radius(state.contact_radius()).angle ==
+                  doctest::Approx(static_cast<double>(state.angle)).epsilon(1e-15));
+        });
+        CHECK(worst < 1e-8);
+        CHECK(falls == 199);
+    }
+}
+
+TEST_CASE("gap and contact meet in overlap, force and potential") {
+    for (const double lambda : maugis_lambdas) {
+        CAPTURE(lambda);
+        const CohesiveZone zone(lambda);
+        const Extended c = zone.join().cohesive_radius;
+        CHECK(relative_difference(static_cast<double>(zone.gap_overlap()(c)),
+                                  static_cast<double>(zone.overlap(zone.join()))) < 1e-14);
+        CHECK(relative_difference(static_cast<double>(zone.gap_force()(c)), force_of(zone, zone.join())) <
+              1e-14);
+        const auto potential =
+            static_cast<double>(lambda * c * c * c * (4 * lambda / 9.0L - numbers::pi * c / 8));
+        CHECK(std::abs(static_cast<double>(zone.potential(zone.join())) - potential) < 1e-13);
+    }
+}
+
+TEST_CASE("the jump in ends in contact for lambda > 0.655, the fold lies in contact for lambda > 0.938") {
+    CHECK(!CohesiveZone(0.654L).touch().touching());
+    CHECK(CohesiveZone(0.656L).touch().touching());
+    CHECK(!CohesiveZone(0.937L).pull_off().touching());
+    CHECK(CohesiveZone(0.939L).pull_off().touching());
+}
+
+TEST_CASE("pull-off runs from -2 pi w R to -1.5 pi w R, within 2 % of Carpick, Ogletree & Salmeron 1999") {
+    double before = -2.0;
+    for (double lambda = 1e-3; lambda < 1e4; lambda *= 1.3) {
+        CAPTURE(lambda);
+        const CohesiveZone zone(lambda);
+        const double tension = force_of(zone, zone.greatest_tension());
+        CHECK(tension > before);
+        CHECK(tension > -2.0);
+        CHECK(tension < -1.5);
+        CHECK(relative_difference(-tension, carpick_pull_off(lambda)) < 0.02);
+        before = tension;
+    }
+    CHECK(relative_difference(force_of(CohesiveZone(1e-3L), CohesiveZone(1e-3L).greatest_tension()), -2.0) <
+          1e-3);
+    CHECK(relative_difference(force_of(CohesiveZone(1e4L), CohesiveZone(1e4L).greatest_tension()), -1.5) <
+          1e-6);
+}
+
+TEST_CASE("contact radius at zero load and at pull-off tend to Maugis' limits") {
+    const auto radius = [](const CohesiveState& state) {
+        return static_cast<double>(state.contact_radius());
+    };
+    const CohesiveZone soft(1e4L);
+    const CohesiveZone hard(1e-4L);
+    CHECK(relative_difference(radius(soft.equilibrium()), std::cbrt(6.0)) < 1e-5);
+    CHECK(relative_difference(radius(soft.greatest_tension()), std::cbrt(1.5)) < 1e-4);
+    CHECK(relative_difference(radius(soft.pull_off()), std::cbrt(1.0 / 6.0)) < 1e-5);
+    CHECK(relative_difference(radius(hard.equilibrium()), std::cbrt(2.0)) < 2e-3);
+    CHECK(radius(hard.greatest_tension()) < 1e-3);
+}
+
+TEST_CASE("the work of separation runs from that of DMT, none, to that of JKR, and the fit keeps its word") {
+    ContactPair pair = ash(0.3);
+    const double jkr = separation_energy({.work_of_adhesion = 0.3,
+                                          .effective_radius = pair.effective_radius,
+                                          .contact_modulus = pair.contact_modulus});
+    double before = 0.0;
+    double worst = 0.0;
+    for (double lambda = 0.01; lambda < 1e4; lambda *= 1.02) {
+        const double energy = cohesive_separation_energy(pair, lambda);
+        CHECK(energy > before);
+        CHECK(energy < jkr);
+        worst = std::max(worst, relative_difference(fitted_energy_ratio(lambda) * jkr, energy));
+        before = energy;
+    }
+    CHECK(worst < fitted_energy_error);
+    CHECK(relative_difference(cohesive_separation_energy(pair, 1e5), jkr) < 1e-5);
+    // Both jumps in the gap: W is a pure power.
+    const double power = 8704.0 / (243.0 * numbers::pi * numbers::pi * numbers::pi);
+    for (const double lambda : {0.05, 0.3, 0.65})
+        CHECK(relative_difference(static_cast<double>(CohesiveZone(lambda).separation_energy()),
+                                  power * std::pow(lambda, 5)) < 1e-13);
+    const double velocity = cohesive_separation_velocity(pair, 2.0);
+    CHECK(relative_difference(0.5 * pair.mass * velocity * velocity, cohesive_separation_energy(pair, 2.0)) <
+          1e-14);
+}
+
+TEST_CASE("Tabor parameter, cohesive stress and range say the same") {
+    ContactPair pair = ash(0.3);
+    const double mu = tabor_parameter({.work_of_adhesion = 0.3,
+                                       .effective_radius = pair.effective_radius,
+                                       .contact_modulus = pair.contact_modulus},
+                                      0.4e-9);
+    const double stress = cohesive_stress_of_range(0.3, 0.4e-9);
+    const auto lambda_with = [&](const LawParameter& parameter, double value) {
+        pair.parameters = {{parameter.name, value}};
+        return transition_parameter(pair);
+    };
+    CHECK(relative_difference(transition_per_tabor(), 1.157) < 1e-4);
+    CHECK(relative_difference(lambda_with(stated_tabor, mu), lambda_with(cohesive_stress, stress)) < 1e-14);
+    CHECK(relative_difference(lambda_with(stated_tabor, mu), lambda_with(cohesion_range, 0.4e-9)) < 1e-14);
+    CHECK_THROWS_AS(static_cast<void>(lambda_with(stated_tabor, 1e9)), InputError);
+    CHECK_THROWS_AS(static_cast<void>(lambda_with(stated_tabor, 1e-7)), InputError);
+}
+
+TEST_CASE("load-controlled ends a contact of short reach alone, zero force none") {
+    CHECK(!cohesive_refusal(CohesiveZone(1.37L), Detachment::load_controlled));
+    CHECK(cohesive_refusal(CohesiveZone(1.36L), Detachment::load_controlled));
+    CHECK(!cohesive_refusal(CohesiveZone(0.1L), Detachment::zero_overlap));
+    CHECK(!cohesive_refusal(CohesiveZone(0.1L), Detachment::pull_off));
+    CHECK(cohesive_refusal(CohesiveZone(2.0L), Detachment::zero_force));
+}
+
+TEST_CASE("pressures integrate to the force: Hertz Eq. 8, JKR Eq. 19, Maugis-Dugdale") {
+    ContactPair pair = ash(0.3);
+    const auto total = [](const PressureProfile& p) {
+        // r = a sqrt(1 - y^2) takes away the root and the pole at the rim.
+        const double a = p.contact_radius;
+        const double inner = integral(
+            [&](double y) { return 2 * numbers::pi * a * a * y * p.at(a * std::sqrt((1 - y) * (1 + y))); },
+            0.0, 1.0, numbers::pi * a * a * p.hertz_pressure);
+        const double outer = p.outer_radius * p.outer_radius - a * a;
+        return inner - numbers::pi * p.cohesive_stress * outer;
+    };
+    for (const double a : {0.4e-6, 1.1e-6, 3e-6}) {
+        CAPTURE(a);
+        const double hertz = 4.0 / 3.0 * pair.contact_modulus * a * a * a / pair.effective_radius;
+        const double rim = std::sqrt(8 * numbers::pi * 0.3 * pair.contact_modulus * a * a * a);
+        CHECK(relative_difference(hertz_pressure(pair, a).force(), hertz) < 1e-14);
+        CHECK(relative_difference(total(hertz_pressure(pair, a)), hertz) < 1e-12);
+        CHECK(std::abs(jkr_pressure(pair, a).force() - (hertz - rim)) < 1e-14 * (hertz + rim));
+        CHECK(std::abs(total(jkr_pressure(pair, a)) - (hertz - rim)) < 1e-12 * (hertz + rim));
+        for (const double lambda : {0.3, 2.0, 30.0}) {
+            const PressureProfile profile = maugis_dugdale_pressure(pair, lambda, a);
+            const MaugisUnits units = maugis_units(pair);
+            const CohesiveZone zone(lambda);
+            const double expected = force_of(zone, zone.at_contact_radius(a / units.radius)) * units.force;
+            CHECK(std::abs(profile.force() - expected) < 1e-12 * (hertz + rim));
+            CHECK(std::abs(total(profile) - expected) < 1e-11 * (hertz + rim));
+        }
+        // Short of reach the profile is that of JKR, but for the rim.
+        CHECK(relative_difference(maugis_dugdale_pressure(pair, 1e4, a).central(),
+                                  jkr_pressure(pair, a).central()) < 1e-3);
+    }
+    // Eqs. 4 and 5: p_0 = (2/numbers::pi) E* sqrt(delta/R*).
+    const double delta = 1e-7;
+    CHECK(relative_difference(
+              hertz_pressure(pair, std::sqrt(pair.effective_radius * delta)).central(),
+              2 / numbers::pi * pair.contact_modulus * std::sqrt(delta / pair.effective_radius)) < 1e-14);
+}
+
+TEST_CASE("the static curve of maugis-dugdale tends to that of JKR") {
+    ContactPair pair = ash(0.3);
+    const StaticCurve jkr(Law::of<Jkr>(), pair);
+    const auto distance = [&](double mu) {
+        pair.parameters = {{stated_tabor.name, mu}};
+        const StaticCurve curve(Law::of<MaugisDugdale>(), pair);
+        double worst = 0.0;
+        for (const double a : {1.0e-6, 2e-6})
+            worst = std::max(worst, relative_difference(curve.at_contact_radius(a).force(),
+                                                        jkr.at_contact_radius(a).force()));
+        return worst;
+    };
+    CHECK(distance(100.0) < 0.02);
+    CHECK(distance(1000.0) < 0.2 * distance(100.0));
+    pair.parameters = {{stated_tabor.name, 0.2}};
+    const StaticCurve hard(Law::of<MaugisDugdale>(), pair);
+    CHECK(hard.first().contact_radius == 0.0);  // it breaks across the gap
+    CHECK(hard.first().overlap < 0.0);
+}

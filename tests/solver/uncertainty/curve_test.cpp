@@ -1,0 +1,128 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "solver/uncertainty/curve/headline.hpp"
+#include "solver/uncertainty/curve/impact_groups.hpp"
+#include "tests/solver/uncertainty/ash_laboratory.hpp"
+#include "tests/support/errors.hpp"
+
+using namespace ashimpact;
+using namespace ashimpact::test;
+
+namespace {
+
+MeasurementSet told(const std::vector<std::pair<double, double>>& impacts, double u) {
+    MeasurementSet set{.source = "lab", .points = {}};
+    for (const auto& [velocity, rebound] : impacts)
+        set.points.push_back({.velocity = velocity,
+                              .rebound = rebound,
+                              .noise = VelocityNoise::of_velocities(u, u)});
+    return set;
+}
+
+MeasurementSet measured(const ContactModel& model, int impacts, unsigned long seed) {
+    SyntheticLaboratory laboratory = ash_laboratory(model, TrueDamping::quadratic);
+    laboratory.impacts = impacts;
+    Random random(seed);
+    return laboratory.measure(random);
+}
+
+}  // namespace
+
+TEST_CASE("the table of restitutions is the model's, for laws with and without adhesion") {
+    for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()}) {
+        CAPTURE(law.name());
+        const ContactModel model = ash_model(law);
+        const RestitutionTable table(model, {0.1, 20.0});
+        for (const double v : {0.3, 1.1, 4.0, 15.0}) {
+            const double capture = model.damping(v, 0.0).value;
+            CHECK(std::abs(table.log_capture_damping(std::log(v)) - std::log(capture)) < 1e-4);
+            for (const double phi : {0.003, 0.1, 0.6, 2.0}) {
+                const double e = model.restitution(v, capture * std::exp(-phi));
+                CHECK(std::abs(table.at(phi, std::log(v)).restitution - e) < 3e-4);
+                const double h = 1e-4 * phi;
+                const double slope = (table.at(phi + h, std::log(v)).restitution -
+                                      table.at(phi - h, std::log(v)).restitution) / (2.0 * h);
+                CHECK(std::abs(table.at(phi, std::log(v)).by_distance / slope - 1.0) < 0.02);
+            }
+        }
+    }
+}
+
+TEST_CASE("what can be recorded of an impact has probability one in all") {
+    const ContactModel model = ash_model(Law::of<Dmt>());
+    const RestitutionTable table(model, {0.1, 20.0});
+    const SmoothDamping curve(table, std::log(1.3), std::log(5.0), {-0.3, 0.02, 0, 0, 0, 0, 0});
+    const Scatter scatter{.noise = 1.0, .damping = 0.02, .outliers = 0.0};
+    for (const double v : {1.1, 1.28, 1.35, 1.6, 3.0}) {
+        CAPTURE(v);
+        RecordedImpact impact{.recorded = Recorded::zero, .velocity = v, .log_velocity = std::log(v), .rebound = 0.0,
+                              .incident_u = 0.03, .rebound_u = 0.03, .resolution = 0.1};
+        double sum = std::exp(log_probability(curve, scatter, impact));
+        impact.recorded = Recorded::rebound;
+        constexpr double step = 0.002;
+        for (impact.rebound = -0.3; impact.rebound < 2.0; impact.rebound += step)
+            sum += step * std::exp(log_probability(curve, scatter, impact));
+        CHECK(std::abs(sum - 1.0) < 0.02);
+    }
+}
+
+TEST_CASE("eight impacts give no absurd critical velocity") {
+    const ContactModel model = ash_model(Law::of<Hertz>());
+    const MeasurementSet set = told({{0.605, 0.0}, {0.480, 0.0}, {0.367, 0.0}, {3.565, 0.826}, {6.084, 2.118},
+                                     {6.140, 2.165}, {8.672, 3.661}, {9.537, 3.986}},
+                                    0.03);
+    const Interval v = estimate_critical_velocity(model, set).curve.critical_velocity;
+    CHECK(*v.lower > 0.5);  // the fastest capture, less its noise
+    CHECK(*v.upper < 3.5);  // the slowest rebound
+    CHECK(v.contains(1.3));
+}
+
+TEST_CASE("one rebound of small uncertainty changes nothing but its own weight") {
+    const ContactModel model = ash_model(Law::of<BrachDunn>());
+    MeasurementSet set = measured(model, 45, 5);
+    const Interval before = estimate_critical_velocity(model, set).curve.critical_velocity;
+    auto& sure = *std::find_if(set.points.begin(), set.points.end(),
+                               [](const Measurement& m) { return m.velocity > 2.5; });
+    sure.noise = VelocityNoise::of_velocities(0.002, 0.002);
+    const Interval after = estimate_critical_velocity(model, set).curve.critical_velocity;
+    CHECK(std::abs(after.value - before.value) < before.standard_uncertainty);
+    CHECK(*after.upper - *after.lower < 1.15 * (*before.upper - *before.lower));
+}
+
+TEST_CASE("recorded captures that may be slow rebounds are said") {
+    const ContactModel model = ash_model(Law::of<Hertz>());
+    MeasurementSet set = measured(model, 60, 3);
+    const double critical = ash_laboratory(model, TrueDamping::quadratic).critical_velocity();
+    for (Measurement& point : set.points) {
+        point.resolution = 0.16;
+        if (point.rebound < 0.12) point.rebound = 0.0;
+    }
+    const auto estimate = estimate_critical_velocity(model, set);
+    CHECK(estimate.curve.critical_velocity.contains(critical));
+    CHECK(std::any_of(estimate.notes.begin(), estimate.notes.end(),
+                      [](const std::string& note) { return contains(note, "may be rebounds slower than"); }));
+}
+
+TEST_CASE("too few rebounds give no estimate, and why") {
+    const ContactModel model = ash_model(Law::of<Hertz>());
+    const auto refused = input_error_of([&] {
+        static_cast<void>(estimate_critical_velocity(model, told({{0.5, 0.0}, {2.0, 0.4}, {3.0, 0.9}}, 0.03)));
+    });
+    CHECK(contains(refused, "2 different rebounds"));
+}
+
+TEST_CASE("many impacts: groups count for all, and the interval shrinks as it should") {
+    const ContactModel model = ash_model(Law::of<BrachDunn>());
+    const double critical = ash_laboratory(model, TrueDamping::quadratic).critical_velocity();
+    const MeasurementSet set = measured(model, 40000, 11);
+    const auto groups = grouped(recorded_impacts(set));
+    CHECK(groups.size() < 6000);
+    const Interval many = estimate_critical_velocity(model, set).curve.critical_velocity;
+    const Interval few = estimate_critical_velocity(model, measured(model, 400, 11)).curve.critical_velocity;
+    CHECK(std::abs(many.value / critical - 1.0) < 0.03);
+    CHECK(many.standard_uncertainty < 0.35 * few.standard_uncertainty);
+}
