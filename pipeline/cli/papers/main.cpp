@@ -29,9 +29,7 @@ int main(int argc, char** argv) {
     try {
         CLI::App program;
         Action action;
-        set_up_commands(
-            program, action, [](const SweepOptions&, std::ostream&) {},
-            [](const ExportOptions&, std::ostream&) {});
+        set_up_commands(program, action, {}, {});
         const ProgramPaper paper = paper_of(program);
         const std::filesystem::path folder = argv[1];
         write(folder / "man/ashimpact.1", man_page(paper));
