@@ -150,7 +150,7 @@ class MaugisIntegration {
     }
 
     MaugisResult run() {
-        const bool from_zero = impact_.detachment == Detachment::zero_overlap;
+        const bool from_zero = impact_.detachment == ashimpact::Detachment::zero_overlap;
         MaugisEquation::State now{0, from_zero ? 0 : static_cast<double>(-law_.reach()), impact_.velocity};
         const auto join = static_cast<double>(law_.join_overlap());
         if (!law_.fold_in_contact() && now[1] < join) now = until(MaugisClock::overlap, now[1], join, now);
@@ -159,9 +159,10 @@ class MaugisIntegration {
         MaugisResult result{.maximum_overlap = now[1]};
         double last = static_cast<double>(law_.least_overlap());
         if (from_zero) last = 0;
-        if (impact_.detachment == Detachment::load_controlled)
+        if (impact_.detachment == ashimpact::Detachment::load_controlled)
             last = static_cast<double>(law_.overlap_of_greatest_tension());
-        const bool through_gap = !law_.fold_in_contact() && impact_.detachment == Detachment::pull_off;
+        const bool through_gap =
+            !law_.fold_in_contact() && impact_.detachment == ashimpact::Detachment::pull_off;
         const auto left = outward(now, through_gap ? join : last);
         if (!left) return result;
         now = *left;

@@ -13,7 +13,7 @@ struct MaugisCase {
     DampingLaw damping_law;  ///< acts only where the spheres touch
     double damping;          ///< eta, eta/a or eta/sqrt(a)
     double velocity;         ///< where the surfaces come into reach
-    Detachment detachment = Detachment::pull_off;
+    ashimpact::Detachment detachment = ashimpact::Detachment::pull_off;
 };
 
 struct MaugisResult {

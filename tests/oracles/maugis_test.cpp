@@ -27,7 +27,7 @@ Impact in_si(const MaugisCase& c) {
     pair.parameters = {{stated_tabor.name, c.lambda / transition_per_tabor()}};
     const double unit = maugis_velocity(pair);
     const Scale scale = Scale::of(pair, unit);
-    return {.law = Law::of<MaugisDugdale>(),
+    return {.law = ashimpact::Law::of<MaugisDugdale>(),
             .detachment = c.detachment,
             .damping = {c.damping_law, scale.damping_coefficient(c.damping_law, c.damping)},
             .contact = pair,
@@ -35,14 +35,16 @@ Impact in_si(const MaugisCase& c) {
 }
 
 MaugisCase random_case(Random& random) {
-    constexpr Detachment ends[] = {Detachment::pull_off, Detachment::zero_overlap,
-                                   Detachment::load_controlled};
+    constexpr ashimpact::Detachment ends[] = {ashimpact::Detachment::pull_off,
+                                              ashimpact::Detachment::zero_overlap,
+                                              ashimpact::Detachment::load_controlled};
     MaugisCase c{.lambda = random.log_uniform(0.05, 50.0),
                  .damping_law = damping_names[random.below(damping_names.size())].law,
                  .damping = random.uniform(0.0, 0.5),
                  .velocity = random.log_uniform(0.5, 50.0),
                  .detachment = ends[random.below(3)]};
-    if (cohesive_refusal(CohesiveZone(c.lambda), c.detachment)) c.detachment = Detachment::pull_off;
+    if (cohesive_refusal(CohesiveZone(c.lambda), c.detachment))
+        c.detachment = ashimpact::Detachment::pull_off;
     return c;
 }
 
@@ -57,8 +59,8 @@ TEST_CASE("200 random Maugis-Dugdale impacts agree with their integration in tim
         CAPTURE(c.lambda);
         CAPTURE(c.damping);
         CAPTURE(c.velocity);
-        CAPTURE(name_of(c.damping_law));
-        CAPTURE(name_of(c.detachment));
+        CAPTURE(ashimpact::name_of(c.damping_law));
+        CAPTURE(ashimpact::name_of(c.detachment));
         const Impact impact = in_si(c);
         const MaugisUnits units = maugis_units(impact.contact);
         const double time = units.overlap / maugis_velocity(impact.contact);
