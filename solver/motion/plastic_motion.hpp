@@ -95,7 +95,11 @@ template <class Real, class Observer>
     if (!motion.yields_at_touch()) {
         result.last = result.path = elastic;
         const std::optional<Real> yield = elastic.coordinate(motion.yield());
-        const auto creeps_beyond = [&](const MotionState<Real>& s) { return motion.creeps_through(s); };
+        // Only what creeps for ever is cut short: the way of any other is followed through its yield point.
+        constexpr int many_steps = 1000;
+        const auto creeps_beyond = [&](const MotionState<Real>& s) {
+            return orbit.steps > many_steps && motion.creeps_through(s);
+        };
         const ApproachEnd end = approach<Real>(elastic, state, yield, orbit, observe, creeps_beyond);
         if (end == ApproachEnd::turned) rebound(elastic, state, orbit, observe);
         if (end == ApproachEnd::turned || end == ApproachEnd::creeping) return result;
@@ -110,6 +114,7 @@ template <class Real, class Observer>
                       .velocity = Real(0),
                       .time = state.time,
                       .dissipation = state.dissipation + state.velocity * state.velocity / Real(2) + spent};
+        orbit.end = orbit.turn;
         orbit.maximum_overlap = loading.overlap(loading.equilibrium);
     } else {
         state.position = loading.coordinate(motion.yield());
@@ -119,7 +124,7 @@ template <class Real, class Observer>
     result.last = motion.unloading(greatest);
     orbit.turn.position = result.last.coordinate(greatest);
     result.plastic_work = motion.loading_potential(greatest) - result.last.potential(orbit.turn.position);
-    result.path = end == ApproachEnd::turned ? result.last : passes ? elastic : loading;
+    result.path = end == ApproachEnd::turned ? result.last : loading;
     if (end == ApproachEnd::turned) rebound(result.last, orbit.turn, orbit, observe);
     return result;
 }
