@@ -27,7 +27,7 @@ OwnForces own_forces(const ExportSubject& subject) {
 void require_lammps(const ExportSubject& subject) {
     if (subject.law.name() == "jkr")
         throw InputError("LAMMPS of Debian 12 gives NaN for JKR on a wall past pull-off",
-                         "hertz, dmt, brach-dunn; jkr with --geometry pair and --detachment load-controlled")
+                         "hertz, dmt, brach-dunn")
             .at("--law");
     if (const auto reason = added_forces_refusal(subject))
         throw InputError("LAMMPS: " + *reason,

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "materials/base/checks.hpp"
+#include "materials/base/text.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/attempt.hpp"
 #include "pipeline/stages/contact.hpp"
@@ -139,13 +141,28 @@ StageOutput critical_velocity_stage(const Artifacts& before) {
     return output;
 }
 
+namespace {
+
+/// The value of a critical velocity [m/s] beside which its interval and its method stand.
+Quantity headline_velocity(const View& node) {
+    const View unit = node.at("unit");
+    if (unit.text() != si_unit(Dimension::velocity))
+        unit.fail("is " + in_quotes(unit.text()), std::string(si_unit(Dimension::velocity)));
+    const View value = node.at("value");
+    const double velocity = value.number(Dimension::velocity);
+    value.located([&] { require_positive("critical velocity", velocity, Dimension::velocity); });
+    return make_quantity(velocity, Dimension::velocity);
+}
+
+}  // namespace
+
 std::vector<SampleCriticalVelocity> read_critical_velocities(const View& result) {
     std::vector<SampleCriticalVelocity> samples;
     for (const View& sample : result.at("samples").elements()) {
         SampleCriticalVelocity entry{.name = sample.at("name").text(), .laws = {}, .measured = nullptr};
         if (const auto measured = sample.find("measured")) {
             if (const auto value = measured->find("critical_velocity"))
-                static_cast<void>(positive_quantity(*value, "critical velocity", Dimension::velocity));
+                static_cast<void>(headline_velocity(*value));
             entry.measured = measured->json();
         }
         for (const auto& [name, node] : sample.members()) {
@@ -167,8 +184,7 @@ std::vector<SampleCriticalVelocity> read_critical_velocities(const View& result)
                 velocity.extrapolated = extrapolated->at("critical_velocity").json();
                 velocity.extrapolated["interval"] = extrapolated->at("interval").json();
             }
-            if (const auto value = node.find("critical_velocity"))
-                velocity.value = positive_quantity(*value, "critical velocity", Dimension::velocity);
+            if (const auto value = node.find("critical_velocity")) velocity.value = headline_velocity(*value);
             if (const auto plastic = node.find("plastic"))
                 velocity.plastic = plastic->number(Dimension::energy);
             if (const auto time = node.find("contact_time"))

@@ -24,7 +24,7 @@ void run_case(const Sandbox& sandbox, const Json& document, const std::string& f
 }
 
 /// One line, status 2, and the folder as it was.
-void check_refused(const Sandbox& sandbox, const std::string& arguments, const std::string& says) {
+void check_command_refused(const Sandbox& sandbox, const std::string& arguments, const std::string& says) {
     CAPTURE(arguments);
     const auto before = sandbox.everything();
     const auto finished = ashimpact_program(sandbox, arguments);
@@ -52,9 +52,9 @@ TEST_CASE("every artifact carries the identity of its run; a mixture of two runs
         CHECK(sandbox.json("one/" + name)["schema_version"] == 1);
     }
     sandbox.write("one/3-analytic.json", sandbox.read("two/3-analytic.json"));
-    check_refused(sandbox, "run -o one --from comparison",
-                  "one/3-analytic.json: is of another run than 0-case.json beside it");
-    check_refused(sandbox, "run -o one --only damping", "one/3-analytic.json: is of another run");
+    check_command_refused(sandbox, "run -o one --from comparison",
+                          "one/3-analytic.json: is of another run than 0-case.json beside it");
+    check_command_refused(sandbox, "run -o one --only damping", "one/3-analytic.json: is of another run");
 }
 
 TEST_CASE("the same case gives the same run and the same bytes") {
@@ -101,8 +101,8 @@ TEST_CASE("what cannot be is refused in an edited artifact, with file and place"
         Json artifact = whole;
         artifact["result"]["samples"][0]["critical_velocity"]["value"] = Json::parse(value);
         sandbox.write("one/3-analytic.json", artifact.dump());
-        check_refused(sandbox, "run -o one --only comparison",
-                      "one/3-analytic.json: /result/samples/0/critical_velocity/value: is ");
+        check_command_refused(sandbox, "run -o one --only comparison",
+                              "one/3-analytic.json: /result/samples/0/critical_velocity/value: is ");
     }
 }
 
@@ -134,15 +134,15 @@ TEST_CASE("artifacts and cases of another schema version are refused by version"
     Json artifact = whole;
     artifact.erase("schema_version");
     sandbox.write("one/3-analytic.json", artifact.dump());
-    check_refused(sandbox, "run -o one --only comparison",
-                  "\"schema_version\" is missing: an artifact of an earlier");
+    check_command_refused(sandbox, "run -o one --only comparison",
+                          "\"schema_version\" is missing: an artifact of an earlier");
     artifact["schema_version"] = 2;
     sandbox.write("one/3-analytic.json", artifact.dump());
-    check_refused(sandbox, "run -o one --only comparison", "/schema_version: is 2; allowed: 1");
+    check_command_refused(sandbox, "run -o one --only comparison", "/schema_version: is 2; allowed: 1");
     Json document = quick_case();
     document["schema_version"] = 7;
     sandbox.write("case.json", document.dump());
-    check_refused(sandbox, "run case.json -o two", "case.json: /schema_version: is 7; allowed: 1");
+    check_command_refused(sandbox, "run case.json -o two", "case.json: /schema_version: is 7; allowed: 1");
     document["schema_version"] = 1;
     sandbox.write("case.json", document.dump());
     CHECK(ashimpact_program(sandbox, "run case.json -o two").status == 0);
@@ -154,7 +154,7 @@ TEST_CASE("impossible numbers of a case, a NUL in a name and endless lists are r
         Json document = quick_case();
         document[Json::json_pointer(pointer)] = value;
         test::write_example(sandbox, document);
-        check_refused(sandbox, "run case.json -o out", says);
+        check_command_refused(sandbox, "run case.json -o out", says);
     };
     refused("/wall/poisson_ratio", {{"value", 0.3}, {"unit", "1"}, {"standard_uncertainty", 1e30}},
             "case.json: /wall/poisson_ratio/standard_uncertainty: a standard uncertainty of 1e+30; allowed: "
@@ -177,13 +177,14 @@ TEST_CASE("a case names files of its own folder only, through links too, unless 
         sandbox.write(std::string("inside/") + name, sandbox.read(name));
     document["samples"][0]["restitution"]["file"] = "../impacts.csv";
     sandbox.write("inside/case.json", document.dump());
-    check_refused(sandbox, "run inside/case.json -o out",
-                  "impacts.csv: lies outside of the folder of the case");
+    check_command_refused(sandbox, "run inside/case.json -o out",
+                          "impacts.csv: lies outside of the folder of the case");
     CHECK(ashimpact_program(sandbox, "run inside/case.json -o allowed --allow-outside").status == 0);
     std::filesystem::create_symlink("../impacts.csv", sandbox.folder() / "inside/link.csv");
     document["samples"][0]["restitution"]["file"] = "link.csv";
     sandbox.write("inside/case.json", document.dump());
-    check_refused(sandbox, "run inside/case.json -o out", "link.csv: lies outside of the folder of the case");
+    check_command_refused(sandbox, "run inside/case.json -o out",
+                          "link.csv: lies outside of the folder of the case");
     document["samples"][0]["restitution"]["file"] = "impacts.csv";
     sandbox.write("inside/case.json", document.dump());
     CHECK(ashimpact_program(sandbox, "run inside/case.json -o out").status == 0);

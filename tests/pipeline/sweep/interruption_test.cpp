@@ -290,25 +290,25 @@ TEST_CASE("a disk that is full at any moment is said in one line; no signal, not
     REQUIRE(test::run(whole, watched_sweep).status == 0);
     const auto blocks = std::filesystem::file_size(whole.path("out.h5")) / 1024;
     int refused = 0;
-    for (int part = 1; part <= 12; ++part)  // with no room at all not even the message finds a place {
+    for (int part = 1; part <= 12; ++part) {  // with no room at all not even the message finds a place
         const Sandbox sandbox;
-    write_spec(sandbox);
-    std::string command = "ulimit -f " + std::to_string(blocks * static_cast<std::uintmax_t>(part) / 11);
-    command += "; exec \"$@\"";
-    std::vector<std::string> limited{"bash", "-c", command, "bash"};
-    limited.insert(limited.end(), watched_sweep.begin(), watched_sweep.end());
-    const Ended ended = test::run(sandbox, limited);
-    CAPTURE(part);
-    CAPTURE(ended.err);
-    if (ended.status == 0) continue;
-    ++refused;
-    CHECK(ended.status == 2);
-    CHECK(ended.err.find("cannot be written") != std::string::npos);
-    CHECK_FALSE(sandbox.has("out.h5"));
-    CHECK(test::run(sandbox, watched_sweep).status == 0);
-    CHECK(sandbox.everything() == whole.everything());
-}
-CHECK(refused > 5);
+        write_spec(sandbox);
+        std::string command = "ulimit -f " + std::to_string(blocks * static_cast<std::uintmax_t>(part) / 11);
+        command += "; exec \"$@\"";
+        std::vector<std::string> limited{"bash", "-c", command, "bash"};
+        limited.insert(limited.end(), watched_sweep.begin(), watched_sweep.end());
+        const Ended ended = test::run(sandbox, limited);
+        CAPTURE(part);
+        CAPTURE(ended.err);
+        if (ended.status == 0) continue;
+        ++refused;
+        CHECK(ended.status == 2);
+        CHECK(ended.err.find("cannot be written") != std::string::npos);
+        CHECK_FALSE(sandbox.has("out.h5"));
+        CHECK(test::run(sandbox, watched_sweep).status == 0);
+        CHECK(sandbox.everything() == whole.everything());
+    }
+    CHECK(refused > 5);
 }
 
 TEST_CASE("two sweeps do not write one table") {
