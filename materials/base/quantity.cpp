@@ -1,5 +1,6 @@
 #include "materials/base/quantity.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -38,10 +39,10 @@ Quantity read_object(const Json& node, Dimension expected) {
     if (uncertainty < 0)
         throw InputError("a standard uncertainty below zero", "zero or more").at("/standard_uncertainty");
     quantity.standard_uncertainty = to_si(uncertainty, unit, expected);
-    const double most = expected == Dimension::fraction ? 1.0 : 1e40;
+    const double most = expected == Dimension::fraction ? std::max(1.0, std::abs(quantity.value)) : 1e40;
     if (*quantity.standard_uncertainty > most)
         throw InputError("a standard uncertainty of " + shortest(*quantity.standard_uncertainty),
-                         expected == Dimension::fraction ? "0 to 1" : "0 to 1e40 in SI")
+                         expected == Dimension::fraction ? "0 to 1, or up to the value" : "0 to 1e40 in SI")
             .at("/standard_uncertainty");
     return quantity;
 }

@@ -39,11 +39,12 @@ bool names_amounts(const std::vector<Heading>& headings) {
 }
 
 /// Index of the heading line among the first lines. Titles may stand above it, such as "Sample;Fly ash 7":
-/// the first line that names amounts is preferred to one that may be a title, unless numbers stand between
-/// them.
+/// the first line that names amounts is preferred to one that may be a title, then the one of most cells,
+/// unless numbers stand between them.
 std::optional<std::size_t> find_heading(const std::vector<TextLine>& lines) {
     constexpr std::size_t most_titles = 20;
     std::optional<std::size_t> possible;
+    std::size_t widest = 0;
     for (std::size_t i = 0; i < std::min(lines.size(), most_titles); ++i) {
         try {
             const TableRow row = cut_row(lines[i], separator_of(lines[i].text));
@@ -54,7 +55,10 @@ std::optional<std::size_t> find_heading(const std::vector<TextLine>& lines) {
             const auto headings = headings_of(row);
             if (!is_heading(headings)) continue;
             if (names_amounts(headings)) return i;
-            if (!possible) possible = i;
+            if (headings.size() > widest) {
+                possible = i;
+                widest = headings.size();
+            }
         } catch (const InputError&) {
             continue;  // a title with an odd quote
         }

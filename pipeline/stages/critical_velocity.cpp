@@ -178,10 +178,10 @@ std::vector<SampleCriticalVelocity> read_critical_velocities(const View& result)
                 .interval = node.has("interval") ? node.at("interval").json() : Json(nullptr),
                 .interval_note = node.has("interval_note") ? node.at("interval_note").json() : Json(nullptr),
                 .check = node.has("check") ? node.at("check").json() : Json(nullptr),
-                .headline = node.at("critical_velocity").json(),
+                .headline = node.json().value("critical_velocity", Json(nullptr)),
                 .extrapolated = Json(nullptr)};
             if (const auto extrapolated = node.find("extrapolated")) {
-                velocity.extrapolated = extrapolated->at("critical_velocity").json();
+                velocity.extrapolated = extrapolated->json().value("critical_velocity", Json(nullptr));
                 velocity.extrapolated["interval"] = extrapolated->at("interval").json();
             }
             if (const auto value = node.find("critical_velocity")) velocity.value = headline_velocity(*value);

@@ -23,7 +23,7 @@ std::optional<std::string> published(const View& sample, const char* kind, const
 }
 
 std::string velocity_cell(const View& sample, const View::Member& law) {
-    if (!law.value.json().is_null()) return velocity_text(law.value.number(Dimension::velocity));
+    if (!law.value.json().is_null()) return velocity_text(law.value.at("value").number(Dimension::velocity));
     const std::string verdict = sample.at("verdict").at(law.key).text();
     return verdict == "finite" ? "-" : verdict;
 }
@@ -44,7 +44,7 @@ std::string interval_cell(const View& sample, const std::string& law) {
 std::string extrapolated_cell(const View& sample, const std::string& law) {
     const auto all = sample.find("extrapolated_critical_velocity");
     const auto entry = all ? all->find(law) : std::nullopt;
-    return entry ? velocity_text(entry->number(Dimension::velocity)) : "-";
+    return entry ? velocity_text(entry->at("value").number(Dimension::velocity)) : "-";
 }
 
 /// Why laws have no interval, a line for each.

@@ -116,9 +116,11 @@ TEST_CASE("a violation is told by pointer, what is wrong and what is allowed") {
               .starts_with("/: \"samples\" is missing; allowed: a list of at least one sample"));
     CHECK(message(R"({"name": "x", "samples": []})")
               .starts_with("/samples: is a list of 0; allowed: a list of at"));
-    CHECK(message(
-              R"({"name": "x", "sample": [], "samples": [{"name": "a", "diameter": 1, "composition": {}}]})")
-              .starts_with("/sample: unknown key, did you mean \"samples\"?; allowed: $schema, name, "));
+    CHECK(
+        message(
+            R"({"name": "x", "sample": [], "samples": [{"name": "a", "diameter": 1, "composition": {}}]})")
+            .starts_with(
+                "/sample: unknown key, did you mean \"samples\"?; allowed: $schema, schema_version, name, "));
     CHECK(message(R"({"name": "x", "samples": [{"name": "a", "diameter": "1 um"}]})")
               .starts_with("/samples/0: \"composition\" is missing; allowed: weight_fractions, "));
     CHECK(

@@ -208,7 +208,8 @@ TEST_CASE("too few rebounds to extrapolate: the estimate alone gives c and v_c")
     }
     const Artifacts artifacts = computed_from(laboratory.document);
     CHECK(mentions(artifacts, "6-fit.json", "dmt: no extrapolated fit: 5 distinct restitutions"));
-    CHECK(mentions(artifacts, "6-fit.json", "dmt: nothing can be extrapolated: c is the critical damping of the estimate"));
+    CHECK(mentions(artifacts, "6-fit.json",
+                   "dmt: nothing can be extrapolated: c is the critical damping of the estimate"));
     const Json& fit = result(artifacts, "6-fit.json")["dmt"];
     CHECK_FALSE(fit.contains("extrapolated"));
     CHECK_FALSE(fit.contains("comparison"));

@@ -60,8 +60,8 @@ TEST_CASE("every artifact of a run conforms to its schema and has the envelope")
             CHECK_NOTHROW(validate_document(document, file.substr(0, file.size() - 5)));
             std::vector<std::string> keys;
             for (const auto& [key, _] : document.items()) keys.push_back(key);
-            CHECK(keys == std::vector<std::string>{"schema", "stage", "provenance", "citations", "warnings",
-                                                   "result"});
+            CHECK(keys == std::vector<std::string>{"schema", "schema_version", "stage", "provenance",
+                                                   "citations", "warnings", "result"});
             CHECK(parse_json(artifacts.at(file).bytes) == document);
         }
     }
