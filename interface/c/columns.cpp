@@ -2,6 +2,7 @@
 
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "materials/base/error.hpp"
 
@@ -17,23 +18,32 @@ double at(const Strided& source, std::size_t i) {
 
 }  // namespace
 
-void ColumnReader::select(const Parameters& parameters, std::size_t first, std::size_t count) {
+void ColumnReader::select(Law law, const Parameters& parameters, std::size_t first, std::size_t count) {
+    law_ = law;
     parameters_ = parameters;
     first_ = first;
     count_ = count;
 }
 
 ContactColumns ColumnReader::contact() {
-    ContactColumns columns{.mass = mass(),
-                           .effective_radius = effective_radius(),
-                           .contact_modulus = column(Parameter::contact_modulus),
-                           .work_of_adhesion = column(Parameter::work_of_adhesion)};
-    if (!parameters_.has(Parameter::yield_pressure)) return columns;
-    return {.mass = columns.mass,
-            .effective_radius = columns.effective_radius,
-            .contact_modulus = columns.contact_modulus,
-            .work_of_adhesion = columns.work_of_adhesion,
-            .yield_pressure = column(Parameter::yield_pressure)};
+    std::vector<ParameterColumn> own;
+    for (const LawParameter& parameter : law_.parameters()) {
+        const Parameter named = parameter_named(parameter.name.data());
+        if (parameters_.has(named)) own.push_back({parameter.name, column(named)});
+    }
+    if (!parameters_.has(Parameter::yield_pressure)) {
+        return {.mass = mass(),
+                .effective_radius = effective_radius(),
+                .contact_modulus = column(Parameter::contact_modulus),
+                .work_of_adhesion = column(Parameter::work_of_adhesion),
+                .parameters = std::move(own)};
+    }
+    return {.mass = mass(),
+            .effective_radius = effective_radius(),
+            .contact_modulus = column(Parameter::contact_modulus),
+            .work_of_adhesion = column(Parameter::work_of_adhesion),
+            .yield_pressure = column(Parameter::yield_pressure),
+            .parameters = std::move(own)};
 }
 
 ColumnReader::View ColumnReader::column(Parameter parameter) {
@@ -69,7 +79,7 @@ ColumnReader::View ColumnReader::effective_radius() {
 }
 
 double* ColumnReader::copy_of(Parameter parameter) {
-    return copies_[static_cast<std::size_t>(parameter)].data();
+    return copies_[place_of(parameter)].data();
 }
 
 void require_contact(const Parameters& parameters) {
@@ -83,7 +93,7 @@ void require_contact(const Parameters& parameters) {
 
 void require_column(const Parameters& parameters, Parameter parameter) {
     if (parameters.has(parameter)) return;
-    throw InputError(std::string(parameter_names[static_cast<std::size_t>(parameter)]) + " is missing",
+    throw InputError(std::string(parameter_names()[place_of(parameter)]) + " is missing",
                      "a parameter of the model or a column of the call");
 }
 

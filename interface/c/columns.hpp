@@ -4,9 +4,11 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "interface/c/parameters.hpp"
 #include "solver/batch/columns.hpp"
+#include "solver/contact/registry.hpp"
 
 namespace ashimpact {
 
@@ -19,7 +21,7 @@ class ColumnReader {
     using View = Eigen::Map<const Eigen::ArrayXd>;
 
     /// Sources of problems first to first + count - 1; count <= capacity.
-    void select(const Parameters& parameters, std::size_t first, std::size_t count);
+    void select(Law law, const Parameters& parameters, std::size_t first, std::size_t count);
 
     /// Mass and effective radius come from density and diameter where they are not given themselves.
     [[nodiscard]] ContactColumns contact();
@@ -33,10 +35,11 @@ class ColumnReader {
     [[nodiscard]] double* copy_of(Parameter parameter);
     [[nodiscard]] static View view_of(const double* numbers, Eigen::Index size) { return {numbers, size}; }
 
+    Law law_ = Law::of<Hertz>();
     Parameters parameters_{};
     std::size_t first_ = 0;
     std::size_t count_ = 0;
-    std::array<std::array<double, capacity>, parameter_names.size()> copies_;
+    std::vector<std::array<double, capacity>> copies_{parameter_names().size()};
 };
 
 /// Checks that a contact can be made of what is set, and that what else is needed is there.

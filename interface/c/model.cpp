@@ -23,10 +23,11 @@ void take_constants(ashimpact_model& model, const ashimpact_parameter* parameter
         const Parameter parameter = parameter_named(parameters[i].name);
         const auto place = static_cast<std::size_t>(parameter);
         const auto other = static_cast<std::size_t>(alternative_to(parameter));
-        const std::string name(parameter_names[place]);
+        const std::string name(parameter_names()[place]);
         if (model.constants[place]) throw InputError(name + " is given twice");
         if (model.constants[other]) {
-            throw InputError(name + " is given beside " + std::string(parameter_names[other]), "one of them");
+            throw InputError(name + " is given beside " + std::string(parameter_names()[other]),
+                             "one of them");
         }
         model.constants[place] = parameters[i].value;
     }
@@ -51,6 +52,16 @@ void check_constants(const ashimpact_model& model) {
                      .work_of_adhesion = constant(Parameter::work_of_adhesion).value_or(0.0)};
     if (const auto yield_pressure = constant(Parameter::yield_pressure))
         pair.yield_pressure = *yield_pressure;
+    pair.parameters = typical_parameters(model.law);
+    for (const LawParameter& parameter : law_parameters()) {
+        const auto value = constant(parameter_named(std::string(parameter.name).c_str()));
+        if (!value) continue;
+        if (!model.law.takes(parameter)) {
+            throw InputError("law " + std::string(model.law.name()) + " takes no " +
+                             std::string(parameter.name));
+        }
+        require_allowed(parameter, *value);
+    }
     validate(Impact{model.law,
                     model.detachment,
                     {model.damping_law, constant(Parameter::damping).value_or(0.0)},

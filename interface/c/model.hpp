@@ -14,7 +14,7 @@ struct ashimpact_model {  // NOLINT(readability-identifier-naming): the name of 
     ashimpact::Law law;
     ashimpact::Detachment detachment;
     ashimpact::DampingLaw damping_law;
-    std::array<std::optional<double>, ashimpact::parameter_names.size()> constants{};
+    std::array<std::optional<double>, ashimpact::most_parameters> constants{};
 
     /// The sources of a call without columns: the constants.
     [[nodiscard]] ashimpact::Parameters parameters() const;

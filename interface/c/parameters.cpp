@@ -1,22 +1,40 @@
 #include "interface/c/parameters.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "materials/base/error.hpp"
 #include "materials/base/text.hpp"
+#include "solver/contact/registry.hpp"
 
 namespace ashimpact {
 
+const std::vector<std::string_view>& parameter_names() {
+    static const std::vector<std::string_view> names = [] {
+        std::vector<std::string_view> all{
+            "density",          "mass",           "diameter", "effective_radius", "contact_modulus",
+            "work_of_adhesion", "yield_pressure", "damping",  "velocity",         "restitution"};
+        for (const LawParameter& parameter : law_parameters()) {
+            if (std::ranges::find(all, parameter.name) == all.end()) all.push_back(parameter.name);
+        }
+        if (all.size() > most_parameters)
+            throw std::logic_error("more law parameters than the C interface has room for");
+        return all;
+    }();
+    return names;
+}
+
 Parameter parameter_named(const char* name) {
+    const auto& names = parameter_names();
     const std::string_view wanted = name == nullptr ? std::string_view("(null)") : name;
-    const auto* const found = std::ranges::find(parameter_names, wanted);
-    if (found == parameter_names.end()) {
+    const auto found = std::ranges::find(names, wanted);
+    if (found == names.end()) {
         throw InputError("unknown parameter " + in_quotes(wanted),
-                         joined(std::vector<std::string>(parameter_names.begin(), parameter_names.end())));
+                         joined(std::vector<std::string>(names.begin(), names.end())));
     }
-    return static_cast<Parameter>(found - parameter_names.begin());
+    return static_cast<Parameter>(found - names.begin());
 }
 
 Parameter alternative_to(Parameter parameter) {
@@ -35,8 +53,8 @@ Parameter alternative_to(Parameter parameter) {
 }
 
 void Parameters::set(Parameter parameter, Strided source) {
-    sources_[static_cast<std::size_t>(alternative_to(parameter))] = {};
-    sources_[static_cast<std::size_t>(parameter)] = source;
+    sources_[place_of(alternative_to(parameter))] = {};
+    sources_[place_of(parameter)] = source;
 }
 
 }  // namespace ashimpact

@@ -3,10 +3,12 @@
 #include <array>
 #include <cstddef>
 #include <string_view>
+#include <vector>
 
 namespace ashimpact {
 
-/// What the C interface takes by name.
+/// What the C interface takes by name; parameters that laws declare of their own come behind these, in the
+/// order of law_parameters().
 enum class Parameter : std::size_t {
     density,
     mass,
@@ -19,9 +21,15 @@ enum class Parameter : std::size_t {
     velocity,
     restitution,
 };
-inline constexpr std::array<std::string_view, 10> parameter_names{
-    "density",          "mass",           "diameter", "effective_radius", "contact_modulus",
-    "work_of_adhesion", "yield_pressure", "damping",  "velocity",         "restitution"};
+/// Most names that there may be.
+inline constexpr std::size_t most_parameters = 24;
+
+/// The names of all parameters, in their order.
+[[nodiscard]] const std::vector<std::string_view>& parameter_names();
+
+[[nodiscard]] inline std::size_t place_of(Parameter parameter) {
+    return static_cast<std::size_t>(parameter);
+}
 
 /// The parameter of that name. @throws InputError naming all of them
 [[nodiscard]] Parameter parameter_named(const char* name);
@@ -39,12 +47,12 @@ class Parameters {
     void set(Parameter parameter, Strided source);
     /// The source of a parameter; its values are null where it was not set.
     [[nodiscard]] const Strided& operator[](Parameter parameter) const {
-        return sources_[static_cast<std::size_t>(parameter)];
+        return sources_[place_of(parameter)];
     }
     [[nodiscard]] bool has(Parameter parameter) const { return (*this)[parameter].values != nullptr; }
 
   private:
-    std::array<Strided, parameter_names.size()> sources_{};
+    std::array<Strided, most_parameters> sources_{};
 };
 
 /// The parameter that tells the same as another one: mass and density, diameter and effective_radius; itself

@@ -40,7 +40,7 @@ void solve_impacts(const Call& call, const ImpactOutputs& outputs) {
     ColumnReader& reader = reader_of_this_thread();
     thread_local ImpactBatchResult result;
     in_chunks(call.count, ColumnReader::capacity, [&](std::size_t first, std::size_t size) {
-        reader.select(call.parameters, first, size);
+        reader.select(call.model.law, call.parameters, first, size);
         const ImpactBatch batch{.law = call.model.law,
                                 .detachment = call.model.detachment,
                                 .damping_law = call.model.damping_law,
@@ -59,7 +59,7 @@ void solve_critical_velocities(const Call& call, double* critical_velocity) {
     require_contact(call.parameters);
     ColumnReader& reader = reader_of_this_thread();
     in_chunks(call.count, ColumnReader::capacity, [&](std::size_t first, std::size_t size) {
-        reader.select(call.parameters, first, size);
+        reader.select(call.model.law, call.parameters, first, size);
         CriticalVelocityBatchResult result =
             critical_velocities({.law = call.model.law,
                                  .detachment = call.model.detachment,
@@ -82,7 +82,7 @@ void solve_dampings(const Call& call, const DampingOutputs& outputs) {
     require_column(call.parameters, Parameter::restitution);
     ColumnReader& reader = reader_of_this_thread();
     in_chunks(call.count, ColumnReader::capacity, [&](std::size_t first, std::size_t size) {
-        reader.select(call.parameters, first, size);
+        reader.select(call.model.law, call.parameters, first, size);
         const DampingBatchResult result =
             dampings_from_restitutions({.law = call.model.law,
                                         .detachment = call.model.detachment,

@@ -54,6 +54,8 @@ typedef struct {
  *   work_of_adhesion   w, energy to separate unit area, not a surface energy [J/m2]; 0 unless given
  *   damping            coefficient of the damping law [unit of that law]; 0 unless given
  *   yield_pressure     p_y of a law that knows yielding (thornton-ning) [Pa]; never yields unless given
+ *   ...                what the law declares of its own, such as cohesion_energy_density of sjkr [SI];
+ *                      `ashimpact impact --help` lists them, with hyphens for the underlines
  *   effective_radius, mass   R* [m] and m* [kg], in the place of diameter and density, for
  *                      the functions that take columns: two spheres, or a particle that is no sphere */
 typedef struct {

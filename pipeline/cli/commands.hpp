@@ -16,6 +16,10 @@ namespace ashimpact {
 /// What the command line asked for; set by the command that was named.
 using Action = std::function<void(std::ostream& out)>;
 
+/// Gives the program its purpose, its options and all of its commands.
+void set_up_commands(CLI::App& program, Action& action, const SweepRunner& sweep,
+                     const ExportRunner& exporter);
+
 /// A new command with the options that every command has.
 [[nodiscard]] CLI::App* add_command(CLI::App& program, const std::string& name, const std::string& purpose,
                                     const std::string& example);

@@ -129,13 +129,13 @@ CLI::App* add_command(CLI::App& program, const std::string& name, const std::str
     return command;
 }
 
-int run_program(int argc, const char* const* argv, const SweepRunner& sweep, const ExportRunner& exporter) {
-    const auto messages = set_up_messages();
-    CLI::App program(purpose, "ashimpact");
+void set_up_commands(CLI::App& program, Action& action, const SweepRunner& sweep,
+                     const ExportRunner& exporter) {
+    program.name("ashimpact");
+    program.description(purpose);
     add_common_options(program);
     program.require_subcommand(1);
     program.footer("Example:\n  ashimpact run\n`ashimpact COMMAND --help` says more about each.");
-    Action action;
     add_case_commands(program, action);
     add_contact_commands(program, action);
     add_sweep_command(program, action, sweep);
@@ -143,6 +143,13 @@ int run_program(int argc, const char* const* argv, const SweepRunner& sweep, con
     add_export_command(program, action, exporter);
     add_document_commands(program, action);
     refuse_empty_values(program);
+}
+
+int run_program(int argc, const char* const* argv, const SweepRunner& sweep, const ExportRunner& exporter) {
+    const auto messages = set_up_messages();
+    CLI::App program;
+    Action action;
+    set_up_commands(program, action, sweep, exporter);
     std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of its write
     try {
         obey(program, argc, argv, action, *messages);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <ostream>
@@ -30,31 +31,33 @@ report::RunData loaded(const std::filesystem::path& folder, const std::string& l
     return {load_artifacts(folder, report::report_artifacts()), label};
 }
 
+/// Refuses what is neither the folder of a run nor one of its artifacts.
+void require_known(const std::vector<std::string>& given) {
+    const auto& files = report::report_artifacts();
+    for (const std::string& name : given) {
+        std::error_code ignored;
+        if (std::filesystem::is_directory(name, ignored)) continue;
+        if (std::find(files.begin(), files.end(), std::filesystem::path(name).filename().string()) !=
+            files.end())
+            continue;
+        const std::vector<std::string> allowed(files.begin(), files.end());
+        throw InputError("is no artifact of a run", "the folder of a run, or " + joined(allowed)).in_file(name);
+    }
+}
+
 /// The artifacts of one run from files of it, completed from the folder of the first; a folder stands for its
 /// files.
 Artifacts gathered(const std::vector<std::string>& given) {
+    require_known(given);
     const std::filesystem::path first(given.front());
     const auto folder = std::filesystem::is_directory(first) ? first : first.parent_path();
     Artifacts artifacts;
-    std::vector<Artifact> of_one_run;
     for (const std::string_view file : report::report_artifacts()) {
         auto from = folder;
         for (const std::string& name : given)
             if (std::filesystem::path(name).filename() == file)
                 from = std::filesystem::path(name).parent_path();
-        of_one_run.push_back(load_artifacts(from, {file}).at(file));
-    }
-    require_one_run(of_one_run);
-    for (Artifact& artifact : of_one_run) artifacts.add(std::move(artifact));
-    for (const std::string& name : given) {
-        bool known = std::filesystem::is_directory(name);
-        for (const std::string_view file : report::report_artifacts())
-            known = known || std::filesystem::path(name).filename() == file;
-        std::vector<std::string> allowed(report::report_artifacts().begin(),
-                                         report::report_artifacts().end());
-        if (!known)
-            throw InputError("is no artifact of a run", "the folder of a run, or " + joined(allowed))
-                .in_file(name);
+        artifacts.add(load_artifacts(from, {file}).at(file));
     }
     return artifacts;
 }

@@ -50,7 +50,7 @@ std::string wall(const ExportSubject& subject, const OwnForces& own) {
 
 std::string lammps_wall_file(const ExportSubject& subject) {
     const OwnForces own = own_forces(subject);
-    const bool attraction = is_adhesive(subject.law) && !own.attraction;
+    const bool attraction = subject.law.uses_work_of_adhesion() && !own.attraction;
     const bool damping = !own.damping && !subject.damping.is_zero();
     return fmt::format(
                "# Ash on the wall z = ash_wall_z: law {}, contact ends at zero overlap. Needs the variable "
@@ -72,8 +72,9 @@ std::vector<std::string> lammps_conversions(const ExportSubject& subject) {
         "R* is the radius of the sphere: the wall is flat"};
     if (own.damping && !subject.damping.is_zero())
         lines.emplace_back("`damping velocity` with eta in kg/s: F_d = -eta v, as here");
-    const auto added = added_force_conversions(subject, is_adhesive(subject.law) && !own.attraction,
-                                               !own.damping && !subject.damping.is_zero());
+    const auto added =
+        added_force_conversions(subject, subject.law.uses_work_of_adhesion() && !own.attraction,
+                                !own.damping && !subject.damping.is_zero());
     lines.insert(lines.end(), added.begin(), added.end());
     return lines;
 }

@@ -28,7 +28,7 @@ std::string liggghts_wall_file(const ExportSubject& subject) {
                "fix              ash_wall all wall/gran model hertz tangential off primitive type 1 zplane "
                "${{ash_wall_z}}\n",
                subject.law.name()) +
-           added_forces(subject, is_adhesive(subject.law), !subject.damping.is_zero());
+           added_forces(subject, subject.law.uses_work_of_adhesion(), !subject.damping.is_zero());
 }
 
 std::vector<std::string> liggghts_conversions(const ExportSubject& subject) {
@@ -36,7 +36,8 @@ std::vector<std::string> liggghts_conversions(const ExportSubject& subject) {
         "`model hertz` with youngsModulus 2 E* and nu = 0 for sphere and wall: effective modulus E*",
         "coefficientRestitution 1: no damping of the code's own, which would follow another law",
         "R* is the radius of the sphere: the wall is flat"};
-    const auto added = added_force_conversions(subject, is_adhesive(subject.law), !subject.damping.is_zero());
+    const auto added =
+        added_force_conversions(subject, subject.law.uses_work_of_adhesion(), !subject.damping.is_zero());
     lines.insert(lines.end(), added.begin(), added.end());
     return lines;
 }

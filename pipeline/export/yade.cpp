@@ -21,7 +21,8 @@ void require_yade(const ExportSubject& subject) {
     if (subject.damping.depends_on_velocity())
         throw InputError("YADE: it knows no damping that depends on the velocity of approach",
                          "damping that is the same at every velocity");
-    if (is_adhesive(subject.law) && subject.damping.law == DampingLaw::tsuji && !subject.damping.is_zero())
+    if (subject.law.uses_work_of_adhesion() && subject.damping.law == DampingLaw::tsuji &&
+        !subject.damping.is_zero())
         throw InputError(
             "YADE: Tsuji's damping with attraction is its `en` with `gamma`, whose restitution is off "
             "by a tenth (0.559 for 0.498) for a cause not known",

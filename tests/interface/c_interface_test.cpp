@@ -33,8 +33,11 @@ class Handle {
   public:
     explicit Handle(const char* law, const char* detachment = nullptr, const char* damping_law = nullptr,
                     std::size_t count = constants.size()) {
+        std::vector<ashimpact_parameter> all(constants.begin(), constants.begin() + static_cast<long>(count));
+        for (const auto& [name, value] : typical_parameters(Law::named(law)))
+            all.push_back({name.data(), value});
         ashimpact_error error;
-        REQUIRE_MESSAGE(ashimpact_open(law, detachment, damping_law, constants.data(), count, &model_,
+        REQUIRE_MESSAGE(ashimpact_open(law, detachment, damping_law, all.data(), all.size(), &model_,
                                        &error) == ASHIMPACT_OK,
                         error.message);
     }
@@ -87,15 +90,18 @@ ContactColumns contact_of(const Eigen::ArrayXd& mass, const Eigen::ArrayXd& radi
 TEST_CASE("C interface: the bits of the batch solver, every law, detachment and damping law") {
     for (const test::ContactCase& c : test::elastic_cases()) {
         CAPTURE(test::name_of(c));
-        const bool yields = c.law == Law::of<ThorntonNing>();
+        const bool yields = c.law == Law::of<ThorntonNing>() || !c.law.parameters().empty();
         const Handle handle(std::string(c.law.name()).c_str(), std::string(name_of(c.detachment)).c_str(),
                             std::string(name_of(c.damping_law)).c_str());
         const Spheres s = spheres(yields ? 20 : 3000);
         const Eigen::ArrayXd mass = s.mass();
         const Eigen::ArrayXd radius = s.radius();
         const Eigen::ArrayXd damping = Eigen::ArrayXd::Constant(1, 2e-6);
+        const ParameterValues<double> own = typical_parameters(c.law);
+        ContactColumns contact = contact_of(mass, radius);
+        contact.parameters = single_columns(own);
         const ImpactBatchResult expected =
-            solve_impacts({c.law, c.detachment, c.damping_law, contact_of(mass, radius), damping, s.velocity},
+            solve_impacts({c.law, c.detachment, c.damping_law, contact, damping, s.velocity},
                           {.turning_point = false, .method = BatchMethod::table});
         std::vector<double> restitution(s.size());
         REQUIRE(ashimpact_restitutions(handle.get(), s.size(), s.diameter.data(), s.velocity.data(),
@@ -103,7 +109,7 @@ TEST_CASE("C interface: the bits of the batch solver, every law, detachment and 
         CHECK(same_bits(restitution, expected.restitution));
 
         const CriticalVelocityBatchResult critical =
-            critical_velocities({c.law, c.detachment, c.damping_law, contact_of(mass, radius), damping});
+            critical_velocities({c.law, c.detachment, c.damping_law, contact, damping});
         std::vector<double> velocity(s.size());
         REQUIRE(ashimpact_critical_velocities(handle.get(), s.size(), s.diameter.data(), velocity.data(),
                                               nullptr) == ASHIMPACT_OK);

@@ -1,17 +1,20 @@
-// Coverage of v_c in laboratories of known truth; see docs/uncertainty.md.
-//     critical_velocity_study [REPETITIONS] [ROW] [LAW]
+// How often the interval of v_c holds in laboratories of known truth; docs/uncertainty.md has the table.
+//     critical_velocity_study [REPETITIONS [ROW [LAW]]]    the study; 1000 repetitions by default
+//     critical_velocity_study quick REPETITIONS            each row with one law, for the tests
+// Exit status 1 where a demand is not met.
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
 #include <string>
 #include <vector>
 
+#include "materials/base/error.hpp"
 #include "materials/contact_properties.hpp"
 #include "solver/contact/registry.hpp"
+#include "solver/gsl/distribution.hpp"
 #include "solver/uncertainty/curve/headline.hpp"
 #include "tests/studies/laboratory.hpp"
 
@@ -20,73 +23,121 @@ using namespace ashimpact;
 namespace {
 
 struct Tally {
-    int covered = 0, none = 0, above = 0, below = 0, warned = 0, absurd = 0, done = 0;
-    std::vector<double> width, ratio;
+    unsigned done = 0;
+    unsigned covered = 0;
+    unsigned above = 0;   ///< the whole interval lies above the truth
+    unsigned below = 0;
+    unsigned warned = 0;  ///< of the misses
+    unsigned none = 0;    ///< no estimate, of 12 impacts or more
+    unsigned few = 0;     ///< no estimate, of fewer
+    unsigned absurd = 0;  ///< off by more than a factor of 3
+    std::vector<double> width{};
+    std::vector<double> ratio{};
+
+    /// Coverage of 92 %, or above 85 % with a warning in nine of ten misses; a result below by chance is let pass.
+    [[nodiscard]] bool holds() const {
+        const auto chance = [&](double share) { return gsl::binomial_probability(covered, share, done); };
+        const bool warns = 10 * warned >= 9 * (above + below);
+        return (chance(0.92) > 1e-3 || (warns && chance(0.85) > 1e-3)) && absurd == 0 &&
+               none <= std::max(1U, done / 50);
+    }
+    void add(const Tally& other) {
+        done += other.done;
+        covered += other.covered;
+        above += other.above;
+        below += other.below;
+        warned += other.warned;
+        none += other.none;
+        few += other.few;
+        absurd += other.absurd;
+    }
 };
 
 double median(std::vector<double> values) {
     if (values.empty()) return std::nan("");
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-    return values[values.size() / 2];
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
 }
 
-void print_set(const MeasurementSet& set) {
-    for (const Measurement& p : set.points) std::printf("%.5g/%.5g ", p.velocity, p.rebound);
-    std::printf("\n");
+ContactModel model_of(const Law& law, double critical_velocity) {
+    const ContactPair ash{.mass = sphere_mass(48e-6, 2158.5),
+                          .effective_radius = 48e-6,
+                          .contact_modulus = 90e9,
+                          .work_of_adhesion = 0.2959};
+    return make_contact_model(law, law.default_detachment(), ash,
+                              {0.02 * critical_velocity, 40.0 * critical_velocity});
 }
 
-Tally tally(const studies::Row& row, const Law& law, int repetitions, bool verbose) {
+void take(Tally& tally, const ContactModel& model, const MeasurementSet& set, double truth) {
+    ++tally.done;
+    try {
+        const auto estimate = estimate_critical_velocity(model, set);
+        const Interval& v = estimate.curve.critical_velocity;
+        const bool above = *v.lower > truth;
+        const bool below = *v.upper < truth;
+        tally.above += above ? 1U : 0U;
+        tally.below += below ? 1U : 0U;
+        tally.covered += above || below ? 0U : 1U;
+        tally.warned += (above || below) && !estimate.notes.empty() ? 1U : 0U;
+        const double ratio = v.value / truth;
+        tally.absurd += ratio > 3.0 || ratio < 1.0 / 3.0 ? 1U : 0U;
+        tally.ratio.push_back(ratio);
+        tally.width.push_back((*v.upper - *v.lower) / truth);
+    } catch (const InputError&) {
+        ++(set.points.size() >= 12 ? tally.none : tally.few);
+    } catch (const ConvergenceError&) {
+        ++(set.points.size() >= 12 ? tally.none : tally.few);
+    }
+}
+
+Tally run(const studies::Row& row, const Law& law, int repetitions) {
     const studies::Laboratories laboratories(row, oracles::law_from(std::string(law.name())));
     const double truth = laboratories.critical_velocity();
-    const ContactPair ash{.mass = sphere_mass(48e-6, 2158.5), .effective_radius = 48e-6, .contact_modulus = 90e9, .work_of_adhesion = 0.2959};
-    const ContactModel model = make_contact_model(law, law.default_detachment(), ash, {0.01 * truth, 100 * truth});
+    const ContactModel model = model_of(law, truth);
     test::Random random(20130829);
-    Tally result;
-    for (int i = 0; i < repetitions; ++i) {
-        const MeasurementSet set = laboratories.measure(random);
-        ++result.done;
-        try {
-            const auto estimate = estimate_critical_velocity(model, set);
-            const Interval& v = estimate.curve.critical_velocity;
-            const bool low = v.lower && *v.lower > truth;
-            const bool high = v.upper && *v.upper < truth;
-            result.above += low;
-            result.below += high;
-            result.covered += !low && !high;
-            const double ratio = v.value / truth;
-            result.ratio.push_back(ratio);
-            if (ratio > 3.0 || ratio < 1.0 / 3.0) ++result.absurd;
-            result.width.push_back((v.upper.value_or(9e9) - v.lower.value_or(0)) / truth);
-            if (verbose && (low || high)) {
-                std::printf("#%d n=%zu truth %.3f: %.3f (%.3f, %.3f) tau %.2f noise %.3f scatter %.4f: ", i, set.points.size(), truth, v.value, *v.lower, *v.upper, estimate.curve.roughness, estimate.curve.scatter.noise, estimate.curve.scatter.damping);
-                print_set(set);
-            }
-        } catch (const std::exception& e) {
-            ++result.none;
-            if (verbose) std::printf("#%d none: %s\n", i, e.what());
-        }
+    Tally tally;
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 0; i < repetitions; ++i) take(tally, model, laboratories.measure(random), truth);
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / repetitions;
+    std::printf("| %s | %s | %.1f %% | %u | %u | %u | %u | %u | %.3f | %.3f | %.2f |\n", row.name.c_str(),
+                std::string(law.name()).c_str(), 100.0 * tally.covered / tally.done, tally.above, tally.below,
+                tally.warned, tally.none + tally.few, tally.absurd, median(tally.ratio), median(tally.width), seconds);
+    std::fflush(stdout);
+    return tally;
+}
+
+const std::vector<Law>& laws() {
+    static const std::vector<Law> all{Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()};
+    return all;
+}
+
+bool quick(int repetitions) {
+    Tally all;
+    for (std::size_t i = 0; i < studies::rows().size(); ++i)
+        all.add(run(studies::rows()[i], laws()[i % laws().size()], repetitions));
+    return all.holds();
+}
+
+bool study(int repetitions, const std::string& only_row, const std::string& only_law) {
+    bool good = true;
+    for (const studies::Row& row : studies::rows()) {
+        if (!only_row.empty() && row.name != only_row) continue;
+        for (const Law& law : laws())
+            if (only_law.empty() || law.name() == only_law) good = run(row, law, repetitions).holds() && good;
     }
-    return result;
+    return good;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    const int repetitions = argc > 1 ? std::atoi(argv[1]) : 1000;
-    const std::string only_row = argc > 2 ? argv[2] : "";
-    const std::string only_law = argc > 3 ? argv[3] : "";
-    const bool verbose = argc > 4;
-    std::printf("%-18s %-11s covered  above below none absurd  median ratio  width   direct s\n", "truth and file", "law");
-    for (const studies::Row& row : studies::rows()) {
-        if (!only_row.empty() && row.name != only_row) continue;
-        for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()}) {
-            if (!only_law.empty() && law.name() != only_law) continue;
-            const auto start = std::chrono::steady_clock::now();
-            const Tally t = tally(row, law, repetitions, verbose);
-            const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-            std::printf("%-18s %-11s %5.1f %%  %5d %5d %4d %6d  %.3f         %.3f  %.0f\n", row.name.c_str(), std::string(law.name()).c_str(),
-                        100.0 * t.covered / t.done, t.above, t.below, t.none, t.absurd, median(t.ratio), median(t.width), seconds);
-            std::fflush(stdout);
-        }
-    }
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    const auto word = [&](std::size_t i) { return i < words.size() ? words[i] : std::string{}; };
+    std::puts("| truth and file | law | covered | above | below | warned | no estimate | off by 3 | median of v_c/truth | "
+              "median width | s each |\n|---|---|---|---|---|---|---|---|---|---|---|");
+    if (word(0) == "quick") return quick(std::max(1, std::atoi(word(1).c_str()))) ? 0 : 1;
+    const int repetitions = words.empty() ? 1000 : std::max(1, std::atoi(word(0).c_str()));
+    return study(repetitions, word(1), word(2)) ? 0 : 1;
 }

@@ -100,9 +100,11 @@ CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, c
                          "impacts closer to v_c");
     const CurvePosterior posterior(table, impacts, prior, estimate.curve.roughness);
     const SmoothDamping curve = posterior.curve(estimate.curve.parameters);
+    const bool grouped_without_noise = noise_known && !set.has_noise();
     for (const auto& note : {slow_rebound_note(estimate.curve, curve, impacts),
                              misfit_note(estimate.curve.scatter, set.has_noise())})
         if (note) estimate.notes.push_back(*note);
+    if (grouped_without_noise) estimate.curve.scatter.noise *= neighbours;  // a velocity, as without groups
     return estimate;
 }
 

@@ -24,7 +24,7 @@ def program(*words):
 
 class Impacts(unittest.TestCase):
     def test_equals_the_command_line(self):
-        for law in ashimpact.laws():
+        for law in ("hertz", "dmt", "brach-dunn", "jkr", "thornton-ning"):
             contact = dict(ASH, law=law, radius=22e-6)
             words = ["--law", law, "--radius", "22 um", "--density", "2160 kg/m3", "--contact-modulus", "60 GPa"]
             words += ["--work-of-adhesion", "0.3 J/m2"]

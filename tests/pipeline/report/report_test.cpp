@@ -4,6 +4,7 @@
 #include <regex>
 #include <set>
 
+#include "pipeline/files/file.hpp"
 #include "pipeline/files/sha256.hpp"
 #include "pipeline/report/drawing/markup.hpp"
 #include "pipeline/report/figures/figures.hpp"
@@ -131,6 +132,19 @@ TEST_CASE(
     const auto ratio = std::stod(between(caption, "Brach-Dunn attracts ", " times"));
     CHECK(ratio > 1.9);
     CHECK(ratio < 2.2);
+}
+
+TEST_CASE("the pictures of the README show what the program makes now; ./dev pictures makes them again") {
+    const std::filesystem::path pictures = std::filesystem::path(ASHIMPACT_TEST_DATA) / "../../docs/pictures";
+    REQUIRE(ashimpact_program(paper(), "figure restitution results -o readme.svg").status == 0);
+    CHECK(paper().read("readme.svg") == read_file(pictures / "restitution.svg"));
+    const std::string page = paper().read("results/report.html");
+    const auto head = page.find("<header>\n");
+    const auto figures = page.find("<section><h2 id=\"figures\"");
+    REQUIRE(head != std::string::npos);
+    REQUIRE(figures != std::string::npos);
+    CHECK(sha256(page.substr(head, figures - head)) + "\n" == read_file(pictures / "report.sha256"));
+    CHECK(read_file(pictures / "report.png").starts_with("\x89PNG"));
 }
 
 TEST_CASE("--no-report leaves the report out, a part of a run makes it again") {

@@ -172,7 +172,7 @@ TEST_CASE("what the scheme cannot treat is refused with what it can") {
     impact.law = Law::of<Jkr>();
     CHECK(message(1e-10) ==
           "the paper's explicit scheme cannot treat law 'jkr': its force is not a function of overlap; "
-          "allowed: hertz, dmt, brach-dunn");
+          "allowed: hertz, dmt, brach-dunn, sjkr");
     impact.law = Law::of<Hertz>();
     impact.detachment = Detachment::zero_force;
     CHECK(message(1e-10) ==

@@ -1,4 +1,6 @@
 #include "solver/motion/trajectory.hpp"
+#include "solver/contact/maugis/transition.hpp"
+#include "solver/motion/maugis/cohesive_impact.hpp"
 
 #include <doctest/doctest.h>
 
@@ -84,7 +86,12 @@ TEST_CASE("a trajectory runs from first touch to the end of contact, evenly in t
         REQUIRE(path.size() == 33);
         CHECK(path.front().time == 0.0);
         CHECK(path.front().velocity == impact.velocity);
-        CHECK(std::abs(path.front().overlap) < 1e-15 * result.maximum_overlap);
+        double first = 0.0;
+        if (is_cohesive(impact.law, impact.contact) && impact.detachment != Detachment::zero_overlap) {
+            const CohesiveZone zone(transition_parameter(impact.contact));  // begins within reach
+            first = static_cast<double>(-zone.reach()) * maugis_units(impact.contact).overlap;
+        }
+        CHECK(std::abs(path.front().overlap - first) < 1e-15 * result.maximum_overlap);
         for (std::size_t i = 0; i < path.size(); ++i) {
             worst.see(std::abs(path[i].time / *result.contact_time - static_cast<double>(i) / 32.0),
                       describe(impact));
@@ -142,6 +149,8 @@ TEST_CASE(
     Worst part;
     for_each_rebound([&](const Impact& impact, const ImpactResult& result) {
         if (impact.damping.law == DampingLaw::tsuji) return;  // quarter powers of time at the ends
+        if (impact.law == Law::of<MaugisDugdale>())
+            return;  // steep at the fold; maugis_impact_test balances it
         const auto path = trajectory(impact, points);
         const std::vector<double> forces = forces_of(path);
         const double h = *result.contact_time / (points - 1);
@@ -180,11 +189,11 @@ TEST_CASE("constant damping: its impulse is eta delta, and the rest is that of F
         const double eta = impact.damping.coefficient;
         const double momentum = impact.contact.mass * impact.velocity;
         for (const std::size_t n : {points / 8, points / 4, points / 2}) {
+            const double way = path[n].overlap - path[0].overlap;
             const double impulse = romberg(std::span(damping).first(n + 1), h);
-            worst.see(std::abs(impulse - eta * path[n].overlap) / momentum, describe(impact));
+            worst.see(std::abs(impulse - eta * way) / momentum, describe(impact));
             const double rest = romberg(std::span(contact).first(n + 1), h);
-            const double expected =
-                impact.contact.mass * (impact.velocity - path[n].velocity) - eta * path[n].overlap;
+            const double expected = impact.contact.mass * (impact.velocity - path[n].velocity) - eta * way;
             worst.see(std::abs(rest - expected) / momentum, describe(impact));
         }
     });
