@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <utility>
 
 #include "materials/base/error.hpp"
@@ -26,13 +27,14 @@ Quantity read_object(const Json& node, Dimension expected) {
         if (key != "value" && key != "unit" && key != "standard_uncertainty")
             throw InputError("unknown key \"" + key + "\"", "value, unit, standard_uncertainty")
                 .at("/" + key);
+    const bool plain = expected == Dimension::fraction && !node.contains("unit");  // a number needs no unit
     for (const auto* key : {"value", "unit"})
-        if (!node.contains(key))
+        if (!node.contains(key) && !(plain && key == std::string_view("unit")))
             throw InputError("the key \"" + std::string(key) + "\" is missing",
                              "value, unit, standard_uncertainty");
-    if (!node.at("unit").is_string())
+    if (!plain && !node.at("unit").is_string())
         throw InputError("not a string", "a unit of " + std::string(dimension_name(expected))).at("/unit");
-    const auto unit = node.at("unit").template get<std::string>();
+    const std::string unit = plain ? "1" : node.at("unit").template get<std::string>();
     Quantity quantity = make_quantity(to_si(finite_number(node, "value"), unit, expected), expected);
     if (!node.contains("standard_uncertainty")) return quantity;
     const double uncertainty = finite_number(node, "standard_uncertainty");
@@ -47,10 +49,33 @@ Quantity read_object(const Json& node, Dimension expected) {
     return quantity;
 }
 
+/// Where "+-", "+/-" or a plus-minus sign stands in a text, and its length; the end and 0 without one.
+std::pair<std::size_t, std::size_t> plus_minus_in(std::string_view text) {
+    for (const std::string_view sign : {"+-", "+/-", "\u00b1"})
+        if (const auto found = text.find(sign); found != std::string_view::npos) return {found, sign.size()};
+    return {text.size(), 0};
+}
+
+/// "60 um", "60 +- 3 um", "60 um +- 3 um", "60 um +- 5 %".
+Quantity read_text(const std::string& text, Dimension expected) {
+    const auto [place, length] = plus_minus_in(text);
+    if (length == 0) return make_quantity(parse_quantity(text, expected), expected);
+    const std::string left(trimmed(std::string_view(text).substr(0, place)));
+    const std::string right(trimmed(std::string_view(text).substr(place + length)));
+    const bool left_has_unit = left.find_first_not_of("+-.0123456789eE") != std::string::npos;
+    const auto unit_at = std::min(right.find_first_not_of("+-.0123456789eE"), right.size());
+    const double value = parse_quantity(left_has_unit ? left : left + " " + right.substr(unit_at), expected);
+    const bool relative = expected != Dimension::fraction && left_has_unit && right.ends_with('%');
+    const double uncertainty = relative ? std::abs(value) * parse_quantity(right, Dimension::fraction)
+                                        : parse_quantity(right, expected);
+    if (uncertainty < 0)
+        throw InputError("the uncertainty of \"" + text + "\" is below zero", "zero or more");
+    return make_quantity(value, expected, uncertainty);
+}
+
 template <class Json>
 Quantity read(const Json& node, Dimension expected) {
-    if (node.is_string())
-        return make_quantity(parse_quantity(node.template get<std::string>(), expected), expected);
+    if (node.is_string()) return read_text(node.template get<std::string>(), expected);
     if (node.is_number())
         return make_quantity(to_si(node.template get<double>(), si_unit(expected), expected), expected);
     if (node.is_object()) return read_object(node, expected);

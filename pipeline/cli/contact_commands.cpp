@@ -131,8 +131,9 @@ void add_contact_options(CLI::App& command, ContactOptions& options, ContactNeed
     command.add_option("--law", options.law, "contact law: " + law_names())
         ->required(required)
         ->type_name("NAME");
-    command.add_option("--radius", options.radius, "of the sphere, \"44 um\"")
-        ->required(required)
+    command.add_option("--radius", options.radius, "of the sphere, \"44 um\"; or its --diameter")
+        ->type_name("Q");
+    command.add_option("--diameter", options.diameter, "of the sphere, \"88 um\"; or its --radius")
         ->type_name("Q");
     command.add_option("--density", options.density, "of the sphere, \"2160 kg/m3\"")->type_name("Q");
     command.add_option("--mass", options.mass, "of the sphere, instead of its density")->type_name("Q");

@@ -11,6 +11,7 @@
 #include "materials/contact_properties.hpp"
 #include "materials/roughness.hpp"
 #include "pipeline/case/laws.hpp"
+#include "pipeline/text/readable.hpp"
 #include "solver/damping/damping.hpp"
 
 namespace ashimpact {
@@ -32,7 +33,7 @@ struct SphereOptions {
     const char* radius_option;
     const char* density_option;
     const char* mass_option;
-    const std::string& radius;
+    double radius;  ///< [m]
     const std::string& density;
     const std::string& mass;
 };
@@ -42,8 +43,29 @@ struct Sphere {
     double mass;
 };
 
+/// The radius by either option [m].
+double read_radius(const ContactOptions& options) {
+    if (options.diameter.empty()) return read_positive_option("--radius", options.radius, Dimension::length);
+    if (!options.radius.empty())
+        throw InputError("both are given", "one of the two").at("--diameter, --radius");
+    return 0.5 * read_positive_option("--diameter", options.diameter, Dimension::length);
+}
+
+/// Warns of what is hardly a particle: a unit may have been forgotten.
+void warn_if_implausible(double radius, double density) {
+    constexpr double largest = 0.5e-3;
+    constexpr double smallest = 5e-9;
+    constexpr double densest = 25e3;
+    if (radius > largest || radius < smallest)
+        spdlog::warn("warning: the particle has a diameter of {}: is the unit right?",
+                     readable(2 * radius, "m"));
+    if (density > densest)
+        spdlog::warn("warning: the particle has a density of {}: is the unit right?",
+                     readable(density, "kg/m3"));
+}
+
 Sphere read_sphere(const SphereOptions& options) {
-    const double radius = read_positive_option(options.radius_option, options.radius, Dimension::length);
+    const double radius = options.radius;
     if (options.density.empty() == options.mass.empty()) {
         const std::string problem = options.mass.empty() ? "neither is given" : "both are given";
         throw InputError(problem, "one of the two")
@@ -62,14 +84,16 @@ Sphere read_sphere(const SphereOptions& options) {
 /// R* and m* (Eq. 6 and the text under Eq. 2): of the sphere on a wall, or of both spheres.
 Sphere read_pair(const ContactOptions& options) {
     const Sphere sphere =
-        read_sphere({"--radius", "--density", "--mass", options.radius, options.density, options.mass});
+        read_sphere({"--radius", "--density", "--mass", read_radius(options), options.density, options.mass});
+    warn_if_implausible(sphere.radius, sphere_density(sphere.radius, sphere.mass));
     if (options.partner_radius.empty()) {
         if (!options.partner_density.empty() || !options.partner_mass.empty())
             throw InputError("is missing", "the radius of the second sphere").at("--partner-radius");
         return sphere;
     }
     const Sphere partner =
-        read_sphere({"--partner-radius", "--partner-density", "--partner-mass", options.partner_radius,
+        read_sphere({"--partner-radius", "--partner-density", "--partner-mass",
+                     read_positive_option("--partner-radius", options.partner_radius, Dimension::length),
                      options.partner_density, options.partner_mass});
     return {effective_radius(sphere.radius, partner.radius), effective_mass(sphere.mass, partner.mass)};
 }

@@ -14,6 +14,7 @@ struct ContactOptions {
     std::string law;
     std::string detachment;
     std::string radius;
+    std::string diameter;  ///< instead of the radius
     std::string density;
     std::string mass;
     std::string partner_radius;  ///< of a second sphere; a flat wall where it is not given

@@ -113,8 +113,9 @@ void read_ranges(const ExportOptions& options, ExportSubject& subject) {
 /// Options of an impact beside a run: a run has them all but the law.
 void refuse_contact_options(const ExportOptions& options) {
     const ContactOptions& contact = options.contact;
-    const std::array<std::pair<const char*, const std::string*>, 8> given{
+    const std::array<std::pair<const char*, const std::string*>, 9> given{
         {{"--radius", &contact.radius},
+         {"--diameter", &contact.diameter},
          {"--density", &contact.density},
          {"--mass", &contact.mass},
          {"--contact-modulus", &contact.contact_modulus},

@@ -33,6 +33,7 @@ const std::map<std::string, Words>& units() {
     static const Words densities{"kg/m3", "g/cm3"};
     static const std::map<std::string, Words> all{{"--radius", lengths},
                                                   {"--diameter", lengths},
+                                                  {"--diameter", lengths},
                                                   {"--pixel-size", lengths},
                                                   {"--cohesion-range", {"nm", "m"}},
                                                   {"--contact-modulus", pressures},

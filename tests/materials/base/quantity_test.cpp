@@ -39,6 +39,39 @@ TEST_CASE("a quantity is read from a number, a string or an object, and is SI af
     CHECK(relative_difference(from_object.standard_uncertainty.value(), 2.5e9) < 1e-15);
 }
 
+TEST_CASE("a string may carry its standard uncertainty, with one unit for both, or per cent") {
+    struct Row {
+        const char* text;
+        Dimension dimension;
+        double value;
+        double uncertainty;
+    };
+    for (const auto& [text, dimension, value, uncertainty] :
+         {Row{R"("60 +- 3 um")", Dimension::length, 60e-6, 3e-6},
+          Row{R"("60 um +- 3 um")", Dimension::length, 60e-6, 3e-6},
+          Row{R"("60 um +/- 5 %")", Dimension::length, 60e-6, 3e-6},
+          Row{"\"2.6 \u00b1 0.1 g/cm3\"", Dimension::density, 2600, 100},
+          Row{R"("0.42 +- 0.02")", Dimension::fraction, 0.42, 0.02},
+          Row{R"("42 +- 2 %")", Dimension::fraction, 0.42, 0.02}}) {
+        CAPTURE(text);
+        const Quantity quantity = read_quantity(json::parse(text), dimension);
+        CHECK(relative_difference(quantity.value, value) < 1e-14);
+        CHECK(relative_difference(quantity.standard_uncertainty.value(), uncertainty) < 1e-14);
+    }
+    CHECK(json_message(R"("60 +- -3 um")", Dimension::length).find("is below zero") != std::string::npos);
+    CHECK_FALSE(json_message(R"("60 um +- 3 kg")", Dimension::length).empty());
+    CHECK_FALSE(json_message(R"("+- 3 um")", Dimension::length).empty());
+}
+
+TEST_CASE("a number without a dimension needs no unit; a decimal comma is refused with the remedy") {
+    const auto ratio =
+        read_quantity(json::parse(R"({"value": 0.29, "standard_uncertainty": 0.01})"), Dimension::fraction);
+    CHECK(ratio.value == 0.29);
+    CHECK(ratio.standard_uncertainty == 0.01);
+    CHECK(json_message(R"("2,6 g/cm3")", Dimension::density)
+              .starts_with("\"2,6 g/cm3\" has a decimal comma, write \"2.6 g/cm3\"; allowed: a density"));
+}
+
 TEST_CASE("what is written is read back to the bit") {
     const Quantity quantity = make_quantity(1.48126e11 / 3, Dimension::pressure, 1.7e9 / 7);
     const json node = quantity;
