@@ -2,7 +2,7 @@
 // curve, up and down from curve to curve). The page is complete without it.
 'use strict';
 (() => {
-  const svgName = 'http://www.w3.org/2000/svg';
+  const svgName = document.querySelector('svg')?.namespaceURI;
 
   // One axis of a panel: from, to, first pixel, last pixel, spacing; value() turns a pixel back into its number.
   const axisOf = (panel, which) => {
