@@ -48,8 +48,9 @@ std::string InputFiles::shown(const std::string& name) const {
 
 void InputFiles::require_inside(const std::string& name) const {
     std::error_code failure;
-    const auto folder = std::filesystem::weakly_canonical(folder_.empty() ? "." : folder_, failure);
-    const auto file = std::filesystem::weakly_canonical(folder_ / name, failure);
+    const auto folder = std::filesystem::weakly_canonical(
+        std::filesystem::absolute(folder_.empty() ? "." : folder_), failure);
+    const auto file = std::filesystem::weakly_canonical(std::filesystem::absolute(folder_ / name), failure);
     const auto way = file.lexically_relative(folder);
     if (!failure && !way.empty() && *way.begin() != "..") return;
     throw InputError("lies outside of the folder of the case", "a file in that folder, or --allow-outside")

@@ -26,6 +26,8 @@ TEST_CASE("the time-domain oracle agrees with the reference impacts") {
     const auto reference = nlohmann::json::parse(file);
     const auto& sphere = reference["sphere"];
     for (const auto& row : reference["cases"]) {
+        if (row["law"] == "sjkr")
+            continue;  // no force of this oracle; its rows come from another integration
         const ImpactCase impact{.law = law_from(row["law"]),
                                 .detachment = detachment_from(row["detachment"]),
                                 .radius = sphere["radius"],
