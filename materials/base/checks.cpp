@@ -22,11 +22,18 @@ std::string a(std::string_view adjective, Dimension dimension) {
            std::string(si_unit(dimension)) + "]";
 }
 
+/// "1e-40 to 1e40 kg"
+std::string computable_values(Dimension dimension) {
+    std::string range{computable_range};
+    if (dimension != Dimension::fraction) range += " " + std::string(si_unit(dimension));
+    return range;
+}
+
 }  // namespace
 
 void require_positive(std::string_view name, double value, Dimension dimension) {
     if (!(value > 0) || !std::isfinite(value)) refuse(name, value, dimension, a("positive", dimension));
-    if (!is_computable(value)) refuse(name, value, dimension, std::string(computable_range) + " in SI");
+    if (!is_computable(value)) refuse(name, value, dimension, computable_values(dimension));
 }
 
 void require_positive_or_infinite(std::string_view name, double value, Dimension dimension) {
@@ -36,7 +43,7 @@ void require_positive_or_infinite(std::string_view name, double value, Dimension
 void require_not_negative(std::string_view name, double value, Dimension dimension) {
     if (!(value >= 0) || !std::isfinite(value)) refuse(name, value, dimension, a("non-negative", dimension));
     if (value != 0 && !is_computable(value))
-        refuse(name, value, dimension, "0, or " + std::string(computable_range) + " in SI");
+        refuse(name, value, dimension, "0, or " + computable_values(dimension));
 }
 
 void require_poisson_ratio(std::string_view name, double value) {

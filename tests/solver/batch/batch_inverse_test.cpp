@@ -80,7 +80,7 @@ TEST_CASE("damping found from a restitution gives it back") {
 }
 
 TEST_CASE("a restitution out of reach has no damping, restitution zero the least that captures") {
-    Impacts impacts = random_impacts(4, 1.0, 33).back();
+    Impacts impacts = random_impacts_of(Law::of<Jkr>(), 4, 1.0, 33);
     impacts.velocity.setConstant(2.0);
     Eigen::ArrayXd restitution(4);
     restitution << 0.5, 0.9999999, 0.0, 0.3;

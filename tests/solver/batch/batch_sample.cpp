@@ -4,6 +4,9 @@
 #include "solver/motion/scale.hpp"
 #include "tests/support/contact_cases.hpp"
 
+#include <doctest/doctest.h>
+
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <numbers>
@@ -127,6 +130,14 @@ std::vector<Impacts> random_impacts(Eigen::Index count, double most_damping, std
         }
     }
     return sets;
+}
+
+Impacts random_impacts_of(Law law, Eigen::Index count, double most_damping, std::uint64_t seed) {
+    const std::vector<Impacts> sets = random_impacts(count, most_damping, seed);
+    const auto last =
+        std::find_if(sets.rbegin(), sets.rend(), [&](const Impacts& set) { return set.law == law; });
+    REQUIRE(last != sets.rend());
+    return *last;
 }
 
 double conditioned_error(double restitution, const ImpactResult& reference) {

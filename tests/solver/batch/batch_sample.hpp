@@ -38,6 +38,9 @@ struct Impacts {
 [[nodiscard]] std::vector<Impacts> random_impacts(Eigen::Index count, double most_damping,
                                                   std::uint64_t seed);
 
+/// Those of one law with the detachment registered last and Tsuji's damping.
+[[nodiscard]] Impacts random_impacts_of(Law law, Eigen::Index count, double most_damping, std::uint64_t seed);
+
 /// |e^2 - e_ref^2| / (1 + |U_min|/(m v^2/2)), the error in units of the problem's conditioning [1].
 [[nodiscard]] double conditioned_error(double restitution, const ImpactResult& reference);
 
