@@ -15,6 +15,7 @@
 #include "pipeline/case/law_map.hpp"
 #include "solver/calibration/calibration.hpp"
 #include "solver/damping/damping.hpp"
+#include "solver/damping/damping_polynomial.hpp"
 #include "solver/measurement/measurement.hpp"
 #include "solver/uncertainty/propagation/propagation.hpp"
 
@@ -43,9 +44,6 @@ struct AdhesionFromSurfaces {
 };
 using Adhesion = std::variant<Stated, AdhesionFromSurfaces>;
 
-/// eta = a e^2 + b e + c, coefficients in [kg/s].
-using Quadratic = std::array<double, 3>;
-
 /// Impacts as measured, binned and with the uncertainty of the camera where the case asks for that.
 struct MeasuredRestitution {
     std::string source{};      ///< in words, with what was done to them
@@ -55,7 +53,7 @@ struct MeasuredRestitution {
 /// Restitution data to be reconstructed from published fits eta(e); see reconstructed_velocity().
 struct Reconstruction {
     std::string source{};
-    LawMap<Quadratic> damping_fits{};
+    LawMap<DampingPolynomial> damping_fits{};
     double from = 0;          ///< smallest restitution [1]
     double to = 0;            ///< largest restitution [1]
     int points = 0;           ///< evenly spaced between them
@@ -74,7 +72,7 @@ struct PublishedSample {
     std::string source{};
     std::optional<Quantity> young_modulus{};
     std::vector<std::pair<std::string, Quantity>> volume_fractions{};
-    LawMap<Quadratic> damping_fits{};
+    LawMap<DampingPolynomial> damping_fits{};
     std::optional<double> damping_fit_uncertainty{};  ///< standard, of each coefficient [kg/s]
     LawMap<Quantity> critical_damping{};
     LawMap<Quantity> critical_velocity{};
@@ -114,10 +112,10 @@ struct HistoryOptions {
 
 /// How the damping is read from measured impacts and fitted; see docs/case.md.
 struct FitChoices {
-    int order = 2;         ///< of the extrapolated fit; the paper's is 2
+    int order = 2;  ///< of the extrapolated fit; the paper's is 2
     /// Relative standard deviation of single diameters, such as of a sieve; none: what the impacts show [1].
     std::optional<double> size_scatter{};
-    bool robust = false;   ///< bisquare weights
+    bool robust = false;  ///< bisquare weights
     double flatness = 0.25;
     double outlier = 4.0;
 };

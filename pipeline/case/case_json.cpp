@@ -159,9 +159,11 @@ Json stated_json(const Stated& stated) {
     return json;
 }
 
-Json quadratic_json(const Quadratic& fit) {
-    const auto coefficient = [](double value) { return quantity_json(value, Dimension::damping); };
-    return {{"a", coefficient(fit[0])}, {"b", coefficient(fit[1])}, {"c", coefficient(fit[2])}};
+Json quadratic_json(const DampingPolynomial& fit) {
+    const auto coefficient = [&](int power) {
+        return quantity_json(fit.coefficients[power], Dimension::damping);
+    };
+    return {{"a", coefficient(2)}, {"b", coefficient(1)}, {"c", coefficient(0)}};
 }
 
 Json published_json(const PublishedSample& published) {

@@ -10,7 +10,7 @@ namespace ashimpact {
 
 /// Parts of it that artifacts repeat.
 [[nodiscard]] Json stated_json(const Stated& stated);
-[[nodiscard]] Json quadratic_json(const Quadratic& fit);
+[[nodiscard]] Json quadratic_json(const DampingPolynomial& fit);
 [[nodiscard]] Json published_json(const PublishedSample& published);
 
 }  // namespace ashimpact

@@ -29,13 +29,15 @@ int count_of(const View& node, std::initializer_list<std::string_view> keys) {
     return count;
 }
 
-Quadratic read_quadratic(const View& node) {
+DampingPolynomial read_quadratic(const View& node) {
     const auto coefficient = [&](const char* key) { return node.at(key).number(Dimension::damping); };
-    return {coefficient("a"), coefficient("b"), coefficient("c")};
+    const double a = coefficient("a");
+    const double b = coefficient("b");
+    return DampingPolynomial::quadratic(a, b, coefficient("c"));
 }
 
-LawMap<Quadratic> read_quadratics(const View& node) {
-    LawMap<Quadratic> fits;
+LawMap<DampingPolynomial> read_quadratics(const View& node) {
+    LawMap<DampingPolynomial> fits;
     for (const auto& member : node.members()) fits.set(law_of(member), read_quadratic(member.value));
     return fits;
 }

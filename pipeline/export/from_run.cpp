@@ -88,7 +88,7 @@ std::vector<DampingNode> followed(const LawFit& fit, const LawChoice& law, const
     std::vector<DampingNode> nodes{{*critical.value, fit.critical_damping}};
     for (int i = 1; i <= curve_nodes; ++i) {
         const double e = greatest * i / curve_nodes;
-        const double eta = (fit.a * e + fit.b) * e + fit.c;
+        const double eta = fit.damping(e);
         const double velocity = velocity_of_restitution({.law = law.law,
                                                          .detachment = law.detachment,
                                                          .damping = {DampingLaw::constant, eta},

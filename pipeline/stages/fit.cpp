@@ -52,23 +52,23 @@ std::vector<DampingPoint> rising_points(const FitTask& task) {
     return points;
 }
 
-/// {"a", "b", "c"} with the covariance in that order.
-Json quadratic_fit_json(const std::array<double, 3>& values, const Eigen::Matrix3d& covariance,
+/// {"a", "b", "c"} with the covariance in that order. @param ascending, covariance: of c, b, a
+Json quadratic_fit_json(const Eigen::Vector3d& ascending, const Eigen::Matrix3d& covariance,
                         double critical_damping_uncertainty, const std::string& unit) {
-    const auto coefficient = [&](Eigen::Index i) {
-        Json json = quantity_json(values.at(static_cast<std::size_t>(i)), unit);
-        json["standard_uncertainty"] = std::sqrt(std::max(0.0, covariance(i, i)));
+    const auto coefficient = [&](Eigen::Index power) {
+        Json json = quantity_json(ascending[power], unit);
+        json["standard_uncertainty"] = std::sqrt(std::max(0.0, covariance(power, power)));
         return json;
     };
-    Json critical = quantity_json(values[2], unit);
+    Json critical = quantity_json(ascending[0], unit);
     critical["standard_uncertainty"] = critical_damping_uncertainty;
-    return {{"a", coefficient(0)},
+    return {{"a", coefficient(2)},
             {"b", coefficient(1)},
-            {"c", coefficient(2)},
+            {"c", coefficient(0)},
             {"critical_damping", critical},
             {"covariance",
              {{"parameters", {"a", "b", "c"}},
-              {"values", matrix_json(covariance)},
+              {"values", matrix_json(covariance.reverse())},
               {"unit", fmt::format("({})2", unit)}}}};
 }
 
@@ -81,17 +81,14 @@ Fitted fit_by_least_squares(const FitTask& task) {
         return {nullptr, {"a quadratic needs three different restitutions on the rising branch"}};
     const DampingFit fit = fit_damping(points);
     const std::string unit(unit_of(task.data.damping_law));
-    Eigen::Matrix3d covariance;
-    for (Eigen::Index i = 0; i < 3; ++i)
-        for (Eigen::Index j = 0; j < 3; ++j)
-            covariance(i, j) = fit.covariance[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-    if (fit.c < 0)
+    if (fit.damping.critical_damping() < 0)
         return {
             nullptr,
             {"no fit: the critical damping would be negative, so the data do not say where capture begins"}};
     const double rounding = task.measured.coefficient_uncertainty.value_or(0);
-    Json json = quadratic_fit_json({fit.a, fit.b, fit.c}, covariance,
-                                   std::hypot(std::sqrt(std::max(0.0, covariance(2, 2))), rounding), unit);
+    const double deviation = std::sqrt(std::max(0.0, fit.covariance(0, 0)));
+    Json json =
+        quadratic_fit_json(fit.damping.coefficients, fit.covariance, std::hypot(deviation, rounding), unit);
     json["method"] = "least-squares";
     json["residual_deviation"] = quantity_json(fit.residual_deviation, unit);
     json["degrees_of_freedom"] = fit.degrees_of_freedom;
@@ -102,24 +99,21 @@ Fitted fit_by_least_squares(const FitTask& task) {
     return {json};
 }
 
-/// a, b, c with their covariance: the coefficients of the second, first and zeroth power.
+/// The powers up to the second with their covariance.
 Json quadratic_part(const DampingCurveFit& fit) {
-    std::array<double, 3> values{};
+    Eigen::Vector3d values = Eigen::Vector3d::Zero();
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-    const Eigen::Index order = fit.damping.order();
-    for (Eigen::Index i = 0; i <= std::min<Eigen::Index>(2, order); ++i) {
-        values.at(static_cast<std::size_t>(2 - i)) = fit.damping.coefficients[i];
-        for (Eigen::Index j = 0; j <= std::min<Eigen::Index>(2, order); ++j)
-            covariance(2 - i, 2 - j) = fit.covariance(i, j);
-    }
+    const Eigen::Index count = std::min<Eigen::Index>(3, fit.damping.order() + 1);
+    values.head(count) = fit.damping.coefficients.head(count);
+    covariance.topLeftCorner(count, count) = fit.covariance.topLeftCorner(count, count);
     return quadratic_fit_json(values, covariance, fit.critical_damping.standard_uncertainty, "kg/s");
 }
 
 /// Where nothing can be extrapolated: the critical damping of the estimate alone, as a constant.
 Json constant_part(const Interval& critical_damping) {
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-    covariance(2, 2) = std::pow(critical_damping.standard_uncertainty, 2);
-    return quadratic_fit_json({0, 0, critical_damping.value}, covariance,
+    covariance(0, 0) = std::pow(critical_damping.standard_uncertainty, 2);
+    return quadratic_fit_json({critical_damping.value, 0, 0}, covariance,
                               critical_damping.standard_uncertainty, "kg/s");
 }
 
@@ -217,7 +211,8 @@ std::vector<SampleFit> read_fits(const View& result, Dimension dimension) {
             if (name == "name") continue;
             const Law law = node.located([&, &key = name] { return Law::named(key); });
             const auto value = [&, &node = node](const char* key) { return node.at(key).number(dimension); };
-            LawFit fit{value("a"), value("b"), value("c"), value("critical_damping")};
+            LawFit fit{DampingPolynomial::quadratic(value("a"), value("b"), value("c")),
+                       value("critical_damping")};
             node.at("critical_damping").located([&] {
                 require_not_negative("critical damping", fit.critical_damping, dimension);
             });

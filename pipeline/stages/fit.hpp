@@ -6,15 +6,14 @@
 
 #include "pipeline/case/law_map.hpp"
 #include "pipeline/stages/stage.hpp"
+#include "solver/damping/damping_polynomial.hpp"
 #include "solver/uncertainty/likelihood/damping_curve_fit.hpp"
 
 namespace ashimpact {
 
-/// eta = a e^2 + b e + c of one law.
+/// The damping of one law that follows from its series.
 struct LawFit {
-    double a;
-    double b;
-    double c;
+    DampingPolynomial damping;                             ///< eta(e), up to the second power
     double critical_damping;                               ///< eta(0) [unit of the damping law]
     std::optional<double> critical_damping_uncertainty{};  ///< standard [unit of the damping law]
     std::optional<DampingCurveFit> extrapolated{};         ///< of measured impacts, as far as v_c needs it

@@ -115,7 +115,7 @@ Json contact_times_json(const Case& data, const SampleInputs& in) {
         Detachment detachment = wanted.law.default_detachment();
         for (const LawChoice& choice : data.laws)
             if (choice.law == wanted.law) detachment = choice.detachment;
-        const PublishedDamping curve{wanted.law, detachment, in.contact, fit->a, fit->b, fit->c};
+        const PublishedDamping curve{wanted.law, detachment, in.contact, fit->damping};
         const double velocity = wanted.velocity.value;
         const double e = reconstructed_restitution(curve, velocity);
         const ImpactResult result = solve_impact(

@@ -68,7 +68,7 @@ std::vector<RestitutionSeries> series_of(const Case& data, const Sample& sample,
         Detachment detachment = law.default_detachment();
         for (const LawChoice& choice : data.laws)
             if (choice.law == law) detachment = choice.detachment;
-        const PublishedDamping published{law, detachment, contact.pair, fit[0], fit[1], fit[2]};
+        const PublishedDamping published{law, detachment, contact.pair, fit};
         all.push_back(reconstruct(published, plan, sample.name, warnings));
         all.back().laws = served;
     }

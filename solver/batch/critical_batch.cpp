@@ -24,27 +24,32 @@ Damping damping_at(const CriticalVelocityBatch& batch, const batch::Inputs& in, 
 }
 
 /// Verdict and v_c where they take no integration, or none.
-std::optional<CriticalVelocity> quick(const CriticalVelocityBatch& batch, const ContactPair& contact,
-                                      const Damping& damping) {
-    if (!is_self_similar(batch.law, contact)) return std::nullopt;
-    if (batch.detachment == Detachment::zero_force)
+std::optional<CriticalVelocity> quick(const CriticalVelocityProblem& problem) {
+    const auto& [law, detachment, damping, contact] = problem;
+    if (!is_self_similar(law, contact)) return std::nullopt;
+    if (detachment == Detachment::zero_force)
         return CriticalVelocity{.verdict = CaptureVerdict::never_captured};
     if (damping.coefficient == 0.0) return std::nullopt;
-    const double adhesion = velocity_of_adhesion(batch.law, contact);
+    const double adhesion = velocity_of_adhesion(law, contact);
     if (adhesion > 0.0) {
-        batch::CriticalTable& table =
-            batch::CriticalTable::of(batch.law, batch.detachment, batch.damping_law);
+        batch::CriticalTable& table = batch::CriticalTable::of(law, detachment, damping.law);
         const auto entry = table.at(Scale::of(contact, adhesion).damping_number(damping));
         if (!entry) return std::nullopt;
         if (entry->verdict != CaptureVerdict::finite) return CriticalVelocity{.verdict = entry->verdict};
         return CriticalVelocity{.value = entry->value * adhesion};
     }
-    if (batch.law != Law::of<Hertz>()) return std::nullopt;
+    if (law != Law::of<Hertz>()) return std::nullopt;
     if (const auto verdict = verdict_without_adhesion(damping)) return CriticalVelocity{.verdict = *verdict};
     return CriticalVelocity{.value = hertz_critical_constant * velocity_of_damping(damping, contact)};
 }
 
 }  // namespace
+
+CriticalVelocity tabulated_critical_velocity(const CriticalVelocityProblem& problem) {
+    validate(Impact{problem.law, problem.detachment, problem.damping, problem.contact, 1.0});
+    if (auto critical = quick(problem)) return *critical;
+    return critical_velocity(problem);
+}
 
 CriticalVelocityBatchResult critical_velocities(const CriticalVelocityBatch& batch, int threads) {
     batch::require_admissible(batch.law, batch.detachment);
@@ -60,11 +65,11 @@ CriticalVelocityBatchResult critical_velocities(const CriticalVelocityBatch& bat
         if (!fault.check(inputs.from(first), first, size)) return;
         std::int64_t alone = 0;
         for (std::size_t i = first; i < first + size; ++i) {
-            const ContactPair contact = batch::pair_at(inputs, i);
-            const Damping damping = damping_at(batch, inputs, i);
-            auto critical = quick(batch, contact, damping);
+            const CriticalVelocityProblem problem{batch.law, batch.detachment, damping_at(batch, inputs, i),
+                                                  batch::pair_at(inputs, i)};
+            auto critical = quick(problem);
             if (!critical) {
-                critical = critical_velocity({batch.law, batch.detachment, damping, contact});
+                critical = critical_velocity(problem);
                 ++alone;
             }
             const auto place = static_cast<Eigen::Index>(i);

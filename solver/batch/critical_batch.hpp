@@ -24,9 +24,12 @@ struct CriticalVelocityBatchResult {
     std::int64_t scalar = 0;  ///< left to critical_velocity(): beyond the tables, or plastic
 };
 
-/// Critical velocities to 1e-10 of critical_velocity(): with adhesion v_c depends on one number, which
-/// batch::CriticalTable tabulates; Hertz with constant damping has a closed form; the rest goes through the
-/// scalar solver.
+/// Verdict and v_c alone, to 1e-10 of critical_velocity() in microseconds: with adhesion v_c depends on one
+/// number, which batch::CriticalTable tabulates; Hertz with constant damping has a closed form; the rest goes
+/// through critical_velocity(). Errors: as critical_velocity().
+[[nodiscard]] CriticalVelocity tabulated_critical_velocity(const CriticalVelocityProblem& problem);
+
+/// Critical velocities as tabulated_critical_velocity() gives them.
 /// @param threads 0: one for each core; no bit of a result depends on it
 /// @throws InputError for inadmissible input, naming the first place it concerns
 [[nodiscard]] CriticalVelocityBatchResult critical_velocities(const CriticalVelocityBatch& batch,

@@ -3,6 +3,7 @@
 #include "materials/base/names.hpp"
 #include "materials/contact_properties.hpp"
 #include "solver/contact/registry.hpp"
+#include "solver/damping/damping_polynomial.hpp"
 
 #include <Eigen/Dense>
 
@@ -59,11 +60,11 @@ struct CriticalVelocityObservation {
 struct ContactTimeObservation {
     std::size_t sample;
     Law law;
-    std::array<double, 3> damping_fit;  ///< a, b, c of eta = a e^2 + b e + c [kg/s]
-    double velocity;                    ///< v_in [m/s]
-    double velocity_uncertainty;        ///< standard [m/s]
-    double value;                       ///< contact time [s]
-    double standard_uncertainty;        ///< of the time itself [s]
+    DampingPolynomial damping_fit;  ///< of the second order [kg/s]
+    double velocity;                ///< v_in [m/s]
+    double velocity_uncertainty;    ///< standard [m/s]
+    double value;                   ///< contact time [s]
+    double standard_uncertainty;    ///< of the time itself [s]
     /// Standard, of each coefficient, e.g. rounding/sqrt(12); that of c is one error with that of the damping
     /// of a critical velocity of the same sample and law [kg/s].
     double damping_fit_uncertainty = 0.0;

@@ -28,9 +28,7 @@ PublishedDamping published_damping(const CalibrationSample& sample, const Contac
     return {.law = at.law,
             .detachment = at.law.default_detachment(),
             .contact = sample.contact(),
-            .a = at.damping_fit[0],
-            .b = at.damping_fit[1],
-            .c = at.damping_fit[2]};
+            .damping = at.damping_fit};
 }
 
 double contact_time(const PublishedDamping& published, const CurvePoint& at) {
@@ -67,9 +65,9 @@ std::optional<double> captured_up_to(const CalibrationSample& sample, const Cont
 }
 
 /// The same contact time if a coefficient of the published fit were another.
-double with_coefficient(const CalibrationSample& sample, ContactTimeObservation at, std::size_t coefficient,
+double with_coefficient(const CalibrationSample& sample, ContactTimeObservation at, Eigen::Index coefficient,
                         double change) {
-    at.damping_fit[coefficient] += change;
+    at.damping_fit.coefficients[coefficient] += change;
     return predicted_time(sample, at, at.velocity);
 }
 
@@ -94,11 +92,11 @@ VelocityError error_of(const CalibrationSample& sample, const CriticalVelocityOb
             .damping = slope * observed.critical_damping_uncertainty / eta};
 }
 
-/// The same for a contact time; the coefficients are a, b, c.
+/// The same for a contact time; of each coefficient of the fit, in ascending powers.
 struct TimeError {
     double predicted;
     double own;
-    std::array<double, 3> coefficients;
+    Eigen::Vector3d coefficients;
 };
 
 TimeError error_of(const CalibrationSample& sample, const ContactTimeObservation& observed) {
@@ -107,10 +105,10 @@ TimeError error_of(const CalibrationSample& sample, const ContactTimeObservation
     TimeError error{.predicted = predicted_time(sample, observed, v),
                     .own = std::hypot(observed.standard_uncertainty / observed.value,
                                       slope * observed.velocity_uncertainty / v),
-                    .coefficients = {}};
+                    .coefficients = Eigen::Vector3d::Zero()};
     const double u = observed.damping_fit_uncertainty;
     if (u == 0.0) return error;
-    for (std::size_t i = 0; i < error.coefficients.size(); ++i) {
+    for (Eigen::Index i = 0; i < error.coefficients.size(); ++i) {
         constexpr double share = 0.1;  // of the uncertainty: a difference, not the bend of the curve
         error.coefficients[i] = std::log(with_coefficient(sample, observed, i, share * u) /
                                          with_coefficient(sample, observed, i, -share * u)) /
@@ -138,8 +136,7 @@ CalibrationResiduals calibration_residuals(const CalibrationProblem& problem,
     for (Eigen::Index j = 0; j < times; ++j) {
         const auto& observed = problem.contact_times[static_cast<std::size_t>(j)];
         const TimeError error = error_of(samples[observed.sample], observed);
-        const double total = std::hypot(
-            error.own, std::hypot(error.coefficients[0], error.coefficients[1], error.coefficients[2]));
+        const double total = std::hypot(error.own, error.coefficients.norm());
         result.contact_times.push_back(
             {observed.value, error.predicted, total, captured_up_to(samples[observed.sample], observed)});
         const Eigen::Index row = velocities + j;
@@ -147,7 +144,7 @@ CalibrationResiduals calibration_residuals(const CalibrationProblem& problem,
         for (Eigen::Index i = 0; i < velocities; ++i) {
             const auto& velocity = problem.critical_velocities[static_cast<std::size_t>(i)];
             if (velocity.sample != observed.sample || velocity.law != observed.law) continue;
-            const double covariance = shared[static_cast<std::size_t>(i)] * error.coefficients[2];
+            const double covariance = shared[static_cast<std::size_t>(i)] * error.coefficients[0];
             result.covariance(row, i) = covariance;
             result.covariance(i, row) = covariance;
         }

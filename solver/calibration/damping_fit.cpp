@@ -53,20 +53,13 @@ DampingFit fit_damping(std::span<const DampingPoint> points) {
     const gsl::LinearFit linear = gsl::fit_linear(design, observations, weights);
 
     DampingFit fit{};
-    fit.a = linear.parameters[0];
-    fit.b = linear.parameters[1];
-    fit.c = linear.parameters[2];
+    fit.damping.coefficients = linear.parameters.reverse();
     fit.chi_squared = linear.chi_squared;
     fit.degrees_of_freedom = static_cast<int>(count) - parameters;
     const double freedom = std::max(1, fit.degrees_of_freedom);
     fit.residual_deviation = (observations - design * linear.parameters).norm() / std::sqrt(freedom);
     const double scatter = weighted ? 1.0 : linear.chi_squared / freedom;
-    for (int i = 0; i < parameters; ++i) {
-        for (int j = 0; j < parameters; ++j) {
-            fit.covariance[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] =
-                scatter * linear.covariance(i, j);
-        }
-    }
+    fit.covariance = scatter * linear.covariance.reverse();
     return fit;
 }
 

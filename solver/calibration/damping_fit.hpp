@@ -1,6 +1,9 @@
 #pragma once
 
-#include <array>
+#include "solver/damping/damping_polynomial.hpp"
+
+#include <Eigen/Core>
+
 #include <span>
 
 namespace ashimpact {
@@ -14,19 +17,12 @@ struct DampingPoint {
 
 /// eta = a e_n^2 + b e_n + c; Dong et al. 2013, Table 2, section 4.3.
 struct DampingFit {
-    double a;                                         ///< [kg/s]
-    double b;                                         ///< [kg/s]
-    double c;                                         ///< [kg/s]
-    std::array<std::array<double, 3>, 3> covariance;  ///< of (a, b, c) [kg2/s2]
+    DampingPolynomial damping;
+    Eigen::Matrix3d covariance;  ///< of (c, b, a), the coefficients in ascending powers [kg2/s2]
     double chi_squared;  ///< weighted sum of squared residuals; unweighted [kg2/s2] where uncertainties are
                          ///< unknown
     double residual_deviation;  ///< standard deviation of the residuals [kg/s]
     int degrees_of_freedom;     ///< points - 3
-
-    /// eta at restitution @p e [kg/s].
-    [[nodiscard]] double operator()(double e) const { return (a * e + b) * e + c; }
-    /// eta_c = eta(0), the critical damping of Table 3 [kg/s].
-    [[nodiscard]] double critical_damping() const { return c; }
 };
 
 /// Least-squares quadratic with covariance (GSL multifit). Where the uncertainties are unknown the covariance

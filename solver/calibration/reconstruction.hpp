@@ -10,12 +10,7 @@ struct PublishedDamping {
     Law law;
     Detachment detachment;
     ContactPair contact;
-    double a;  ///< eta = a e^2 + b e + c, constant damping [kg/s]
-    double b;  ///< [kg/s]
-    double c;  ///< [kg/s]
-
-    /// eta at restitution @p e [kg/s].
-    [[nodiscard]] double damping(double e) const { return (a * e + b) * e + c; }
+    DampingPolynomial damping;  ///< eta(e_n), constant during an impact [kg/s]
 };
 
 /// The incident velocity at which an impact with this damping rebounds with restitution @p restitution [m/s].

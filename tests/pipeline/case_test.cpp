@@ -48,9 +48,9 @@ TEST_CASE("the built-in case: the paper's samples, its published values, and wha
         CHECK(std::holds_alternative<Reconstruction>(sample.restitution.value()));
     }
     const PublishedSample& published = *data.samples[1].published;
-    const Quadratic* fit = published.damping_fits.find(Law::of<Dmt>());
+    const DampingPolynomial* fit = published.damping_fits.find(Law::of<Dmt>());
     REQUIRE(fit != nullptr);
-    CHECK(*fit == Quadratic{0.0115, -0.0235, 0.0156});
+    CHECK((*fit == DampingPolynomial::quadratic(0.0115, -0.0235, 0.0156)));
     const Quantity* velocity = published.critical_velocity.find(Law::of<BrachDunn>());
     REQUIRE(velocity != nullptr);
     CHECK(velocity->value == 1.27);

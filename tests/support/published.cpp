@@ -1,5 +1,6 @@
 #include "tests/support/published.hpp"
 
+#include <array>
 #include <stdexcept>
 
 #include "tests/support/data_file.hpp"
@@ -23,8 +24,9 @@ std::vector<PublishedSample> published_samples() {
                                .contact_time = entry.at("contact_time"),
                                .laws = {}};
         for (const auto& [name, law] : entry.at("laws").items()) {
+            const std::array<double, 3> fit = law.at("damping_fit");
             sample.laws.push_back({.law = Law::named(name),
-                                   .damping_fit = law.at("damping_fit"),
+                                   .damping_fit = DampingPolynomial::quadratic(fit[0], fit[1], fit[2]),
                                    .critical_damping = law.at("critical_damping"),
                                    .critical_velocity = law.at("critical_velocity")});
         }

@@ -1,19 +1,19 @@
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
 #include "solver/contact/registry.hpp"
+#include "solver/damping/damping_polynomial.hpp"
 
 namespace ashimpact::test {
 
 /// What Dong et al. 2013 print for one law and sieve size.
 struct PublishedLaw {
     Law law;
-    std::array<double, 3> damping_fit;  ///< Table 2 [kg/s]
-    double critical_damping;            ///< Table 3 [kg/s]
-    double critical_velocity;           ///< Table 4 [m/s]
+    DampingPolynomial damping_fit;  ///< Table 2 [kg/s]
+    double critical_damping;        ///< Table 3 [kg/s]
+    double critical_velocity;       ///< Table 4 [m/s]
 };
 
 /// What they print for one sieve size.

@@ -40,7 +40,7 @@ void add_observations(const PublishedSample& published, std::size_t index, Calib
              .standard_uncertainty = velocity.standard_uncertainty.value_or(1e-3 * velocity.value)});
     }
     for (const auto& time : published.contact_times) {
-        const Quadratic* fit = published.damping_fits.find(time.law);
+        const DampingPolynomial* fit = published.damping_fits.find(time.law);
         if (fit == nullptr) continue;
         problem.contact_times.push_back(
             {.sample = index,

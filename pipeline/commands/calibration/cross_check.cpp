@@ -33,7 +33,7 @@ struct CurvePoint {
 /// A law's published fit beside the one that the reference curve predicts for it.
 struct Prediction {
     Law law;
-    Quadratic published;
+    DampingPolynomial published;
     std::optional<DampingFit> predicted;
     std::optional<double> velocity;  ///< v_c at the predicted eta_c [m/s]
     std::optional<double> printed;   ///< published v_c [m/s]
@@ -53,8 +53,9 @@ Detachment detachment_of(const Case& data, Law law) {
     return law.default_detachment();
 }
 
-PublishedDamping curve_of(const Case& data, const ContactPair& contact, Law law, const Quadratic& fit) {
-    return {law, detachment_of(data, law), contact, fit[0], fit[1], fit[2]};
+PublishedDamping curve_of(const Case& data, const ContactPair& contact, Law law,
+                          const DampingPolynomial& fit) {
+    return {law, detachment_of(data, law), contact, fit};
 }
 
 std::vector<CurvePoint> reference_points(const PublishedDamping& reference, const Reconstruction& plan) {
@@ -73,7 +74,7 @@ std::vector<CurvePoint> reference_points(const PublishedDamping& reference, cons
 /// The fit that a law would have published, had it been given the reference curve.
 Prediction prediction_of(const PublishedDamping& law, const std::vector<CurvePoint>& points) {
     Prediction prediction{
-        .law = law.law, .published = {law.a, law.b, law.c}, .predicted = {}, .velocity = {}, .printed = {}};
+        .law = law.law, .published = law.damping, .predicted = {}, .velocity = {}, .printed = {}};
     std::vector<DampingPoint> inverted;
     for (const CurvePoint& point : points) {
         try {
@@ -90,7 +91,7 @@ Prediction prediction_of(const PublishedDamping& law, const std::vector<CurvePoi
     }
     if (inverted.size() < 3) return prediction;
     prediction.predicted = fit_damping(inverted);
-    const double critical = prediction.predicted->critical_damping();
+    const double critical = prediction.predicted->damping.critical_damping();
     if (critical > 0)
         prediction.velocity =
             critical_velocity({law.law, law.detachment, {DampingLaw::constant, critical}, law.contact}).value;
@@ -141,8 +142,7 @@ Json check_json(const SampleCheck& check) {
         Json entry{{"greatest_difference_in_restitution", other.greatest_difference},
                    {"published", quadratic_json(other.published)},
                    {"predicted", nullptr}};
-        if (other.predicted)
-            entry["predicted"] = quadratic_json({other.predicted->a, other.predicted->b, other.predicted->c});
+        if (other.predicted) entry["predicted"] = quadratic_json(other.predicted->damping);
         entry["predicted_critical_velocity"] = quantity_json(other.velocity, Dimension::velocity);
         entry["published_critical_velocity"] = quantity_json(other.printed, Dimension::velocity);
         json["predictions"][name] = entry;

@@ -17,18 +17,10 @@ constexpr double quantile = 1.959963984540054;  // of the normal distribution, 9
 
 using Values = Eigen::ArrayXd;
 
-double damping_at(const CurveProblem& problem, double e) {
-    double eta = 0;
-    for (auto c = problem.coefficients.rbegin(); c != problem.coefficients.rend(); ++c) eta = eta * e + *c;
-    return eta;
-}
-
 /// Standard uncertainty of eta(e).
 double uncertainty_at(const CurveProblem& problem, double e) {
-    double variance = 0;
-    for (std::size_t i = 0; i < problem.covariance.size(); ++i)
-        for (std::size_t j = 0; j < problem.covariance.size(); ++j)
-            variance += problem.covariance[i][j] * std::pow(e, static_cast<double>(i + j));
+    const Eigen::VectorXd powers = DampingPolynomial::powers(e, problem.damping_fit.order());
+    const double variance = powers.dot(problem.covariance * powers);
     return variance > 0 ? std::sqrt(variance) : 0;
 }
 
@@ -127,7 +119,7 @@ ModelCurve model_curve(const CurveProblem& problem) {
     Values half(points);
     for (int i = 0; i < points; ++i) {
         e[i] = problem.greatest_restitution * std::pow((i + 1.0) / points, 1.6);
-        eta[i] = damping_at(problem, e[i]);
+        eta[i] = problem.damping_fit(e[i]);
         half[i] = std::min(quantile * uncertainty_at(problem, e[i]), 0.9 * eta[i]);
     }
     if (!(eta > 0).all()) return curve;

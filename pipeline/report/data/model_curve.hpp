@@ -4,6 +4,7 @@
 
 #include "pipeline/case/case.hpp"
 #include "solver/contact/pair.hpp"
+#include "solver/damping/damping_polynomial.hpp"
 
 namespace ashimpact::report {
 
@@ -12,9 +13,9 @@ struct CurveProblem {
     LawChoice choice;
     DampingLaw damping_law;
     ContactPair contact;
-    std::vector<double> coefficients;             ///< of eta(e), ascending [unit of the damping law]
-    std::vector<std::vector<double>> covariance;  ///< of the coefficients
-    double greatest_restitution;                  ///< where the curve ends [1]
+    DampingPolynomial damping_fit;  ///< eta(e) [unit of the damping law]
+    Eigen::MatrixXd covariance;     ///< of its coefficients
+    double greatest_restitution;    ///< where the curve ends [1]
 };
 
 /// An impact on the model's curve e(v_in): its damping is eta(e) of the fit.

@@ -29,27 +29,20 @@ const Json* curve_fit(const LawData& law) {
     return fit.is_object() && fit.contains("coefficients") ? &fit : nullptr;
 }
 
-std::vector<double> coefficients_of(const LawData& law) {
-    if (law.fit == nullptr) return {};
-    const Json* fit = curve_fit(law);
-    if (fit == nullptr) return {law.fit->c, law.fit->b, law.fit->a};
-    return fit->at("coefficients").at("values").get<std::vector<double>>();
+std::optional<DampingPolynomial> damping_fit_of(const LawData& law) {
+    if (law.fit == nullptr) return std::nullopt;
+    return law.fit->extrapolated ? law.fit->extrapolated->damping : law.fit->damping;
 }
 
-/// Covariance of the coefficients, ascending; of a reconstructed series the rounding of the printed ones.
-std::vector<std::vector<double>> covariance_of(const LawData& law) {
-    const std::size_t count = law.coefficients.size();
-    std::vector<std::vector<double>> covariance(count, std::vector<double>(count, 0.0));
+/// Covariance of the coefficients; of a reconstructed series the rounding of the printed ones.
+Eigen::MatrixXd covariance_of(const LawData& law) {
+    const Eigen::Index count = law.damping_fit->coefficients.size();
     if (law.measured != nullptr && law.measured->coefficient_uncertainty) {
         const double u = *law.measured->coefficient_uncertainty;
-        for (std::size_t i = 0; i < count; ++i) covariance[i][i] = u * u;
-        return covariance;
+        return u * u * Eigen::MatrixXd::Identity(count, count);
     }
-    const Json* fit = curve_fit(law);
-    if (fit == nullptr) return covariance;
-    const Json& values = fit->at("covariance").at("values");
-    if (values.size() != count) return covariance;
-    return values.get<std::vector<std::vector<double>>>();
+    if (law.fit->extrapolated) return law.fit->extrapolated->covariance;
+    return Eigen::MatrixXd::Zero(count, count);
 }
 
 }  // namespace
@@ -91,7 +84,7 @@ RunData::RunData(Artifacts artifacts, std::string label)
     for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = i;
     const auto curves = in_parallel(positions, [&](std::size_t i) -> ModelCurve {
         const LawData& law = *laws[i];
-        if (law.damping == nullptr || law.coefficients.empty() || !law.headline.value) return {};
+        if (law.damping == nullptr || !law.damping_fit || !law.headline.value) return {};
         const double greatest =
             law.damping->restitution.empty()
                 ? 0.0
@@ -99,7 +92,7 @@ RunData::RunData(Artifacts artifacts, std::string label)
         return model_curve({.choice = law.choice,
                             .damping_law = case_.damping_law,
                             .contact = owners[i]->contact->pair,
-                            .coefficients = law.coefficients,
+                            .damping_fit = *law.damping_fit,
                             .covariance = covariance_of(law),
                             .greatest_restitution = greatest});
     });
@@ -137,7 +130,7 @@ void RunData::read_sample(const Sample& sample) {
                     .velocity_json = member(velocities, key),
                     .histories = member(histories, key)};
         if (law.velocity_json.is_object()) law.headline = headline_of(law.velocity_json);
-        law.coefficients = coefficients_of(law);
+        law.damping_fit = damping_fit_of(law);
         const Json* fit_of_curve = curve_fit(law);
         law.curve_start =
             fit_of_curve != nullptr ? number_in(*fit_of_curve, "critical_velocity") : law.headline.value;

@@ -14,6 +14,7 @@
 #include "pipeline/stages/fit.hpp"
 #include "pipeline/stages/restitution.hpp"
 #include "pipeline/stages/stage.hpp"
+#include "solver/damping/damping_polynomial.hpp"
 
 namespace ashimpact::report {
 
@@ -30,8 +31,8 @@ struct LawData {
     Json velocity_json;  ///< in 7-critical-velocity.json
     Json histories;      ///< in 8-histories.json
     Headline headline{};
-    std::vector<double> coefficients{};   ///< of the fit eta(e), ascending [unit of the damping law]
-    std::optional<double> curve_start{};  ///< v_c of that fit, where the curve begins [m/s]
+    std::optional<DampingPolynomial> damping_fit{};  ///< eta(e) over the rising branch
+    std::optional<double> curve_start{};             ///< v_c of that fit, where the curve begins [m/s]
     ModelCurve curve{};
 };
 

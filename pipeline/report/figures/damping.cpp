@@ -125,12 +125,9 @@ Figure damping_fit_figure(const RunData& run) {
                 .name = sample.name + ", " + law.name + ", fit", .legend = law.name, .look = look_of(law)};
             fit.look.thin = true;
             const double end = greatest_of(law.damping->restitution);
-            for (int i = 0; i <= 24 && !law.coefficients.empty(); ++i) {
+            for (int i = 0; i <= 24 && law.damping_fit; ++i) {
                 const double e = end * i / 24;
-                double eta = 0;
-                for (auto c = law.coefficients.rbegin(); c != law.coefficients.rend(); ++c)
-                    eta = eta * e + *c;
-                fit.line.push_back({e, eta});
+                fit.line.push_back({e, (*law.damping_fit)(e)});
             }
             panel.series.push_back(std::move(fit));
             panel.series.push_back(points_series(sample, law, law.damping->restitution));

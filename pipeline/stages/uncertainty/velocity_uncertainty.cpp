@@ -7,7 +7,6 @@
 #include "pipeline/stages/attempt.hpp"
 #include "pipeline/stages/json/uncertainty_json.hpp"
 #include "pipeline/stages/uncertainty/contact_models.hpp"
-#include "solver/critical_velocity/critical_velocity_curve.hpp"
 #include "solver/uncertainty/curve/headline.hpp"
 #include "solver/uncertainty/propagation/critical_velocity_uncertainty.hpp"
 
@@ -22,8 +21,9 @@ Json propagated_json(const VelocityTask& task, const Propagation& propagation,
     Json json{{"critical_velocity", estimate_json(propagation.interval, si_unit(Dimension::velocity))},
               {"interval", interval_json(propagation.interval, si_unit(Dimension::velocity))},
               {"uncertainty", propagation_json(propagation, inputs)}};
-    if (task.measured) json["check"] = check_json(propagation.interval, *task.measured,
-                                                    task.from_impacts() && !task.measured_is_reported);
+    if (task.measured)
+        json["check"] = check_json(propagation.interval, *task.measured,
+                                   task.from_impacts() && !task.measured_is_reported);
     return json;
 }
 
@@ -45,7 +45,10 @@ Json from_estimate(const VelocityTask& task) {
     const Interval& damping = *task.fit.estimate;
     const auto velocity_at = [&](const std::optional<double>& value) -> std::optional<double> {
         if (!value) return std::nullopt;
-        return critical_velocity({task.choice.law, task.choice.detachment, {DampingLaw::constant, *value}, task.contact.pair})
+        return critical_velocity({task.choice.law,
+                                  task.choice.detachment,
+                                  {DampingLaw::constant, *value},
+                                  task.contact.pair})
             .value;
     };
     Interval velocity{.value = *velocity_at(damping.value),
@@ -69,12 +72,11 @@ Json from_damping(const VelocityTask& task) {
                               .distribution = lognormal_around};
     std::vector<RandomInput> inputs{damping};
     inputs.insert(inputs.end(), task.uncertain.inputs.begin(), task.uncertain.inputs.end());
-    const CriticalVelocityCurve curve(task.choice.law, task.choice.detachment, task.contact.pair,
-                                      damping.value, scaled_damping_factor(damping, task.uncertain));
-    const auto critical = [&](std::span<const double> values) -> std::optional<double> {
-        return curve(task.uncertain.contact(values.subspan(1)), values[0]);
-    };
-    Json json = propagated_json(task, propagate(inputs, critical, task.data.uncertainty.propagation), inputs);
+    Json json =
+        propagated_json(task,
+                        propagate_critical_velocity(task.choice.law, task.choice.detachment, damping,
+                                                    task.uncertain, task.data.uncertainty.propagation),
+                        inputs);
     json["uncertainty"]["damping"] = "held";
     return json;
 }

@@ -1,8 +1,8 @@
 #include "solver/uncertainty/likelihood/closest_curve.hpp"
 
+#include "solver/damping/damping_polynomial.hpp"
 #include "solver/gsl/nonlinear_fit.hpp"
 #include "solver/gsl/robust.hpp"
-#include "solver/uncertainty/likelihood/damping_polynomial.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "materials/base/names.hpp"
+#include "solver/damping/damping_polynomial.hpp"
 #include "solver/measurement/contact_model.hpp"
 #include "solver/measurement/measurement.hpp"
 #include "solver/uncertainty/interval.hpp"
-#include "solver/uncertainty/likelihood/damping_polynomial.hpp"
 #include "solver/uncertainty/likelihood/rebound_selection.hpp"
 
 #include <Eigen/Dense>

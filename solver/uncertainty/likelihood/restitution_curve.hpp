@@ -1,9 +1,9 @@
 #pragma once
 
+#include "solver/damping/damping_polynomial.hpp"
 #include "solver/measurement/contact_model.hpp"
 #include "solver/measurement/measurement.hpp"
 #include "solver/numeric/chebyshev.hpp"
-#include "solver/uncertainty/likelihood/damping_polynomial.hpp"
 
 #include <Eigen/Dense>
 

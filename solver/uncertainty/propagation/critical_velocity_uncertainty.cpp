@@ -2,6 +2,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/text.hpp"
+#include "solver/batch/critical_batch.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/gsl/distribution.hpp"
 #include "solver/uncertainty/likelihood/restitution_curve.hpp"
@@ -106,22 +107,17 @@ struct CurveMemory {
 
 void require_same(const ContactPair& a, const ContactPair& b) {
     const auto differ = [](double x, double y) { return std::abs(x - y) > 1e-6 * std::abs(y); };
+    const auto same_parameter = [&](const auto& x, const auto& y) {
+        return x.first == y.first && !differ(x.second, y.second);
+    };
     if (differ(a.mass, b.mass) || differ(a.effective_radius, b.effective_radius) ||
-        differ(a.contact_modulus, b.contact_modulus) || differ(a.work_of_adhesion, b.work_of_adhesion))
+        differ(a.contact_modulus, b.contact_modulus) || differ(a.work_of_adhesion, b.work_of_adhesion) ||
+        !std::ranges::equal(a.parameters, b.parameters, same_parameter))
         throw InputError("the uncertain contact is not the one of the fit",
                          "inputs whose values give the contact of the model");
 }
 
 }  // namespace
-
-double scaled_damping_factor(const RandomInput& damping, const RandomContact& contact) {
-    const auto share = [](const RandomInput& input) {
-        return input.standard_uncertainty > 0.0 ? input.standard_uncertainty / std::abs(input.value) : 0.0;
-    };
-    double spread = share(damping) + share(contact.inputs.front());  // the diameter, which counts twice
-    for (const RandomInput& input : contact.inputs) spread += share(input);
-    return std::exp(std::clamp(5.0 * spread, 0.05, 2.0));
-}
 
 Propagation propagate_critical_velocity(const DampingCurveFit& fit, const ContactModel& model,
                                         const RandomContact& contact, DampingUnderChange change,
@@ -161,22 +157,19 @@ Propagation propagate_critical_velocity(const DampingCurveFit& fit, const Contac
 
 Propagation propagate_critical_velocity(Law law, Detachment detachment, const RandomInput& critical_damping,
                                         const RandomContact& contact, const PropagationOptions& options) {
-    const CriticalVelocity nominal = critical_velocity(
+    const CriticalVelocity nominal = tabulated_critical_velocity(
         {law, detachment, {DampingLaw::constant, critical_damping.value}, contact.nominal()});
     if (!nominal.value)
         throw InputError("there is no finite critical velocity at the values of the inputs: " +
                          std::string(name_of(nominal.verdict)));
-    const double v = *nominal.value;
-    const auto map = make_restitution_map(law, detachment, {contact.nominal()}, {0.1 * v, 10.0 * v});
     std::vector<RandomInput> inputs{critical_damping};
     inputs.insert(inputs.end(), contact.inputs.begin(), contact.inputs.end());
-    return propagate(
-        inputs,
-        [&](std::span<const double> values) {
-            return ContactModel(map, contact.contact(values.subspan(1)))
-                .critical_velocity_anywhere(values[0]);
-        },
-        options);
+    const auto critical = [&](std::span<const double> values) {
+        return tabulated_critical_velocity(
+                   {law, detachment, {DampingLaw::constant, values[0]}, contact.contact(values.subspan(1))})
+            .value;
+    };
+    return propagate(inputs, critical, options);
 }
 
 }  // namespace ashimpact

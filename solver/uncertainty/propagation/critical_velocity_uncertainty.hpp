@@ -19,12 +19,6 @@ enum class DampingUnderChange {
     held,
 };
 
-/// Factor within which the scaled damping eta/(m^(3/5) k^(2/5) V^(1/5)) stays of its nominal value, V the
-/// velocity of adhesion: for five standard uncertainties of all inputs together. It goes with the square of
-/// the diameter (R^(9/5 + 1/5); R^1.83 for DMT) and with no more than the first power of every other input.
-/// @param contact by random_contact()
-[[nodiscard]] double scaled_damping_factor(const RandomInput& damping, const RandomContact& contact);
-
 /// v_c with an interval from everything: the fit's covariance (with the asymmetry of its interval), size,
 /// density, moduli, fractions, w; and the ranking of what dominates.
 /// @param contact whose values are those of @p model 's contact

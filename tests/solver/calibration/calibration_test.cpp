@@ -70,9 +70,7 @@ void observe_exactly(CalibrationProblem& problem) {
         const PublishedDamping published{.law = o.law,
                                          .detachment = o.law.default_detachment(),
                                          .contact = problem.samples[o.sample].contact(),
-                                         .a = o.damping_fit[0],
-                                         .b = o.damping_fit[1],
-                                         .c = o.damping_fit[2]};
+                                         .damping = o.damping_fit};
         const double e = reconstructed_restitution(published, o.velocity);
         o.value = solve_impact({o.law,
                                 published.detachment,
@@ -238,13 +236,16 @@ TEST_CASE("a contact time's impact is captured up to the velocity from which the
     CalibrationProblem problem = paper_problem();
     problem.contact_times.erase(problem.contact_times.begin() + 1, problem.contact_times.end());
     ContactTimeObservation& observed = problem.contact_times[0];
-    const auto [a, b, c] = observed.damping_fit;
     const CalibrationSample& sample = problem.samples[0];
     const Law law = observed.law;
     const double critical =
-        *critical_velocity({law, law.default_detachment(), {DampingLaw::constant, c}, sample.contact()})
+        *critical_velocity({law,
+                            law.default_detachment(),
+                            {DampingLaw::constant, observed.damping_fit.critical_damping()},
+                            sample.contact()})
              .value;
-    const double fold = least_rebound({law, law.default_detachment(), sample.contact(), a, b, c}).velocity;
+    const double fold =
+        least_rebound({law, law.default_detachment(), sample.contact(), observed.damping_fit}).velocity;
     REQUIRE(fold < 0.995 * critical);
     const auto captured_up_to = [&](double velocity) {
         observed.velocity = velocity;
