@@ -61,7 +61,8 @@ struct Laboratory {
         std::vector<double> rebound{0, 0};
         for (int i = 0; i < 20; ++i) {
             const double e = 0.04 + 0.02 * i;
-            velocity.push_back(reconstructed_velocity({dmt, dmt.default_detachment(), contact, a, b, c}, e));
+            velocity.push_back(reconstructed_velocity(
+                {dmt, dmt.default_detachment(), contact, DampingPolynomial::quadratic(a, b, c)}, e));
             rebound.push_back(e * velocity.back() + 0.1 * uncertainty * (i * 7 % 11 - 5));
         }
         Json& data = document["samples"][0]["restitution"];

@@ -150,8 +150,11 @@ Json check_json(const SampleCheck& check) {
     return json;
 }
 
-std::string coefficient(double value) {
-    return fmt::format("{:.4f}", value);
+/// a, b and c of a fit, each with four digits.
+std::vector<std::string> coefficients(const DampingPolynomial& fit) {
+    std::vector<std::string> texts;
+    for (const double value : fit.coefficients.reverse()) texts.push_back(fmt::format("{:.4f}", value));
+    return texts;
 }
 
 std::string check_text(const SampleCheck& check) {
@@ -168,13 +171,17 @@ std::string check_text(const SampleCheck& check) {
     const auto velocity = [](const std::optional<double>& value) {
         return value ? fmt::format("{:#.3g}", *value) : std::string("-");
     };
+    const auto add = [&](std::vector<std::string> row, const DampingPolynomial& fit,
+                         const std::optional<double>& critical, std::string apart) {
+        for (std::string& text : coefficients(fit)) row.push_back(std::move(text));
+        row.push_back(velocity(critical));
+        row.push_back(std::move(apart));
+        fits.add(std::move(row));
+    };
     for (const Prediction& other : check.others) {
-        fits.add({std::string(other.law.name()), "published", coefficient(other.published[0]),
-                  coefficient(other.published[1]), coefficient(other.published[2]), velocity(other.printed),
-                  fmt::format("at most {:.3f}", other.greatest_difference)});
-        if (other.predicted)
-            fits.add({"", "predicted", coefficient(other.predicted->a), coefficient(other.predicted->b),
-                      coefficient(other.predicted->c), velocity(other.velocity), ""});
+        add({std::string(other.law.name()), "published"}, other.published, other.printed,
+            fmt::format("at most {:.3f}", other.greatest_difference));
+        if (other.predicted) add({"", "predicted"}, other.predicted->damping, other.velocity, "");
     }
     return fmt::format("{}: restitution that each published fit implies\n{}\n{}", check.name, curves.text(2),
                        fits.text(2));

@@ -7,6 +7,7 @@
 #include "pipeline/stages/attempt.hpp"
 #include "pipeline/stages/json/uncertainty_json.hpp"
 #include "pipeline/stages/uncertainty/contact_models.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/uncertainty/curve/headline.hpp"
 #include "solver/uncertainty/propagation/critical_velocity_uncertainty.hpp"
 
