@@ -14,58 +14,68 @@ namespace ashimpact {
 
 namespace {
 
-std::pair<double, double> read_range(const Json& node, const std::string& unit, Dimension dimension,
+std::pair<double, double> read_range(const View& node, const std::string& unit, Dimension dimension,
                                      double value) {
-    if (as_array(node).size() != 2) throw InputError("not two numbers", "[lowest, highest]");
-    const double low = to_si(as_number(node[0]), unit, dimension);
-    const double high = to_si(as_number(node[1]), unit, dimension);
+    const auto ends = node.elements();
+    if (ends.size() != 2) node.fail("not two numbers", "[lowest, highest]");
+    const auto end = [&](const View& view) {
+        if (!view.json().is_number()) view.fail("is not a number", "a number");
+        return view.located([&] { return to_si(view.json().get<double>(), unit, dimension); });
+    };
+    const double low = end(ends[0]);
+    const double high = end(ends[1]);
     if (!(low <= value && value <= high))
-        throw InputError("the value lies outside its own range", "low <= value <= high");
+        node.fail("the value lies outside its own range", "low <= value <= high");
     return {low, high};
 }
 
-PhaseProperty read_property(const Json& node, Dimension dimension) {
-    if (!node.is_object()) return {.value = read_quantity(node, dimension).value};
-    require_keys(node, {"value", "unit", "standard_uncertainty", "range", "assumed", "citations"});
-    Json plain = node;
+PhaseProperty read_property(const View& node, Dimension dimension) {
+    if (!node.is_object()) return {.value = node.number(dimension)};
+    node.require_keys({"value", "unit", "standard_uncertainty", "range", "assumed", "citations"});
+    Json plain = node.json();
     for (const auto* key : {"range", "assumed", "citations"}) plain.erase(key);
-    const Quantity quantity = read_quantity(plain, dimension);
+    const Quantity quantity = node.located([&] { return read_quantity(plain, dimension); });
     PhaseProperty property{.value = quantity.value, .standard_uncertainty = quantity.standard_uncertainty};
-    property.range = optional_member(node, "range", [&](const Json& range) {
-        return read_range(range, node.at("unit").get<std::string>(), dimension, property.value);
-    });
-    if (node.contains("assumed")) property.assumed = node.at("assumed") == true;
-    if (node.contains("citations")) property.citations = required_member(node, "citations", as_strings);
+    if (const auto range = node.find("range"))
+        property.range = read_range(*range, node.at("unit").text(), dimension, property.value);
+    if (const auto assumed = node.find("assumed")) property.assumed = assumed->truth();
+    if (const auto citations = node.find("citations")) property.citations = citations->texts();
     return property;
 }
 
-PhaseProperty positive(const Json& node, Dimension dimension) {
+PhaseProperty positive(const View& node, Dimension dimension) {
     PhaseProperty property = read_property(node, dimension);
-    require_positive("value", property.value, dimension);
+    node.located([&] { require_positive("value", property.value, dimension); });
     return property;
 }
 
-PhaseProperty poisson(const Json& node) {
+PhaseProperty poisson(const View& node) {
     PhaseProperty property = read_property(node, Dimension::fraction);
-    require_poisson_ratio("value", property.value);
+    node.located([&] { require_poisson_ratio("value", property.value); });
     return property;
 }
 
-Phase read_phase(const Json& node) {
-    require_keys(node, {"name", "formula", "group", "amorphous", "density", "young_modulus", "poisson_ratio",
-                        "synonyms", "bgmn", "remark"});
-    Phase phase{.name = required_member(node, "name", as_string)};
-    phase.formula = optional_member(node, "formula", as_string).value_or("");
-    phase.group = optional_member(node, "group", as_string).value_or("");
-    phase.amorphous = node.value("amorphous", false);
-    phase.density =
-        required_member(node, "density", [](const Json& n) { return positive(n, Dimension::density); });
-    phase.young_modulus = required_member(node, "young_modulus",
-                                          [](const Json& n) { return positive(n, Dimension::pressure); });
-    phase.poisson_ratio = optional_member(node, "poisson_ratio", poisson);
-    phase.synonyms = optional_member(node, "synonyms", as_strings).value_or(std::vector<std::string>{});
-    phase.bgmn = optional_member(node, "bgmn", as_strings).value_or(std::vector<std::string>{});
-    phase.remark = optional_member(node, "remark", as_string).value_or("");
+Phase read_phase(const View& node) {
+    node.require_keys({"name", "formula", "group", "amorphous", "density", "young_modulus", "poisson_ratio",
+                       "synonyms", "bgmn", "remark"});
+    const auto text = [&](const char* key) {
+        const auto found = node.find(key);
+        return found ? found->text() : std::string();
+    };
+    const auto texts = [&](const char* key) {
+        const auto found = node.find(key);
+        return found ? found->texts() : std::vector<std::string>();
+    };
+    Phase phase{.name = node.at("name").text()};
+    phase.formula = text("formula");
+    phase.group = text("group");
+    if (const auto amorphous = node.find("amorphous")) phase.amorphous = amorphous->truth();
+    phase.density = positive(node.at("density"), Dimension::density);
+    phase.young_modulus = positive(node.at("young_modulus"), Dimension::pressure);
+    if (const auto ratio = node.find("poisson_ratio")) phase.poisson_ratio = poisson(*ratio);
+    phase.synonyms = texts("synonyms");
+    phase.bgmn = texts("bgmn");
+    phase.remark = text("remark");
     return phase;
 }
 
@@ -90,11 +100,10 @@ void require_unambiguous(const std::vector<Phase>& phases) {
     }
 }
 
-std::vector<Phase> read_phases(const Json& list) {
+std::vector<Phase> read_phases(const View& list) {
     std::vector<Phase> phases;
-    for (std::size_t i = 0; i < as_array(list).size(); ++i)
-        phases.push_back(at_place("/" + std::to_string(i), [&] { return read_phase(list[i]); }));
-    require_unambiguous(phases);
+    for (const View& phase : list.elements()) phases.push_back(read_phase(phase));
+    list.located([&] { require_unambiguous(phases); });
     return phases;
 }
 
@@ -163,25 +172,25 @@ std::string phase_key(std::string_view name) {
 }
 
 PhaseSet read_phase_set(std::string_view json_text) {
-    const Json root = parse_json(json_text);
-    require_keys(root, {"set", "title", "group_representatives", "phases"});
-    PhaseSet set{.name = required_member(root, "set", as_string),
-                 .phases = required_member(root, "phases", read_phases)};
-    if (root.contains("group_representatives"))
-        for (const auto& [group, phase] : root.at("group_representatives").items())
-            set.group_representatives.emplace_back(group, as_string(phase));
+    const Json document = parse_json(json_text);
+    const View root(document);
+    root.require_keys({"set", "title", "group_representatives", "phases"});
+    PhaseSet set{.name = root.at("set").text(), .phases = read_phases(root.at("phases"))};
+    if (const auto groups = root.find("group_representatives"))
+        for (const auto& [group, phase] : groups->members())
+            set.group_representatives.emplace_back(group, phase.text());
     require_citations(set);
     return set;
 }
 
-PhaseSet read_user_phases(const Json& list) {
+PhaseSet read_user_phases(const View& list) {
     PhaseSet set{.name = "user", .phases = read_phases(list)};
-    if (set.phases.empty()) throw InputError("there is no phase", "a list of at least one phase");
+    if (set.phases.empty()) list.fail("there is no phase", "a list of at least one phase");
     std::set<std::string> names;
     for (std::size_t i = 0; i < set.phases.size(); ++i)
         if (!names.insert(phase_key(set.phases[i].name)).second)
-            throw InputError("two phases are called " + in_quotes(set.phases[i].name), "each phase once")
-                .at("/" + std::to_string(i));
+            list.elements()[i].fail("two phases are called " + in_quotes(set.phases[i].name),
+                                    "each phase once");
     return set;
 }
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "materials/base/json_input.hpp"
+#include "materials/base/view.hpp"
 #include "materials/phase.hpp"
 
 namespace ashimpact {
@@ -25,7 +25,7 @@ struct PhaseSet {
 
 /// Reads the phases of a case file, a list of the same form; citations may be missing. The set is called
 /// "user".
-[[nodiscard]] PhaseSet read_user_phases(const Json& list);
+[[nodiscard]] PhaseSet read_user_phases(const View& list);
 
 /// A phase found under the name a file uses.
 struct ResolvedPhase {

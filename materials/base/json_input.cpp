@@ -81,10 +81,6 @@ std::string reason_of(std::string message) {
     return on_one_line(std::move(message));
 }
 
-std::string list(std::initializer_list<std::string_view> words) {
-    return joined(std::span(words.begin(), words.size()));
-}
-
 }  // namespace
 
 bool is_comment(std::string_view key) {
@@ -119,48 +115,6 @@ Json parse_json(std::string_view text) {
         throw InputError("a number is out of the range of double precision", "finite numbers")
             .at(watcher.pointer());
     }
-}
-
-void require_keys(const Json& node, std::initializer_list<std::string_view> allowed) {
-    if (!node.is_object()) throw InputError("not an object", "an object with the keys " + list(allowed));
-    for (const auto& [key, _] : node.items()) {
-        if (std::find(allowed.begin(), allowed.end(), key) != allowed.end()) continue;
-        const std::vector<std::string> candidates(allowed.begin(), allowed.end());
-        throw InputError("unknown key " + in_quotes(key) + did_you_mean(key, candidates), list(allowed))
-            .at("/" + key);
-    }
-}
-
-const Json& required(const Json& node, std::string_view key) {
-    if (!node.is_object()) throw InputError("not an object", "an object with the key " + in_quotes(key));
-    const auto member = node.find(std::string(key));
-    if (member == node.end())
-        throw InputError("the key " + in_quotes(key) + " is missing", "an object with this key");
-    return *member;
-}
-
-std::string as_string(const Json& node) {
-    if (!node.is_string()) throw InputError("not a string", "a string");
-    return node.get<std::string>();
-}
-
-double as_number(const Json& node) {
-    if (!node.is_number()) throw InputError("not a number", "a finite number");
-    const auto value = node.get<double>();
-    if (!std::isfinite(value)) throw InputError("not finite", "a finite number");
-    return value;
-}
-
-const Json& as_array(const Json& node) {
-    if (!node.is_array()) throw InputError("not a list", "a list [...]");
-    return node;
-}
-
-std::vector<std::string> as_strings(const Json& node) {
-    std::vector<std::string> strings;
-    for (std::size_t i = 0; i < as_array(node).size(); ++i)
-        strings.push_back(at_place("/" + std::to_string(i), [&] { return as_string(node[i]); }));
-    return strings;
 }
 
 }  // namespace ashimpact

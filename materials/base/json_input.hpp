@@ -1,12 +1,9 @@
 #pragma once
 
-#include <initializer_list>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "materials/base/error.hpp"
 
@@ -26,19 +23,6 @@ using Json = nlohmann::ordered_json;
 /// InputError at "line N, column M" or at the JSON pointer.
 [[nodiscard]] Json parse_json(std::string_view text);
 
-/// Throws InputError unless `node` is an object whose keys are all in `allowed`; names the nearest allowed
-/// key.
-void require_keys(const Json& node, std::initializer_list<std::string_view> allowed);
-
-/// The member `key` of an object. Errors: InputError if it is missing.
-[[nodiscard]] const Json& required(const Json& node, std::string_view key);
-
-/// A string, number or list of strings, checked. Errors: InputError without a place.
-[[nodiscard]] std::string as_string(const Json& node);
-[[nodiscard]] double as_number(const Json& node);
-[[nodiscard]] const Json& as_array(const Json& node);
-[[nodiscard]] std::vector<std::string> as_strings(const Json& node);
-
 /// Runs `read` and puts `place` in front of the place of an InputError it throws.
 template <class Read>
 decltype(auto) at_place(const std::string& place, Read&& read) {
@@ -57,21 +41,6 @@ decltype(auto) in_file(const std::string& file, Read&& read) {
     } catch (const InputError& error) {
         throw error.in_file(file);
     }
-}
-
-/// Reads member `key` with `read(member)`, errors placed at "/key"; nothing if the member is not there.
-template <class Read>
-auto optional_member(const Json& node, const std::string& key, Read&& read)
-    -> std::optional<decltype(read(node))> {
-    if (!node.contains(key)) return std::nullopt;
-    return at_place("/" + key, [&] { return read(node.at(key)); });
-}
-
-/// Reads member `key` with `read(member)`, errors placed at "/key". Errors: InputError if it is missing.
-template <class Read>
-auto required_member(const Json& node, const std::string& key, Read&& read) {
-    const Json& member = required(node, key);
-    return at_place("/" + key, [&] { return read(member); });
 }
 
 }  // namespace ashimpact

@@ -2,37 +2,39 @@
 #include <optional>
 #include <set>
 
-#include "materials/base/json_input.hpp"
 #include "materials/base/json_lines.hpp"
 #include "materials/base/quantity.hpp"
 #include "materials/base/text.hpp"
+#include "materials/base/view.hpp"
 #include "materials/xrd/readers.hpp"
 
 namespace ashimpact::xrd {
 
 namespace {
 
-Quantity read_fraction(const Json& node) {
-    Quantity fraction = read_quantity(node, Dimension::fraction);
+Quantity read_fraction(const View& node) {
+    Quantity fraction = node.quantity(Dimension::fraction);
     if (!(fraction.value >= 0 && fraction.value <= 1))
-        throw InputError("the fraction is " + shortest(fraction.value), "0 to 1 (0 % to 100 %)");
+        node.fail("the fraction is " + shortest(fraction.value), "0 to 1 (0 % to 100 %)");
     return fraction;
 }
 
-Amorphous read_amorphous_word(const std::string& word) {
+Amorphous read_amorphous_word(const View& node) {
+    const std::string word = node.text();
     if (word == "none") return AmorphousNone{};
     if (word == "remainder") return AmorphousRemainder{};
-    throw InputError("the amorphous part is " + in_quotes(word), R"("none", "remainder", or an object)");
+    node.fail("the amorphous part is " + in_quotes(word), R"("none", "remainder", or an object)");
 }
 
 /// {"weight_fraction"}, {"volume_fraction"} or {"crystalline_total"}
-Amorphous read_amorphous_object(const Json& node) {
-    require_keys(node, {"weight_fraction", "volume_fraction", "crystalline_total"});
-    if (node.size() != 1)
-        throw InputError("the amorphous part is stated " + std::to_string(node.size()) + " times",
-                         "one of weight_fraction, volume_fraction, crystalline_total");
-    const std::string key = node.begin().key();
-    const Quantity value = required_member(node, key, read_fraction);
+Amorphous read_amorphous_object(const View& node) {
+    node.require_keys({"weight_fraction", "volume_fraction", "crystalline_total"});
+    const auto members = node.members();
+    if (members.size() != 1)
+        node.fail("the amorphous part is stated " + std::to_string(members.size()) + " times",
+                  "one of weight_fraction, volume_fraction, crystalline_total");
+    const std::string& key = members.front().key;
+    const Quantity value = read_fraction(members.front().value);
     if (key == "crystalline_total")
         return CrystallineTotal{.value = value.value, .standard_uncertainty = value.standard_uncertainty};
     return AmorphousFraction{
@@ -41,8 +43,8 @@ Amorphous read_amorphous_object(const Json& node) {
         .basis = key == "weight_fraction" ? FractionBasis::weight : FractionBasis::volume};
 }
 
-Amorphous read_amorphous(const Json& node) {
-    return node.is_string() ? read_amorphous_word(node.get<std::string>()) : read_amorphous_object(node);
+Amorphous read_amorphous(const View& node) {
+    return node.is_string() ? read_amorphous_word(node) : read_amorphous_object(node);
 }
 
 /// A phase with its fraction; the key tells the basis, which must be the same for all.
@@ -51,38 +53,30 @@ struct JsonPhase {
     FractionBasis basis = FractionBasis::weight;
 };
 
-JsonPhase read_phase(const Json& node) {
-    require_keys(node, {"name", "weight_fraction", "volume_fraction", "density"});
-    const bool by_weight = node.contains("weight_fraction");
-    if (by_weight == node.contains("volume_fraction"))
-        throw InputError("not exactly one fraction", "weight_fraction or volume_fraction");
-    const Quantity fraction =
-        required_member(node, by_weight ? "weight_fraction" : "volume_fraction", read_fraction);
-    JsonPhase result{.phase = {.name = required_member(node, "name", as_string),
+JsonPhase read_phase(const View& node) {
+    node.require_keys({"name", "weight_fraction", "volume_fraction", "density"});
+    const bool by_weight = node.has("weight_fraction");
+    if (by_weight == node.has("volume_fraction"))
+        node.fail("not exactly one fraction", "weight_fraction or volume_fraction");
+    const Quantity fraction = read_fraction(node.at(by_weight ? "weight_fraction" : "volume_fraction"));
+    JsonPhase result{.phase = {.name = node.at("name").text(),
                                .fraction = fraction.value,
-                               .standard_uncertainty = fraction.standard_uncertainty},
+                               .standard_uncertainty = fraction.standard_uncertainty,
+                               .place = node.pointer()},
                      .basis = by_weight ? FractionBasis::weight : FractionBasis::volume};
-    const auto density =
-        optional_member(node, "density", [](const Json& n) { return read_quantity(n, Dimension::density); });
-    if (density) result.phase.density = density->value;
+    if (const auto density = node.find("density")) result.phase.density = density->number(Dimension::density);
     return result;
 }
 
-PeakIntensity read_peak(const Json& node) {
-    require_keys(node, {"name", "intensity", "rir"});
-    const auto number = [](const Json& n) { return read_quantity(n, Dimension::fraction); };
-    const Quantity intensity = required_member(node, "intensity", number);
-    const Quantity ratio = required_member(node, "rir", number);
-    return {.name = required_member(node, "name", as_string),
+PeakIntensity read_peak(const View& node) {
+    node.require_keys({"name", "intensity", "rir"});
+    const Quantity intensity = node.at("intensity").quantity(Dimension::fraction);
+    const Quantity ratio = node.at("rir").quantity(Dimension::fraction);
+    return {.name = node.at("name").text(),
             .intensity = intensity.value,
             .reference_intensity_ratio = ratio.value,
             .intensity_uncertainty = intensity.standard_uncertainty,
             .ratio_uncertainty = ratio.standard_uncertainty};
-}
-
-/// Where a phase of a sample stands; the reader of the samples puts their number in front.
-std::string place_in(const char* list, std::size_t index) {
-    return "/" + std::string(list) + "/" + std::to_string(index);
 }
 
 void refuse_repeated(const std::vector<PhaseFraction>& phases) {
@@ -93,75 +87,63 @@ void refuse_repeated(const std::vector<PhaseFraction>& phases) {
                 .at(phase.place);
 }
 
-void read_phases(const Json& list, Analysis& analysis) {
-    for (std::size_t i = 0; i < as_array(list).size(); ++i) {
-        at_place("/" + std::to_string(i), [&] {
-            JsonPhase phase = read_phase(list[i]);
-            if (i > 0 && phase.basis != analysis.basis)
-                throw InputError("fractions by weight and by volume in one sample", "one of the two");
-            analysis.basis = phase.basis;
-            phase.phase.place = place_in("phases", i);
-            analysis.phases.push_back(std::move(phase.phase));
-        });
+void read_phases(const View& list, Analysis& analysis) {
+    for (const View& node : list.elements()) {
+        const JsonPhase phase = read_phase(node);
+        if (!analysis.phases.empty() && phase.basis != analysis.basis)
+            node.fail("fractions by weight and by volume in one sample", "one of the two");
+        analysis.basis = phase.basis;
+        analysis.phases.push_back(phase.phase);
     }
 }
 
-void read_peaks(const Json& list, Analysis& analysis) {
+void read_peaks(const View& list, Analysis& analysis) {
+    const auto nodes = list.elements();
     std::vector<PeakIntensity> peaks;
-    for (std::size_t i = 0; i < as_array(list).size(); ++i)
-        peaks.push_back(at_place("/" + std::to_string(i), [&] { return read_peak(list[i]); }));
-    analysis.phases = adiabatic_fractions(peaks);
-    for (std::size_t i = 0; i < peaks.size(); ++i) analysis.phases[i].place = place_in("peaks", i);
+    for (const View& node : nodes) peaks.push_back(read_peak(node));
+    analysis.phases = list.located([&] { return adiabatic_fractions(peaks); });
+    for (std::size_t i = 0; i < nodes.size(); ++i) analysis.phases[i].place = nodes[i].pointer();
 }
 
-XrdSample read_sample(const Json& node) {
-    require_keys(node, {"name", "phases", "peaks", "amorphous", "internal_standard"});
-    XrdSample sample{.name = required_member(node, "name", as_string)};
-    if (node.contains("phases") == node.contains("peaks"))
-        throw InputError("not exactly one result", "phases or peaks");
-    optional_member(node, "phases", [&](const Json& n) { return read_phases(n, sample.analysis), true; });
-    optional_member(node, "peaks", [&](const Json& n) { return read_peaks(n, sample.analysis), true; });
+XrdSample with_standard(const XrdSample& sample, const View& standard, bool amorphous_stated) {
+    standard.require_keys({"phase", "weight_fraction"});
+    if (amorphous_stated)
+        standard.fail("an internal standard gives the amorphous part, which is stated too", "one of the two");
+    const Quantity added = read_fraction(standard.at("weight_fraction"));
+    const std::string phase = standard.at("phase").text();
+    return standard.located(
+        [&] { return with_internal_standard(sample, phase, added.value, added.standard_uncertainty); });
+}
+
+XrdSample read_sample(const View& node) {
+    node.require_keys({"name", "phases", "peaks", "amorphous", "internal_standard"});
+    XrdSample sample{.name = node.at("name").text()};
+    if (node.has("phases") == node.has("peaks")) node.fail("not exactly one result", "phases or peaks");
+    if (const auto phases = node.find("phases")) read_phases(*phases, sample.analysis);
+    if (const auto peaks = node.find("peaks")) read_peaks(*peaks, sample.analysis);
     refuse_repeated(sample.analysis.phases);
     double total = 0;
     for (const PhaseFraction& phase : sample.analysis.phases) total += phase.fraction;
     if (total > 1 + default_closure_tolerance)
-        throw InputError("the fractions add up to " + shortest(std::round(total * 1e4) / 100) + " %",
-                         "100 % or less")
-            .at("/phases");
-    if (const auto amorphous = optional_member(node, "amorphous", read_amorphous))
-        sample.analysis.amorphous = *amorphous;
-    if (!node.contains("internal_standard")) return sample;
-    return at_place("/internal_standard", [&] {
-        const Json& standard = node.at("internal_standard");
-        require_keys(standard, {"phase", "weight_fraction"});
-        if (node.contains("amorphous"))
-            throw InputError("an internal standard gives the amorphous part, which is stated too",
-                             "one of the two");
-        const Quantity added = required_member(standard, "weight_fraction", read_fraction);
-        return with_internal_standard(sample, required_member(standard, "phase", as_string), added.value,
-                                      added.standard_uncertainty);
-    });
+        node.at("phases").fail("the fractions add up to " + shortest(std::round(total * 1e4) / 100) + " %",
+                               "100 % or less");
+    if (const auto amorphous = node.find("amorphous")) sample.analysis.amorphous = read_amorphous(*amorphous);
+    const auto standard = node.find("internal_standard");
+    return standard ? with_standard(sample, *standard, node.has("amorphous")) : sample;
 }
 
-XrdResult read_samples(const Json& root) {
-    if (!root.is_object()) throw InputError("not an object", "an object with the key samples").at("/");
-    require_keys(root, {"samples"});
+XrdResult read_samples(const View& root) {
+    root.require_keys({"samples"});
+    const auto nodes = root.at("samples").elements();
+    if (nodes.empty()) root.at("samples").fail("no samples", "at least one");
     XrdResult result{.format = XrdFormat::json, .samples = {}};
-    const Json& samples = required(root, "samples");
-    at_place("/samples", [&] {
-        if (as_array(samples).empty()) throw InputError("no samples", "at least one");
-        std::set<std::string> names;
-        for (std::size_t i = 0; i < samples.size(); ++i) {
-            const std::string place = "/" + std::to_string(i);
-            XrdSample sample = at_place(place, [&] { return read_sample(samples[i]); });
-            if (!names.insert(sample.name).second)
-                throw InputError("the sample " + in_quotes(sample.name) + " is there twice",
-                                 "each sample once")
-                    .at(place);
-            for (PhaseFraction& phase : sample.analysis.phases) phase.place.insert(0, "/samples" + place);
-            result.samples.push_back(std::move(sample));
-        }
-    });
+    std::set<std::string> names;
+    for (const View& node : nodes) {
+        XrdSample sample = read_sample(node);
+        if (!names.insert(sample.name).second)
+            node.fail("the sample " + in_quotes(sample.name) + " is there twice", "each sample once");
+        result.samples.push_back(std::move(sample));
+    }
     return result;
 }
 
@@ -177,7 +159,7 @@ XrdResult read_json(const TextLines& file) {
     const JsonLines lines(file.text());
     const auto with_line = [&](const std::string& pointer) { return at_line(lines.line_of(pointer)); };
     try {
-        XrdResult result = read_samples(root);
+        XrdResult result = read_samples(View(root));
         for (XrdSample& sample : result.samples)
             for (PhaseFraction& phase : sample.analysis.phases)
                 phase.place = with_line(phase.place) + ": " + phase.place;

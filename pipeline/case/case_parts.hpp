@@ -2,9 +2,9 @@
 
 #include <string_view>
 
+#include "materials/base/view.hpp"
 #include "pipeline/case/case.hpp"
 #include "pipeline/case/input_files.hpp"
-#include "pipeline/json/view.hpp"
 
 /// Readers of the parts of a case. The document conforms to the schema; what a schema cannot say is checked
 /// here. Errors: InputError with the JSON pointer.

@@ -149,8 +149,7 @@ PhaseCatalogue catalogue_of(const View& document, const PhaseCatalogue& built_in
     PhaseCatalogue catalogue = built_in;
     if (const auto set = document.find("phase_set"))
         catalogue = set->located([&] { return catalogue.preferring(set->text()); });
-    if (const auto own = document.find("phases"))
-        catalogue = own->located([&] { return catalogue.overridden_by(read_user_phases(own->json())); });
+    if (const auto own = document.find("phases")) catalogue = catalogue.overridden_by(read_user_phases(*own));
     return catalogue;
 }
 

@@ -3,10 +3,10 @@
 #include <optional>
 #include <string>
 
+#include "materials/base/view.hpp"
 #include "materials/phase_catalogue.hpp"
 #include "pipeline/case/case.hpp"
 #include "pipeline/case/input_files.hpp"
-#include "pipeline/json/view.hpp"
 
 namespace ashimpact {
 

@@ -2,9 +2,9 @@
 
 #include <optional>
 
+#include "materials/base/view.hpp"
 #include "pipeline/case/case.hpp"
 #include "pipeline/case/input_files.hpp"
-#include "pipeline/json/view.hpp"
 
 namespace ashimpact {
 

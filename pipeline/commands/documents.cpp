@@ -7,9 +7,9 @@
 
 #include "data/embedded.hpp"
 #include "materials/base/text.hpp"
+#include "materials/base/view.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/json/schema.hpp"
-#include "pipeline/json/view.hpp"
 #include "pipeline/json/writer.hpp"
 #include "pipeline/run_identity.hpp"
 #include "pipeline/text/artifact_text.hpp"

@@ -58,9 +58,8 @@ PhaseCatalogue catalogue_of(const ModulusCommandOptions& options) {
     if (options.phases.empty()) return catalogue;
     return in_file(options.phases, [&] {
         const Json document = parse_json(read_file(options.phases));
-        const Json& phases = document.is_array() ? document : required(document, "phases");
-        return at_place(document.is_array() ? "" : "/phases",
-                        [&] { return catalogue.overridden_by(read_user_phases(phases)); });
+        const View root(document);
+        return catalogue.overridden_by(read_user_phases(document.is_array() ? root : root.at("phases")));
     });
 }
 

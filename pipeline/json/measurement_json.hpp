@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "pipeline/json/view.hpp"
+#include "materials/base/view.hpp"
 #include "solver/measurement/measurement.hpp"
 
 namespace ashimpact {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "pipeline/json/view.hpp"
+#include "materials/base/view.hpp"
 
 namespace ashimpact {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "pipeline/json/view.hpp"
+#include "materials/base/view.hpp"
 
 namespace ashimpact {
 

@@ -29,11 +29,11 @@ constexpr std::initializer_list<Table1Row> table1{{"88 um", 1.65, 47.63, 148.126
 
 /// Glass and mullite with round numbers, for results that can be checked by hand.
 PhaseCatalogue round_numbers() {
-    return PhaseCatalogue({read_user_phases(parse_json(R"([
+    return PhaseCatalogue({read_user_phases(View(parse_json(R"([
         {"name": "hard", "density": "3 g/cm3", "poisson_ratio": 0.25,
          "young_modulus": {"value": 200, "unit": "GPa", "standard_uncertainty": 20}},
         {"name": "soft", "density": {"value": 2.5, "unit": "g/cm3", "standard_uncertainty": 0.1}, "poisson_ratio": 0.25,
-         "young_modulus": {"value": 80, "unit": "GPa", "standard_uncertainty": 4}}])"))});
+         "young_modulus": {"value": 80, "unit": "GPa", "standard_uncertainty": 4}}])")))});
 }
 
 double square(double x) {
@@ -147,7 +147,7 @@ TEST_CASE("every rule of the paper's first sample, in its order") {
 
 TEST_CASE("a missing Poisson ratio leaves out what needs it, and refuses it when asked for") {
     const PhaseCatalogue catalogue = shipped_catalogue().overridden_by(read_user_phases(
-        parse_json(R"([{"name": "lime", "density": "3.3 g/cm3", "young_modulus": "190 GPa"}])")));
+        View(parse_json(R"([{"name": "lime", "density": "3.3 g/cm3", "young_modulus": "190 GPa"}])"))));
     const Composition composition =
         compose({.phases = {{.name = "lime", .fraction = 0.1}, {.name = "quartz", .fraction = 0.9}},
                  .amorphous = AmorphousNone{}},

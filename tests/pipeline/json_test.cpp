@@ -3,9 +3,9 @@
 #include <limits>
 #include <string>
 
+#include "materials/base/view.hpp"
 #include "pipeline/json/document.hpp"
 #include "pipeline/json/schema.hpp"
-#include "pipeline/json/view.hpp"
 #include "pipeline/json/writer.hpp"
 
 using namespace ashimpact;

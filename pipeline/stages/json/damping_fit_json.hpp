@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pipeline/json/view.hpp"
+#include "materials/base/view.hpp"
 #include "solver/uncertainty/curve/headline.hpp"
 #include "solver/uncertainty/likelihood/damping_curve_fit.hpp"
 #include "solver/uncertainty/outcomes/estimate_comparison.hpp"

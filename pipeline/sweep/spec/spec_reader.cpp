@@ -3,10 +3,10 @@
 
 #include "materials/base/checks.hpp"
 #include "materials/base/text.hpp"
+#include "materials/base/view.hpp"
 #include "pipeline/case/laws.hpp"
 #include "pipeline/json/schema.hpp"
 #include "pipeline/json/schema_version.hpp"
-#include "pipeline/json/view.hpp"
 #include "pipeline/json/writer.hpp"
 #include "pipeline/sweep/spec/spec.hpp"
 #include "pipeline/sweep/spec/variable_reader.hpp"

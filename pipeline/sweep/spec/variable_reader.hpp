@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pipeline/json/view.hpp"
+#include "materials/base/view.hpp"
 #include "pipeline/sweep/spec/inputs.hpp"
 #include "solver/statistics/distribution.hpp"
 

@@ -1,9 +1,11 @@
-#include "pipeline/json/view.hpp"
+#include "materials/base/view.hpp"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
 #include "materials/base/checks.hpp"
+#include "materials/base/text.hpp"
 
 namespace ashimpact {
 
@@ -44,6 +46,14 @@ std::vector<View> View::elements() const {
     return elements;
 }
 
+void View::require_keys(std::initializer_list<std::string_view> allowed) const {
+    const std::vector<std::string> known(allowed.begin(), allowed.end());
+    for (const Member& member : members())
+        if (std::find(known.begin(), known.end(), member.key) == known.end())
+            member.value.fail("unknown key " + in_quotes(member.key) + did_you_mean(member.key, known),
+                              joined(known));
+}
+
 std::vector<View::Member> View::members() const {
     if (!value_->is_object()) fail("is not an object", "an object");
     std::vector<Member> members;
@@ -57,6 +67,12 @@ std::string View::text() const {
     auto text = value_->get<std::string>();
     if (text.find('\0') != std::string::npos) fail("holds a NUL character", "a text without it");
     return text;
+}
+
+std::vector<std::string> View::texts() const {
+    std::vector<std::string> texts;
+    for (const View& element : elements()) texts.push_back(element.text());
+    return texts;
 }
 
 bool View::truth() const {

@@ -1,13 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "materials/base/json_input.hpp"
 #include "materials/base/quantity.hpp"
-#include "pipeline/json/document.hpp"
 
 namespace ashimpact {
 
@@ -29,11 +30,15 @@ class View {
     [[nodiscard]] std::optional<View> find(std::string_view key) const;
     /// The elements of an array.
     [[nodiscard]] std::vector<View> elements() const;
+    /// An object must have no other keys than these; the error names the nearest one.
+    void require_keys(std::initializer_list<std::string_view> allowed) const;
     /// One member of an object.
     struct Member;
     [[nodiscard]] std::vector<Member> members() const;
 
     [[nodiscard]] std::string text() const;
+    /// The strings of an array.
+    [[nodiscard]] std::vector<std::string> texts() const;
     [[nodiscard]] bool truth() const;
     [[nodiscard]] int integer() const;
     /// A quantity in SI; keys that say where it comes from are left aside.
