@@ -27,11 +27,12 @@ OwnForces own_forces(const ExportSubject& subject) {
 void require_lammps(const ExportSubject& subject) {
     if (subject.law.name() == "jkr")
         throw InputError("LAMMPS of Debian 12 gives NaN for JKR on a wall past pull-off",
-                         "hertz, dmt, brach-dunn")
+                         "hertz, dmt, brach-dunn, sjkr")
             .at("--law");
     if (const auto reason = added_forces_refusal(subject))
-        throw InputError("LAMMPS: " + *reason,
-                         "hertz, dmt, brach-dunn with zero-overlap; damping constant, contact-radius, tsuji");
+        throw InputError(
+            "LAMMPS: " + *reason,
+            "hertz, dmt, brach-dunn, sjkr with zero-overlap; damping constant, contact-radius, tsuji");
 }
 
 std::string wall(const ExportSubject& subject, const OwnForces& own) {
@@ -50,7 +51,7 @@ std::string wall(const ExportSubject& subject, const OwnForces& own) {
 
 std::string lammps_wall_file(const ExportSubject& subject) {
     const OwnForces own = own_forces(subject);
-    const bool attraction = subject.law.uses_work_of_adhesion() && !own.attraction;
+    const bool attraction = attracts(subject) && !own.attraction;
     const bool damping = !own.damping && !subject.damping.is_zero();
     return fmt::format(
                "# Ash on the wall z = ash_wall_z: law {}, contact ends at zero overlap. Needs the variable "
@@ -72,9 +73,8 @@ std::vector<std::string> lammps_conversions(const ExportSubject& subject) {
         "R* is the radius of the sphere: the wall is flat"};
     if (own.damping && !subject.damping.is_zero())
         lines.emplace_back("`damping velocity` with eta in kg/s: F_d = -eta v, as here");
-    const auto added =
-        added_force_conversions(subject, subject.law.uses_work_of_adhesion() && !own.attraction,
-                                !own.damping && !subject.damping.is_zero());
+    const auto added = added_force_conversions(subject, attracts(subject) && !own.attraction,
+                                               !own.damping && !subject.damping.is_zero());
     lines.insert(lines.end(), added.begin(), added.end());
     return lines;
 }

@@ -135,7 +135,7 @@ def check_refusals():
 
 def check_names():
     """A sample's name reaches no input, whatever it holds."""
-    run, evil = os.path.join(WORK, "evil"), "a`touch x`$(touch x)\";}\n fix 1 #"
+    run, evil = os.path.join(WORK, "evil"), "a`intruder`$(intruder)\";}\n fix 1 #"
     shutil.rmtree(run, ignore_errors=True)
     shutil.copytree(os.path.join(WORK, "run"), run)
     for name in os.listdir(run):
@@ -153,7 +153,7 @@ def check_names():
         for place, _, files in os.walk(folder):
             for name in files:
                 with open(os.path.join(place, name)) as file:
-                    if "touch" in file.read() and name != "assumptions.md":
+                    if "intruder" in file.read() and name != "assumptions.md":
                         fail("the name of a sample is in " + name)
 
 
