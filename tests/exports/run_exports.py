@@ -194,6 +194,32 @@ def check_names():
                         fail("the name of a sample is in " + name)
 
 
+def check_headline():
+    """The exported critical velocity is the headline of the run, by the fit's damping or by another."""
+    run = os.path.join(WORK, "headline")
+    shutil.rmtree(run, ignore_errors=True)
+    shutil.copytree(os.path.join(WORK, "run"), run)
+    path = os.path.join(run, "7-critical-velocity.json")
+    for factor in (1.0, 1.25):
+        with open(os.path.join(WORK, "run", "7-critical-velocity.json")) as file:
+            artifact = json.load(file)
+        sample = next(s for s in artifact["result"]["samples"] if s["name"] == "88 um")
+        headline = sample["dmt"]["critical_velocity"]["value"] * factor
+        sample["dmt"]["critical_velocity"]["value"] = headline
+        with open(path, "w") as file:
+            json.dump(artifact, file)
+        folder = os.path.join(WORK, "headline-table")
+        shutil.rmtree(folder, ignore_errors=True)
+        exported = ashimpact("export", "table", run, "--sample", "88 um", "--law", "dmt", "-o", folder)
+        if exported.returncode != 0:
+            fail("an edited headline: " + exported.stderr)
+            continue
+        with open(os.path.join(folder, "critical_velocity.csv")) as file:
+            critical = float(file.readlines()[1].split(",")[1])
+        if abs(critical / headline - 1) > 1e-9:
+            fail("the headline %.12g is exported as %.12g" % (headline, critical))
+
+
 def check_order():
     """The error of a single run falls in proportion to the time step, as these integrators have it with damping."""
     folder = os.path.join(WORK, "lammps-dmt")
@@ -228,6 +254,7 @@ def main():
         fail("ashimpact run: " + ran.stderr)
     check_refusals()
     check_names()
+    check_headline()
     for code, name, options in cases():
         if not CODES or code.split()[0] in CODES:
             check(code, name, options)
