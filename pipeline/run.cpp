@@ -145,7 +145,7 @@ std::vector<FileContent> presentation(const RunPlan& plan, Artifacts artifacts, 
         return std::move(made.files);
     } catch (const InputError& error) {
         if (plan.from.empty() && plan.only.empty()) throw;
-        summary.warnings.push_back(std::string("no report: ") + error.what());
+        summary.remarks.push_back({"report.html", std::string("no report: ") + error.what()});
         return {};
     }
 }
@@ -245,14 +245,30 @@ void add_left(const std::filesystem::path& folder, std::string_view file, std::s
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) return;
     std::string bytes = read_file(path);
-    Json document{{"stage", stage}, {"provenance", {{"inputs", Json::array()}}}};
+    Json document{
+        {"stage", stage}, {"provenance", {{"inputs", Json::array()}}}, {"warnings", Json::array()}};
     in_file(path.string(), [&] {
         const Json whole = without_comments(parse_json(bytes));
         require_schema_version(whole, true);
         validate_document(whole, schema_of(file));
         document["provenance"] = whole.at("provenance");
+        document["warnings"] = whole.at("warnings");
     });
     all.push_back({std::string(file), std::move(document), std::move(bytes), path.string()});
+}
+
+/// Every warning in the folder of the run, whichever run wrote it, and the samples they may name.
+void add_remarks(const std::vector<Artifact>& all, RunSummary& summary) {
+    for (const Artifact& artifact : all) {
+        for (const auto& warning : artifact.document.at("warnings"))
+            summary.remarks.push_back({artifact.file, warning.get<std::string>()});
+        if (!summary.samples.empty() || !artifact.document.contains("result") ||
+            !artifact.document.at("result").contains("samples"))
+            continue;
+        for (const Json& sample : artifact.document.at("result").at("samples"))
+            if (sample.is_object() && sample.contains("name"))
+                summary.samples.push_back(sample.at("name").get<std::string>());
+    }
 }
 
 }  // namespace
@@ -326,8 +342,7 @@ RunSummary run_stages(const RunPlan& plan) {
     }
     all.insert(all.end(), after.begin(), after.end());
     summary.written.push_back(manifest_of(plan, all, summary.written));
-    for (const Artifact& artifact : summary.written)
-        for (const auto& warning : artifact.document.at("warnings")) summary.warnings.push_back(warning);
+    add_remarks(all, summary);
     folder.write(summary.written, presentation(plan, std::move(artifacts), summary));
     return summary;
 }

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "materials/base/text.hpp"
+#include "pipeline/text/layout.hpp"
 
 namespace ashimpact {
 
@@ -35,8 +36,10 @@ void HeldWarnings::sink_it_(const spdlog::details::log_msg& message) {
     formatter_->format(message, line);
     const std::string_view text(line.data(), line.size());
     if (message.level == spdlog::level::warn)
-        held_ += text;
-    else
+        held_ += wrapped(text, piped_width, 2);
+    else if (message.level < spdlog::level::warn)
+        write_message(wrapped(text, piped_width, 2));
+    else  // an error is one line, however long
         write_message(text);
 }
 

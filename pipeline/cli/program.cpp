@@ -17,7 +17,10 @@
 #include "pipeline/cli/argument_checks.hpp"
 #include "pipeline/cli/commands.hpp"
 #include "pipeline/cli/held_warnings.hpp"
+#include "pipeline/cli/help_layout.hpp"
 #include "pipeline/cli/usage.hpp"
+#include "pipeline/files/program_word.hpp"
+#include "pipeline/text/layout.hpp"
 
 namespace ashimpact {
 
@@ -101,7 +104,7 @@ void answer(const CLI::App& program, const CLI::Success& request) {
     if (program.get_subcommands().empty() && !unknown.empty()) throw CLI::ExtrasError("ashimpact", unknown);
     std::ostringstream out;
     static_cast<void>(program.exit(request, out, out));
-    print(out.str());
+    print(help_layout(out.str(), output_width(), program_word()));
 }
 
 /// Parses the command line and does what it says.
