@@ -5,8 +5,8 @@
 
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/impact.hpp"
-#include "tests/oracles/dem_code.hpp"
-#include "tests/oracles/dem_impact.hpp"
+#include "tests/oracles/dem/dem_code.hpp"
+#include "tests/oracles/dem/dem_impact.hpp"
 #include "tests/oracles/time_domain.hpp"
 
 namespace ashimpact::oracles {
