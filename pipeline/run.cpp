@@ -74,14 +74,26 @@ Artifact case_artifact_of(const LoadedCase& loaded) {
     return artifact;
 }
 
+/// Warns of edits in what a stage reads, and in what that was computed from.
+void tell_edits(const Stage& stage, const Artifacts& before, const std::vector<std::string>& edited,
+                std::vector<std::string>& warnings) {
+    constexpr std::string_view said = " was edited after ashimpact wrote it";
+    const auto add = [&](const std::string& warning) {
+        if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
+    };
+    for (const std::string_view file : stage.reads) {
+        if (std::find(edited.begin(), edited.end(), file) != edited.end()) add(std::string(file) + std::string(said));
+        for (const Json& warning : before.at(file).document.at("warnings"))
+            if (const auto text = warning.get<std::string>(); text.ends_with(said)) add(text);
+    }
+}
+
 Artifact computed(const Stage& stage, const Artifacts& before, const std::vector<std::string>& edited) {
     std::vector<InputFile> inputs;
     for (const std::string_view file : stage.reads)
         inputs.push_back({std::string(file), sha256(before.at(file).bytes)});
     StageOutput output = run_stage(stage, before, edited);
-    for (const std::string_view file : stage.reads)
-        if (std::find(edited.begin(), edited.end(), file) != edited.end())
-            output.warnings.push_back(std::string(file) + " was edited after ashimpact wrote it");
+    tell_edits(stage, before, edited, output.warnings);
     const bool reads_case =
         std::find(stage.reads.begin(), stage.reads.end(), case_artifact) != stage.reads.end();
     if (reads_case) output.options["detachments"] = detachments_json(read_case_artifact(before));

@@ -6,8 +6,8 @@
 #include "pipeline/commands/calibration/calibrate.hpp"
 #include "pipeline/commands/calibration/cross_check.hpp"
 #include "pipeline/commands/documents.hpp"
-#include "pipeline/commands/modulus.hpp"
-#include "pipeline/commands/phases.hpp"
+#include "pipeline/commands/materials/modulus.hpp"
+#include "pipeline/commands/materials/phases.hpp"
 #include "pipeline/commands/run.hpp"
 
 namespace ashimpact {

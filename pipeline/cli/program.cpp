@@ -61,11 +61,16 @@ void print(const std::string& text) {
     if (!std::cout) throw InputError("cannot be written", "a place with room").at("standard output");
 }
 
+/// The lines of a text no longer than the output is wide; JSON, which is for programs, as it is.
+std::string laid_out(const std::string& text) {
+    return text.starts_with('{') || text.starts_with('[') ? text : wrapped(text, output_width(), 2);
+}
+
 /// Prints what a command has done. Where the files are its result and are written, that no one hears of it is
 /// no error.
 void report(const std::string& text, bool writes_files) {
     try {
-        print(text);
+        print(laid_out(text));
     } catch (const InputError& error) {
         if (!writes_files) throw;
         spdlog::warn("warning: {}; all files were written", error.what());

@@ -1,4 +1,4 @@
-#include "pipeline/commands/phases.hpp"
+#include "pipeline/commands/materials/phases.hpp"
 
 #include <fmt/format.h>
 
@@ -6,6 +6,7 @@
 
 #include "materials/base/text.hpp"
 #include "pipeline/case/case_reader.hpp"
+#include "pipeline/files/program_word.hpp"
 #include "pipeline/text/readable.hpp"
 #include "pipeline/text/table.hpp"
 
@@ -83,8 +84,8 @@ void run_phases_command(const std::string& name, std::ostream& out) {
         return;
     }
     for (const PhaseSet& set : catalogue.sets()) out << set_text(set) << '\n';
-    out << "`ashimpact phases NAME` shows one, with its sources and other names. Phases of\n"
-           "your own: `modulus --phases FILE`, or \"phases\" in a case.\n";
+    out << "One of them with its sources and other names, such as\n  " << program_word() << " phases mullite\n"
+        << "Phases of your own: `modulus --phases FILE`, or \"phases\" in a case.\n";
 }
 
 }  // namespace ashimpact
