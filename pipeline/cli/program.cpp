@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/text.hpp"
 #include "pipeline/cli/argument_checks.hpp"
+#include "pipeline/cli/colors.hpp"
 #include "pipeline/cli/commands.hpp"
 #include "pipeline/cli/held_warnings.hpp"
 #include "pipeline/cli/help_layout.hpp"
@@ -53,11 +55,15 @@ void add_common_options(CLI::App& app) {
         "-q,--quiet", [] { spdlog::set_level(spdlog::level::err); }, "errors only");
     app.add_flag_callback(
         "-v,--verbose", [] { spdlog::set_level(spdlog::level::debug); }, "more messages");
+    app.add_option_function<std::string>("--color", choose_color, "auto (on a terminal), always, never")
+        ->check(CLI::IsMember({"auto", "always", "never"}))
+        ->type_name("WHEN");
 }
 
 /// Prints a text and checks that it arrived.
 void print(const std::string& text) {
-    std::cout << without_controls(text) << std::flush;
+    const std::string shown = without_controls(text);
+    std::cout << (is_colored(STDOUT_FILENO) ? with_colors(shown) : shown) << std::flush;
     if (!std::cout) throw InputError("cannot be written", "a place with room").at("standard output");
 }
 

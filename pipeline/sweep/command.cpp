@@ -14,7 +14,7 @@
 #include "pipeline/json/writer.hpp"
 #include "pipeline/sweep/crew/crew.hpp"
 #include "pipeline/sweep/mpi/mpi_team.hpp"
-#include "pipeline/sweep/progress.hpp"
+#include "pipeline/text/progress.hpp"
 #include "pipeline/sweep/result_json.hpp"
 #include "pipeline/sweep/sweep.hpp"
 #include "pipeline/sweep/table/outputs.hpp"

@@ -72,9 +72,10 @@ std::string readable(const Quantity& quantity) {
     if (decimals > most_decimals || decimals < -3)
         return fmt::format("{} +- {}{}", readable_number(quantity.value / scale), readable_number(uncertainty, 2),
                            unit == "1" ? "" : " " + unit);
-    const double step = std::pow(10.0, std::min(decimals, 0));
+    const double step = std::pow(10.0, std::max(-decimals, 0));  // of the last digit before the point
     const auto text = [&](double number) {
-        return fmt::format("{:.{}f}", std::round(number * step) / step, std::max(decimals, 0));
+        return decimals > 0 ? fmt::format("{:.{}f}", number, decimals)
+                            : fmt::format("{:.0f}", step * std::round(number / step));
     };
     return fmt::format("{} +- {}{}", text(quantity.value / scale), text(uncertainty),
                        unit == "1" ? "" : " " + unit);

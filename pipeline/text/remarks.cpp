@@ -83,7 +83,10 @@ std::vector<std::string> remark_lines(const std::vector<Remark>& remarks,
     }
     std::vector<std::string> lines;
     for (const Kind& kind : kinds) {
-        const std::string of = kind.samples.empty() ? "" : " (" + joined(kind.samples) + ")";
+        const bool all = samples.size() > 1 && kind.samples.size() == samples.size();
+        const std::string of = kind.samples.empty() ? ""
+                               : all                ? " (all samples)"
+                                                    : " (" + joined(kind.samples) + ")";
         lines.push_back(cut_to(fmt::format("{} x {}{}: {}", kind.count, kind.file, of, kind.first), width));
     }
     return lines;

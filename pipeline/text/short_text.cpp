@@ -19,7 +19,7 @@ std::string quantity_text(const Json& value) {
     return text;
 }
 
-/// "1.471 m/s to 1.613 m/s (95 %)".
+/// "1.471 to 1.613 m/s (95 %)".
 std::string interval_text(const Json& interval) {
     const auto end = [&](const char* key) {
         const Json& value = interval.at(key);
@@ -28,7 +28,11 @@ std::string interval_text(const Json& interval) {
     };
     const std::string level = fmt::format(" ({:g} %)", 100 * interval.at("level").get<double>());
     if (interval.at("lower").is_null() && interval.at("upper").is_null()) return "-";
-    return end("lower") + " to " + end("upper") + level;
+    std::string lower = end("lower");
+    const std::string upper = end("upper");
+    const auto unit = [](const std::string& text) { return text.substr(std::min(text.size(), text.find(' '))); };
+    if (unit(lower) == unit(upper)) lower.resize(lower.size() - unit(lower).size());
+    return lower + " to " + upper + level;
 }
 
 /// A string, number, truth value or null.
@@ -40,6 +44,13 @@ std::string scalar_text(const Json& value) {
     return value.dump();
 }
 
+/// A column of one number.
+bool is_single(const Json& value) {
+    return value.is_object() && value.contains("values") && value.contains("unit") &&
+           value["unit"].is_string() && value["values"].is_array() && value["values"].size() == 1 &&
+           value["values"].front().is_number();
+}
+
 }  // namespace
 
 bool is_quantity(const Json& value) {
@@ -49,7 +60,7 @@ bool is_quantity(const Json& value) {
 
 bool is_column(const Json& value) {
     return value.is_object() && value.contains("values") && value.contains("unit") &&
-           value["unit"].is_string() && value["values"].is_array() &&
+           value["unit"].is_string() && value["values"].is_array() && value["values"].size() != 1 &&
            std::all_of(value["values"].begin(), value["values"].end(),
                        [](const Json& v) { return v.is_number(); });
 }
@@ -72,6 +83,8 @@ std::string cell_number(double value, int digits) {
 std::optional<std::string> short_text(const Json& value) {
     if (is_quantity(value)) return quantity_text(value);
     if (is_interval(value)) return interval_text(value);
+    if (is_single(value))
+        return readable(value["values"].front().get<double>(), value["unit"].get<std::string>());
     if (!value.is_structured()) return scalar_text(value);
     if (value.empty()) return "none";
     if (!value.is_array()) return std::nullopt;

@@ -9,7 +9,7 @@ namespace ashimpact {
 
 /// {"value", "unit"} with a number.
 [[nodiscard]] bool is_quantity(const Json& value);
-/// {"values", "unit"} with numbers.
+/// {"values", "unit"} with more numbers than one, or none.
 [[nodiscard]] bool is_column(const Json& value);
 /// {"level", "lower", "upper"}.
 [[nodiscard]] bool is_interval(const Json& value);

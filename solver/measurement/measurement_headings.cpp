@@ -131,6 +131,13 @@ bool take_other(MeasurementHeading& heading, std::string_view name, std::size_t 
 
 }  // namespace
 
+bool names_incident_velocity(const std::vector<std::string>& cells) {
+    return std::any_of(cells.begin(), cells.end(), [](const std::string& cell) {
+        const auto meaning = meaning_of(split(cell).name);
+        return meaning && meaning->quantity == MeasuredQuantity::velocity && !meaning->is_uncertainty;
+    });
+}
+
 MeasurementHeading read_measurement_heading(const std::vector<std::string>& cells) {
     MeasurementHeading heading{.value = {},
                                .uncertainty = {},
