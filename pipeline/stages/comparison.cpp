@@ -53,7 +53,9 @@ struct Gap {
     [[nodiscard]] bool known() const { return greatest_ratio > 0; }
 
     [[nodiscard]] std::string sentence() const {
-        if (!known()) return "There are no analytic and dynamic critical velocities to compare.";
+        if (!known())
+            return "No law gives a dynamic critical velocity here, so there is none to compare with that of adhesion "
+                   "alone (Eq. 30).";
         const std::string ratios =
             fmt::format("The dynamic critical velocities are {} to {} times the analytic ones of Eq. 30",
                         readable_number(least_ratio, 3), readable_number(greatest_ratio, 3));

@@ -110,9 +110,14 @@ std::optional<VelocityNoise> noise_of_restitution(const Entry& velocity, const E
 constexpr TextLimits impact_table{
     .content = "a table of impacts", .bytes = std::size_t{256} << 20, .lines = 2'000'000};
 
-constexpr std::array<std::string_view, 7> capture_words{"capture", "captured", "stuck", "stick", "sticks", "deposited", "c"};
-constexpr std::array<std::string_view, 5> rebound_words{"rebound", "rebounded", "rebounds", "bounced", "r"};
-constexpr std::array<std::string_view, 7> unknown_words{"", "unknown", "?", "-", "na", "n/a", "nan"};
+constexpr std::array<std::string_view, 18> capture_words{
+    "capture", "captured", "stuck",  "stick",  "sticks", "deposited", "c",      "haftet",    "gehaftet",
+    "haften",  "klebt",    "klebte", "bleibt", "colle",  "collé",     "reste",  "capturé",   "adhère"};
+constexpr std::array<std::string_view, 11> rebound_words{"rebound",    "rebounded", "rebounds",  "bounced",
+                                                         "r",          "prallt ab", "abgeprallt", "rückprall",
+                                                         "rueckprall", "rebond",    "rebondit"};
+constexpr std::array<std::string_view, 10> unknown_words{"",   "unknown", "?",         "-",       "na",
+                                                         "n/a", "nan",    "unbekannt", "inconnu", "k.a."};
 
 template <class Words>
 bool is_one_of(const Words& words, const std::string& text) {
