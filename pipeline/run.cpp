@@ -74,14 +74,26 @@ Artifact case_artifact_of(const LoadedCase& loaded) {
     return artifact;
 }
 
+/// Warns of edits in what a stage reads, and in what that was computed from.
+void tell_edits(const Stage& stage, const Artifacts& before, const std::vector<std::string>& edited,
+                std::vector<std::string>& warnings) {
+    constexpr std::string_view said = " was edited after ashimpact wrote it";
+    const auto add = [&](const std::string& warning) {
+        if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
+    };
+    for (const std::string_view file : stage.reads) {
+        if (std::find(edited.begin(), edited.end(), file) != edited.end()) add(std::string(file) + std::string(said));
+        for (const Json& warning : before.at(file).document.at("warnings"))
+            if (const auto text = warning.get<std::string>(); text.ends_with(said)) add(text);
+    }
+}
+
 Artifact computed(const Stage& stage, const Artifacts& before, const std::vector<std::string>& edited) {
     std::vector<InputFile> inputs;
     for (const std::string_view file : stage.reads)
         inputs.push_back({std::string(file), sha256(before.at(file).bytes)});
     StageOutput output = run_stage(stage, before, edited);
-    for (const std::string_view file : stage.reads)
-        if (std::find(edited.begin(), edited.end(), file) != edited.end())
-            output.warnings.push_back(std::string(file) + " was edited after ashimpact wrote it");
+    tell_edits(stage, before, edited, output.warnings);
     const bool reads_case =
         std::find(stage.reads.begin(), stage.reads.end(), case_artifact) != stage.reads.end();
     if (reads_case) output.options["detachments"] = detachments_json(read_case_artifact(before));
@@ -145,7 +157,7 @@ std::vector<FileContent> presentation(const RunPlan& plan, Artifacts artifacts, 
         return std::move(made.files);
     } catch (const InputError& error) {
         if (plan.from.empty() && plan.only.empty()) throw;
-        summary.warnings.push_back(std::string("no report: ") + error.what());
+        summary.remarks.push_back({"report.html", std::string("no report: ") + error.what()});
         return {};
     }
 }
@@ -245,14 +257,30 @@ void add_left(const std::filesystem::path& folder, std::string_view file, std::s
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) return;
     std::string bytes = read_file(path);
-    Json document{{"stage", stage}, {"provenance", {{"inputs", Json::array()}}}};
+    Json document{
+        {"stage", stage}, {"provenance", {{"inputs", Json::array()}}}, {"warnings", Json::array()}};
     in_file(path.string(), [&] {
         const Json whole = without_comments(parse_json(bytes));
         require_schema_version(whole, true);
         validate_document(whole, schema_of(file));
         document["provenance"] = whole.at("provenance");
+        document["warnings"] = whole.at("warnings");
     });
     all.push_back({std::string(file), std::move(document), std::move(bytes), path.string()});
+}
+
+/// Every warning in the folder of the run, whichever run wrote it, and the samples they may name.
+void add_remarks(const std::vector<Artifact>& all, RunSummary& summary) {
+    for (const Artifact& artifact : all) {
+        for (const auto& warning : artifact.document.at("warnings"))
+            summary.remarks.push_back({artifact.file, warning.get<std::string>()});
+        if (!summary.samples.empty() || !artifact.document.contains("result") ||
+            !artifact.document.at("result").contains("samples"))
+            continue;
+        for (const Json& sample : artifact.document.at("result").at("samples"))
+            if (sample.is_object() && sample.contains("name"))
+                summary.samples.push_back(sample.at("name").get<std::string>());
+    }
 }
 
 }  // namespace
@@ -326,8 +354,7 @@ RunSummary run_stages(const RunPlan& plan) {
     }
     all.insert(all.end(), after.begin(), after.end());
     summary.written.push_back(manifest_of(plan, all, summary.written));
-    for (const Artifact& artifact : summary.written)
-        for (const auto& warning : artifact.document.at("warnings")) summary.warnings.push_back(warning);
+    add_remarks(all, summary);
     folder.write(summary.written, presentation(plan, std::move(artifacts), summary));
     return summary;
 }

@@ -20,10 +20,17 @@ struct RunPlan {
     bool allow_outside = false;  ///< the case may name files outside of its folder
 };
 
+/// What an artifact of a run warns about.
+struct Remark {
+    std::string file;  ///< of the artifact
+    std::string text;  ///< "SAMPLE, LAW: ...", "SAMPLE: ..." or neither
+};
+
 /// A finished run.
 struct RunSummary {
-    std::vector<Artifact> written;  ///< in order, the manifest last
-    std::vector<std::string> warnings;
+    std::vector<Artifact> written;         ///< in order, the manifest last
+    std::vector<std::string> samples{};    ///< their names
+    std::vector<Remark> remarks{};         ///< of all artifacts in the folder, those from before this run too
     std::filesystem::path report{};  ///< file of the report; empty: none was made
     std::size_t figures = 0;         ///< files of figures written
 };

@@ -9,6 +9,7 @@
 #include "materials/base/checks.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/text.hpp"
+#include "pipeline/edits.hpp"
 #include "pipeline/files/sha256.hpp"
 #include "pipeline/json/writer.hpp"
 
@@ -19,6 +20,7 @@ namespace {
 constexpr auto run_key = "run";
 constexpr auto result_key = "result_sha256";
 constexpr auto intervals_key = "intervals";
+constexpr auto originals_key = "originals";
 
 /// Calls @p visit with every object of a document and its pointer.
 void for_each_object(Json& node, const std::string& pointer,
@@ -112,6 +114,8 @@ void seal(Json& document, const std::string& run) {
             intervals.push_back({{"at", pointer}, {"value", value}, {"interval", object["interval"]}});
     });
     if (!intervals.empty()) provenance[intervals_key] = std::move(intervals);
+    Json originals = originals_of(document.at("schema"), document.at("result"));
+    if (!originals.empty()) provenance[originals_key] = std::move(originals);
 }
 
 std::string run_of(const Json& document) {
@@ -153,6 +157,9 @@ std::vector<std::string> accept_edits(Json& document) {
         dropped.push_back(pointer + ": the value " + shortest(value.get<double>()) +
                           " was edited without its interval, which is dropped");
     });
+    if (provenance.contains(originals_key))
+        for (std::string& done : reconcile(document.at("schema"), document["result"], provenance[originals_key]))
+            dropped.push_back(std::move(done));
     return dropped;
 }
 

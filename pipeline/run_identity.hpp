@@ -27,7 +27,8 @@ void require_one_run(const std::vector<Artifact>& artifacts);
 
 /// Checks the numbers of an edited artifact: quantities that cannot be negative, and those too large for any
 /// computation, are refused with their place; an interval that was left as it was while its value was edited,
-/// or that does not hold it, is dropped. @return what was dropped, in words
+/// or that does not hold it, is dropped; values that say the same follow the edited one, see reconcile().
+/// @return what was done, in words
 [[nodiscard]] std::vector<std::string> accept_edits(Json& document);
 
 /// Artifacts that were computed from another version of one that they read, in words: "3-analytic.json was

@@ -195,8 +195,8 @@ Table parse_table(const TextLines& file) {
                 .separator = separator_of(lines[*heading].text)};
     table.headings = headings_of(cut_row(lines[*heading], table.separator));
     if (*heading > 0)
-        table.warnings.push_back("the " + std::to_string(*heading) +
-                                 " lines above the heading were not read");
+        table.warnings.push_back(std::to_string(*heading) + (*heading == 1 ? " line" : " lines") +
+                                 " above the heading not read");
     for (std::size_t i = *heading + 1; i < lines.size(); ++i) {
         table.rows.push_back(checked_row(lines[i], table));
         if (table.rows.size() * table.headings.size() > most_cells)

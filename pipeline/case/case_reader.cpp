@@ -163,6 +163,20 @@ void answer_to(Phase& phase, const std::string& name) {
     }
 }
 
+/// compose(), which says by which keys the amorphous part is stated where it is missing.
+Composition composed(const Analysis& analysis, const PhaseCatalogue& catalogue) {
+    try {
+        return compose(analysis, catalogue);
+    } catch (const InputError& error) {
+        if (!std::holds_alternative<AmorphousNotStated>(analysis.amorphous) ||
+            !error.problem().starts_with("nothing says how much"))
+            throw;
+        throw InputError(error.problem(),
+                         "\"amorphous\" beside the fractions: \"47 %\" of the whole, \"none\", \"remainder\" (what "
+                         "is missing to 100 %), {\"crystalline_total\": \"53 %\"}; or \"internal_standard\"");
+    }
+}
+
 /// Every phase the samples need, once. @throws InputError where a composition is impossible
 std::vector<Phase> phases_of(const std::vector<Sample>& samples, const View& document,
                              const PhaseCatalogue& catalogue, std::vector<std::string>& warnings) {
@@ -170,7 +184,7 @@ std::vector<Phase> phases_of(const std::vector<Sample>& samples, const View& doc
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const View place = document.at("samples").elements()[i].at("composition");
         const Composition composition =
-            place.located([&] { return compose(samples[i].analysis, catalogue); });
+            place.located([&] { return composed(samples[i].analysis, catalogue); });
         for (const Component& component : composition.components) {
             const auto [phase, note] = catalogue.resolve(component.name);
             if (!note.empty()) warnings.push_back(samples[i].name + ": " + note);

@@ -6,8 +6,8 @@
 #include "pipeline/commands/calibration/calibrate.hpp"
 #include "pipeline/commands/calibration/cross_check.hpp"
 #include "pipeline/commands/documents.hpp"
-#include "pipeline/commands/modulus.hpp"
-#include "pipeline/commands/phases.hpp"
+#include "pipeline/commands/materials/modulus.hpp"
+#include "pipeline/commands/materials/phases.hpp"
 #include "pipeline/commands/run.hpp"
 
 namespace ashimpact {
@@ -115,6 +115,19 @@ void add_cross_check(CLI::App& program, Action& action) {
     });
 }
 
+void add_inspect(CLI::App& program, Action& action) {
+    auto* command = add_command(program, "inspect", "An artifact as tables; -v: inputs and options too",
+                                "ashimpact inspect results/comparison.json");
+    const auto options = std::make_shared<InspectOptions>();
+    command->add_option("artifact", options->file, "file of a run's folder")
+        ->required()
+        ->type_name("ARTIFACT.json");
+    command->add_flag("--all", options->all, "every row and every part, nothing shortened");
+    command->callback([options, &action] {
+        action = [options](std::ostream& out) { run_inspect_command(*options, out); };
+    });
+}
+
 /// A command with one argument.
 void add_document_command(CLI::App* command, Action& action, const char* name, const char* type,
                           const char* purpose, bool required,
@@ -135,10 +148,7 @@ void add_case_commands(CLI::App& program, Action& action) {
 void add_document_commands(CLI::App& program, Action& action) {
     add_calibrate(program, action);
     add_cross_check(program, action);
-    add_document_command(add_command(program, "inspect", "An artifact as tables, with its provenance",
-                                     "ashimpact inspect results/comparison.json"),
-                         action, "artifact", "ARTIFACT.json", "file of a run's folder", true,
-                         run_inspect_command);
+    add_inspect(program, action);
     add_document_command(
         add_command(program, "init", "Write a commented case to start from", "ashimpact init my-case"),
         action, "folder", "DIR", "where to write it", true, run_init_command);

@@ -4,6 +4,7 @@
 #include "materials/base/text.hpp"
 #include "pipeline/cli/argument_checks.hpp"
 #include "pipeline/cli/commands.hpp"
+#include "pipeline/commands/contact.hpp"
 #include "pipeline/commands/critical_velocity.hpp"
 #include "pipeline/commands/damping.hpp"
 #include "pipeline/commands/impact.hpp"
@@ -124,6 +125,41 @@ void add_damping(CLI::App& program, Action& action) {
     });
 }
 
+void add_contact(CLI::App& program, Action& action) {
+    auto* command = add_command(program, "contact", "E*, R*, m, w, W_s and v_s of a sphere on a wall",
+                                "ashimpact contact --diameter \"88 um\" --density \"2300 kg/m3\" "
+                                "--young-modulus \"148 GPa\" --poisson-ratio 0.2 "
+                                "--wall-young-modulus \"193 GPa\" --wall-poisson-ratio 0.29 "
+                                "--work-of-adhesion \"0.3 J/m2\"");
+    const auto options = std::make_shared<ContactCommandOptions>();
+    const auto add = [&](const char* name, std::string& value, const char* purpose, const char* type = "Q") {
+        command->add_option(name, value, purpose)->type_name(type);
+    };
+    add("--radius", options->contact.radius, "of the sphere, \"44 um\"; or its --diameter");
+    add("--diameter", options->contact.diameter, "of the sphere, \"88 um\"; or its --radius");
+    add("--density", options->contact.density, "of the sphere, \"2160 kg/m3\"");
+    add("--mass", options->contact.mass, "of the sphere, instead of its density");
+    add("--partner-radius", options->contact.partner_radius, "of a second sphere instead of a flat wall");
+    add("--partner-density", options->contact.partner_density, "of the second sphere");
+    add("--partner-mass", options->contact.partner_mass, "of the second sphere, instead of its density");
+    add("--contact-modulus", options->contact.contact_modulus, "E* of the pair, instead of what follows");
+    add("--young-modulus", options->young_modulus, "of the sphere, \"148 GPa\"");
+    add("--poisson-ratio", options->poisson_ratio, "of the sphere", "X");
+    add("--wall-young-modulus", options->wall_young_modulus, "of the wall, or of the second sphere");
+    add("--wall-poisson-ratio", options->wall_poisson_ratio, "of the wall, or of the second sphere", "X");
+    command->add_flag("--rigid-wall", options->rigid_wall, "the wall does not deform");
+    add("--work-of-adhesion", options->contact.work_of_adhesion, "w, \"0.3 J/m2\" (not a surface energy)");
+    add("--surface-energy", options->surface_energy, "of the sphere, from which w follows");
+    add("--wall-surface-energy", options->wall_surface_energy, "of the wall");
+    add("--interfacial-energy", options->interfacial_energy, "of both, for the rule dupre");
+    add("--adhesion-rule", options->rule, "girifalco-good, dong2013, dupre: w from surface energies", "NAME");
+    add("--roughness", options->contact.roughness, "rms of both surfaces, reduces w (Rabinovich et al. 2000)");
+    command->add_flag("--json", options->json, json_help);
+    command->callback([options, &action] {
+        action = [options](std::ostream& out) { run_contact_command(*options, out); };
+    });
+}
+
 }  // namespace
 
 void add_contact_options(CLI::App& command, ContactOptions& options, ContactNeeds needs) {
@@ -186,6 +222,7 @@ void add_damping_option(CLI::App& command, ContactOptions& options) {
 }
 
 void add_contact_commands(CLI::App& program, Action& action) {
+    add_contact(program, action);
     add_impact(program, action);
     add_critical_velocity(program, action);
     add_damping(program, action);

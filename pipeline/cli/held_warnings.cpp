@@ -1,16 +1,27 @@
 #include "pipeline/cli/held_warnings.hpp"
 
+#include <unistd.h>
+
 #include <cstdio>
 
 #include "materials/base/text.hpp"
+#include "pipeline/cli/colors.hpp"
+#include "pipeline/text/layout.hpp"
 
 namespace ashimpact {
 
 namespace {
 
 void write_message(std::string_view message) {
-    const std::string text = without_controls(message);
+    std::string text = without_controls(message);
+    if (is_colored(STDERR_FILENO)) text = with_colors(text);
     std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+void write_error(std::string_view message) {
+    const std::string text = without_controls(message);
+    const std::string shown = is_colored(STDERR_FILENO) ? error_in_color(text) : text;
+    std::fwrite(shown.data(), 1, shown.size(), stderr);
 }
 
 }  // namespace
@@ -35,9 +46,11 @@ void HeldWarnings::sink_it_(const spdlog::details::log_msg& message) {
     formatter_->format(message, line);
     const std::string_view text(line.data(), line.size());
     if (message.level == spdlog::level::warn)
-        held_ += text;
-    else
-        write_message(text);
+        held_ += wrapped(text, piped_width, 2);
+    else if (message.level < spdlog::level::warn)
+        write_message(wrapped(text, piped_width, 2));
+    else  // an error is one line, however long
+        write_error(text);
 }
 
 void HeldWarnings::flush_() {

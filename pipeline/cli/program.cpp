@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -15,9 +16,13 @@
 #include "materials/base/error.hpp"
 #include "materials/base/text.hpp"
 #include "pipeline/cli/argument_checks.hpp"
+#include "pipeline/cli/colors.hpp"
 #include "pipeline/cli/commands.hpp"
 #include "pipeline/cli/held_warnings.hpp"
+#include "pipeline/cli/help_layout.hpp"
 #include "pipeline/cli/usage.hpp"
+#include "pipeline/files/program_word.hpp"
+#include "pipeline/text/layout.hpp"
 
 namespace ashimpact {
 
@@ -50,19 +55,28 @@ void add_common_options(CLI::App& app) {
         "-q,--quiet", [] { spdlog::set_level(spdlog::level::err); }, "errors only");
     app.add_flag_callback(
         "-v,--verbose", [] { spdlog::set_level(spdlog::level::debug); }, "more messages");
+    app.add_option_function<std::string>("--color", choose_color, "auto (on a terminal), always, never")
+        ->check(CLI::IsMember({"auto", "always", "never"}))
+        ->type_name("WHEN");
 }
 
 /// Prints a text and checks that it arrived.
 void print(const std::string& text) {
-    std::cout << without_controls(text) << std::flush;
+    const std::string shown = without_controls(text);
+    std::cout << (is_colored(STDOUT_FILENO) ? with_colors(shown) : shown) << std::flush;
     if (!std::cout) throw InputError("cannot be written", "a place with room").at("standard output");
+}
+
+/// The lines of a text no longer than the output is wide; JSON, which is for programs, as it is.
+std::string laid_out(const std::string& text) {
+    return text.starts_with('{') || text.starts_with('[') ? text : wrapped(text, output_width(), 2);
 }
 
 /// Prints what a command has done. Where the files are its result and are written, that no one hears of it is
 /// no error.
 void report(const std::string& text, bool writes_files) {
     try {
-        print(text);
+        print(laid_out(text));
     } catch (const InputError& error) {
         if (!writes_files) throw;
         spdlog::warn("warning: {}; all files were written", error.what());
@@ -101,7 +115,7 @@ void answer(const CLI::App& program, const CLI::Success& request) {
     if (program.get_subcommands().empty() && !unknown.empty()) throw CLI::ExtrasError("ashimpact", unknown);
     std::ostringstream out;
     static_cast<void>(program.exit(request, out, out));
-    print(out.str());
+    print(help_layout(out.str(), output_width(), program_word()));
 }
 
 /// Parses the command line and does what it says.

@@ -9,6 +9,7 @@
 #include "materials/base/text.hpp"
 #include "materials/base/view.hpp"
 #include "pipeline/files/file.hpp"
+#include "pipeline/files/program_word.hpp"
 #include "pipeline/json/schema.hpp"
 #include "pipeline/json/writer.hpp"
 #include "pipeline/run_identity.hpp"
@@ -54,7 +55,8 @@ void require_quantities(const View& node) {
 
 }  // namespace
 
-void run_inspect_command(const std::string& file, std::ostream& out) {
+void run_inspect_command(const InspectOptions& options, std::ostream& out) {
+    const std::string& file = options.file;
     const std::string bytes = read_file(file);
     in_file(file, [&] {
         const Json document = parse_json(bytes);
@@ -62,7 +64,8 @@ void run_inspect_command(const std::string& file, std::ostream& out) {
         require_quantities(View(document));
         if (document.at("provenance").contains("result_sha256") && is_edited(document))
             spdlog::warn("warning: {}: was edited after ashimpact wrote it", file);
-        out << artifact_text(document);
+        out << artifact_text(document, {.result = {.all = options.all},
+                                        .provenance = spdlog::should_log(spdlog::level::debug)});
     });
 }
 
@@ -79,7 +82,8 @@ void run_init_command(const std::string& folder, std::ostream& out) {
     const auto typed = [&](const char* name) {
         return shell_word((std::filesystem::path(folder) / name).string());
     };
-    out << "Edit it, then: ashimpact run " << typed("case.json") << " -o " << typed("results") << '\n';
+    out << "Edit it, then:\n  " << program_word() << " run " << typed("case.json") << " -o " << typed("results")
+        << '\n';
 }
 
 void run_schema_command(const std::string& name, std::ostream& out) {

@@ -5,8 +5,13 @@
 
 namespace ashimpact {
 
-/// `ashimpact inspect`: an artifact as tables, with its provenance.
-void run_inspect_command(const std::string& file, std::ostream& out);
+struct InspectOptions {
+    std::string file;
+    bool all = false;  ///< every row and every part
+};
+
+/// `ashimpact inspect`: an artifact as tables; with -v its inputs, options and citations too.
+void run_inspect_command(const InspectOptions& options, std::ostream& out);
 
 /// `ashimpact init`: writes a commented case to start from. @throws InputError if there is one already
 void run_init_command(const std::string& folder, std::ostream& out);

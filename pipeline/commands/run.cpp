@@ -6,10 +6,31 @@
 #include <ostream>
 
 #include "materials/base/text.hpp"
+#include "pipeline/files/program_word.hpp"
 #include "pipeline/run.hpp"
 #include "pipeline/text/comparison_table.hpp"
+#include "pipeline/text/remarks.hpp"
 
 namespace ashimpact {
+
+namespace {
+
+/// The remarks on the results: whole with -v, else a line a kind.
+void tell(const RunSummary& summary) {
+    if (spdlog::should_log(spdlog::level::debug)) {
+        for (const Remark& remark : summary.remarks)
+            spdlog::debug("warning: {}: {}", remark.file, remark.text);
+        return;
+    }
+    if (summary.remarks.empty()) return;
+    const auto lines = remark_lines(summary.remarks, summary.samples, output_width() - 2);
+    spdlog::warn("warning: {} {} on these results, {} {}; -v shows them whole", summary.remarks.size(),
+                 summary.remarks.size() == 1 ? "remark" : "remarks", lines.size(),
+                 lines.size() == 1 ? "kind" : "kinds");
+    for (const std::string& line : lines) spdlog::warn("  {}", line);
+}
+
+}  // namespace
 
 void run_run_command(const RunOptions& options, std::ostream& out) {
     RunPlan plan{.case_file = std::nullopt,
@@ -21,16 +42,12 @@ void run_run_command(const RunOptions& options, std::ostream& out) {
                  .allow_outside = options.allow_outside};
     if (!options.case_file.empty()) plan.case_file = options.case_file;
     const RunSummary summary = run_stages(plan);
-    for (const std::string& warning : summary.warnings) spdlog::debug("warning: {}", warning);
-    if (!summary.warnings.empty() && !spdlog::should_log(spdlog::level::debug))
-        spdlog::warn(
-            "warning: {} remarks on these results are in the artifacts under \"warnings\"; -v shows them",
-            summary.warnings.size());
+    tell(summary);
     for (const Artifact& artifact : summary.written)
         if (artifact.file == comparison_artifact)
             out << comparison_text(View(artifact.document).at("result")) << '\n';
-    out << fmt::format("{} artifacts in {}; `ashimpact inspect {}` shows one.\n", summary.written.size(),
-                       plan.folder.string(),
+    out << fmt::format("{} artifacts in {}. One of them as tables:\n  {} inspect {}\n", summary.written.size(),
+                       plan.folder.string(), program_word(),
                        shell_word((plan.folder / summary.written.front().file).string()));
     if (summary.figures > 0)
         out << fmt::format("{} files of figures in {}.\n", summary.figures,

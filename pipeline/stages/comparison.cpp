@@ -8,6 +8,7 @@
 #include "pipeline/case/case_json.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/analytic.hpp"
+#include "pipeline/stages/comparison/reported_velocity.hpp"
 #include "pipeline/stages/contact.hpp"
 #include "pipeline/stages/critical_velocity.hpp"
 #include "pipeline/stages/fit.hpp"
@@ -52,7 +53,9 @@ struct Gap {
     [[nodiscard]] bool known() const { return greatest_ratio > 0; }
 
     [[nodiscard]] std::string sentence() const {
-        if (!known()) return "There are no analytic and dynamic critical velocities to compare.";
+        if (!known())
+            return "No law gives a dynamic critical velocity here, so there is none to compare with that of adhesion "
+                   "alone (Eq. 30).";
         const std::string ratios =
             fmt::format("The dynamic critical velocities are {} to {} times the analytic ones of Eq. 30",
                         readable_number(least_ratio, 3), readable_number(greatest_ratio, 3));
@@ -168,6 +171,39 @@ Json measured_json(const Sample& sample, const Json& measured) {
     return json;
 }
 
+/// What the contact of a sample rests on that was not measured: {"quantity", "value", "why"}.
+Json assumed_json(const Sample& sample, const SampleContact& contact) {
+    Json list = Json::array();
+    const auto add = [&](const char* name, const Quantity& value, const std::string& origin,
+                         const std::string& why) {
+        if (origin == "assumed" || origin == "inferred" || origin == "literature" || origin == "computed")
+            list.push_back({{"quantity", name}, {"value", value}, {"origin", origin}, {"why", why}});
+    };
+    add("diameter", sample.diameter.quantity, sample.diameter.origin, "");
+    if (sample.density)
+        add("density", contact.density, sample.density->origin, "");
+    else
+        add("density", contact.density, "computed",
+            sample.porosity ? "not given: that of the phases and the porosity"
+                            : "not given: that of the phases without any pores");
+    if (const auto* stated =
+            sample.work_of_adhesion ? std::get_if<Stated>(&*sample.work_of_adhesion) : nullptr)
+        add("work of adhesion", contact.work_of_adhesion, stated->origin, "");
+    else if (sample.work_of_adhesion)
+        add("work of adhesion", contact.work_of_adhesion, "computed", "from surface energies");
+    return list;
+}
+
+/// Which of diameter, density and work of adhesion state no uncertainty, so that none goes into intervals.
+Json exact_json(const SampleContact& contact) {
+    Json list = Json::array();
+    if (!contact.effective_radius.standard_uncertainty) list.push_back("diameter");
+    if (!contact.density.standard_uncertainty) list.push_back("density");
+    if (contact.work_of_adhesion.value > 0 && !contact.work_of_adhesion.standard_uncertainty)
+        list.push_back("work of adhesion");
+    return list;
+}
+
 }  // namespace
 
 StageOutput comparison_stage(const Artifacts& before) {
@@ -201,6 +237,12 @@ StageOutput comparison_stage(const Artifacts& before) {
             entry_named(velocities, sample.name, before, critical_velocity_artifact).measured;
         Json json{
             {"name", sample.name},
+            {"reported", reported_json({data.laws, of.velocities, contact.pair, measured})},
+            {"diameter", quantity_json(2 * contact.effective_radius.value, Dimension::length)},
+            {"density", contact.density},
+            {"work_of_adhesion", contact.work_of_adhesion},
+            {"assumed", assumed_json(sample, contact)},
+            {"taken_as_exact", exact_json(contact)},
             {"young_modulus", of.modulus.young_modulus},
             {"contact_modulus", quantity_json(contact.pair.contact_modulus, Dimension::pressure)},
             {"separation_energy", quantity_json(simple.separation_energy, Dimension::energy)},

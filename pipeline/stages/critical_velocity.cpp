@@ -154,6 +154,18 @@ Quantity headline_velocity(const View& node) {
     return make_quantity(velocity, Dimension::velocity);
 }
 
+/// The interval stands beside the velocity and within it; either may be open where an edit dropped it.
+void require_one_interval(const Json& headline, const Json& beside, const View& node) {
+    if (!headline.is_object() || !headline.contains("interval")) return;
+    const auto end = [](const Json& interval, const char* key) {
+        return interval.is_object() ? interval.value(key, Json(nullptr)) : Json(nullptr);
+    };
+    for (const char* key : {"lower", "upper"})
+        if (end(headline["interval"], key) != end(beside, key))
+            node.at("interval").fail(std::string(key) + " is not that of the interval in critical_velocity",
+                                     "the same interval in both places");
+}
+
 }  // namespace
 
 std::vector<SampleCriticalVelocity> read_critical_velocities(const View& result) {
@@ -185,6 +197,7 @@ std::vector<SampleCriticalVelocity> read_critical_velocities(const View& result)
                 velocity.extrapolated["interval"] = extrapolated->at("interval").json();
             }
             if (const auto value = node.find("critical_velocity")) velocity.value = headline_velocity(*value);
+            require_one_interval(velocity.headline, velocity.interval, node);
             if (const auto plastic = node.find("plastic"))
                 velocity.plastic = plastic->number(Dimension::energy);
             if (const auto time = node.find("contact_time"))

@@ -9,7 +9,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/text.hpp"
 #include "pipeline/sweep/bytes.hpp"
-#include "pipeline/sweep/progress.hpp"
+#include "pipeline/text/progress.hpp"
 
 namespace ashimpact {
 

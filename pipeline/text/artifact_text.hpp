@@ -3,14 +3,17 @@
 #include <string>
 
 #include "pipeline/json/document.hpp"
+#include "pipeline/text/result_text.hpp"
 
 namespace ashimpact {
 
-/// Any JSON result for a reader: quantities in convenient units, columns as tables, the rest as an indented
-/// list.
-[[nodiscard]] std::string result_text(const Json& result);
+/// What is shown of an artifact.
+struct ArtifactView {
+    ResultView result{};
+    bool provenance = false;  ///< inputs, options, citations too
+};
 
-/// An artifact for a reader: where it comes from, what it warns about, then its result.
-[[nodiscard]] std::string artifact_text(const Json& artifact);
+/// An artifact for a reader: its result, what it warns about, and where it comes from.
+[[nodiscard]] std::string artifact_text(const Json& artifact, const ArtifactView& view = {});
 
 }  // namespace ashimpact

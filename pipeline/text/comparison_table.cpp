@@ -2,6 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
+#include "materials/base/text.hpp"
+#include "pipeline/text/layout.hpp"
 #include "pipeline/text/readable.hpp"
 #include "pipeline/text/table.hpp"
 
@@ -29,15 +34,39 @@ std::string velocity_cell(const View& sample, const View::Member& law) {
 }
 
 /// "1.85 to 2.01"; an end that the data do not bound is left open.
+std::string interval_text(const std::optional<View>& interval) {
+    if (!interval || (!interval->find("lower") && !interval->find("upper"))) return "-";
+    const auto end = [&](const char* key) {
+        const auto value = interval->find(key);
+        return value ? velocity_text(value->number(Dimension::velocity)) : std::string("open");
+    };
+    return end("lower") + " to " + end("upper");
+}
+
 std::string interval_cell(const View& sample, const std::string& law) {
     const auto all = sample.find("interval");
-    const auto interval = all ? all->find(law) : std::nullopt;
-    if (!interval) return "-";
-    const auto end = [&](const char* key, const char* open) {
-        const auto value = interval->find(key);
-        return value ? velocity_text(value->number(Dimension::velocity)) : std::string(open);
-    };
-    return end("lower", "open") + " to " + end("upper", "open");
+    return interval_text(all ? all->find(law) : std::nullopt);
+}
+
+/// The velocity to report, or the bound that the impacts give instead: "> 2.31".
+std::string reported_cell(const View& reported) {
+    if (const auto velocity = reported.find("critical_velocity"))
+        return velocity_text(velocity->at("value").number(Dimension::velocity));
+    const auto interval = reported.find("interval");
+    if (const auto lower = interval ? interval->find("lower") : std::nullopt)
+        return "> " + velocity_text(lower->number(Dimension::velocity));
+    if (const auto upper = interval ? interval->find("upper") : std::nullopt)
+        return "< " + velocity_text(upper->number(Dimension::velocity));
+    return "-";
+}
+
+std::string measured_cell(const View& sample) {
+    const auto measured = sample.find("measured_critical_velocity");
+    return measured ? velocity_text(measured->number(Dimension::velocity)) : "-";
+}
+
+std::string wrapped_line(const std::string& text, std::size_t width, std::size_t hanging = 2) {
+    return wrapped(text, width, hanging) + "\n";
 }
 
 /// The paper's extrapolation of measured impacts.
@@ -48,13 +77,13 @@ std::string extrapolated_cell(const View& sample, const std::string& law) {
 }
 
 /// Why laws have no interval, a line for each.
-std::string interval_notes(const View& result) {
+std::string interval_notes(const View& result, std::size_t width) {
     std::string text;
     for (const View& sample : result.at("samples").elements()) {
         const auto notes = sample.find("interval_note");
         if (!notes) continue;
         for (const auto& [law, note] : notes->members())
-            text += fmt::format("{}, {}: {}.\n", sample.at("name").text(), law, note.text());
+            text += wrapped_line(fmt::format("{}, {}: {}.", sample.at("name").text(), law, note.text()), width);
     }
     return text;
 }
@@ -78,36 +107,110 @@ std::string modulus_cell(const View& sample) {
     return cell;
 }
 
-}  // namespace
+/// Which velocity to report of each sample, and why.
+std::string reported_text(const View& result, std::size_t width) {
+    TextTable table({"sample", "v_c [m/s]", "95 % interval", "by law", "measured"});
+    std::string reasons;
+    for (const View& sample : result.at("samples").elements()) {
+        const auto reported = sample.find("reported");
+        if (!reported) return {};  // of an older version
+        const auto law = reported->find("law");
+        table.add({sample.at("name").text(), reported_cell(*reported),
+                   interval_text(reported->find("interval")), law ? law->text() : "-", measured_cell(sample)});
+        reasons += wrapped_line(fmt::format("{}{}: {}.", sample.at("name").text(),
+                                            law ? " by " + law->text() : "", reported->at("reason").text()),
+                                width);
+    }
+    table.drop_empty_columns();
+    return "Report this critical velocity; a slower particle stays on the wall.\n\n" + table.text(0, width) +
+           "\nWhy:\n" + reasons + "\n";
+}
 
-std::string comparison_text(const View& result) {
-    TextTable table({"sample", "E [GPa]", "E* [GPa]", "W_s [fJ]", "v_c Eq. 30", "law", "dynamic v_c",
-                     "95 % interval", "extrapolated", "published", "measured", "verdict"});
+/// One entry of "assumed" as a line; samples that share it stand together.
+struct Assumption {
+    std::string text;
+    std::vector<std::string> samples;
+};
+
+std::string assumption_text(const View& entry) {
+    std::string text =
+        fmt::format("{} {}", entry.at("quantity").text(), readable(shown_quantity(entry.at("value").json())));
+    const std::string why = entry.at("why").text();
+    return text + ", " + (why.empty() ? entry.at("origin").text() : why);
+}
+
+/// What was assumed, and what no uncertainty was stated of.
+std::string assumptions_text(const View& result, std::size_t width) {
+    std::vector<Assumption> assumptions;
+    std::vector<std::string> exact;
+    const auto samples = result.at("samples").elements();
+    for (const View& sample : samples) {
+        if (const auto assumed = sample.find("assumed"))
+            for (const View& entry : assumed->elements()) {
+                const std::string text = assumption_text(entry);
+                const auto same = std::find_if(assumptions.begin(), assumptions.end(),
+                                               [&](const Assumption& each) { return each.text == text; });
+                Assumption& assumption = same == assumptions.end() ? assumptions.emplace_back() : *same;
+                assumption.text = text;
+                assumption.samples.push_back(sample.at("name").text());
+            }
+        if (const auto names = sample.find("taken_as_exact"))
+            for (const View& name : names->elements())
+                if (std::find(exact.begin(), exact.end(), name.text()) == exact.end())
+                    exact.push_back(name.text());
+    }
+    std::string text;
+    if (!assumptions.empty()) text = "Not measured:\n";
+    for (const Assumption& assumption : assumptions)
+        text += wrapped_line(fmt::format("  {}{}", assumption.text,
+                                         assumption.samples.size() == samples.size()
+                                             ? ""
+                                             : " (" + joined(assumption.samples) + ")"),
+                             width);
+    if (!exact.empty())
+        text += wrapped_line(
+            "Taken as exact in the intervals, no uncertainty being stated: " + joined(exact) + ".", width);
+    return text.empty() ? text : text + "\n";
+}
+
+std::string laws_text(const View& result, std::size_t width) {
+    TextTable table({"sample", "law", "dynamic v_c", "95 % interval", "extrapolated", "published", "verdict"},
+                    2);
+    for (const View& sample : result.at("samples").elements()) {
+        std::string name = sample.at("name").text();
+        for (const auto& law : sample.at("dynamic_critical_velocity").members())
+            table.add({std::exchange(name, ""), law.key, velocity_cell(sample, law),
+                       interval_cell(sample, law.key), extrapolated_cell(sample, law.key),
+                       published(sample, "critical_velocity", law.key).value_or("-"),
+                       check_cell(sample, law.key)});
+    }
+    table.drop_empty_columns();
+    return "All laws [m/s]; the verdict is that of the measured velocity:\n\n" + table.text(0, width) + "\n";
+}
+
+std::string contacts_text(const View& result, std::size_t width) {
+    TextTable table({"sample", "E [GPa]", "E* [GPa]", "W_s [fJ]", "v_c, adhesion only [m/s]"});
     bool any_published = false;
     for (const View& sample : result.at("samples").elements()) {
-        const auto measured = sample.find("measured_critical_velocity");
-        std::vector<std::string> row{
-            sample.at("name").text(), modulus_cell(sample),
-            fmt::format("{:.2f}", sample.at("contact_modulus").number(Dimension::pressure) / 1e9),
-            readable_number(sample.at("separation_energy").number(Dimension::energy) / 1e-15),
-            fmt::format("{:#.3g}", sample.at("analytic_critical_velocity").number(Dimension::velocity))};
-        for (const auto& law : sample.at("dynamic_critical_velocity").members()) {
-            row.insert(row.end(), {law.key, velocity_cell(sample, law), interval_cell(sample, law.key),
-                                   extrapolated_cell(sample, law.key),
-                                   published(sample, "critical_velocity", law.key).value_or("-"),
-                                   measured ? velocity_text(measured->number(Dimension::velocity)) : "-",
-                                   check_cell(sample, law.key)});
-            table.add(std::move(row));
-            row.assign(5, "");  // the sample's own values stand in its first row
-        }
+        table.add({sample.at("name").text(), modulus_cell(sample),
+                   fmt::format("{:.2f}", sample.at("contact_modulus").number(Dimension::pressure) / 1e9),
+                   readable_number(sample.at("separation_energy").number(Dimension::energy) / 1e-15),
+                   fmt::format("{:#.3g}", sample.at("analytic_critical_velocity").number(Dimension::velocity))});
         any_published = any_published || sample.has("published");
     }
-    const std::string title = result.has("case") ? result.at("case").text() + "\n\n" : "";
-    std::string text =
-        title + table.text() + "Critical velocities in m/s: analytic (Eq. 30), dynamic by each law";
-    text += any_published ? "; E in brackets: as published.\n" : ".\n";
-    text += interval_notes(result);
-    return text + "\n" + result.at("conclusion").text() + "\n";
+    std::string text = table.text(0, width) + "v_c, adhesion only: Eq. 30 of Dong et al. 2013, without damping.";
+    if (any_published) text += " E in brackets: as published.";
+    return wrapped_line(text, width, 0) + "\n";
+}
+
+}  // namespace
+
+std::string comparison_text(const View& result, std::size_t width) {
+    const std::string title =
+        result.has("case") ? wrapped_line(result.at("case").text(), width, 0) + "\n" : "";
+    return title + reported_text(result, width) + assumptions_text(result, width) + laws_text(result, width) +
+           interval_notes(result, width) + contacts_text(result, width) +
+           wrapped_line(result.at("conclusion").text(), width, 0);
 }
 
 }  // namespace ashimpact

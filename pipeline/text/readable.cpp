@@ -57,10 +57,35 @@ std::string readable(double value, std::string_view unit) {
 }
 
 std::string readable(const Quantity& quantity) {
-    std::string text = readable(quantity.value, quantity.unit);
-    if (!quantity.standard_uncertainty) return text;
-    const double share = std::abs(*quantity.standard_uncertainty / quantity.value);
-    return fmt::format("{} +- {} %", text, readable_number(100 * share, 2));
+    constexpr double least_share = 1e-4;
+    if (!quantity.standard_uncertainty ||
+        !(std::abs(*quantity.standard_uncertainty) > least_share * std::abs(quantity.value)))
+        return readable(quantity.value, quantity.unit);
+    const ReadingUnit* shown = quantity.value == 0 ? nullptr : unit_for(quantity.value, quantity.unit);
+    const double scale = shown == nullptr ? 1 : shown->scale;
+    const std::string unit = shown == nullptr ? quantity.unit : std::string(shown->shown);
+    const double uncertainty = *quantity.standard_uncertainty / scale;
+    // The decimal of the second digit of the uncertainty, as it will be rounded.
+    const std::string rounded = fmt::format("{:.1e}", uncertainty);
+    const int decimals = 1 - std::stoi(rounded.substr(rounded.find('e') + 1));
+    constexpr int most_decimals = 6;
+    if (decimals > most_decimals || decimals < -3)
+        return fmt::format("{} +- {}{}", readable_number(quantity.value / scale), readable_number(uncertainty, 2),
+                           unit == "1" ? "" : " " + unit);
+    const double step = std::pow(10.0, std::max(-decimals, 0));  // of the last digit before the point
+    const auto text = [&](double number) {
+        return decimals > 0 ? fmt::format("{:.{}f}", number, decimals)
+                            : fmt::format("{:.0f}", step * std::round(number / step));
+    };
+    return fmt::format("{} +- {}{}", text(quantity.value / scale), text(uncertainty),
+                       unit == "1" ? "" : " " + unit);
+}
+
+Quantity shown_quantity(const Json& quantity) {
+    Quantity shown{.value = quantity.at("value"), .unit = quantity.at("unit")};
+    if (quantity.contains("standard_uncertainty") && quantity.at("standard_uncertainty").is_number())
+        shown.standard_uncertainty = quantity.at("standard_uncertainty").get<double>();
+    return shown;
 }
 
 }  // namespace ashimpact

@@ -4,13 +4,20 @@
 #include <string_view>
 
 #include "materials/base/quantity.hpp"
+#include "pipeline/json/document.hpp"
 
 namespace ashimpact {
 
 /// A value and its unit for a reader: four significant digits in the unit that keeps the number short
 /// ("44 um", "148.1 GPa"). Files never hold this form.
 [[nodiscard]] std::string readable(double value, std::string_view unit);
+
+/// The same with its standard uncertainty of two digits, "148.1 +- 9.2 GPa", and the value to its last digit;
+/// without it where it is below a ten-thousandth of the value.
 [[nodiscard]] std::string readable(const Quantity& quantity);
+
+/// A quantity as an artifact has it, {"value", "unit"} and perhaps "standard_uncertainty".
+[[nodiscard]] Quantity shown_quantity(const Json& quantity);
 
 /// A number for a reader, with that many significant digits.
 [[nodiscard]] std::string readable_number(double value, int digits = 4);

@@ -56,7 +56,8 @@ Interval logarithmic_interval(const CalibrationObjective& objective, const Eigen
 }  // namespace
 
 std::vector<ConstantProfile> profile_constants(const CalibrationProblem& problem,
-                                               const CalibrationSummary& summary) {
+                                               const CalibrationSummary& summary,
+                                               const std::function<void(std::size_t done)>& on_profile) {
     const auto count = static_cast<Eigen::Index>(summary.constants.size());
     Eigen::VectorXd best(count);
     for (Eigen::Index i = 0; i < count; ++i)
@@ -79,6 +80,7 @@ std::vector<ConstantProfile> profile_constants(const CalibrationProblem& problem
         if (!profile.identifiable)
             profile.statement = statement_of(summary, static_cast<std::size_t>(i), profile);
         profiles.push_back(std::move(profile));
+        if (on_profile) on_profile(profiles.size());
     }
     return profiles;
 }

@@ -4,6 +4,7 @@
 #include "solver/uncertainty/interval.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,11 @@ struct ConstantProfile {
 };
 
 /// Profile-likelihood intervals of the constants of a calibration, in their order.
-/// @param summary of that problem @throws ConvergenceError
-[[nodiscard]] std::vector<ConstantProfile> profile_constants(const CalibrationProblem& problem,
-                                                             const CalibrationSummary& summary);
+/// @param summary of that problem
+/// @param on_profile called after each constant with how many are done; may be empty
+/// @throws ConvergenceError
+[[nodiscard]] std::vector<ConstantProfile> profile_constants(
+    const CalibrationProblem& problem, const CalibrationSummary& summary,
+    const std::function<void(std::size_t done)>& on_profile = {});
 
 }  // namespace ashimpact

@@ -25,30 +25,60 @@ constexpr std::array aliases{
     Alias{"incidentnormalvelocity", MeasuredQuantity::velocity},
     Alias{"normalincidentvelocity", MeasuredQuantity::velocity},
     Alias{"impactvelocity", MeasuredQuantity::velocity},
+    Alias{"vein", MeasuredQuantity::velocity},
+    Alias{"veinfall", MeasuredQuantity::velocity},
+    Alias{"einfallsgeschwindigkeit", MeasuredQuantity::velocity},
+    Alias{"aufprallgeschwindigkeit", MeasuredQuantity::velocity},
+    Alias{"auftreffgeschwindigkeit", MeasuredQuantity::velocity},
+    Alias{"geschwindigkeit", MeasuredQuantity::velocity},
+    Alias{"vitesse", MeasuredQuantity::velocity},
+    Alias{"vitesseincidente", MeasuredQuantity::velocity},
+    Alias{"vitessedimpact", MeasuredQuantity::velocity},
+    Alias{"ventre", MeasuredQuantity::velocity},  // "v_entrée"
+    Alias{"ventree", MeasuredQuantity::velocity},
     Alias{"vr", MeasuredQuantity::rebound},
     Alias{"vrn", MeasuredQuantity::rebound},
     Alias{"vout", MeasuredQuantity::rebound},
     Alias{"rebound", MeasuredQuantity::rebound},
     Alias{"reboundvelocity", MeasuredQuantity::rebound},
     Alias{"normalreboundvelocity", MeasuredQuantity::rebound},
+    Alias{"vaus", MeasuredQuantity::rebound},
+    Alias{"vab", MeasuredQuantity::rebound},
+    Alias{"vrck", MeasuredQuantity::rebound},  // "v_rück"
+    Alias{"vrueck", MeasuredQuantity::rebound},
+    Alias{"rckprallgeschwindigkeit", MeasuredQuantity::rebound},  // "Rückprallgeschwindigkeit"
+    Alias{"rueckprallgeschwindigkeit", MeasuredQuantity::rebound},
+    Alias{"abprallgeschwindigkeit", MeasuredQuantity::rebound},
+    Alias{"vsortie", MeasuredQuantity::rebound},
+    Alias{"vrebond", MeasuredQuantity::rebound},
+    Alias{"vitessederebond", MeasuredQuantity::rebound},
     Alias{"e", MeasuredQuantity::restitution},
     Alias{"en", MeasuredQuantity::restitution},
     Alias{"cor", MeasuredQuantity::restitution},
     Alias{"restitution", MeasuredQuantity::restitution},
     Alias{"coefficientofrestitution", MeasuredQuantity::restitution},
     Alias{"normalrestitution", MeasuredQuantity::restitution},
+    Alias{"stosszahl", MeasuredQuantity::restitution},
+    Alias{"stozahl", MeasuredQuantity::restitution},  // "Stoßzahl"
+    Alias{"restitutionskoeffizient", MeasuredQuantity::restitution},
+    Alias{"coefficientderestitution", MeasuredQuantity::restitution},
 };
 
-constexpr std::array<std::string_view, 8> uncertainty_words{"u",
-                                                            "sigma",
-                                                            "sd",
-                                                            "std",
-                                                            "uncertainty",
-                                                            "uncertaintyof",
-                                                            "standarduncertainty",
-                                                            "standarduncertaintyof"};
+constexpr std::array<std::string_view, 13> uncertainty_words{"u",
+                                                             "sigma",
+                                                             "sd",
+                                                             "std",
+                                                             "uncertainty",
+                                                             "uncertaintyof",
+                                                             "standarduncertainty",
+                                                             "standarduncertaintyof",
+                                                             "fehler",
+                                                             "unsicherheit",
+                                                             "incertitude",
+                                                             "error",
+                                                             "errorof"};
 
-/// Letters and digits in lower case; "v_{in}" becomes "vin".
+/// ASCII letters and digits in lower case; "v_{in}" becomes "vin", "v_rück" becomes "vrck".
 std::string key_of(std::string_view text) {
     std::string key;
     for (const char c : lower_case(text)) {
@@ -124,12 +154,21 @@ bool take_other(MeasurementHeading& heading, std::string_view name, std::size_t 
         column = position;
         return true;
     };
-    if (key == "outcome" || key == "result") return take(heading.outcome);
+    constexpr std::array<std::string_view, 6> outcomes{"outcome",  "result",  "ausgang",
+                                                       "ergebnis", "rsultat", "resultat"};
+    if (std::find(outcomes.begin(), outcomes.end(), key) != outcomes.end()) return take(heading.outcome);
     if (key == "correlation" || key == "rvinvr" || key == "corrvinvr") return take(heading.correlation);
     return false;
 }
 
 }  // namespace
+
+bool names_incident_velocity(const std::vector<std::string>& cells) {
+    return std::any_of(cells.begin(), cells.end(), [](const std::string& cell) {
+        const auto meaning = meaning_of(split(cell).name);
+        return meaning && meaning->quantity == MeasuredQuantity::velocity && !meaning->is_uncertainty;
+    });
+}
 
 MeasurementHeading read_measurement_heading(const std::vector<std::string>& cells) {
     MeasurementHeading heading{.value = {},

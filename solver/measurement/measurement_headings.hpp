@@ -36,6 +36,9 @@ struct MeasurementHeading {
     }
 };
 
+/// Whether a line may be the heading: one of its cells names the incident velocity.
+[[nodiscard]] bool names_incident_velocity(const std::vector<std::string>& cells);
+
 /// Errors: InputError for a unit of another dimension, a column twice, v_in missing, or both v_r and e_n.
 [[nodiscard]] MeasurementHeading read_measurement_heading(const std::vector<std::string>& cells);
 

@@ -110,9 +110,14 @@ std::optional<VelocityNoise> noise_of_restitution(const Entry& velocity, const E
 constexpr TextLimits impact_table{
     .content = "a table of impacts", .bytes = std::size_t{256} << 20, .lines = 2'000'000};
 
-constexpr std::array<std::string_view, 7> capture_words{"capture", "captured", "stuck", "stick", "sticks", "deposited", "c"};
-constexpr std::array<std::string_view, 5> rebound_words{"rebound", "rebounded", "rebounds", "bounced", "r"};
-constexpr std::array<std::string_view, 7> unknown_words{"", "unknown", "?", "-", "na", "n/a", "nan"};
+constexpr std::array<std::string_view, 18> capture_words{
+    "capture", "captured", "stuck",  "stick",  "sticks", "deposited", "c",      "haftet",    "gehaftet",
+    "haften",  "klebt",    "klebte", "bleibt", "colle",  "collé",     "reste",  "capturé",   "adhère"};
+constexpr std::array<std::string_view, 11> rebound_words{"rebound",    "rebounded", "rebounds",  "bounced",
+                                                         "r",          "prallt ab", "abgeprallt", "rückprall",
+                                                         "rueckprall", "rebond",    "rebondit"};
+constexpr std::array<std::string_view, 10> unknown_words{"",   "unknown", "?",         "-",       "na",
+                                                         "n/a", "nan",    "unbekannt", "inconnu", "k.a."};
 
 template <class Words>
 bool is_one_of(const Words& words, const std::string& text) {
@@ -206,19 +211,31 @@ std::vector<std::string> warnings_of(const MeasurementHeading& heading) {
     return warnings;
 }
 
+/// Place of the heading among the lines: titles may stand above it. The first line where there is none.
+std::size_t heading_place(const std::vector<TextLine>& lines) {
+    constexpr std::size_t most_titles = 20;
+    for (std::size_t i = 0; i < std::min(lines.size(), most_titles + 1); ++i)
+        if (names_incident_velocity(cut_row(lines[i], separator_of(lines[i].text)).cells)) return i;
+    return 0;
+}
+
 MeasurementSet read_table(const TextLines& file, std::string_view name) {
     const auto lines = lines_with_content(file);
     if (lines.empty()) throw InputError("the file holds no table", "a heading and one line an impact");
-    const char separator = separator_of(lines.front().text);
+    const std::size_t place = heading_place(lines);
+    const char separator = separator_of(lines[place].text);
     MeasurementHeading heading{};
     try {
-        heading = read_measurement_heading(cut_row(lines.front(), separator).cells);
+        heading = read_measurement_heading(cut_row(lines[place], separator).cells);
     } catch (const InputError& error) {
-        throw error.at(at_line(lines.front().number));
+        throw error.at(at_line(lines[place].number));
     }
     const TableCells cells(heading, separator != ',');
     MeasurementSet set{.source = std::string(name), .points = {}, .warnings = warnings_of(heading)};
-    for (std::size_t i = 1; i < lines.size(); ++i) {
+    if (place > 0)
+        set.warnings.push_back(std::to_string(place) + (place == 1 ? " line" : " lines") +
+                               " above the heading not read");
+    for (std::size_t i = place + 1; i < lines.size(); ++i) {
         TableRow row = cut_row(lines[i], separator);
         try {
             require_cells(heading, row);

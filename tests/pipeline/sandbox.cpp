@@ -52,13 +52,30 @@ std::vector<std::pair<std::string, std::string>> Sandbox::everything() const {
     return files;
 }
 
+namespace {
+
+/// Messages with the lines that they were broken into put together.
+std::string unbroken(const std::string& text) {
+    std::string out;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const std::size_t next = std::min(text.find_first_not_of(' ', i + 1), text.size());
+        const bool continues = text[i] == '\n' && next > i + 1 && next < text.size();
+        out += continues ? ' ' : text[i];
+        if (continues) i = next - 1;
+    }
+    return out;
+}
+
+}  // namespace
+
 Finished ashimpact_program(const Sandbox& sandbox, const std::string& arguments) {
     const Sandbox outputs;
     const std::string command = "cd '" + sandbox.folder().string() + "' && '" ASHIMPACT_PROGRAM "' " +
                                 arguments + " >'" + outputs.path("out") + "' 2>'" + outputs.path("err") +
                                 "' </dev/null";
     const int result = std::system(command.c_str());
-    return {WIFEXITED(result) ? WEXITSTATUS(result) : -1, outputs.read("out"), outputs.read("err")};
+    const std::string printed = outputs.read("err");
+    return {WIFEXITED(result) ? WEXITSTATUS(result) : -1, outputs.read("out"), unbroken(printed), printed};
 }
 
 std::vector<std::string> lines_of(const std::string& text) {

@@ -37,7 +37,8 @@ class Sandbox {
 struct Finished {
     int status;
     std::string out;
-    std::string err;
+    std::string err;      ///< each message on one line
+    std::string printed;  ///< standard error as it was, long messages broken
 };
 
 /// Runs the built program in the sandbox, as a newcomer would type it.

@@ -3,6 +3,7 @@
 #include "materials/base/text.hpp"
 #include "pipeline/text/artifact_text.hpp"
 #include "pipeline/text/readable.hpp"
+#include "pipeline/text/remarks.hpp"
 #include "pipeline/text/table.hpp"
 
 using namespace ashimpact;
@@ -19,7 +20,11 @@ TEST_CASE("quantities read in the unit that keeps them short") {
     CHECK(readable(0.0141, "kg/s") == "0.0141 kg/s");
     CHECK(readable(0, "m") == "0 m");
     CHECK(readable(0.25, "1") == "0.25");
-    CHECK(readable({.value = 2e9, .unit = "Pa", .standard_uncertainty = 1e8}) == "2 GPa +- 5 %");
+    CHECK(readable({.value = 2e9, .unit = "Pa", .standard_uncertainty = 1e8}) == "2.00 +- 0.10 GPa");
+    CHECK(readable({.value = 1.48126e11, .unit = "Pa", .standard_uncertainty = 1.19e10}) == "148 +- 12 GPa");
+    CHECK(readable({.value = 1.5, .unit = "m/s", .standard_uncertainty = 4e-15}) == "1.5 m/s");
+    CHECK(readable({.value = 0.47, .unit = "1", .standard_uncertainty = 0.02}) == "0.470 +- 0.020");
+    CHECK(readable({.value = 2300, .unit = "kg/m3", .standard_uncertainty = 300}) == "2300 +- 300 kg/m3");
 }
 
 TEST_CASE("a table keeps its columns whatever the width of its cells") {
@@ -31,6 +36,76 @@ TEST_CASE("a table keeps its columns whatever the width of its cells") {
           "-----------------------\n"
           "µm                    1\n"
           "wide cell            22\n");
+}
+
+TEST_CASE("a table wider than the page is shown in parts, each with the names of its rows") {
+    TextTable table({"sample", "first column", "second column", "third column"});
+    table.add({"fine", "1", "2", "3"});
+    const std::string text = table.text(0, 36);
+    CHECK(text ==
+          "sample  first column  second column\n"
+          "-----------------------------------\n"
+          "fine               1              2\n"
+          "\n"
+          "sample  third column\n"
+          "--------------------\n"
+          "fine               3\n");
+}
+
+TEST_CASE("a column without a value is left out") {
+    TextTable table({"a", "b", "c"});
+    table.add({"1", "-", "2"});
+    table.add({"3", "", "4"});
+    table.drop_empty_columns();
+    CHECK(table.text() == "a  c\n----\n1  2\n3  4\n");
+}
+
+TEST_CASE("long lines are broken at blanks, behind their margin; a long word stays whole") {
+    CHECK(wrapped("  one two three", 9, 2) == "  one two\n    three");
+    CHECK(wrapped("short\nlonger than ten", 10) == "short\nlonger\nthan ten");
+    CHECK(wrapped("/a/very/long/path here", 8) == "/a/very/long/path\nhere");
+    CHECK(cut_to("Hämatit und mehr", 10) == "Hämatit...");
+}
+
+TEST_CASE("a capture stands beside no rebound, however many there are of each") {
+    const Json result = parse_json(R"({"velocity": {"values": [2, 3], "unit": "m/s"},
+        "captured_at": {"values": [1, 1.5], "unit": "m/s"}})");
+    const std::string text = result_text(result);
+    CHECK_MESSAGE(text.find("velocity [m/s]\n") != std::string::npos, text);
+    CHECK_MESSAGE(text.find("captured_at [m/s]\n") != std::string::npos, text);
+}
+
+TEST_CASE("entries of one kind stand side by side; what is shortened is said, and whole with all") {
+    std::string values = "0";
+    for (int i = 1; i < 40; ++i) values += "," + std::to_string(i);
+    const Json result = parse_json(R"({"dmt": {"v_c": {"value": 1, "unit": "m/s"}, "verdict": "finite"},
+        "jkr": {"v_c": {"value": 2, "unit": "m/s"}, "verdict": "finite"},
+        "curve": {"t": {"values": [)" + values + R"(], "unit": "s"}}})");
+    const std::string text = result_text(result);
+    CHECK_MESSAGE(text.find("v_c [m/s]       1       2") != std::string::npos, text);
+    CHECK_MESSAGE(text.find("every 4 of 40 rows; --all shows them") != std::string::npos, text);
+    const std::string whole = result_text(result, {.all = true});
+    CHECK(whole.find("every") == std::string::npos);
+    CHECK(whole.find("40             39") != std::string::npos);
+}
+
+TEST_CASE("a histogram is shown as bars") {
+    const Json result = parse_json(R"({"h": {"zeros": 7, "edges": {"values": [0, 1, 2, 3], "unit": "m/s"},
+        "counts": [1, 4, 2]}})");
+    const std::string text = result_text(result, {.width = 60});
+    CHECK_MESSAGE(text.find("####") != std::string::npos, text);
+    CHECK_MESSAGE(text.find("zero: 7") != std::string::npos, text);
+    CHECK(text.find("edges") == std::string::npos);
+}
+
+TEST_CASE("remarks that differ in sample, law and numbers alone are one line") {
+    const std::vector<Remark> remarks{{"5-damping.json", "fine, dmt: 1 outliers of 20 impacts"},
+                                      {"5-damping.json", "coarse, jkr: 3 outliers of 9 impacts"},
+                                      {"6-fit.json", "fine: 1 outliers of 20 impacts"}};
+    const auto lines = remark_lines(remarks, {"fine", "coarse"}, 80);
+    REQUIRE(lines.size() == 2);
+    CHECK(lines[0] == "2 x 5-damping.json (all samples): 1 outliers of 20 impacts");
+    CHECK(lines[1] == "1 x 6-fit.json (fine): 1 outliers of 20 impacts");
 }
 
 TEST_CASE("an empty text, an empty list and a list of mixed values are shown as they are") {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <ostream>
@@ -14,6 +13,7 @@
 #include "pipeline/json/writer.hpp"
 #include "pipeline/run.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
+#include "pipeline/text/progress.hpp"
 #include "pipeline/text/readable.hpp"
 #include "pipeline/text/table.hpp"
 #include "solver/calibration/calibration_profile.hpp"
@@ -155,7 +155,7 @@ std::string calibration_text(const Case& data, const CalibrationSummary& summary
 
 /// A person who waits is told that the seconds it takes are nothing amiss.
 void tell_that_it_takes_time() {
-    if (isatty(STDERR_FILENO) != 0) spdlog::info("calibrating: this takes some seconds");
+    if (on_terminal()) spdlog::info("calibrating: this takes some seconds");
 }
 
 }  // namespace
@@ -185,7 +185,7 @@ void run_calibrate_command(const CalibrateOptions& options, std::ostream& out) {
                 throw InputError("nothing is published for these samples that constants could be found from",
                                  "critical velocities with their damping, contact times")
                     .at("/samples");
-            const auto hypotheses = compare_hypotheses(problem, elastic);
+            const auto hypotheses = compare_hypotheses(problem, elastic, on_terminal());
             ComparedObservations observations{problem, {}};
             for (const Sample& sample : data.samples) observations.samples.push_back(sample.name);
             out << (options.json ? write_json(hypotheses_json(hypotheses, observations), Digits::seventeen)
@@ -196,7 +196,10 @@ void run_calibrate_command(const CalibrateOptions& options, std::ostream& out) {
             throw InputError("nothing is free", "calibration.free in the case, or --free").at("/calibration");
         const auto problem = calibration_problem(data, artifacts);
         const CalibrationSummary summary = calibrate(problem);
-        const auto profiles = profile_constants(problem, summary);
+        const auto profiles = [&] {  // what takes most of the time
+            Progress progress(summary.constants.size(), 0, on_terminal(), "constants");
+            return profile_constants(problem, summary, [&](std::size_t done) { progress.update(done); });
+        }();
         const auto velocities =
             rows_of(data, problem.critical_velocities, summary.critical_velocities, Dimension::velocity);
         const auto times = rows_of(data, problem.contact_times, summary.contact_times, Dimension::time);

@@ -8,6 +8,7 @@
 #include "materials/base/error.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/json/statistics_json.hpp"
+#include "pipeline/text/progress.hpp"
 #include "pipeline/text/readable.hpp"
 #include "pipeline/text/table.hpp"
 
@@ -133,9 +134,13 @@ std::string remark_on(const CalibrationHypothesis& hypothesis, const ComparedObs
 
 }  // namespace
 
-std::vector<CalibrationHypothesis> compare_hypotheses(const CalibrationProblem& problem, bool elastic_wall) {
+std::vector<CalibrationHypothesis> compare_hypotheses(const CalibrationProblem& problem, bool elastic_wall,
+                                                      bool shows_progress) {
     std::vector<CalibrationHypothesis> hypotheses = hypotheses_of(elastic_wall, problem.samples.size());
+    Progress progress(hypotheses.size(), 0, shows_progress, "hypotheses");
+    std::uint64_t begun = 0;
     for (CalibrationHypothesis& hypothesis : hypotheses) {
+        progress.update(begun++);
         CalibrationProblem own = problem;
         own.free = hypothesis.free;
         try {

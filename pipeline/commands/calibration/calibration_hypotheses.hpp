@@ -22,8 +22,10 @@ struct CalibrationHypothesis {
 /// density or one a size, the wall as given or free; the work of adhesion is free in all of them. A
 /// hypothesis that cannot be brought to all observations is calibrated by the critical velocities alone.
 /// @param problem of the case; its free constants are not used
+/// @param shows_progress on standard error
 [[nodiscard]] std::vector<CalibrationHypothesis> compare_hypotheses(const CalibrationProblem& problem,
-                                                                    bool elastic_wall);
+                                                                    bool elastic_wall,
+                                                                    bool shows_progress = false);
 
 /// What was compared: the observations, and the names of the samples they are of.
 struct ComparedObservations {

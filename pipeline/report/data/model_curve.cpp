@@ -12,8 +12,8 @@ namespace ashimpact::report {
 
 namespace {
 
-constexpr int points = 28;
-constexpr double quantile = 1.959963984540054;  // of the normal distribution, 95 % two-sided
+constexpr int curve_points = 28;
+constexpr double normal_quantile_95 = 1.959963984540054;  // two-sided
 
 using Values = Eigen::ArrayXd;
 
@@ -114,22 +114,22 @@ CurveImpact impact_at(const CurveProblem& problem, double e, double damping, dou
 ModelCurve model_curve(const CurveProblem& problem) {
     ModelCurve curve;
     if (problem.damping_law != DampingLaw::constant || !(problem.greatest_restitution > 0)) return curve;
-    Values e(points);
-    Values eta(points);
-    Values half(points);
-    for (int i = 0; i < points; ++i) {
-        e[i] = problem.greatest_restitution * std::pow((i + 1.0) / points, 1.6);
+    Values e(curve_points);
+    Values eta(curve_points);
+    Values half(curve_points);
+    for (int i = 0; i < curve_points; ++i) {
+        e[i] = problem.greatest_restitution * std::pow((i + 1.0) / curve_points, 1.6);
         eta[i] = problem.damping_fit(e[i]);
-        half[i] = std::min(quantile * uncertainty_at(problem, e[i]), 0.9 * eta[i]);
+        half[i] = std::min(normal_quantile_95 * uncertainty_at(problem, e[i]), 0.9 * eta[i]);
     }
     if (!(eta > 0).all()) return curve;
     try {
         const Values velocity = velocities_of(problem, e, eta);
         const bool banded = (half > 0).any();
         const double none = std::numeric_limits<double>::quiet_NaN();
-        const Values lower = banded ? velocities_of(problem, e, eta - half) : Values::Constant(points, none);
-        const Values upper = banded ? velocities_of(problem, e, eta + half) : Values::Constant(points, none);
-        for (int i = 0; i < points; ++i)
+        const Values lower = banded ? velocities_of(problem, e, eta - half) : Values::Constant(curve_points, none);
+        const Values upper = banded ? velocities_of(problem, e, eta + half) : Values::Constant(curve_points, none);
+        for (int i = 0; i < curve_points; ++i)
             if (std::isfinite(velocity[i]))
                 curve.push_back(impact_at(problem, e[i], eta[i], velocity[i], lower[i], upper[i]));
     } catch (const InputError&) {  // a damping or velocity that has no impact: no curve

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "tests/pipeline/sandbox.hpp"
@@ -125,6 +126,62 @@ TEST_CASE("a value edited without its interval counts, and its interval is dropp
         CHECK_MESSAGE(run.err.find("was edited without its interval, which is dropped") != std::string::npos,
                       run.err);
     }
+}
+
+TEST_CASE("of values that stand twice in an artifact the other follows the edited one") {
+    const Sandbox sandbox;
+    run_case(sandbox, quick_case(), "one");
+    const Json whole = sandbox.json("one/6-fit.json");
+    const Json before = sandbox.json("one/7-critical-velocity.json")["result"]["samples"][0]["hertz"];
+    REQUIRE(whole["result"]["samples"][0]["hertz"].contains("direct"));
+    for (const char* key : {"c", "critical_damping", "direct"}) {
+        CAPTURE(key);
+        Json artifact = whole;
+        Json& fit = artifact["result"]["samples"][0]["hertz"];
+        Json& quantity = key == std::string("direct") ? fit["direct"]["critical_damping"] : fit[key];
+        const double edited = 1.3 * quantity["value"].get<double>();
+        quantity["value"] = edited;
+        sandbox.write("one/6-fit.json", artifact.dump());
+        const auto run = ashimpact_program(sandbox, "run -o one --from critical-velocity");
+        REQUIRE_MESSAGE(run.status == 0, run.err);
+        CHECK_MESSAGE(run.err.find("which was edited") != std::string::npos, run.err);
+        const Json after = sandbox.json("one/7-critical-velocity.json")["result"]["samples"][0]["hertz"];
+        CHECK(after["damping"]["value"] == edited);
+        CHECK(after["critical_velocity"]["value"] > before["critical_velocity"]["value"]);
+        CHECK(after["critical_velocity"]["interval"].is_null());  // that of another damping
+        CHECK(after["interval_note"].get<std::string>().find("states no uncertainty") != std::string::npos);
+        for (const char* file : {"one/7-critical-velocity.json", "one/8-histories.json", "one/comparison.json"})
+            CHECK_MESSAGE(sandbox.json(file)["warnings"].dump().find("6-fit.json was edited") !=
+                              std::string::npos,
+                          file);
+    }
+    Json artifact = whole;
+    artifact["result"]["samples"][0]["hertz"]["c"]["value"] = 1;
+    artifact["result"]["samples"][0]["hertz"]["critical_damping"]["value"] = 2;
+    sandbox.write("one/6-fit.json", artifact.dump());
+    check_command_refused(sandbox, "run -o one --from critical-velocity", "and both were edited");
+    artifact = whole;
+    artifact["result"]["samples"][0]["hertz"]["extrapolated"]["coefficients"]["values"][0] = 1;
+    sandbox.write("one/6-fit.json", artifact.dump());
+    check_command_refused(sandbox, "run -o one --from critical-velocity",
+                          "its coefficients are not a, b, c of the fit: c");
+}
+
+TEST_CASE("an edited density changes the mass, and v_c with it") {
+    const Sandbox sandbox;
+    run_case(sandbox, quick_case(), "one");
+    Json artifact = sandbox.json("one/2-contact.json");
+    Json& sample = artifact["result"]["samples"][0];
+    sample["density"]["value"] = 1.5 * sample["density"]["value"].get<double>();
+    const double mass = 1.5 * sample["mass"]["value"].get<double>();
+    sandbox.write("one/2-contact.json", artifact.dump());
+    const auto run = ashimpact_program(sandbox, "run -o one --from analytic");
+    REQUIRE_MESSAGE(run.status == 0, run.err);
+    CHECK_MESSAGE(run.err.find("mass: follows radius and density") != std::string::npos, run.err);
+    const Json analytic = sandbox.json("one/3-analytic.json")["result"]["samples"][0];
+    const double energy = analytic["separation_energy"]["value"];
+    const double velocity = analytic["critical_velocity"]["value"];
+    CHECK(velocity == doctest::Approx(std::sqrt(2 * energy / mass)).epsilon(1e-4));
 }
 
 TEST_CASE("artifacts and cases of another schema version are refused by version") {

@@ -1,4 +1,4 @@
-#include "pipeline/sweep/progress.hpp"
+#include "pipeline/text/progress.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -25,8 +25,8 @@ std::string time_text(double seconds) {
 
 }  // namespace
 
-Progress::Progress(std::uint64_t total, std::uint64_t done, bool shown)
-    : total_(total), before_(done), shown_(shown) {}
+Progress::Progress(std::uint64_t total, std::uint64_t done, bool shown, const char* noun)
+    : total_(total), before_(done), shown_(shown), noun_(noun) {}
 
 Progress::~Progress() {
     if (dirty_) std::fputs("\r\x1b[K", stderr);
@@ -40,7 +40,7 @@ void Progress::update(std::uint64_t done) {
         static_cast<double>(done - before_) / std::chrono::duration<double>(now - start_).count();
     const double part = static_cast<double>(done) / static_cast<double>(total_);
     const std::string line =
-        fmt::format("\r\x1b[K{:5.1f} %, {} impacts/s, {} left", 100 * part, rate_text(rate),
+        fmt::format("\r\x1b[K{:5.1f} %, {} {}/s, {} left", 100 * part, rate_text(rate), noun_,
                     time_text(static_cast<double>(total_ - done) / rate));
     std::fputs(line.c_str(), stderr);
     dirty_ = true;

@@ -5,7 +5,7 @@
 
 #include "materials/modulus.hpp"
 #include "materials/xrd/xrd.hpp"
-#include "pipeline/commands/modulus.hpp"
+#include "pipeline/commands/materials/modulus.hpp"
 
 namespace ashimpact {
 

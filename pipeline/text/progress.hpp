@@ -5,18 +5,19 @@
 
 namespace ashimpact {
 
-/// One line on standard error that tells how far a sweep is, at which rate, and how long it will take.
+/// One line on standard error that tells how far a computation is, at which rate, and how long it will take.
 class Progress {
   public:
     /// @param done what was there when it began; of the rest the rate is taken
-    Progress(std::uint64_t total, std::uint64_t done, bool shown);
+    /// @param noun what is counted, such as "impacts"
+    Progress(std::uint64_t total, std::uint64_t done, bool shown, const char* noun = "impacts");
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
     Progress(Progress&&) = delete;
     Progress& operator=(Progress&&) = delete;
 
-    /// Shows that @p done impacts are done, a few times a second.
+    /// Shows that @p done of the total are done, a few times a second.
     void update(std::uint64_t done);
 
   private:
@@ -25,6 +26,7 @@ class Progress {
     std::uint64_t total_;
     std::uint64_t before_;
     bool shown_;
+    const char* noun_;
     bool dirty_ = false;
     Clock::time_point start_ = Clock::now();
     Clock::time_point last_{};

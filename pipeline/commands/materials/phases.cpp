@@ -1,4 +1,4 @@
-#include "pipeline/commands/phases.hpp"
+#include "pipeline/commands/materials/phases.hpp"
 
 #include <fmt/format.h>
 
@@ -6,33 +6,13 @@
 
 #include "materials/base/text.hpp"
 #include "pipeline/case/case_reader.hpp"
+#include "pipeline/files/program_word.hpp"
 #include "pipeline/text/readable.hpp"
 #include "pipeline/text/table.hpp"
 
 namespace ashimpact {
 
 namespace {
-
-constexpr std::size_t line_width = 78;
-
-/// Words in lines of at most line_width characters, every line but the first indented.
-std::string wrapped(const std::vector<std::string>& words, std::size_t indent) {
-    std::string text;
-    std::size_t column = indent;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const std::string word = words[i] + (i + 1 < words.size() ? "," : "");
-        if (!text.empty() && column + word.size() + 1 > line_width) {
-            text += "\n" + std::string(indent, ' ');
-            column = indent;
-        } else if (!text.empty()) {
-            text += " ";
-            ++column;
-        }
-        text += word;
-        column += word.size();
-    }
-    return text;
-}
 
 std::string property_text(const PhaseProperty& property, std::string_view unit) {
     const auto number = [&](double value) {
@@ -55,10 +35,9 @@ std::string phase_text(const ResolvedPhase& resolved) {
     list.add("density", property_text(phase.density, "kg/m3"));
     list.add("Young's modulus", property_text(phase.young_modulus, "Pa"));
     if (phase.poisson_ratio) list.add("Poisson's ratio", property_text(*phase.poisson_ratio, "1"));
-    constexpr std::size_t indent = 17;
     std::vector<std::string> names = phase.synonyms;
     names.insert(names.end(), phase.bgmn.begin(), phase.bgmn.end());
-    if (!names.empty()) list.add("other names", wrapped(names, indent));
+    if (!names.empty()) list.add("other names", joined(names));
     std::string text = list.text(0);
     for (const std::string& note : {phase.remark, resolved.note})
         if (!note.empty()) text += note + "\n";
@@ -83,8 +62,8 @@ void run_phases_command(const std::string& name, std::ostream& out) {
         return;
     }
     for (const PhaseSet& set : catalogue.sets()) out << set_text(set) << '\n';
-    out << "`ashimpact phases NAME` shows one, with its sources and other names. Phases of\n"
-           "your own: `modulus --phases FILE`, or \"phases\" in a case.\n";
+    out << "One of them with its sources and other names, such as\n  " << program_word() << " phases mullite\n"
+        << "Phases of your own: `modulus --phases FILE`, or \"phases\" in a case.\n";
 }
 
 }  // namespace ashimpact

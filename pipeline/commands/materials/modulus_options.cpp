@@ -1,4 +1,4 @@
-#include "pipeline/commands/modulus_options.hpp"
+#include "pipeline/commands/materials/modulus_options.hpp"
 
 #include "materials/base/checks.hpp"
 #include "materials/base/tables/number.hpp"

@@ -1,4 +1,4 @@
-#include "pipeline/commands/modulus.hpp"
+#include "pipeline/commands/materials/modulus.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -7,7 +7,7 @@
 
 #include "materials/base/text.hpp"
 #include "materials/xrd/xrd.hpp"
-#include "pipeline/commands/modulus_options.hpp"
+#include "pipeline/commands/materials/modulus_options.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/json/writer.hpp"

@@ -1,0 +1,81 @@
+#include <doctest/doctest.h>
+
+#include "pipeline/text/layout.hpp"
+#include "tests/pipeline/sandbox.hpp"
+
+using namespace ashimpact;
+using test::ashimpact_program;
+using test::Finished;
+using test::Sandbox;
+
+namespace {
+
+constexpr auto contact =
+    " --diameter '88 um' --density '2300 kg/m3' --contact-modulus '90 GPa' --work-of-adhesion '0.3 J/m2'";
+
+/// Every line of both outputs fits, unless it is one long word, such as a path.
+void check_fits(const Sandbox& sandbox, const std::string& arguments, int status = 0) {
+    CAPTURE(arguments);
+    const Finished finished = ashimpact_program(sandbox, arguments);
+    REQUIRE_MESSAGE(finished.status == status, finished.err);
+    CHECK(finished.out.size() + finished.err.size() > 0);
+    for (const std::string* text : {&finished.out, &finished.printed})
+        for (const std::string& line : test::lines_of(*text)) {
+            const bool one_word = line.find(' ', line.find_first_not_of(' ')) == std::string::npos;
+            if (!one_word) CHECK_MESSAGE(width_of(line) <= piped_width, line);
+        }
+}
+
+}  // namespace
+
+TEST_CASE("no help is wider than 80 columns") {
+    const Sandbox sandbox;
+    check_fits(sandbox, "--help");
+    for (const char* command :
+         {"run", "modulus", "impact", "contact", "critical-velocity", "damping", "calibrate", "cross-check",
+          "sweep", "export", "report", "figure", "phases", "inspect", "init", "schema"})
+        check_fits(sandbox, std::string(command) + " --help");
+}
+
+TEST_CASE("no output on the built-in case is wider than 80 columns") {
+    const Sandbox sandbox;
+    for (const char* command : {"run", "run -v", "run --from fit", "calibrate", "calibrate --compare",
+                                "cross-check", "phases", "phases mullite", "schema"})
+        check_fits(sandbox, command);
+    for (const char* artifact : {"0-case", "1-modulus", "2-contact", "3-analytic", "4-restitution", "5-damping",
+                                 "6-fit", "7-critical-velocity", "8-histories", "comparison", "manifest"})
+        for (const char* options : {"", " -v", " --all", " -v --all"})
+            check_fits(sandbox, std::string("inspect results/") + artifact + ".json" + options);
+    check_fits(sandbox, "report results -o a.html");
+}
+
+TEST_CASE("no output on the case of init is wider than 80 columns") {
+    const Sandbox sandbox;
+    for (const std::string command :
+         {"init mine", "run mine/case.json -o r", "run -o r --only comparison",
+          "modulus mine/ash.csv --amorphous-fraction '42 +- 2 %'"})
+        check_fits(sandbox, command);
+    for (const char* artifact : {"0-case", "1-modulus", "2-contact", "3-analytic", "4-restitution", "5-damping",
+                                 "6-fit", "7-critical-velocity", "8-histories", "comparison", "manifest"})
+        for (const char* options : {"", " -v --all"})
+            check_fits(sandbox, std::string("inspect r/") + artifact + ".json" + options);
+    for (const char* law : {"hertz", "dmt", "brach-dunn", "jkr"}) {
+        const std::string pair = std::string(" --law ") + law + contact;
+        check_fits(sandbox, "impact --damping '0.005 kg/s' --velocity '2 m/s'" + pair);
+        check_fits(sandbox, "critical-velocity --damping '0.005 kg/s'" + pair);
+        check_fits(sandbox, "damping --velocity '2 m/s' --restitution 0.2" + pair);
+        check_fits(sandbox, "damping --impacts mine/impacts.csv" + pair);
+    }
+    check_fits(sandbox, std::string("contact") + contact);
+    for (const char* code : {"openfoam", "lammps", "liggghts", "yade", "fluent"})
+        check_fits(sandbox, std::string("export ") + code + " --law dmt --damping '0.005 kg/s'" + contact +
+                                " --velocity '2 m/s' -o " + code);
+    sandbox.write("spec.json", R"({"impact": {"laws": ["dmt"], "density": "2600 kg/m3",
+        "contact_modulus": "90 GPa", "work_of_adhesion": "0.3 J/m2", "damping": "0.0141 kg/s"},
+        "variables": {"velocity": {"distribution": "uniform", "from": "0.5 m/s", "to": "5 m/s"},
+                      "radius": {"distribution": "log-normal", "median": "44 um",
+                                 "geometric_standard_deviation": 1.5}},
+        "sampling": {"method": "quasi-random", "samples": 1024, "seed": 1}, "sensitivity": ["restitution"]})");
+    check_fits(sandbox, "sweep spec.json -o sweep.json");
+    check_fits(sandbox, "inspect sweep.json --all");
+}
