@@ -15,6 +15,7 @@
 #include "pipeline/json/schema.hpp"
 #include "pipeline/json/schema_version.hpp"
 #include "pipeline/json/writer.hpp"
+#include "pipeline/report/page/html.hpp"
 #include "pipeline/report/report.hpp"
 #include "pipeline/run_identity.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
@@ -165,8 +166,28 @@ std::vector<FileContent> presentation(const RunPlan& plan, Artifacts artifacts, 
 std::vector<std::string> artifact_names() {
     std::vector<std::string> names{std::string(case_artifact), std::string(manifest_artifact)};
     for (const Stage& stage : stages()) names.emplace_back(stage.file);
-    names.emplace_back("report.html");
+    names.emplace_back(report::report_file);
     return names;
+}
+
+/// Replaces the artifacts of a folder by those of a run that makes no report. The report of the run before
+/// would stand beside artifacts that are not its own: it is taken away first, and put back where the
+/// artifacts cannot be replaced.
+void replace_without_report(const std::filesystem::path& folder, const std::vector<NamedContent>& files) {
+    const auto page = folder / report::report_file;
+    if (!report::is_own_page(page)) return replace_files(folder, files);
+    const std::string old = read_file(page);
+    std::error_code failure;
+    if (!std::filesystem::remove(page, failure))
+        throw InputError("cannot be removed: " + failure.message(), "a folder you may write to")
+            .in_file(page.string());
+    try {
+        replace_files(folder, files);
+    } catch (...) {
+        write_file(page, old);
+        throw;
+    }
+    spdlog::debug("{}: of the run before, removed", page.string());
 }
 
 /// The folder of a run, for this run alone; where it is not there yet, from the time it is made.
@@ -193,8 +214,16 @@ class RunFolder {
                 files.push_back({file.path.filename().string(), std::move(file.content)});
         }
         for (const Artifact& artifact : artifacts) files.push_back({artifact.file, artifact.bytes});
-        replace_files(folder_, files);
-        if (!figures.empty()) write_files(figures);
+        const auto is_report = [](const NamedContent& file) { return file.name == report::report_file; };
+        if (std::any_of(files.begin(), files.end(), is_report))
+            replace_files(folder_, files);
+        else
+            replace_without_report(folder_, files);
+        if (!figures.empty())
+            write_files(figures);
+        else if (std::filesystem::exists(folder_ / "figures" / "critical-velocity.svg"))
+            spdlog::warn("warning: {}: is of an earlier run; --figures makes it again",
+                         (folder_ / "figures").string());
     }
 
   private:

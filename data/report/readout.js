@@ -79,7 +79,7 @@
     };
     const visible = () => known.filter((entry) => entry.svg.getBoundingClientRect().width > 0);
 
-    plot.addEventListener('pointermove', (event) => {
+    const pointed = (event) => {
       const svg = event.target.closest('svg');
       if (!svg) return;
       const box = svg.getBoundingClientRect();
@@ -95,7 +95,8 @@
         });
       }
       if (best) show(best.entry, best.index);
-    });
+    };
+    for (const kind of ['pointermove', 'pointerdown']) plot.addEventListener(kind, pointed);  // a tap moves nothing
     plot.addEventListener('keydown', (event) => {
       const moves = { ArrowLeft: [0, -1], ArrowRight: [0, 1], ArrowUp: [-1, 0], ArrowDown: [1, 0] };
       const move = moves[event.key];

@@ -44,6 +44,8 @@ void add_sweep_command(CLI::App& program, Action& action, const SweepRunner& run
         ->check(number_within(0, 1e6))
         ->type_name("SECONDS");
     command->add_flag("--restart", options->restart, "begin anew though there is a checkpoint");
+    command->add_flag("--no-report", options->no_report,
+                      "leave out the report, which stands beside the result (.html)");
     command->add_flag("--progress", options->progress, "show progress though standard error is no terminal");
     command->callback([options, runner, &action] {
         action = [options, runner](std::ostream& out) { runner(*options, out); };

@@ -12,6 +12,7 @@ struct SweepOptions {
     int threads = 0;                  ///< of each process; 0: its share of the cores
     double checkpoint_interval = 10;  ///< [s]
     bool restart = false;             ///< leave a checkpoint aside
+    bool no_report = false;           ///< leave the page beside the result out
     bool progress = false;            ///< show progress though standard error is no terminal
 };
 

@@ -18,6 +18,26 @@ namespace ashimpact {
 
 namespace {
 
+/// The damping at the critical velocity of each law of a sample.
+struct CriticalDampings {
+    std::string name;
+    LawMap<double> laws;
+};
+
+std::vector<CriticalDampings> read_critical_dampings(const View& result, Dimension dimension) {
+    std::vector<CriticalDampings> samples;
+    for (const View& sample : result.at("samples").elements()) {
+        CriticalDampings entry{.name = sample.at("name").text(), .laws = {}};
+        for (const auto& [name, node] : sample.members()) {
+            if (name == "name" || name == "measured") continue;
+            const Law law = node.located([&, &key = name] { return Law::named(key); });
+            entry.laws.set(law, node.at("damping").number(dimension));
+        }
+        samples.push_back(std::move(entry));
+    }
+    return samples;
+}
+
 /// What the artifacts say of one sample.
 struct SampleInputs {
     const Sample& sample;
@@ -25,6 +45,7 @@ struct SampleInputs {
     const LawMap<DampingSeries>& dampings;
     const LawMap<LawFit>& fits;
     const LawMap<LawCriticalVelocity>& velocities;
+    const LawMap<double>& critical_dampings;  ///< with which `velocities` were found
 };
 
 Json stage_json(const StageMomentum& stage) {
@@ -89,9 +110,9 @@ Json law_json(const Case& data, const LawChoice& choice, const SampleInputs& in)
                   .contact = in.contact,
                   .velocity = 0.0};
     const LawCriticalVelocity* critical = in.velocities.find(choice.law);
-    const LawFit* fit = in.fits.find(choice.law);
-    if (critical != nullptr && critical->value && fit != nullptr) {
-        impact.damping.coefficient = fit->critical_damping;
+    const double* damping = in.critical_dampings.find(choice.law);
+    if (critical != nullptr && critical->value && damping != nullptr) {
+        impact.damping.coefficient = *damping;
         impact.velocity = critical->value->value * (1 + data.histories.critical_excess);
         histories.push_back(history_json("critical", impact, data.histories.points));
     }
@@ -138,14 +159,19 @@ StageOutput histories_stage(const Artifacts& before) {
         before.read(damping_artifact, [&](const View& v) { return read_dampings(v, dimension); });
     const auto fits = before.read(fit_artifact, [&](const View& v) { return read_fits(v, dimension); });
     const auto velocities = before.read(critical_velocity_artifact, read_critical_velocities);
+    const auto critical_dampings = before.read(
+        critical_velocity_artifact, [&](const View& v) { return read_critical_dampings(v, dimension); });
     StageOutput output{.citations = {"dong2013, section 4.4, Eqs. 35-45, Figures 7 and 9"}};
     output.options = {{"points", data.histories.points}, {"critical_excess", data.histories.critical_excess}};
     output.result["samples"] = Json::array();
     for (const Sample& sample : data.samples) {
-        const SampleInputs in{sample, entry_named(contacts, sample.name, before, contact_artifact).pair,
-                              entry_named(dampings, sample.name, before, damping_artifact).laws,
-                              entry_named(fits, sample.name, before, fit_artifact).laws,
-                              entry_named(velocities, sample.name, before, critical_velocity_artifact).laws};
+        const SampleInputs in{
+            sample,
+            entry_named(contacts, sample.name, before, contact_artifact).pair,
+            entry_named(dampings, sample.name, before, damping_artifact).laws,
+            entry_named(fits, sample.name, before, fit_artifact).laws,
+            entry_named(velocities, sample.name, before, critical_velocity_artifact).laws,
+            entry_named(critical_dampings, sample.name, before, critical_velocity_artifact).laws};
         Json json{{"name", sample.name}, {"contact_times", contact_times_json(data, in)}};
         const auto histories =
             in_parallel(data.laws, [&](const LawChoice& choice) { return law_json(data, choice, in); });

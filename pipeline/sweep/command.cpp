@@ -12,6 +12,8 @@
 #include "pipeline/files/program_word.hpp"
 #include "pipeline/files/sha256.hpp"
 #include "pipeline/json/writer.hpp"
+#include "pipeline/report/page/html.hpp"
+#include "pipeline/report/sweep/sweep_page.hpp"
 #include "pipeline/sweep/crew/crew.hpp"
 #include "pipeline/sweep/mpi/mpi_team.hpp"
 #include "pipeline/text/progress.hpp"
@@ -80,6 +82,25 @@ std::string summary(const Json& artifact, const SweepFiles& files, const SweepPl
     return text + fmt::format("; as tables:\n  {} inspect {}\n", program_word(), shell_word(files.result.string()));
 }
 
+/// The page beside the result; the one of an earlier sweep does not stay. What cannot be drawn costs no
+/// result.
+/// @returns whether there is one
+bool write_report(const SweepOptions& options, const Json& artifact, const SweepFiles& files) {
+    if (!options.no_report) {
+        try {
+            write_file(files.report, report::sweep_page(artifact, files.result.filename().string()));
+            return true;
+        } catch (const InputError& error) {
+            spdlog::warn("warning: no report: {}", error.what());
+        } catch (const ConvergenceError& error) {
+            spdlog::warn("warning: no report: {}", error.what());
+        }
+    }
+    std::error_code ignored;
+    if (report::is_own_page(files.report)) std::filesystem::remove(files.report, ignored);
+    return false;
+}
+
 /// Rank 0: everything but the blocks other ranks compute. @returns whether all is done
 bool lead(const SweepOptions& options, const SweepPlan& plan, const SpecFile& spec, Team& team,
           std::ostream& out) {
@@ -95,6 +116,7 @@ bool lead(const SweepOptions& options, const SweepPlan& plan, const SpecFile& sp
     write_file(files.result, write_json(artifact));
     remove(files);
     out << summary(artifact, files, plan);
+    if (write_report(options, artifact, files)) out << "Report: " << files.report.string() << '\n';
     return true;
 }
 
@@ -108,7 +130,7 @@ void run_sweep_command(const SweepOptions& options, MpiSession& session, const I
         text = read_file(options.spec);
         const SweepPlan checked = in_file(options.spec, [&] { return SweepPlan(text); });
         for (const std::string& warning : checked.spec().warnings) spdlog::warn("warning: {}", warning);
-        check_outputs(SweepFiles::beside(options.output), options.spec, checked);
+        check_outputs(SweepFiles::beside(options.output), options.spec, checked, !options.no_report);
     }
     text = session.broadcast(text);
     const SweepPlan plan(text);

@@ -170,7 +170,9 @@ SweepFiles SweepFiles::beside(const std::filesystem::path& result) {
     const auto with = [&](const char* suffix) { return std::filesystem::path(result.string() + suffix); };
     std::filesystem::path table = result;
     table.replace_extension(".h5");
-    return {result, table, with(".checkpoint"), with(".rows")};
+    std::filesystem::path report = result;
+    report.replace_extension(".html");
+    return {result, table, with(".checkpoint"), with(".rows"), report};
 }
 
 Work work_of(const SweepPlan& plan, ImpactSolver solver) {

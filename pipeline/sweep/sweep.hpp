@@ -16,6 +16,7 @@ struct SweepFiles {
     std::filesystem::path table;       ///< the full table
     std::filesystem::path checkpoint;  ///< gone when the sweep is done
     std::filesystem::path rows;        ///< of the table, packed; gone when the sweep is done
+    std::filesystem::path report;      ///< the page that shows the result
 
     [[nodiscard]] static SweepFiles beside(const std::filesystem::path& result);
 };

@@ -45,12 +45,12 @@ Scale scale_of(const Axis& axis, Range extent, Range at) {
 
 std::string horizontal_axis(const Axis& axis, const Scale& scale, const Box& plot) {
     std::string svg;
+    std::string grid;
     const double bottom = plot.top + plot.height;
     double free_from = -1e9;
-    for (const Tick& tick : scale.ticks(std::max(3, static_cast<int>(plot.width / 40)))) {
+    for (const Tick& tick : scale.ticks(std::max(4, static_cast<int>(plot.width / 40)))) {
         const double x = scale(tick.value);
-        svg += fmt::format("<path class=\"grid\" d=\"M{} {}V{}\"/>", pixels(x), pixels(plot.top),
-                           pixels(bottom));
+        grid += fmt::format("M{} {}V{}", pixels(x), pixels(plot.top), pixels(bottom));
         const double half = text_width(tick.label, tick_size) / 2;
         if (x - half < free_from) continue;  // would touch the label before it
         free_from = x + half + 4;
@@ -58,20 +58,24 @@ std::string horizontal_axis(const Axis& axis, const Scale& scale, const Box& plo
                            pixels(std::min(x, plot.left + plot.width + 8 - half)), pixels(bottom + 14),
                            tick.label);
     }
-    return svg + fmt::format("<text class=\"mid\" x=\"{}\" y=\"{}\">{}</text>",
-                             pixels(plot.left + plot.width / 2), pixels(bottom + 30), axis_label(axis));
+    svg = fmt::format("<path class=\"grid\" d=\"{}\"/>", grid) + svg;
+    // A label that is wider than its axis ends with the drawing and begins further left.
+    const double half = text_width(axis.label + " [" + axis.unit + "]", label_size) / 2;
+    const double middle = std::min(plot.left + plot.width / 2, plot.left + plot.width + 8 - half);
+    return svg + fmt::format("<text class=\"mid\" x=\"{}\" y=\"{}\">{}</text>", pixels(middle),
+                             pixels(bottom + 30), axis_label(axis));
 }
 
 std::string vertical_grid(const Scale& scale, const Box& plot) {
     std::string svg;
+    std::string grid;
     for (const Tick& tick : scale.ticks(vertical_ticks(plot.height))) {
         const double y = scale(tick.value);
-        svg += fmt::format("<path class=\"grid\" d=\"M{} {}H{}\"/>", pixels(plot.left), pixels(y),
-                           pixels(plot.left + plot.width));
+        grid += fmt::format("M{} {}H{}", pixels(plot.left), pixels(y), pixels(plot.left + plot.width));
         svg += fmt::format("<text class=\"tick end soft\" x=\"{}\" y=\"{}\">{}</text>", pixels(plot.left - 5),
                            pixels(y + 4), tick.label);
     }
-    return svg;
+    return fmt::format("<path class=\"grid\" d=\"{}\"/>", grid) + svg;
 }
 
 double tick_width(const Axis& axis, Range extent, double height) {
@@ -88,11 +92,12 @@ std::string axis_data(char which, const Axis& axis, const Scale& scale) {
                        escaped(axis.label), escaped(axis.unit));
 }
 
-std::string title_text(const std::string& title, double x, double y, double most) {
+std::string title_text(const std::string& title, const TitlePlace& place) {
     if (title.empty()) return {};
-    const std::string shown = fitted(title, label_size * 1.06, most);
+    const std::string shown = fitted(title, title_size, place.end - place.least);
+    const double x = std::clamp(place.end - text_width(shown, title_size), place.least, place.x);
     const std::string whole = shown == title ? "" : "<title>" + escaped(title) + "</title>";
-    return fmt::format("<text class=\"title\" x=\"{}\" y=\"{}\">{}{}</text>", pixels(x), pixels(y),
+    return fmt::format("<text class=\"title\" x=\"{}\" y=\"{}\">{}{}</text>", pixels(x), pixels(place.y),
                        isolated(shown), whole);
 }
 

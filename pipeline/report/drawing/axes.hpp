@@ -6,8 +6,10 @@
 
 namespace ashimpact::report {
 
-inline constexpr double tick_size = 11;     ///< font size of ticks [px]
-inline constexpr double label_size = 12;    ///< font size of labels and titles [px]
+inline constexpr double tick_size = 11;   ///< font size of ticks [px]
+inline constexpr double label_size = 12;  ///< font size of labels and titles [px]
+inline constexpr double title_size =
+    13.5;  ///< of a bold title, whose letters are wider, as a plain font size [px]
 inline constexpr double title_height = 20;  ///< [px]
 inline constexpr double axis_height = 36;   ///< ticks and label below a plot [px]
 
@@ -27,6 +29,14 @@ inline constexpr double axis_height = 36;   ///< ticks and label below a plot [p
 /// What the readout needs to turn pixels into numbers: data attributes of an axis, named @p which.
 [[nodiscard]] std::string axis_data(char which, const Axis& axis, const Scale& scale);
 
-[[nodiscard]] std::string title_text(const std::string& title, double x, double y, double most);
+/// A title that begins at @p x, further left where it would reach beyond @p end, and is cut where it would
+/// not fit from @p least on.
+struct TitlePlace {
+    double least;
+    double x;
+    double end;
+    double y;
+};
+[[nodiscard]] std::string title_text(const std::string& title, const TitlePlace& place);
 
 }  // namespace ashimpact::report

@@ -44,6 +44,7 @@ double relative_width(std::uint32_t value) {
         const auto character = static_cast<char>(value);
         if (std::string_view("iljtfI.,:;|'!()[]/ ").find(character) != std::string_view::npos) return 0.36;
         if (std::string_view("mwMW%@").find(character) != std::string_view::npos) return 0.95;
+        if (std::string_view("<>=+~^#&").find(character) != std::string_view::npos) return 0.84;
         return value >= 'A' && value <= 'Z' ? 0.72 : 0.61;
     }
     return value < 0x1100 ? 0.7 : 1.1;

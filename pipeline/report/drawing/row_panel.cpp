@@ -76,13 +76,13 @@ double height_of(const RowPanel& panel) {
 std::string drawn(const RowPanel& panel, const Box& box) {
     double labels = 0;
     for (const Row& row : panel.rows) labels = std::max(labels, text_width(row.label, tick_size) + 8);
-    labels = std::min(labels, 0.48 * box.width);
+    labels = std::min(labels, 0.58 * box.width);
     const Box plot{box.left + labels, box.top + title_height, box.width - labels - 12,
                    static_cast<double>(panel.rows.size()) * row_height + 8};
     const Scale x = scale_of(panel.x, extent(panel), {plot.left, plot.left + plot.width});
     std::string svg = fmt::format("<g class=\"panel\" data-title=\"{}\"{}>", escaped(panel.title),
                                   axis_data('x', panel.x, x));
-    svg += title_text(panel.title, box.left, box.top + 13, box.width);
+    svg += title_text(panel.title, {box.left, box.left, box.left + box.width, box.top + 13});
     svg += horizontal_axis(panel.x, x, plot);
     double middle = plot.top + 4 + row_height / 2;
     for (const Row& row : panel.rows) {

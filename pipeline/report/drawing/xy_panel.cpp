@@ -198,7 +198,7 @@ std::string drawn(const XyPanel& panel, const Box& box) {
     const Frame frame{x, y, panel.x.scale, panel.y.scale};
     std::string svg = fmt::format("<g class=\"panel\" data-title=\"{}\"{}{}>", escaped(panel.title),
                                   axis_data('x', panel.x, x), axis_data('y', panel.y, y));
-    svg += title_text(panel.title, plot.left, box.top + 13, plot.width);
+    svg += title_text(panel.title, {box.left, plot.left, plot.left + plot.width + 8, box.top + 13});
     svg += regions_of(panel, frame, plot);
     svg += horizontal_axis(panel.x, x, plot) + vertical_grid(y, plot);
     svg += fmt::format("<text class=\"mid\" transform=\"translate({} {})rotate(-90)\">{}</text>",

@@ -106,6 +106,20 @@ Figure critical_velocity_figure(const RunData& run) {
     return figure;
 }
 
+namespace {
+
+/// The influences on a critical velocity, or null where none are stated.
+const Json* influences_of(const Json& velocity) {
+    if (!velocity.is_object() || !velocity.contains("uncertainty")) return nullptr;
+    const Json& uncertainty = velocity.at("uncertainty");
+    if (!uncertainty.is_object() || !uncertainty.contains("influences") ||
+        uncertainty.at("influences").empty())
+        return nullptr;
+    return &uncertainty.at("influences");
+}
+
+}  // namespace
+
 Figure sensitivity_figure(const RunData& run) {
     Figure figure{.id = "sensitivity",
                   .title = "What the interval of the critical velocity comes from",
@@ -119,6 +133,7 @@ Figure sensitivity_figure(const RunData& run) {
                   .numbers = {.columns = {"sample", "law", "input", "first order", "its standard error",
                                           "total", "its standard error"}},
                   .columns = 2};
+    bool extrapolated = false;
     for (const SampleData& sample : run.samples()) {
         RowPanel panel{.title = sample.name,
                        .x = {.label = "share of the variance of v_c",
@@ -127,11 +142,15 @@ Figure sensitivity_figure(const RunData& run) {
                              .from = -0.02,
                              .to = 1.05}};
         for (const LawData& law : sample.laws) {
-            if (!law.velocity_json.is_object() || !law.velocity_json.contains("uncertainty") ||
-                !law.velocity_json.at("uncertainty").contains("influences"))
-                continue;
+            const Json* influences = influences_of(law.velocity_json);
+            if (influences == nullptr && law.velocity_json.is_object() &&
+                law.velocity_json.contains("extrapolated")) {
+                influences = influences_of(law.velocity_json.at("extrapolated"));
+                extrapolated = extrapolated || influences != nullptr;
+            }
+            if (influences == nullptr) continue;
             panel.rows.push_back({.label = law.name, .heading = true});
-            for (const Json& influence : law.velocity_json.at("uncertainty").at("influences")) {
+            for (const Json& influence : *influences) {
                 const std::string factor = influence.at("factor").get<std::string>();
                 const double first = number_in(influence, "first").value_or(0);
                 const double total = number_in(influence, "total").value_or(0);
@@ -159,7 +178,12 @@ Figure sensitivity_figure(const RunData& run) {
         if (!panel.rows.empty()) figure.panels.emplace_back(std::move(panel));
     }
     if (figure.panels.empty())
-        figure.caption += " Nothing in this case is stated to be uncertain, so there is nothing to show.";
+        figure.caption += " This case has no such indices, so there is nothing to show.";
+    if (extrapolated)
+        figure.caption +=
+            " Where impacts were measured, the indices are those of the extrapolated v_c; the interval of "
+            "the "
+            "critical velocity itself comes from the scatter of the impacts and from which of them stuck.";
     return figure;
 }
 

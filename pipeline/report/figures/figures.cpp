@@ -8,6 +8,7 @@ namespace ashimpact::report {
 const std::vector<FigureMaker>& figure_makers() {
     static const std::vector<FigureMaker> makers{
         {"critical-velocity", critical_velocity_figure},
+        {"sensitivity", sensitivity_figure},
         {"composition", composition_figure},
         {"static-force", static_force_figure},
         {"restitution", restitution_figure},
@@ -17,7 +18,6 @@ const std::vector<FigureMaker>& figure_makers() {
         {"sizes", sizes_figure},
         {"histories", histories_figure},
         {"energy", energy_figure},
-        {"sensitivity", sensitivity_figure},
     };
     return makers;
 }

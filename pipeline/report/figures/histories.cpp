@@ -26,7 +26,7 @@ struct History {
 };
 
 const std::array<std::string, 4>& parts() {
-    static const std::array<std::string, 4> all{"at v_c", "just above v_c", "rising branch",
+    static const std::array<std::string, 4> all{"at the critical velocity", "just above it", "rising branch",
                                                 "falling branch"};
     return all;
 }

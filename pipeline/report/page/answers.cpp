@@ -102,13 +102,14 @@ std::string answers_html(const RunData& run) {
 }
 
 std::string comparison_html(const RunData& run) {
-    std::string html =
-        "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"Critical "
-        "velocities\"><table><thead><tr>";
-    for (const char* column :
+    std::string html = fmt::format(
+        "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{}\"><table><thead><tr>",
+        region_label("Critical velocities", run));
+    for (const std::string_view column :
          {"sample", "E [GPa]", "E* [GPa]", "W<sub>s</sub> [fJ]", "v<sub>c</sub>, Eq. 30 [m/s]", "law",
           "dynamic v<sub>c</sub> [m/s]", "95 % interval", "published", "measured", "verdict"})
-        html += fmt::format("<th scope=\"col\">{}</th>", column);
+        html += fmt::format("<th scope=\"col\"{}>{}</th>",
+                            column == "law" || column == "verdict" ? " class=\"text\"" : "", column);
     html += "</tr></thead><tbody>\n";
     for (const SampleData& sample : run.samples()) {
         bool first = true;

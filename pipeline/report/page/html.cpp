@@ -6,12 +6,15 @@
 #include <stdexcept>
 
 #include "data/embedded.hpp"
+#include "pipeline/files/file.hpp"
 #include "pipeline/files/sha256.hpp"
 #include "pipeline/report/drawing/markup.hpp"
 
 namespace ashimpact::report {
 
 namespace {
+
+constexpr std::string_view generator = "<meta name=\"generator\" content=\"ashimpact\">";
 
 std::string embedded(std::string_view path) {
     const auto content = embedded_file(path);
@@ -60,7 +63,11 @@ std::string html_table(const NumberTable& table, const std::string& label) {
     std::string html = fmt::format(
         "<div class=\"scroll tall\" role=\"region\" tabindex=\"0\" aria-label=\"{}\"><table><thead><tr>",
         escaped(label));
-    for (const std::string& column : table.columns) html += "<th scope=\"col\">" + escaped(column) + "</th>";
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        const bool text = !table.rows.empty() && std::holds_alternative<std::string>(table.rows.front()[i]);
+        html += fmt::format("<th scope=\"col\"{}>{}</th>", text ? " class=\"text\"" : "",
+                            escaped(table.columns[i]));
+    }
     html += "</tr></thead><tbody>";
     for (std::size_t r = 0; r < table.rows.size(); r += static_cast<std::size_t>(table.shown_every)) {
         html += "<tr>";  // the ends of rows and cells are left out, as HTML allows
@@ -94,6 +101,13 @@ std::string html_of(const Figure& figure, const std::string& id) {
     return html + "</figure>\n";
 }
 
+bool is_own_page(const std::filesystem::path& file) {
+    constexpr std::size_t head = 4096;
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(file, ignored) &&
+           read_start(file, head).find(generator) != std::string::npos;
+}
+
 std::string html_page(const std::string& title, const std::string& body) {
     const std::string style = embedded("report/page.css") + page_drawing_style();
     const std::string script = embedded("report/readout.js");
@@ -102,13 +116,14 @@ std::string html_page(const std::string& title, const std::string& body) {
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src "
         "{}; script-src {}; base-uri 'none'; "
         "form-action 'none'\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"generator\" "
-        "content=\"ashimpact\">\n"
-        "<title>{}</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>{}</style>\n</head>\n<body>\n"
+        "<meta name=\"viewport\" content=\"width=device-width, "
+        "initial-scale=1\">\n{}\n<title>{}</title>\n<link rel=\"icon\" "
+        "href=\"data:,\">\n<style>{}</style>\n</head>\n<body>\n"
         "<svg width=\"0\" height=\"0\" aria-hidden=\"true\" focusable=\"false\" "
         "class=\"defs\"><defs>{}</defs></svg>\n{}"
         "<script>{}</script>\n</body>\n</html>\n",
-        policy_hash(style), policy_hash(script), escaped(title), style, marker_definitions(), body, script);
+        policy_hash(style), policy_hash(script), generator, escaped(title), style, marker_definitions(), body,
+        script);
 }
 
 }  // namespace ashimpact::report

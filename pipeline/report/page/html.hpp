@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -16,6 +17,9 @@ namespace ashimpact::report {
 
 /// A whole page: head with the strict content security policy, style and script.
 [[nodiscard]] std::string html_page(const std::string& title, const std::string& body);
+
+/// Whether a file is a page of ours, which may be replaced or removed.
+[[nodiscard]] bool is_own_page(const std::filesystem::path& file);
 
 /// An escaped text with the symbols in it set as such: "v_in", "e_n".
 [[nodiscard]] std::string with_subscripts(std::string text);

@@ -13,13 +13,46 @@ namespace ashimpact::report {
 
 namespace {
 
+/// A text cut at its numbers: words, number, words, ...
+std::vector<std::string> cut_at_numbers(const std::string& text) {
+    const auto is_digit = [&](std::size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; };
+    std::vector<std::string> pieces{""};
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool in_number = pieces.size() % 2 == 0;
+        const bool belongs = is_digit(i) || (in_number && text[i] == '.' && is_digit(i + 1));
+        if (belongs != in_number) pieces.emplace_back();
+        pieces.back() += text[i];
+    }
+    return pieces;
+}
+
+/// Texts that differ in their numbers alone as one: "1.2" and "1.4" come out as "1.2 to 1.4".
+std::string with_ranges(const std::vector<std::string>& texts) {
+    std::vector<std::string> pieces = cut_at_numbers(texts.front());
+    for (std::size_t at = 1; at < pieces.size(); at += 2) {
+        std::string least = pieces[at];
+        std::string greatest = pieces[at];
+        for (const std::string& text : texts) {
+            const auto other = cut_at_numbers(text);
+            if (other.size() != pieces.size()) continue;
+            if (std::stod(other[at]) < std::stod(least)) least = other[at];
+            if (std::stod(other[at]) > std::stod(greatest)) greatest = other[at];
+        }
+        pieces[at] = least == greatest ? least : least + " to " + greatest;
+    }
+    std::string text;
+    for (const std::string& piece : pieces) text += piece;
+    return text;
+}
+
 /// Things said of several samples: each once, with where it holds, in the order of their first mention.
 class Grouped {
   public:
     void add(const std::string& key, const std::string& text, const std::string& where) {
         const auto found = std::find_if(entries_.begin(), entries_.end(),
                                         [&](const Entry& entry) { return entry.key == key; });
-        Entry& entry = found == entries_.end() ? entries_.emplace_back(Entry{key, text, {}}) : *found;
+        Entry& entry = found == entries_.end() ? entries_.emplace_back(Entry{key, {}, {}}) : *found;
+        entry.texts.push_back(text);
         if (!where.empty() && std::find(entry.where.begin(), entry.where.end(), where) == entry.where.end())
             entry.where.push_back(where);
     }
@@ -27,7 +60,7 @@ class Grouped {
     [[nodiscard]] std::string html() const {
         std::string html = "<ul class=\"notes\">\n";
         for (const Entry& entry : entries_) {
-            html += "<li>" + entry.text;
+            html += "<li>" + with_ranges(entry.texts);
             if (!entry.where.empty()) {
                 html += " <span class=\"where\">(";
                 for (std::size_t i = 0; i < entry.where.size(); ++i)
@@ -42,7 +75,7 @@ class Grouped {
   private:
     struct Entry {
         std::string key;
-        std::string text;
+        std::vector<std::string> texts;
         std::vector<std::string> where;
     };
     std::vector<Entry> entries_;
@@ -180,13 +213,13 @@ std::string provenance_html(const RunData& run) {
     const Json& provenance = run.artifacts().at("0-case.json").document.at("provenance");
     std::string html = fmt::format(
         "<p>{} {}, revision <span class=\"hash\">{}</span>.</p>\n<div class=\"scroll\" role=\"region\" "
-        "tabindex=\"0\" aria-label=\"Files\"><table><thead><tr><th scope=\"col\">file</th>"
-        "<th scope=\"col\">SHA-256</th></tr></thead><tbody>\n",
+        "tabindex=\"0\" aria-label=\"{}\"><table><thead><tr><th scope=\"col\">file</th>"
+        "<th scope=\"col\" class=\"text\">SHA-256</th></tr></thead><tbody>\n",
         escaped(provenance.value("program", "")), escaped(provenance.value("version", "")),
-        escaped(provenance.value("revision", "")));
+        escaped(provenance.value("revision", "")), region_label("Files", run));
     const auto row = [&](const std::string& file, const std::string& hash) {
-        html += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"hash\">{}</td></tr>\n", html_name(file),
-                            escaped(hash));
+        html += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"hash text\">{}</td></tr>\n",
+                            html_name(file), escaped(hash));
     };
     for (const Json& input : provenance.at("inputs")) row(input.value("file", ""), input.value("sha256", ""));
     std::vector<std::string> citations;

@@ -44,7 +44,7 @@ std::string per_run(const std::vector<RunData>& runs, const std::string& title, 
                     std::string (*part)(const RunData&)) {
     std::string html = fmt::format("<section><h2 id=\"{}\">{}</h2>\n", id, title);
     for (const RunData& run : runs) {
-        if (runs.size() > 1) html += fmt::format("<h4>{}</h4>\n", html_name(run.label()));
+        if (runs.size() > 1) html += fmt::format("<h3>{}</h3>\n", html_name(run.label()));
         html += part(run);
     }
     return html + "</section>\n";
@@ -62,6 +62,10 @@ std::string figures_html(const std::vector<RunData>& runs) {
 }
 
 }  // namespace
+
+std::string region_label(const std::string& label, const RunData& run) {
+    return escaped(run.label().empty() ? label : label + ", " + run.label());
+}
 
 std::string run_page(const std::vector<RunData>& runs) {
     std::string body = heading(runs) + "<main>\n";

@@ -23,6 +23,9 @@ namespace ashimpact::report {
 /// Program, inputs and artifacts with their hashes, citations.
 [[nodiscard]] std::string provenance_html(const RunData& run);
 
+/// The label of a part of a run's page, escaped; with the run's own where several stand side by side.
+[[nodiscard]] std::string region_label(const std::string& label, const RunData& run);
+
 /// Where the inputs of several runs differ.
 [[nodiscard]] std::string differences_html(const std::vector<RunData>& runs);
 

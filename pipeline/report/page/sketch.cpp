@@ -43,10 +43,10 @@ std::string stage(int number, double middle, double wall) {
                    pixels(middle), pixels(wall + 2), pixels(middle + 28), pixels(wall + 8)) +
                text(middle + 10, wall + 21, "a", "tick") + arrow(middle + 58, wall + 10, wall, "k2 d0") +
                text(middle + 64, wall + 12, "δ = r − d") + arrow(middle, wall - 8, wall - 34, "k2 d0") +
-               text(middle + 5, wall - 22, "F_r") + arrow(middle - 22, wall - 34, wall - 10, "k3 d0") +
-               text(middle - 42, wall - 24, "F_a") + text(middle + 48, wall - 50, "η dδ/dt");
+               text(middle + 5, wall - 22, "F_r") + arrow(middle - 14, wall - 34, wall - 10, "k3 d0") +
+               text(middle - 35, wall - 24, "F_a") + text(middle + 48, wall - 50, "η dδ/dt");
     return particle(middle, wall - 80, "after") + arrow(middle, wall - 40, wall - 70, "k1 d0") +
-           text(middle + 8, wall - 52, "v_r = e_n v_in");
+           text(middle + 50, wall - 80, "v_r = e_n v_in");
 }
 
 std::string drawing(bool wide) {

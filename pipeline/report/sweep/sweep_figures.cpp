@@ -43,7 +43,7 @@ Figure capture_figure(const SweepSpec& spec) {
         const std::string unit(si_unit(dimension_of(spec.variables[variable].input, spec.damping_law)));
         XyPanel panel{.title = words(name),
                       .x = quantity_axis(words(name), unit, greatest_of(values)),
-                      .y = {.label = "captured", .unit = "%", .scale = 0.01, .from = 0.0, .to = 1.0}};
+                      .y = {.label = "captured", .unit = "%", .scale = 0.01, .from = -0.03, .to = 1.03}};
         for (const CaptureCurve& curve : curves) {
             if (curve.variable != variable) continue;
             const Law law = spec.laws[curve.law].law;

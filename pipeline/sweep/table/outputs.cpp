@@ -6,6 +6,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/text.hpp"
 #include "pipeline/files/file.hpp"
+#include "pipeline/report/page/html.hpp"
 #include "pipeline/sweep/table/row_log.hpp"
 #include "pipeline/sweep/table/table_file.hpp"
 
@@ -22,12 +23,21 @@ constexpr auto another = "another -o";
 void check_result(const std::filesystem::path& result) {
     if (result.extension() == ".h5")
         refuse(result, "would be the full table", "a JSON file, such as sweep.json; -o");
+    if (result.extension() == ".html")
+        refuse(result, "would be the report", "a JSON file, such as sweep.json; -o");
     const auto status = std::filesystem::status(result);
     if (std::filesystem::is_directory(status)) refuse(result, "is a folder", "a file; -o");
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
         refuse(result, "is no regular file, and others are written beside it", "a file; -o");
     const auto folder = result.parent_path();
     require_writable_folder(folder.empty() ? "." : folder);
+}
+
+/// The report replaces a page of ours and nothing else.
+void check_report(const SweepFiles& files) {
+    const auto status = std::filesystem::status(files.report);
+    if (std::filesystem::exists(status) && !report::is_own_page(files.report))
+        refuse(files.report, "is there already and is no report of ours", "another -o, or --no-report");
 }
 
 /// Its own table a sweep may replace, after an edit of its spec too; not that of a sweep whose result stands
@@ -71,12 +81,14 @@ bool is_foreign(const std::filesystem::path& file, std::string_view mark) {
 
 }  // namespace
 
-void check_outputs(const SweepFiles& files, const std::filesystem::path& spec, const SweepPlan& plan) {
+void check_outputs(const SweepFiles& files, const std::filesystem::path& spec, const SweepPlan& plan,
+                   bool with_report) {
     const bool with_table = !plan.spec().table.empty();
     check_result(files.result);
     for (const auto& file : {files.result, files.checkpoint, files.rows, files.table})
         if ((with_table || file != files.table) && is_same_file(file, spec))
             refuse(file, "is the spec, which would be lost", another);
+    if (with_report) check_report(files);
     if (with_table) check_table(files, plan);
     if (with_table) check_room(files, plan);
     if (is_foreign(files.rows, row_log_mark))

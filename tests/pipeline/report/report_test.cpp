@@ -180,6 +180,73 @@ TEST_CASE("--no-report leaves the report out, a part of a run makes it again") {
     CHECK(sandbox.has("results/report.html"));
 }
 
+TEST_CASE("a run without a report takes that of the run before away, and no page of somebody else") {
+    const Sandbox sandbox;
+    REQUIRE(ashimpact_program(sandbox, "run -o results").status == 0);
+    REQUIRE(sandbox.has("results/report.html"));
+    const auto without = ashimpact_program(sandbox, "run -o results --no-report");
+    CHECK(without.status == 0);
+    CHECK(without.out.find("report.html") == std::string::npos);
+    CHECK_FALSE(sandbox.has("results/report.html"));
+    sandbox.write("results/report.html", "<p>mine</p>");
+    REQUIRE(ashimpact_program(sandbox, "run -o results --no-report").status == 0);
+    CHECK(sandbox.read("results/report.html") == "<p>mine</p>");
+}
+
+TEST_CASE("measured impacts: the history at capture has the damping of its critical velocity") {
+    const Sandbox sandbox;
+    REQUIRE(ashimpact_program(sandbox, "init case").status == 0);
+    REQUIRE(ashimpact_program(sandbox, "run case/case.json -o results").status == 0);
+    const Json velocities = sandbox.json("results/7-critical-velocity.json").at("result").at("samples");
+    const Json histories = sandbox.json("results/8-histories.json").at("result").at("samples");
+    REQUIRE(velocities.size() == 2);
+    std::size_t looked_at = 0;
+    for (std::size_t i = 0; i < velocities.size(); ++i)
+        for (const char* law : {"hertz", "dmt", "brach-dunn", "jkr"}) {
+            CAPTURE(law);
+            const Json& velocity = velocities[i].at(law);
+            const Json& history = histories[i].at(law).at(0);
+            CHECK(history.at("part") == "critical");
+            CHECK(history.at("damping").at("value") == velocity.at("damping").at("value"));
+            CHECK(history.at("outcome") == "rebound");  // just above its critical velocity
+            CHECK(history.at("restitution").at("value").get<double>() < 0.1);
+            ++looked_at;
+        }
+    CHECK(looked_at == 8);
+    const std::string page = sandbox.read("results/report.html");
+    CHECK(page.find("the indices are those of the extrapolated v<sub>c</sub>") != std::string::npos);
+}
+
+TEST_CASE("a sweep ends with its report, which `report` makes again") {
+    const Sandbox sandbox;
+    sandbox.write("spec.json", read_file(std::filesystem::path(ASHIMPACT_TEST_DATA) /
+                                         "../pipeline/report/browser/sweep.json"));
+    const auto sweep = ashimpact_program(sandbox, "sweep spec.json -o sweep.json");
+    CAPTURE(sweep.err);
+    REQUIRE(sweep.status == 0);
+    CHECK(test::lines_of(sweep.out).back() == "Report: sweep.html");
+    const std::string page = sandbox.read("sweep.html");
+    for (const char* id : {"capture", "histogram", "sensitivity"})
+        CHECK(page.find("<figure id=\"" + std::string(id) + "\">") != std::string::npos);
+    REQUIRE(ashimpact_program(sandbox, "report sweep.json -o again.html").status == 0);
+    CHECK(sandbox.read("again.html") == page);
+    REQUIRE(ashimpact_program(sandbox, "sweep spec.json -o sweep.json --no-report").status == 0);
+    CHECK_FALSE(sandbox.has("sweep.html"));
+    sandbox.write("sweep.html", "<p>mine</p>");
+    const auto refused = ashimpact_program(sandbox, "sweep spec.json -o sweep.json");
+    CHECK(refused.status == 2);
+    CHECK(refused.err.find("sweep.html") != std::string::npos);
+    CHECK(sandbox.read("sweep.html") == "<p>mine</p>");
+    CHECK(ashimpact_program(sandbox, "sweep spec.json -o result.html").status == 2);
+}
+
+TEST_CASE("warnings that differ in their numbers alone come out once, with the range of these") {
+    const std::string page = paper().read("results/report.html");
+    const std::string warnings = between(page, "<h2 id=\"warnings\">", "</section>");
+    CHECK(warnings.find("Tabor parameter 1.98 to 2.02 is between DMT (&lt; 0.1) and JKR (&gt; 5)") !=
+          std::string::npos);
+}
+
 TEST_CASE("what cannot be drawn is refused in one line") {
     const auto refused = [](const std::string& arguments, const std::string& part) {
         const auto run = ashimpact_program(paper(), arguments);

@@ -1,5 +1,5 @@
-// Opens reports in headless Chromium and looks at them as a reader would: report.test.cjs FOLDER [SWEEP.html].
-// FOLDER holds the runs `paper`, `example/results` and `hostile`, and both.html. Every failure is listed; status 1 then.
+// Opens reports in headless Chromium and looks at them as a reader would: report.test.cjs FOLDER.
+// FOLDER holds the runs `paper`, `example/results` and `hostile`, sweep.html and both.html. Every failure is listed; status 1 then.
 'use strict';
 const fs = require('fs');
 const path = require('path');
@@ -8,6 +8,7 @@ const { chromium } = require('playwright-core');
 const axe = fs.readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
 
 const folder = process.argv[2];
+const whole = Boolean(process.env.ASHIMPACT_WHOLE);  // accessibility at each width in each scheme, not at two
 const failures = [];
 const check = (holds, what) => {
   checks += 1;
@@ -26,6 +27,7 @@ const outside = () => {
     const own = svg.getBoundingClientRect();
     const id = svg.closest('figure').id;
     for (const text of svg.querySelectorAll('text')) {
+      if (!text.textContent.trim()) continue;
       const box = text.getBoundingClientRect();
       if (box.left < own.left - 2 || box.right > own.right + 2 || box.top < own.top - 2 || box.bottom > own.bottom + 2)
         found.push(id + ': text ' + text.textContent);
@@ -132,20 +134,50 @@ const keys = async (page, where) => {
   check(/v in = .* m\/s, e n = /.test(first) && first !== second, `${where}: arrow keys read out '${first}', then '${second}'`);
 };
 
+// The mouse over the first point of Figure 5 reads out the numbers of the artifact; a tap does the same.
+const pointed = async (page, where, by) => {
+  const mark = page.locator('#restitution svg:visible .series use').first();
+  await mark.scrollIntoViewIfNeeded();
+  const box = await mark.boundingBox();
+  await by(box.x + box.width / 2, box.y + box.height / 2);
+  const text = await page.locator('#restitution .readout').textContent();
+  check(/v in = .* m\/s, e n = /.test(text), `${where}: pointed at a point, read out '${text}'`);
+};
+const mouse = (page, where) => pointed(page, where, (x, y) => page.mouse.move(x, y));
+
+// A telephone, and a browser that runs no scripts.
+const others = async (browser, file) => {
+  const telephone = await browser.newContext({ viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true });
+  const page = await telephone.newPage();
+  await page.goto(pathToFileURL(file).href);
+  await pointed(page, 'by touch', (x, y) => page.touchscreen.tap(x, y));
+  await telephone.close();
+  const without = await browser.newContext({ viewport: { width: 768, height: 900 }, javaScriptEnabled: false });
+  const still = await without.newPage();
+  await still.goto(pathToFileURL(file).href);
+  for (const id of figureIds) check(await still.locator('#' + id + ' svg.wide').isVisible(), `without scripts: figure ${id} is not to be seen`);
+  await still.locator('#restitution summary').click();
+  check(await still.locator('#restitution td').first().isVisible(), 'without scripts: the numbers do not open');
+  const [download] = await Promise.all([still.waitForEvent('download'), still.locator('#restitution a[download]').click()]);
+  const csv = fs.readFileSync(await download.path(), 'utf8').split('\n');
+  check(csv[0].startsWith('sample,law,origin,v_in [m/s],e_n') && csv.length > 10, `without scripts: the CSV begins ${csv[0]}`);
+  await without.close();
+};
+
 (async () => {
   const browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: ['--no-sandbox', '--disable-gpu'] });
-  const pages = [['paper', path.join(folder, 'paper/report.html')], ['example', path.join(folder, 'example/results/report.html')]];
-  if (process.argv[3]) pages.push(['sweep', path.join(folder, process.argv[3])]);
+  const pages = [['paper', path.join(folder, 'paper/report.html')], ['example', path.join(folder, 'example/results/report.html')], ['sweep', path.join(folder, 'sweep.html')]];
   for (const [name, file] of pages) {
     check(fs.statSync(file).size < 1e6, `${name}: ${fs.statSync(file).size} bytes`);
     for (const width of [360, 768, 1440])
       for (const scheme of ['light', 'dark']) {
         const { context, page, where } = await look(browser, file, name, width, scheme);
-        if (width !== 768) await audit(context, page, where);
+        if (whole || (width === 360 && scheme === 'light') || (width === 1440 && scheme === 'dark')) await audit(context, page, where);
         if (name !== 'sweep' && width === 1440 && scheme === 'light') {
           for (const id of figureIds) check((await page.locator('figure#' + id).count()) === 1, `${where}: no figure ${id}`);
           await comparePoints(page, name === 'paper' ? 'paper' : 'example/results');
           await keys(page, where);
+          await mouse(page, where);
         }
         await context.close();
       }
@@ -161,6 +193,7 @@ const keys = async (page, where) => {
     }
     await context.close();
   }
+  await others(browser, path.join(folder, 'paper/report.html'));
   await browser.close();
   for (const failure of failures) console.error('FAILED ' + failure);
   console.log(`${checks} checks, ${failures.length} failed`);

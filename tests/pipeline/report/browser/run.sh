@@ -25,7 +25,6 @@ cd "$work"
 "$program" report paper example/results -o both.html >/dev/null
 cp "$here/sweep.json" spec.json
 "$program" sweep spec.json -o sweep.json >/dev/null
-if "$program" report sweep.json -o sweep.html >/dev/null 2>&1; then sweep=sweep.html; fi
 cp "$here/hostile.json" hostile.json
 "$program" run hostile.json -o hostile >/dev/null
-NODE_PATH=$modules/node_modules CHROMIUM=$browser node "$here/report.test.cjs" "$work" ${sweep:-}
+NODE_PATH=$modules/node_modules CHROMIUM=$browser node "$here/report.test.cjs" "$work"
