@@ -66,7 +66,7 @@ class Watcher {
     }
     void name(const std::string& key) {
         Level& level = levels_.back();
-        level.key = key;
+        level.key = key.substr(0, key.find('\0'));
         refuse_nul(key);
         if (level.keys.insert(key).second || is_comment(key)) return;
         throw InputError("this key is there twice", "each key once").at(pointer());

@@ -192,7 +192,7 @@ def complaints(program, each, place, text, folder):
             wrong.append("the file is not named")
         if "; allowed: " not in line:
             wrong.append("what is allowed is not said")
-        found = re.search(r"\.json: (/[^.]*?): ", line[line.find(each.file):])
+        found = re.search(r"\.json: (/.*?): ", line[line.find(each.file):])
         lines = re.search(r"line (\d+)", line)
         no_json = lines and "not valid JSON" in line
         if isinstance(place, str) and not no_json and not (found and related(found[1], place)):

@@ -76,7 +76,8 @@ def spoiled_table(rows, names, first_line=2):
             changed[0][column] = "v_in [furlnogs/s]"
             yield "unit", 1, text_of(changed).encode()
             yield "missing", 1, text_of([[cell for i, cell in enumerate(row) if i != column] for row in rows]).encode()
-        if title not in ("outcome",) and title not in names:
+        # Uncertainties may stand behind each of several columns under one name.
+        if title != "outcome" and title not in names and title != "ESD" and "uncertainty" not in title:
             twice = [[*row, row[column]] for row in rows]
             yield "duplicate", 1, text_of(twice).encode()
     text = text_of(rows)
