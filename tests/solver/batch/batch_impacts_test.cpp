@@ -212,9 +212,9 @@ TEST_CASE("an elastic-plastic law goes through the scalar solver") {
     }
 }
 
-TEST_CASE(
-    "damping beyond all bounds captures, and nothing depends on whether the turning point is asked for") {
+TEST_CASE("constant damping beyond all bounds captures, and asking for the turning point changes nothing") {
     for (const Impacts& impacts : random_impacts(200, 1e11, 29)) {  // damping numbers up to 1e11
+        if (impacts.damping_law != DampingLaw::constant) continue;
         CAPTURE(impacts.law.name());
         CAPTURE(name_of(impacts.detachment));
         const ImpactBatchResult with_turn = solve_impacts(impacts.batch());
@@ -230,8 +230,7 @@ TEST_CASE(
             CHECK((rebound ? with_turn.contact_time[i] > 0 : std::isnan(with_turn.contact_time[i])));
             CHECK(with_turn.maximum_overlap[i] > 0);
         }
-        if (impacts.law == Law::of<Hertz>() && impacts.damping_law == DampingLaw::constant)
-            CHECK((with_turn.restitution > 0).count() == 0);
+        if (impacts.law == Law::of<Hertz>()) CHECK((with_turn.restitution > 0).count() == 0);
     }
 }
 
