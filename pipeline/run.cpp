@@ -112,6 +112,7 @@ Artifact loaded_artifact(const std::filesystem::path& folder, std::string_view f
         require_schema_version(document, true);
         validate_document(document, schema_of(file));
         if (is_edited(document)) {
+            validate_quantities(document, schema_of(file));
             edited.emplace_back(file);
             spdlog::warn("warning: {}: was edited after ashimpact wrote it; its values count", path.string());
             for (const std::string& dropped : accept_edits(document))
@@ -329,9 +330,10 @@ Artifacts load_artifacts(const std::filesystem::path& folder, const std::vector<
     return artifacts;
 }
 
-Artifacts compute_artifacts(const std::optional<std::string>& case_file, std::string_view last_stage) {
+Artifacts compute_artifacts(const std::optional<std::string>& case_file, std::string_view last_stage,
+                            bool allow_outside) {
     Artifacts artifacts;
-    artifacts.add(case_artifact_of(load_case(case_file)));
+    artifacts.add(case_artifact_of(load_case(case_file, allow_outside)));
     for (const Stage& stage : stages()) {
         artifacts.add(computed(stage, artifacts, {}));
         if (stage.name == last_stage) break;

@@ -41,8 +41,9 @@ struct RunSummary {
 [[nodiscard]] RunSummary run_stages(const RunPlan& plan);
 
 /// The artifacts of a case up to and with a stage, nothing written.
+/// @param allow_outside whether the case may name files outside of its folder
 [[nodiscard]] Artifacts compute_artifacts(const std::optional<std::string>& case_file,
-                                          std::string_view last_stage);
+                                          std::string_view last_stage, bool allow_outside = false);
 
 /// Artifacts of a finished run, checked against their schemas. @throws InputError naming the file
 [[nodiscard]] Artifacts load_artifacts(const std::filesystem::path& folder,

@@ -1,6 +1,9 @@
 #include "materials/base/error.hpp"
 
+#include <algorithm>
 #include <utility>
+
+#include "materials/base/text.hpp"
 
 namespace ashimpact {
 
@@ -17,6 +20,19 @@ bool stands_before(const std::string& outer, const std::string& place) {
     return place == outer || place.starts_with(outer + ": ");
 }
 
+/// A place without endless keys: each part of a pointer has its middle left out where it is long.
+std::string with_short_keys(const std::string& place) {
+    constexpr std::size_t longest = 200;  // of a place that is taken as it is
+    if (!place.starts_with('/') || place.size() <= longest) return place;
+    std::string shown;
+    for (std::size_t start = 0; start < place.size();) {
+        const std::size_t end = std::min(place.find('/', start + 1), place.size());
+        shown += shortened(place.substr(start, end - start));
+        start = end;
+    }
+    return shown;
+}
+
 }  // namespace
 
 InputError::InputError(std::string problem, std::string allowed)
@@ -29,8 +45,9 @@ InputError::InputError(std::string place, std::string problem, std::string allow
       allowed_(std::move(allowed)),
       names_file_(names_file) {}
 
-InputError InputError::at(const std::string& place) const {
-    if (place.empty()) return *this;
+InputError InputError::at(const std::string& whole_place) const {
+    if (whole_place.empty()) return *this;
+    const std::string place = with_short_keys(whole_place);
     if (place_.empty()) return {place, problem_, allowed_, names_file_};
     if (!place.starts_with('/') && stands_before(place, place_)) return *this;
     const bool one_pointer = !names_file_ && place.starts_with('/') && place_.starts_with('/');

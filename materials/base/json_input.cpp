@@ -23,7 +23,7 @@ class Watcher {
         if (event == Event::object_start || event == Event::array_start) enter(event == Event::array_start);
         if (event == Event::object_end || event == Event::array_end) leave();
         if (event == Event::key) name(parsed.get<std::string>());
-        if (event == Event::value) count();
+        if (event == Event::value) value(parsed);
         return true;
     }
 
@@ -55,9 +55,19 @@ class Watcher {
     void count() {
         if (!levels_.empty()) ++levels_.back().index;
     }
+    void value(const Json& parsed) {
+        if (parsed.is_string()) refuse_nul(parsed.get_ref<const std::string&>());
+        count();
+    }
+    /// What stands after a NUL would be lost wherever the text becomes a file name.
+    void refuse_nul(const std::string& text) const {
+        if (text.find('\0') != std::string::npos)
+            throw InputError("holds a NUL character", "a text without it").at(pointer());
+    }
     void name(const std::string& key) {
         Level& level = levels_.back();
-        level.key = key;
+        level.key = key.substr(0, key.find('\0'));
+        refuse_nul(key);
         if (level.keys.insert(key).second || is_comment(key)) return;
         throw InputError("this key is there twice", "each key once").at(pointer());
     }
@@ -77,6 +87,14 @@ std::string reason_of(std::string message) {
     for (const std::string_view before : {"] ", "parse error", ": "}) {
         const auto found = message.find(before);
         if (found != std::string::npos) message.erase(0, found + before.size());
+    }
+    // The piece of the document that it read last may be as long as the document.
+    constexpr std::string_view quoted = "last read: '";
+    if (auto start = message.find(quoted); start != std::string::npos) {
+        start += quoted.size();
+        const std::size_t length = message.rfind('\'') - start;
+        if (message.find('\'', start) != std::string::npos && start + length <= message.size())
+            message.replace(start, length, shortened(message.substr(start, length)));
     }
     return on_one_line(std::move(message));
 }

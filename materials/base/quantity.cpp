@@ -25,7 +25,7 @@ template <class Json>
 Quantity read_object(const Json& node, Dimension expected) {
     for (const auto& [key, _] : node.items())
         if (key != "value" && key != "unit" && key != "standard_uncertainty")
-            throw InputError("unknown key \"" + key + "\"", "value, unit, standard_uncertainty")
+            throw InputError("unknown key " + in_quotes(key), "value, unit, standard_uncertainty")
                 .at("/" + key);
     const bool plain = expected == Dimension::fraction && !node.contains("unit");  // a number needs no unit
     for (const auto* key : {"value", "unit"})

@@ -123,16 +123,38 @@ std::string joined(std::span<const std::string_view> words) {
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
+namespace {
+
+/// The bytes of the UTF-8 character that a text begins with; 0 where it begins with none.
+std::size_t character_length(std::string_view text) {
+    const auto first = static_cast<unsigned char>(text.front());
+    if (first < 0x80) return 1;
+    const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+    if (first < 0xc2 || first > 0xf4 || text.size() < length) return 0;
+    return std::all_of(text.begin() + 1, text.begin() + static_cast<std::ptrdiff_t>(length), continues)
+               ? length
+               : 0;
+}
+
+bool is_control(std::string_view character) {
+    const auto byte = static_cast<unsigned char>(character.front());
+    if (character.size() == 1) return (byte < 0x20 && byte != '\n' && byte != '\t') || byte == 0x7f;
+    return byte == 0xc2 && static_cast<unsigned char>(character[1]) < 0xa0;
+}
+
+}  // namespace
+
 std::string without_controls(std::string_view text) {
     std::string shown;
     shown.reserve(text.size());
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const auto byte = static_cast<unsigned char>(text[i]);
-        const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0U;
-        const bool two_bytes = byte == 0xc2 && next >= 0x80 && next < 0xa0;
-        const bool one_byte = (byte < 0x20 && byte != '\n' && byte != '\t') || byte == 0x7f;
-        shown += one_byte || two_bytes ? '?' : text[i];
-        if (two_bytes) ++i;
+    while (!text.empty()) {
+        const std::size_t length = character_length(text);
+        const std::string_view character = text.substr(0, std::max<std::size_t>(length, 1));
+        if (length == 0 || is_control(character))
+            shown += '?';
+        else
+            shown += character;
+        text.remove_prefix(character.size());
     }
     return shown;
 }

@@ -42,8 +42,8 @@ namespace ashimpact {
 [[nodiscard]] std::string joined(const std::vector<std::string>& words);
 [[nodiscard]] std::string joined(std::span<const std::string_view> words);
 
-/// The text with "?" for each control character, of one byte or in UTF-8, but tabs and line ends: a terminal
-/// would obey them.
+/// The text with "?" for each control character, of one byte or in UTF-8, but tabs and line ends, which a
+/// terminal would obey, and for each byte that is part of no UTF-8 character.
 [[nodiscard]] std::string without_controls(std::string_view text);
 
 /// A long text, such as a file name, with "..." for its middle.

@@ -80,6 +80,12 @@ void start_block(Contents& contents, std::string_view name, std::size_t line) {
     contents.blocks.push_back({.name = std::string(name)});
 }
 
+void add_goal(Contents& contents, const std::string& phase, const Value& value) {
+    if (!contents.goals.emplace(phase, value).second)
+        throw InputError("the goal " + in_quotes("Q" + phase) + " is there twice", "each goal once")
+            .at(at_line(value.line));
+}
+
 Contents scan(const TextLines& file) {
     Contents contents;
     bool in_goals = false;
@@ -99,8 +105,8 @@ Contents scan(const TextLines& file) {
             if (!contents.blocks.empty())
                 read_member(contents.blocks.back(), text.substr(0, equals), text.substr(equals + 1), number);
             else if (in_goals && text.starts_with('Q'))
-                contents.goals.emplace(text.substr(1, equals - 1),
-                                       read_value(text.substr(equals + 1), number));
+                add_goal(contents, std::string(text.substr(1, equals - 1)),
+                         read_value(text.substr(equals + 1), number));
         }
     }
     return contents;

@@ -11,6 +11,15 @@ namespace ashimpact {
 
 namespace {
 
+constexpr double greatest_number = 1e40;  ///< of any number in SI, see is_computable()
+
+/// A quantity that may be zero.
+double not_negative(const View& node, std::string_view name, Dimension dimension) {
+    const double value = node.number(dimension);
+    node.located([&] { require_not_negative(name, value, dimension); });
+    return value;
+}
+
 /// Refuses an uncertainty with which the value would say nothing.
 void require_uncertainty(const View& node, const Stated& stated, double most, const std::string& allowed) {
     if (stated.quantity.standard_uncertainty.value_or(0) > most)
@@ -30,7 +39,12 @@ int count_of(const View& node, std::initializer_list<std::string_view> keys) {
 }
 
 DampingPolynomial read_quadratic(const View& node) {
-    const auto coefficient = [&](const char* key) { return node.at(key).number(Dimension::damping); };
+    const auto coefficient = [&](const char* key) {
+        const double value = node.at(key).number(Dimension::damping);
+        if (!(std::abs(value) <= greatest_number))
+            node.at(key).fail("is " + shortest(value) + " kg/s", "up to 1e40 kg/s");
+        return value;
+    };
     const double a = coefficient("a");
     const double b = coefficient("b");
     return DampingPolynomial::quadratic(a, b, coefficient("c"));
@@ -103,8 +117,8 @@ ReadAnalysis read_xrd_analysis(const View& node, InputFiles& files) {
     for (PhaseFraction& phase : sample.analysis.phases)
         if (!phase.place.empty()) phase.place.insert(0, files.shown(name) + ": ");
     if (const auto standard = node.find("internal_standard")) {
+        const Quantity added = standard->at("added_fraction").quantity(Dimension::fraction);
         sample = standard->located([&] {
-            const Quantity added = standard->at("added_fraction").quantity(Dimension::fraction);
             return with_internal_standard(sample, standard->at("phase").text(), added.value,
                                           added.standard_uncertainty);
         });
@@ -125,7 +139,8 @@ Reconstruction read_reconstruction(const View& node, const std::optional<Publish
         plan.damping_fits = read_quadratics(*fits);
         plan.source = node.has("source") ? node.at("source").text() : "fits of the case file";
         if (const auto u = node.find("coefficient_uncertainty"))
-            plan.coefficient_uncertainty = u->number(Dimension::damping);
+            plan.coefficient_uncertainty =
+                not_negative(*u, "uncertainty of a coefficient", Dimension::damping);
     } else {
         if (!published || published->damping_fits.empty())
             node.fail("\"damping_fits\" is missing and nothing is published for this sample", "damping_fits");
@@ -144,10 +159,11 @@ class Printed {
     Printed(Dimension dimension, const std::optional<View>& rounding, const char* kind)
         : dimension_(dimension) {
         if (!rounding) return;
-        if (const auto digit = rounding->find(kind)) digit_ = digit->number(dimension);
+        if (const auto digit = rounding->find(kind)) digit_ = not_negative(*digit, "rounding", dimension);
     }
     [[nodiscard]] Quantity read(const View& node) const {
         Quantity quantity = node.quantity(dimension_);
+        node.located([&] { require_possible(quantity.value); });
         if (!quantity.standard_uncertainty) quantity.standard_uncertainty = uncertainty();
         return quantity;
     }
@@ -163,6 +179,14 @@ class Printed {
     }
 
   private:
+    /// Refuses a value that no measurement and no model can give. Only a damping may be zero.
+    void require_possible(double value) const {
+        const std::string name = "published " + std::string(dimension_name(dimension_));
+        if (dimension_ == Dimension::fraction) return require_fraction(name, value);
+        if (dimension_ == Dimension::damping) return require_not_negative(name, value, dimension_);
+        require_positive(name, value, dimension_);
+    }
+
     Dimension dimension_;
     std::optional<double> digit_;
 };
@@ -300,16 +324,18 @@ PublishedSample read_published(const View& node, const std::string& source,
     if (const auto fits = node.find("damping_fits")) published.damping_fits = read_quadratics(*fits);
     published.damping_fit_uncertainty = Printed(Dimension::damping, rounding, "damping_fit").uncertainty();
     if (const auto u = node.find("damping_fit_uncertainty"))
-        published.damping_fit_uncertainty = u->number(Dimension::damping);
+        published.damping_fit_uncertainty =
+            not_negative(*u, "uncertainty of a coefficient", Dimension::damping);
     published.critical_damping = damping.read_by_law(node, "critical_damping");
     published.critical_velocity = velocity.read_by_law(node, "critical_velocity");
     if (const auto value = node.find("measured_critical_velocity"))
         published.measured_critical_velocity = velocity.read(*value);
     if (const auto times = node.find("contact_times"))
         for (const View& entry : times->elements())
-            published.contact_times.push_back({Law::named(entry.at("law").text()),
-                                               entry.at("velocity").quantity(Dimension::velocity),
-                                               time.read(entry.at("contact_time"))});
+            published.contact_times.push_back(
+                {Law::named(entry.at("law").text()),
+                 positive_quantity(entry.at("velocity"), "velocity", Dimension::velocity),
+                 time.read(entry.at("contact_time"))});
     published.critical_contact_times = time.read_by_law(node, "critical_contact_times");
     return published;
 }

@@ -14,6 +14,10 @@ namespace ashimpact {
 
 namespace {
 
+void add_allow_outside(CLI::App& command, bool& allow_outside) {
+    command.add_flag("--allow-outside", allow_outside, "the case may name files outside of its own folder");
+}
+
 void add_run(CLI::App& program, Action& action) {
     auto* command =
         add_command(program, "run", "Every stage of a case, from XRD to the critical velocity",
@@ -35,8 +39,7 @@ void add_run(CLI::App& program, Action& action) {
     command->add_flag("--no-report", options->no_report, "leave report.html out");
     command->add_flag("--figures", options->figures,
                       "every figure as SVG and PDF too, for one column and for two (PDF: librsvg2-bin)");
-    command->add_flag("--allow-outside", options->allow_outside,
-                      "the case may name files outside of its own folder");
+    add_allow_outside(*command, options->allow_outside);
     command->callback(
         [options, &action] { action = [options](std::ostream& out) { run_run_command(*options, out); }; });
 }
@@ -96,6 +99,7 @@ void add_calibrate(CLI::App& program, Action& action) {
                    "hypotheses beside one another: one modulus or those from XRD, one density or one a size, "
                    "wall known or free")
         ->excludes("--free");
+    add_allow_outside(*command, options->allow_outside);
     command->add_flag("--json", options->json, "print one JSON object, numbers with 17 significant digits");
     command->callback([options, &action] {
         action = [options](std::ostream& out) { run_calibrate_command(*options, out); };
@@ -109,6 +113,7 @@ void add_cross_check(CLI::App& program, Action& action) {
     const auto options = std::make_shared<CrossCheckOptions>();
     command->add_option("case", options->case_file, "case file; default: the built-in case, Dong et al. 2013")
         ->type_name("CASE.json");
+    add_allow_outside(*command, options->allow_outside);
     command->add_flag("--json", options->json, "print one JSON object, numbers with 17 significant digits");
     command->callback([options, &action] {
         action = [options](std::ostream& out) { run_cross_check_command(*options, out); };

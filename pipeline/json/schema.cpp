@@ -1,15 +1,19 @@
 #include "pipeline/json/schema.hpp"
 
 #include <array>
+#include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "data/embedded.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/text.hpp"
 #include "materials/modulus.hpp"
 #include "materials/work_of_adhesion.hpp"
+#include "pipeline/json/view.hpp"
 #include "solver/calibration/calibration.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/damping/damping.hpp"
@@ -149,7 +153,64 @@ const Json* child_schema(const Json& schema, const Json& node, const std::string
     return nullptr;
 }
 
+/// Definitions that are quantities, with their dimension.
+constexpr std::array<std::pair<std::string_view, Dimension>, 12> quantity_definitions{
+    {{"fraction", Dimension::fraction},
+     {"length", Dimension::length},
+     {"mass", Dimension::mass},
+     {"time", Dimension::time},
+     {"velocity", Dimension::velocity},
+     {"density", Dimension::density},
+     {"pressure", Dimension::pressure},
+     {"force", Dimension::force},
+     {"energy", Dimension::energy},
+     {"energy_per_area", Dimension::energy_per_area},
+     {"damping", Dimension::damping},
+     {"impulse", Dimension::impulse}}};
+
+/// The dimension of what @p node describes, through a choice that null is part of too.
+std::optional<Dimension> dimension_of(const Json& node) {
+    if (node.contains("anyOf"))
+        for (const Json& branch : node["anyOf"])
+            if (const auto dimension = dimension_of(branch)) return dimension;
+    if (!node.contains("$ref")) return std::nullopt;
+    const auto target = node["$ref"].get<std::string>();
+    const std::string name = target.substr(target.rfind('/') + 1);
+    for (const auto& [definition, dimension] : quantity_definitions)
+        if (definition == name) return dimension;
+    return std::nullopt;
+}
+
+void validate_quantity(const View& value, Dimension dimension) {
+    constexpr double most = 1e40;
+    const double number = value.number(dimension);
+    if (!(std::abs(number) <= most))
+        (value.is_object() ? value.at("value") : value)
+            .fail("is " + shortest(number) + " " + std::string(si_unit(dimension)),
+                  "a number up to 1e40 in SI");
+}
+
+void validate_quantities_below(const View& value, const Json& schema, const Json& node) {
+    if (value.json().is_null()) return;
+    if (const auto dimension = dimension_of(node)) return validate_quantity(value, *dimension);
+    if (!value.json().is_structured()) return;
+    const Json& part = dereferenced(schema, node);
+    const auto go_on = [&](const View& member, const std::string& key) {
+        if (const Json* below = child_schema(schema, part, key))
+            validate_quantities_below(member, schema, *below);
+    };
+    if (value.is_object())
+        for (const auto& [key, member] : value.members()) go_on(member, key);
+    else if (!value.json().empty() && value.json().front().is_structured())
+        for (const View& element : value.elements()) go_on(element, "0");
+}
+
 }  // namespace
+
+void validate_quantities(const Json& document, std::string_view schema_name) {
+    const Json schema = schema_named(schema_name);
+    validate_quantities_below(View(document), schema, schema);
+}
 
 std::vector<std::string> schema_names() {
     std::vector<std::string> names;

@@ -26,4 +26,10 @@ void validate_document(const Json& document, std::string_view schema_name);
 /// references resolved; null if nothing does.
 [[nodiscard]] const Json* schema_part(const Json& schema, const std::vector<std::string>& path);
 
+/// Checks every quantity of a document that its schema gives a dimension: unit, a finite number up to 1e40 in
+/// SI. For documents that no reader of ours goes through whole, such as artifacts that were edited. The
+/// document conforms to its schema.
+/// @throws InputError with the JSON pointer
+void validate_quantities(const Json& document, std::string_view schema_name);
+
 }  // namespace ashimpact

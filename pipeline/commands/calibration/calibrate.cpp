@@ -162,7 +162,7 @@ void tell_that_it_takes_time() {
 
 void run_calibrate_command(const CalibrateOptions& options, std::ostream& out) {
     const auto file = options.case_file.empty() ? std::nullopt : std::optional(options.case_file);
-    const Artifacts artifacts = compute_artifacts(file, "contact");
+    const Artifacts artifacts = compute_artifacts(file, "contact", options.allow_outside);
     Case data = read_case_artifact(artifacts);
     if (!options.free.empty()) data.calibration.clear();
     for (const std::string& text : options.free) {

@@ -15,6 +15,7 @@ struct CalibrateOptions {
     std::string case_file;          ///< empty: the built-in case
     std::vector<std::string> free;  ///< "density" or "density:each"; empty: what the case says
     bool compare = false;           ///< hypotheses beside one another instead of one calibration
+    bool allow_outside = false;     ///< the case may name files outside of its folder
     bool json = false;
 };
 

@@ -191,7 +191,7 @@ std::string check_text(const SampleCheck& check) {
 
 void run_cross_check_command(const CrossCheckOptions& options, std::ostream& out) {
     const auto file = options.case_file.empty() ? std::nullopt : std::optional(options.case_file);
-    const Artifacts artifacts = compute_artifacts(file, "contact");
+    const Artifacts artifacts = compute_artifacts(file, "contact", options.allow_outside);
     const Case data = read_case_artifact(artifacts);
     const auto contacts = artifacts.read(contact_artifact, read_contacts);
     std::vector<SampleCheck> checks;

@@ -6,7 +6,8 @@
 namespace ashimpact {
 
 struct CrossCheckOptions {
-    std::string case_file;  ///< empty: the built-in case
+    std::string case_file;       ///< empty: the built-in case
+    bool allow_outside = false;  ///< the case may name files outside of its folder
     bool json = false;
 };
 

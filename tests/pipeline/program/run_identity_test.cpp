@@ -71,6 +71,16 @@ TEST_CASE("the same case gives the same run and the same bytes") {
           })->second);
 }
 
+TEST_CASE("an artifact that is not there is named, and no other file") {
+    const Sandbox sandbox;
+    run_case(sandbox, quick_case(), "one");
+    std::filesystem::remove(sandbox.path("one/2-contact.json"));
+    const auto run = ashimpact_program(sandbox, "run -o one --from analytic");
+    CHECK(run.status == 2);
+    CHECK_MESSAGE(run.err.find("one/2-contact.json: cannot be read") == 0, run.err);
+    CHECK(test::lines_of(run.err).size() == 1);
+}
+
 TEST_CASE("an edited artifact is taken and said to be edited; another layout is no edit") {
     const Sandbox sandbox;
     run_case(sandbox, quick_case(), "one");
@@ -98,6 +108,14 @@ TEST_CASE("what cannot be is refused in an edited artifact, with file and place"
     const Sandbox sandbox;
     run_case(sandbox, quick_case(), "one");
     const Json whole = sandbox.json("one/3-analytic.json");
+    {
+        Json artifact = whole;
+        artifact["result"]["samples"][0]["critical_velocity"]["unit"] = "kg";
+        sandbox.write("one/3-analytic.json", artifact.dump());
+        check_command_refused(
+            sandbox, "run -o one --only comparison",
+            "one/3-analytic.json: /result/samples/0/critical_velocity: the unit \"kg\" is not one of");
+    }
     for (const char* value : {"-2", "1e300"}) {
         Json artifact = whole;
         artifact["result"]["samples"][0]["critical_velocity"]["value"] = Json::parse(value);
@@ -237,6 +255,12 @@ TEST_CASE("a case names files of its own folder only, through links too, unless 
     check_command_refused(sandbox, "run inside/case.json -o out",
                           "impacts.csv: lies outside of the folder of the case");
     CHECK(ashimpact_program(sandbox, "run inside/case.json -o allowed --allow-outside").status == 0);
+    for (const std::string command : {"calibrate", "cross-check"}) {
+        check_command_refused(sandbox, command + " inside/case.json",
+                              "impacts.csv: lies outside of the folder of the case");
+        const auto allowed = ashimpact_program(sandbox, command + " inside/case.json --allow-outside");
+        CHECK_MESSAGE(allowed.err.find("outside") == std::string::npos, allowed.err);
+    }
     std::filesystem::create_symlink("../impacts.csv", sandbox.folder() / "inside/link.csv");
     document["samples"][0]["restitution"]["file"] = "link.csv";
     sandbox.write("inside/case.json", document.dump());

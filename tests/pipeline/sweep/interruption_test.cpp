@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <csignal>
+#include <cstdlib>
 #include <random>
 #include <thread>
 
@@ -18,6 +20,12 @@ constexpr double sample_count = 60'000;  // 30 chunks
 const std::vector<std::string> watched_sweep{ASHIMPACT_STAND_IN, "sweep", "spec.json", "-o", "out.json",
                                              "--checkpoint",     "0",     "--threads", "1"};
 const std::vector<std::string> slowly{"ASHIMPACT_PAUSE=0.02"};
+
+/// How often something is tried: with ASHIMPACT_WHOLE, as `./dev test reliability` sets it, as often as
+/// docs/reliability.md says.
+int times(int in_short, int in_whole) {
+    return std::getenv("ASHIMPACT_WHOLE") == nullptr ? in_short : in_whole;
+}
 
 void write_spec(const Sandbox& sandbox) {
     sandbox.write("spec.json", test::full_spec(sample_count).dump());
@@ -56,7 +64,8 @@ TEST_CASE("a sweep killed at random moments and run again leaves the bytes of an
     std::minstd_rand random(
         static_cast<unsigned>(std::chrono::steady_clock::now().time_since_epoch().count()));
     std::uniform_real_distribution<double> moment(0.0, 0.6);
-    for (int round = 0; round < 4; ++round) {
+    int kills = 0;
+    for (int round = 0; round < 4 || kills < times(8, 300); ++round) {
         const Sandbox sandbox;
         write_spec(sandbox);
         int killed = 0;
@@ -72,7 +81,9 @@ TEST_CASE("a sweep killed at random moments and run again leaves the bytes of an
         }
         CHECK(killed > 0);
         CHECK(sandbox.everything() == expected);
+        kills += killed;
     }
+    MESSAGE(kills << " sweeps were killed");
 }
 
 TEST_CASE("the program itself, killed and run again with other ranks and threads, leaves the same bytes") {
@@ -117,12 +128,16 @@ TEST_CASE("the program itself, killed and run again with other ranks and threads
 }
 
 TEST_CASE("a rank that dies ends the job with an error, and what is finished stays") {
-    for (const char* rank_and_calls : {"1:5", "0:9", "2:3"}) {
+    std::minstd_rand random(3);
+    std::vector<std::string> deaths{"1:5", "0:9", "2:3"};
+    for (int more = times(0, 27); more > 0; --more)
+        deaths.push_back(std::to_string(random() % 3) + ":" + std::to_string(2 + random() % 8));
+    for (const std::string& rank_and_calls : deaths) {
         CAPTURE(rank_and_calls);
         const Sandbox sandbox;
         write_spec(sandbox);
         const Ended ended = test::run(sandbox, test::under_mpi(3, watched_sweep),
-                                      {slowly.front(), std::string("ASHIMPACT_DIE=") + rank_and_calls});
+                                      {slowly.front(), "ASHIMPACT_DIE=" + rank_and_calls});
         CHECK(ended.status != 0);
         CHECK_FALSE(sandbox.has("out.json"));
         REQUIRE(sandbox.has("out.json.checkpoint"));
@@ -261,10 +276,14 @@ TEST_CASE("a flipped bit anywhere in the rows is found, with its place, and no t
     const std::string rows = sandbox.read("out.json.rows");
     std::minstd_rand random(7);
     int found = 0;
-    for (int round = 0; round < 12; ++round) {
+    const auto flip = [&](std::string& bytes, std::size_t place) {
+        bytes[place] = static_cast<char>(bytes[place] ^ (1 << (random() % 8)));
+    };
+    const int rounds = times(12, 300);
+    for (int round = 0; round < rounds; ++round) {
         std::string flipped = rows;
         const std::size_t place = 21 + random() % (rows.size() - 21);
-        flipped[place] = static_cast<char>(flipped[place] ^ (1 << (random() % 8)));
+        flip(flipped, place);
         sandbox.write("out.json.checkpoint", checkpoint);
         sandbox.write("out.json.rows", flipped);
         const Ended ended = test::run(sandbox, watched_sweep);
@@ -282,6 +301,21 @@ TEST_CASE("a flipped bit anywhere in the rows is found, with its place, and no t
         for (const char* file : {"out.h5", "out.json"}) std::filesystem::remove(sandbox.path(file));
     }
     CHECK(found > 0);
+    for (int round = 0; round < rounds; ++round) {
+        std::string flipped = checkpoint;
+        const std::size_t place = random() % checkpoint.size();
+        flip(flipped, place);
+        sandbox.write("out.json.checkpoint", flipped);
+        sandbox.write("out.json.rows", rows);
+        const Ended ended = test::run(sandbox, watched_sweep);
+        CAPTURE(place);
+        CHECK(ended.status == 2);
+        CHECK_MESSAGE(ended.err.find("out.json.checkpoint: ") != std::string::npos, ended.err);
+        CHECK(sandbox.read("out.json.rows") == rows);
+        CHECK_FALSE(sandbox.has("out.json"));
+    }
+    MESSAGE(rounds << " bits flipped in rows, " << found << " of them found, " << rounds
+                   << " in checkpoints, all found");
 }
 
 TEST_CASE("a disk that is full at any moment is said in one line; no signal, nothing lost") {
@@ -290,10 +324,14 @@ TEST_CASE("a disk that is full at any moment is said in one line; no signal, not
     REQUIRE(test::run(whole, watched_sweep).status == 0);
     const auto blocks = std::filesystem::file_size(whole.path("out.h5")) / 1024;
     int refused = 0;
-    for (int part = 1; part <= 12; ++part) {  // with no room at all not even the message finds a place
+    const int parts = times(11, 150);
+    for (int part = 1; part <= parts + 1; ++part) {  // with no room at all not even the message finds a place
         const Sandbox sandbox;
         write_spec(sandbox);
-        std::string command = "ulimit -f " + std::to_string(blocks * static_cast<std::uintmax_t>(part) / 11);
+        std::string command =
+            "ulimit -f " +
+            std::to_string(std::max<std::uintmax_t>(
+                1, blocks * static_cast<std::uintmax_t>(part) / static_cast<std::uintmax_t>(parts)));
         command += "; exec \"$@\"";
         std::vector<std::string> limited{"bash", "-c", command, "bash"};
         limited.insert(limited.end(), watched_sweep.begin(), watched_sweep.end());

@@ -137,7 +137,8 @@ TEST_CASE("each system call of the write phase fails once: the folder is the old
             refused += ended.status == 2 ? 1 : 0;
             if (call % 5 == 0) check_goes_on(scene, sandbox);
         }
-        MESSAGE(std::strerror(error) << ": " << calls << " calls, " << refused << " runs refused");
+        MESSAGE(std::string(std::strerror(error))
+                << ": " << calls << " calls, " << refused << " runs refused");
         CHECK(calls > 20);
         if (error != EINTR) CHECK(refused > 5);
     }
@@ -211,6 +212,48 @@ TEST_CASE("twenty runs into one folder: one at a time, the others say so, and th
     }
     CHECK(done >= 1);
     CHECK(sandbox.everything() == scene.after());
+}
+
+TEST_CASE("a flipped bit in an artifact is refused, said to be an edit, or changes no result") {
+    const Sandbox sandbox;
+    test::write_example(sandbox, small_case(1.5));
+    REQUIRE(test::run(sandbox, {ASHIMPACT_PROGRAM, "run", "case.json", "-o", "out", "--no-report"}).status ==
+            0);
+    const std::vector<std::string> again{ASHIMPACT_PROGRAM, "run",        "-o",         "out",
+                                         "--only",          "comparison", "--no-report"};
+    const Json expected = sandbox.json("out/comparison.json")["result"];
+    std::minstd_rand random(9);
+    int refused = 0;
+    int edited = 0;
+    const int rounds = whole() ? 300 : 30;
+    for (int round = 0; round < rounds; ++round) {
+        static const std::vector<std::string> files{
+            "0-case", "1-modulus", "2-contact", "3-analytic", "6-fit", "7-critical-velocity", "8-histories"};
+        const std::string file = "out/" + files[random() % files.size()] + ".json";
+        const std::string bytes = sandbox.read(file);
+        std::string flipped = bytes;
+        const std::size_t place = random() % bytes.size();
+        flipped[place] = static_cast<char>(flipped[place] ^ (1 << (random() % 8)));
+        sandbox.write(file, flipped);
+        const Ended ended = test::run(sandbox, again);
+        sandbox.write(file, bytes);
+        CAPTURE(file);
+        CAPTURE(place);
+        CAPTURE(ended.err);
+        CHECK((ended.status == 0 || ended.status == 2));
+        if (ended.status == 2) {
+            ++refused;
+            CHECK(test::lines_of(ended.err).size() == 1);
+            CHECK(ended.err.find(file) != std::string::npos);
+        } else if (ended.err.find("was edited") != std::string::npos) {
+            ++edited;
+        } else {
+            CHECK(sandbox.json("out/comparison.json")["result"] == expected);
+        }
+    }
+    MESSAGE(rounds << " bits flipped in artifacts: " << refused << " refused, " << edited
+                   << " said to be edits");
+    CHECK(refused + edited > rounds / 4);
 }
 
 TEST_CASE("a pipe in the way is refused at once, and an interruption ends a run at any time") {
