@@ -133,9 +133,9 @@ class Draws {
         };
         double mean = 0.0;
         double square = 0.0;
-        for (const auto& [x, weight] : sorted) {
-            mean += weight * x;
-            square += weight * x * x;
+        for (const auto& [x, share] : sorted) {
+            mean += share * x;
+            square += share * x * x;
         }
         const double tail = 0.5 * (1.0 - confidence);
         const double median = std::exp(quantile(0.5));
