@@ -9,8 +9,8 @@
 
 #include "bench/machine.hpp"
 #include "solver/motion/scale.hpp"
-#include "tests/oracles/deck.hpp"
-#include "tests/oracles/program.hpp"
+#include "tests/oracles/dem/deck.hpp"
+#include "tests/oracles/dem/program.hpp"
 
 namespace ashimpact::bench {
 

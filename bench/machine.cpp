@@ -10,7 +10,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "tests/oracles/program.hpp"
+#include "tests/oracles/dem/program.hpp"
 
 namespace ashimpact::bench {
 

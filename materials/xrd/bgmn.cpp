@@ -3,7 +3,7 @@
 #include <map>
 #include <optional>
 
-#include "materials/base/number.hpp"
+#include "materials/base/tables/number.hpp"
 #include "materials/base/text.hpp"
 #include "materials/xrd/readers.hpp"
 

@@ -2,7 +2,7 @@
 #include <optional>
 #include <set>
 
-#include "materials/base/number.hpp"
+#include "materials/base/tables/number.hpp"
 #include "materials/base/text.hpp"
 #include "materials/xrd/readers.hpp"
 

@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "materials/base/number.hpp"
+#include "materials/base/tables/number.hpp"
 #include "materials/base/text.hpp"
 #include "materials/xrd/readers.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "materials/base/text_lines.hpp"
+#include "materials/base/tables/text_lines.hpp"
 #include "materials/xrd/xrd.hpp"
 
 /// One reader a format; read_xrd chooses. Errors: InputError at "line N" (JSON: at the pointer).

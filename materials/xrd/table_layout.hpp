@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "materials/base/cells.hpp"
-#include "materials/base/number.hpp"
-#include "materials/base/text_lines.hpp"
+#include "materials/base/tables/cells.hpp"
+#include "materials/base/tables/number.hpp"
+#include "materials/base/tables/text_lines.hpp"
 #include "materials/xrd/headings.hpp"
 
 namespace ashimpact::xrd {

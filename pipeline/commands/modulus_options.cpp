@@ -1,7 +1,7 @@
 #include "pipeline/commands/modulus_options.hpp"
 
 #include "materials/base/checks.hpp"
-#include "materials/base/number.hpp"
+#include "materials/base/tables/number.hpp"
 #include "materials/base/text.hpp"
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/commands/contact_options.hpp"

@@ -47,6 +47,9 @@ const Code& code_named(const std::string& name) {
 
 /// The subject of the options of an impact.
 ExportSubject subject_of_options(const ExportOptions& options) {
+    if (!options.contact.partner_radius.empty())
+        throw InputError("a folder is for particles on a flat wall, not for two spheres", "a wall")
+            .at("--partner-radius");
     const ContactChoice choice = read_contact(options.contact);
     const Damping damping = read_damping(options.contact);
     const double diameter = 2 * choice.contact.effective_radius;
@@ -56,17 +59,36 @@ ExportSubject subject_of_options(const ExportOptions& options) {
         .contact = choice.contact,
         .density = sphere_density(choice.contact.effective_radius, choice.contact.mass),
         .damping = {.law = damping.law, .nodes = {{0, damping.coefficient}}, .reference_diameter = diameter},
-        .from_diameter = diameter / 2,
-        .to_diameter = 2 * diameter};
+        .from_diameter = diameter,
+        .to_diameter = diameter};
     subject.origins = {
         fmt::format("radius of the sphere {}, density {}, from the command line",
                     readable(choice.contact.effective_radius, "m"), readable(subject.density, "kg/m3")),
         fmt::format("E* = {}, contact modulus of particle and wall together, from the command line",
                     readable(choice.contact.contact_modulus, "Pa")),
-        fmt::format(
-            "w = {}, work of adhesion of the pair of surfaces (not a surface energy), from the command line",
-            readable(choice.contact.work_of_adhesion, "J/m2"))};
+        fmt::format("w = {}, work of adhesion of the pair of surfaces (not a surface energy), from the "
+                    "command line{}",
+                    readable(choice.contact.work_of_adhesion, "J/m2"),
+                    options.contact.roughness.empty() ? "" : ", lowered by --roughness")};
+    for (const LawParameter& parameter : choice.law.parameters())
+        if (choice.contact.parameters.has(parameter))
+            subject.origins.push_back(
+                fmt::format("{}: {}, from the command line", parameter.description,
+                            readable(choice.contact.parameters[parameter], si_unit(parameter.dimension))));
     return subject;
+}
+
+/// What belongs to one size alone: a folder takes w and the law's parameters for every size.
+void require_same_at_every_size(const ExportOptions& options, const ExportSubject& subject) {
+    if (subject.one_size()) return;
+    if (subject.contact.parameters.has(stated_tabor) && subject.law.takes(stated_tabor))
+        throw InputError("goes with the size, and several sizes are asked for",
+                         "--cohesion-range or --cohesive-stress, which every size shares")
+            .at("--tabor");
+    if (!options.contact.roughness.empty())
+        throw InputError("lowers w by a share that goes with the size, and several sizes are asked for",
+                         "one size, or the w of rough surfaces by --work-of-adhesion")
+            .at("--roughness");
 }
 
 /// A range given by the user.
@@ -84,6 +106,7 @@ void read_ranges(const ExportOptions& options, ExportSubject& subject) {
                         readable(subject.to_diameter, "m")),
             "a range that rises")
             .at("--from-diameter, --to-diameter");
+    require_same_at_every_size(options, subject);
     if (!subject.one_size() && !subject.damping.is_zero() && options.damping_exponent.empty())
         throw InputError("several sizes are asked for, but not how the damping goes with the size",
                          "0 for the same damping at every size, 2 for the same e of Hertz spheres, ...")
@@ -113,11 +136,15 @@ void read_ranges(const ExportOptions& options, ExportSubject& subject) {
 /// Options of an impact beside a run: a run has them all but the law.
 void refuse_contact_options(const ExportOptions& options) {
     const ContactOptions& contact = options.contact;
-    const std::array<std::pair<const char*, const std::string*>, 9> given{
+    const std::array<std::pair<const char*, const std::string*>, 13> given{
         {{"--radius", &contact.radius},
          {"--diameter", &contact.diameter},
          {"--density", &contact.density},
          {"--mass", &contact.mass},
+         {"--partner-radius", &contact.partner_radius},
+         {"--partner-density", &contact.partner_density},
+         {"--partner-mass", &contact.partner_mass},
+         {"--roughness", &contact.roughness},
          {"--contact-modulus", &contact.contact_modulus},
          {"--work-of-adhesion", &contact.work_of_adhesion},
          {"--yield-pressure", &contact.yield_pressure},
@@ -125,6 +152,10 @@ void refuse_contact_options(const ExportOptions& options) {
          {"--detachment", &contact.detachment}}};
     for (const auto& [name, text] : given)
         if (!text->empty()) throw InputError("the run has it", "a run, or the options of an impact").at(name);
+    for (std::size_t i = 0; i < contact.parameters.size(); ++i)
+        if (!contact.parameters[i].empty())
+            throw InputError("the run has it", "a run, or the options of an impact")
+                .at(option_of(law_parameters()[i]));
     if (contact.damping_law != ContactOptions{}.damping_law)
         throw InputError("the run has it", "a run, or the options of an impact").at("--damping-law");
 }

@@ -10,16 +10,19 @@
 #include "pipeline/export/expected.hpp"
 #include "pipeline/text/readable.hpp"
 #include "solver/contact/pair.hpp"
+#include "solver/contact/sjkr.hpp"
 
 namespace ashimpact {
 
 namespace {
 
-constexpr double captured_horizon = 12;  // Hertz contacts after which a captured sphere is still there
-constexpr double rebound_horizon = 4;    // contacts: near v_c a finite time step makes the contact longer
-constexpr int captured_every = 50;       // steps between two rows of output; a rebound needs every step
-constexpr double cloud_steps = 200;      // of the shortest contact
-constexpr double cloud_horizon = 6;      // of the longest contact
+constexpr double captured_horizon = 8;   // Hertz contacts after which a captured sphere is still there
+constexpr double rebound_horizon = 1.5;  // contacts
+constexpr double slow_horizon = 4;       // near v_c, where a finite time step makes the contact longer
+constexpr double slow_restitution = 0.02;
+constexpr int captured_every = 50;   // steps between two rows of output; a rebound needs every step
+constexpr double cloud_steps = 200;  // of the shortest contact
+constexpr double cloud_horizon = 6;  // of the longest contact
 
 bool is(const ExportSubject& subject, std::string_view law) {
     return subject.law.name() == law;
@@ -32,7 +35,13 @@ double hertz_time(const ExportSubject& subject, double diameter, double velocity
     return 3.21806546 * std::pow(contact.mass * contact.mass / (k * k * velocity), 0.2);
 }
 
-/// Damping coefficient at the velocity v_ash_impact, a sum of ramps through the nodes, cut into lines.
+/// Steps to run, in contacts.
+double horizon_of(const ExpectedImpact& impact) {
+    if (impact.outcome == Outcome::capture) return captured_horizon;
+    return impact.restitution < slow_restitution ? slow_horizon : rebound_horizon;
+}
+
+/// Damping coefficient at the velocity f_ash_memory, a sum of ramps through the nodes, cut into lines.
 std::string velocity_curve(const std::vector<DampingNode>& nodes) {
     constexpr std::size_t ramps_a_line = 6;
     std::string lines;
@@ -44,7 +53,7 @@ std::string velocity_curve(const std::vector<DampingNode>& nodes) {
         const double slope = last ? 0
                                   : (nodes[i + 1].coefficient - nodes[i].coefficient) /
                                         (nodes[i + 1].velocity - nodes[i].velocity);
-        sum += fmt::format(" + ({})*(v_ash_impact>{})*(v_ash_impact-{})", exact(slope - slope_before),
+        sum += fmt::format(" + ({})*(f_ash_memory>{})*(f_ash_memory-{})", exact(slope - slope_before),
                            exact(nodes[i].velocity), exact(nodes[i].velocity));
         slope_before = slope;
         if ((i + 1) % ramps_a_line == 0 || last) {
@@ -55,7 +64,8 @@ std::string velocity_curve(const std::vector<DampingNode>& nodes) {
     return lines + fmt::format("variable         ash_curve atom \"{}\"\n", sum);
 }
 
-/// Remembers the velocity of approach of each particle for as long as its contact lasts.
+/// Remembers the velocity of approach of each particle for as long as its contact lasts: f_ash_memory, which
+/// costs a fraction of a variable, since that is parsed again for each of its uses.
 std::string impact_memory() {
     return "variable         ash_impact atom \"-vz\"\n"
            "run              0\n"
@@ -86,6 +96,9 @@ std::string damping_variable(const ExportSubject& subject) {
 std::string attraction_formula(const ExportSubject& subject) {
     const double w = subject.contact.work_of_adhesion;
     if (is(subject, "dmt")) return fmt::format("2*PI*{}*c_ash_radius", exact(w));
+    if (is(subject, "sjkr"))
+        return fmt::format("PI*{}*c_ash_radius*v_ash_depth",
+                           exact(subject.contact.parameters[cohesion_energy_density]));
     const double cube =
         6 * w * w * subject.contact.contact_modulus;  // 2 pi f sqrt(R delta), f^3 = 6 w^2 R E*/pi
     return fmt::format("2*PI*({}*c_ash_radius/PI)^(1/3)*sqrt(c_ash_radius*v_ash_depth)", exact(cube));
@@ -100,8 +113,12 @@ std::string list_of(const std::vector<ExpectedImpact>& impacts, std::string_view
 
 }  // namespace
 
+bool attracts(const ExportSubject& subject) {
+    return subject.law.uses_work_of_adhesion() || is(subject, "sjkr");
+}
+
 std::optional<std::string> added_forces_refusal(const ExportSubject& subject) {
-    if (!is(subject, "hertz") && !is(subject, "dmt") && !is(subject, "brach-dunn"))
+    if (!is(subject, "hertz") && !is(subject, "dmt") && !is(subject, "brach-dunn") && !is(subject, "sjkr"))
         return fmt::format("its walls know no {}", subject.law.name());
     const bool zero_force = subject.detachment == Detachment::zero_force;
     if (subject.detachment != Detachment::zero_overlap && !zero_force)
@@ -139,8 +156,11 @@ std::vector<std::string> added_force_conversions(const ExportSubject& subject, b
     std::vector<std::string> lines;
     if (attraction)
         lines.emplace_back(
-            is(subject, "dmt")
-                ? "attraction 2 pi w R* while in contact, by `fix addforce`"
+            is(subject, "dmt") ? "attraction 2 pi w R* while in contact, by `fix addforce`"
+            : is(subject, "sjkr")
+                ? "attraction pi k_c R* overlap, by `fix addforce`; `cohesion sjkr` of LIGGGHTS takes the "
+                  "area "
+                  "in which sphere and wall intersect, pi (2 R overlap - overlap^2), and needs k_c/2 for it"
                 : "attraction 2 pi f sqrt(R* overlap), f = (6 w^2 R* E*/pi)^(1/3), by `fix addforce`");
     if (damping)
         lines.emplace_back("damping force -eta v on the normal velocity while in contact, by `fix addforce`");
@@ -165,9 +185,7 @@ ExportFile impact_variables(const ExportSubject& subject) {
     text += list_of(impacts, "contact_time", [&](const ExpectedImpact& each) {
         return exact(each.contact_time.value_or(hertz_time(subject, each.diameter, each.velocity)));
     });
-    text += list_of(impacts, "horizon", [&](const ExpectedImpact& each) {
-        return exact(is_capture(each) ? captured_horizon : rebound_horizon);
-    });
+    text += list_of(impacts, "horizon", [&](const ExpectedImpact& each) { return exact(horizon_of(each)); });
     text += list_of(impacts, "every", [&](const ExpectedImpact& each) {
         return std::to_string(is_capture(each) ? captured_every : 1);
     });

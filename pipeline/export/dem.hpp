@@ -18,6 +18,9 @@ namespace ashimpact {
 /// variables: attraction if @p attraction, damping if @p damping.
 [[nodiscard]] std::string added_forces(const ExportSubject& subject, bool attraction, bool damping);
 
+/// Whether the law attracts: by a work of adhesion or by a parameter of its own.
+[[nodiscard]] bool attracts(const ExportSubject& subject);
+
 /// What these codes cannot do, in words; none: they can.
 [[nodiscard]] std::optional<std::string> added_forces_refusal(const ExportSubject& subject);
 

@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "materials/base/text.hpp"
 #include "pipeline/case/laws.hpp"
@@ -15,6 +16,7 @@
 #include "pipeline/stages/read_case_artifact.hpp"
 #include "pipeline/text/readable.hpp"
 #include "solver/calibration/reconstruction.hpp"
+#include "solver/motion/damping_inversion.hpp"
 
 namespace ashimpact {
 
@@ -73,19 +75,43 @@ double greatest_restitution(const DampingSeries& series) {
     return greatest;
 }
 
+/// The damping at which the run's critical velocity is one.
+struct CriticalDamping {
+    double coefficient;              ///< [unit of the damping law]
+    std::optional<double> velocity;  ///< v_c; none where the verdict of the run is not finite [m/s]
+    bool of_headline = false;        ///< solved for the headline; else the fit's own eta(e = 0)
+};
+
+/// The headline of 7-critical-velocity.json need not be that of the fit's eta(e = 0): it may be read from
+/// the data directly, or edited. The exported damping is then the smallest that captures at the headline.
+CriticalDamping critical_damping(const LawFit& fit, const LawChoice& law, DampingLaw damping_law,
+                                 const ContactPair& contact, const LawCriticalVelocity& headline) {
+    constexpr double same = 1e-9;  // relative; the headline is written with as many digits
+    const CriticalVelocity of_fit = critical_velocity({.law = law.law,
+                                                       .detachment = law.detachment,
+                                                       .damping = {damping_law, fit.critical_damping},
+                                                       .contact = contact});
+    if (!headline.value) return {fit.critical_damping, of_fit.value};
+    const double velocity = headline.value->value;
+    if (of_fit.value && std::abs(velocity / *of_fit.value - 1) <= same)
+        return {fit.critical_damping, of_fit.value};
+    const DampingInversion inversion = damping_from_restitution({.law = law.law,
+                                                                 .detachment = law.detachment,
+                                                                 .damping_law = damping_law,
+                                                                 .contact = contact,
+                                                                 .velocity = velocity,
+                                                                 .restitution = 0});
+    return {inversion.damping.coefficient, velocity, true};
+}
+
 /// eta(v_in): where an impact with the fit's eta(e) gives e back, from v_c on.
 std::vector<DampingNode> followed(const LawFit& fit, const LawChoice& law, const ContactPair& contact,
-                                  double greatest) {
-    const CriticalVelocity critical =
-        critical_velocity({.law = law.law,
-                           .detachment = law.detachment,
-                           .damping = {DampingLaw::constant, fit.critical_damping},
-                           .contact = contact});
-    if (!critical.value)
+                                  const CriticalDamping& critical, double greatest) {
+    if (!critical.velocity)
         throw InputError("the critical damping has no finite critical velocity",
                          "damping that is not followed")
             .at("--follow-velocity");
-    std::vector<DampingNode> nodes{{*critical.value, fit.critical_damping}};
+    std::vector<DampingNode> nodes{{*critical.velocity, critical.coefficient}};
     for (int i = 1; i <= curve_nodes; ++i) {
         const double e = greatest * i / curve_nodes;
         const double eta = (fit.a * e + fit.b) * e + fit.c;
@@ -93,7 +119,7 @@ std::vector<DampingNode> followed(const LawFit& fit, const LawChoice& law, const
                                                          .detachment = law.detachment,
                                                          .damping = {DampingLaw::constant, eta},
                                                          .contact = contact,
-                                                         .velocity = *critical.value},
+                                                         .velocity = *critical.velocity},
                                                         e);
         // Adhesive laws fold back just above v_c, by less than a per cent; see least_rebound().
         if (velocity > 1.001 * nodes.back().velocity) nodes.push_back({velocity, eta});
@@ -113,8 +139,16 @@ ExportSubject subject_of_run(const RunChoice& choice) {
     const auto contacts = artifacts.read("2-contact.json", read_contacts);
     const auto fits =
         artifacts.read("6-fit.json", [&](const View& result) { return read_fits(result, dimension); });
+    const auto velocities = artifacts.read("7-critical-velocity.json", read_critical_velocities);
     const SampleContact& contact = sample_named(contacts, choice);
     const LawFit& fit = fit_of(sample_named(fits, choice), law);
+    const LawCriticalVelocity* headline = sample_named(velocities, choice).laws.find(law.law);
+    if (headline == nullptr)
+        throw InputError(
+            "7-critical-velocity.json has no critical velocity by " + std::string(law.law.name()),
+            "a law with one")
+            .at("--law");
+    const CriticalDamping critical = critical_damping(fit, law, data.damping_law, contact.pair, *headline);
     const double diameter = 2 * contact.pair.effective_radius;
 
     ExportSubject subject{.law = law.law,
@@ -122,7 +156,7 @@ ExportSubject subject_of_run(const RunChoice& choice) {
                           .contact = contact.pair,
                           .density = contact.density.value,
                           .damping = {.law = data.damping_law,
-                                      .nodes = {{0, fit.critical_damping}},
+                                      .nodes = {{0, critical.coefficient}},
                                       .reference_diameter = diameter},
                           .from_diameter = diameter,
                           .to_diameter = diameter};
@@ -134,9 +168,11 @@ ExportSubject subject_of_run(const RunChoice& choice) {
                                    readable(contact.work_of_adhesion)),
                        fmt::format("density {} (2-contact.json)", readable(contact.density))};
     if (!choice.follow_velocity) {
-        subject.origins.push_back(
-            "damping: the critical damping eta(e = 0) of 6-fit.json, at every velocity: "
-            "v_c is the run's, e above it is that of constant damping");
+        subject.origins.push_back(fmt::format(
+            "damping: {}, at every velocity: v_c is the run's headline, e above it is that of this damping",
+            critical.of_headline ? "the smallest that captures at the critical velocity of "
+                                   "7-critical-velocity.json"
+                                 : "the critical damping eta(e = 0) of 6-fit.json"));
         return subject;
     }
     if (data.damping_law != DampingLaw::constant)
@@ -147,7 +183,7 @@ ExportSubject subject_of_run(const RunChoice& choice) {
     const DampingSeries* series = sample_named(dampings, choice).laws.find(law.law);
     if (series == nullptr)
         throw InputError("5-damping.json has no impacts by this law", "a law with impacts").at("--law");
-    subject.damping.nodes = followed(fit, law, contact.pair, greatest_restitution(*series));
+    subject.damping.nodes = followed(fit, law, contact.pair, critical, greatest_restitution(*series));
     subject.to_velocity = subject.damping.nodes.back().velocity;
     subject.origins.push_back(fmt::format(
         "damping: the fit eta(e) of 6-fit.json along the velocity, {} nodes over the rising branch, "

@@ -14,7 +14,9 @@ namespace ashimpact {
 namespace {
 
 constexpr double aim = 0.6 * table_accuracy;  // at the places looked at, so that it holds between them
-constexpr double largest_decades = 6;         // of the diameter
+constexpr double threshold_aim = 0.5 * table_threshold_accuracy;
+constexpr double threshold_progress = 0.25;  // of the error left by twice the sizes; 1/16 where v_c is smooth
+constexpr double largest_decades = 6;        // of the diameter
 constexpr std::size_t smallest_sizes = 9;
 constexpr std::size_t smallest_nodes = 65;
 constexpr std::size_t largest_cells = 400'000;
@@ -129,7 +131,8 @@ ImpactBatchResult solve(const ExportSubject& subject, const Impacts& impacts) {
                                       .effective_radius = impacts.radius,
                                       .contact_modulus = impacts.modulus,
                                       .work_of_adhesion = impacts.adhesion,
-                                      .yield_pressure = impacts.pressure},
+                                      .yield_pressure = impacts.pressure,
+                                      .parameters = single_columns(subject.contact.parameters)},
                           .damping = impacts.damping,
                           .velocity = impacts.velocity},
                          {.threads = 0, .turning_point = false});
@@ -177,47 +180,86 @@ struct Errors {
     double anywhere = 0;
 };
 
-/// The places of the table at which it is compared with the solver.
-struct Probes {
-    std::vector<double> diameter;
-    std::vector<double> t;
+/// A place of the table at which it is compared with the solver.
+struct Probe {
+    double diameter;
+    double velocity;
+    bool between_sizes;
+    bool between_nodes;
 };
 
-Errors errors_of(const ExportSubject& subject, const ImpactTable& table) {
+/// The middles of the cells and of their sides; for damping that follows the velocity its nodes, too, at
+/// which e has a kink and a line through it is furthest off.
+std::vector<Probe> probes_of(const ExportSubject& subject, const ImpactTable& table) {
     std::vector<double> logarithms;
     for (const double diameter : table.diameter) logarithms.push_back(std::log(diameter));
-    Probes probes{with_middles(logarithms), with_middles(table.t)};
-    for (double& d : probes.diameter)
-        d = std::clamp(std::exp(d), table.diameter.front(), table.diameter.back());
-    Impacts impacts(static_cast<Eigen::Index>(probes.diameter.size() * probes.t.size()));
-    std::vector<double> found;
-    std::vector<int> kind;
-    Eigen::Index count = 0;
-    for (std::size_t i = 0; i < probes.diameter.size(); ++i)
-        for (std::size_t j = 0; j < probes.t.size(); ++j) {
-            if (i % 2 == 0 && j % 2 == 0) continue;  // a node
-            const double d = probes.diameter[i];
-            const double v = velocity_of(probes.t[j], start_velocity(table, d));
-            if (v > table.to_velocity || j == 0) continue;
-            impacts.set(count++, impact_at(subject, d, v));
-            found.push_back(restitution(table, d, v));
-            kind.push_back(static_cast<int>(i % 2 + 2 * (j % 2)));
-        }
-    if (count == 0) return {};
-    for (Eigen::ArrayXd* column : {&impacts.mass, &impacts.radius, &impacts.modulus, &impacts.adhesion,
-                                   &impacts.pressure, &impacts.damping, &impacts.velocity})
-        column->conservativeResize(count);
+    const std::vector<double> sizes = with_middles(logarithms);
+    const std::vector<double> nodes = with_middles(table.t);
+    std::vector<Probe> probes;
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        const double d = std::clamp(std::exp(sizes[i]), table.diameter.front(), table.diameter.back());
+        const double start = start_velocity(table, d);
+        const auto add = [&](double velocity, bool between_nodes) {
+            if (velocity > start && velocity <= table.to_velocity)
+                probes.push_back({d, velocity, i % 2 == 1, between_nodes});
+        };
+        for (std::size_t j = 0; j < nodes.size(); ++j)
+            if (i % 2 + j % 2 > 0) add(velocity_of(nodes[j], start), j % 2 == 1);
+        if (!subject.damping.depends_on_velocity()) continue;
+        for (const DampingNode& node : subject.damping.nodes) add(node.velocity, true);
+    }
+    return probes;
+}
+
+Errors errors_of(const ExportSubject& subject, const ImpactTable& table) {
+    const std::vector<Probe> probes = probes_of(subject, table);
+    if (probes.empty()) return {};
+    Impacts impacts(static_cast<Eigen::Index>(probes.size()));
+    for (std::size_t i = 0; i < probes.size(); ++i)
+        impacts.set(static_cast<Eigen::Index>(i), impact_at(subject, probes[i].diameter, probes[i].velocity));
     const ImpactBatchResult result = solve(subject, impacts);
     Errors errors;
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const double error = std::abs(result.restitution[i] - found[static_cast<std::size_t>(i)]);
+    for (std::size_t i = 0; i < probes.size(); ++i) {
+        const auto& [diameter, velocity, between_sizes, between_nodes] = probes[i];
+        const double error = std::abs(result.restitution[static_cast<Eigen::Index>(i)] -
+                                      restitution(table, diameter, velocity));
         errors.anywhere = std::max(errors.anywhere, error);
-        double* along = kind[static_cast<std::size_t>(i)] == 1   ? &errors.along_sizes
-                        : kind[static_cast<std::size_t>(i)] == 2 ? &errors.along_t
-                                                                 : nullptr;
-        if (along != nullptr) *along = std::max(*along, error);
+        if (between_sizes != between_nodes) {
+            double& along = between_sizes ? errors.along_sizes : errors.along_t;
+            along = std::max(along, error);
+        }
     }
     return errors;
+}
+
+/// Largest relative error of v_0 in the middles between the sizes, where the cubic is furthest off [1].
+double threshold_error(const ExportSubject& subject, const ImpactTable& table) {
+    double largest = 0;
+    for (std::size_t i = 1; table.captures && i < table.diameter.size(); ++i) {
+        const double middle = std::sqrt(table.diameter[i - 1] * table.diameter[i]);
+        largest = std::max(largest,
+                           std::abs(start_velocity(table, middle) / finite_threshold(subject, middle) - 1));
+    }
+    return largest;
+}
+
+/// As many sizes as v_c needs: e alone would leave it off by some 1e-8.
+/// @throws InputError where v_c(d) is not smooth, as with damping that follows the velocity by a line with
+/// kinks
+std::size_t sizes_for_thresholds(const ExportSubject& subject) {
+    double before = std::numeric_limits<double>::infinity();
+    for (std::size_t sizes = smallest_sizes;; sizes = 2 * sizes - 1) {
+        ImpactTable table;
+        table.diameter = diameters_of(subject, sizes);
+        set_thresholds(subject, table);
+        const double error = threshold_error(subject, table);
+        if (error <= threshold_aim) return sizes;
+        if (error > threshold_progress * before || sizes * smallest_nodes > largest_cells)
+            throw InputError(
+                fmt::format("a table of {} sizes is still {:.1g} off in the critical velocity", sizes, error),
+                "a shorter range of diameters; one size where the damping follows the velocity");
+        before = error;
+    }
 }
 
 ImpactTable table_of(const ExportSubject& subject, const Division& division) {
@@ -237,7 +279,7 @@ ImpactTable make_impact_table(const ExportSubject& subject) {
     if (std::log10(subject.to_diameter / subject.from_diameter) > largest_decades)
         throw InputError("the range of diameters spans more than six decades", "a shorter range")
             .at("--from-diameter, --to-diameter");
-    Division division{smallest_sizes, smallest_nodes};
+    Division division{sizes_for_thresholds(subject), smallest_nodes};
     while (true) {
         ImpactTable table = table_of(subject, division);
         const Errors errors = errors_of(subject, table);

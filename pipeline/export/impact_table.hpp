@@ -35,6 +35,9 @@ struct ImpactTable {
 /// |de| that a table keeps between its nodes [1].
 inline constexpr double table_accuracy = 2e-4;
 
+/// Relative error of v_c that a table keeps between its sizes; it has none at them [1].
+inline constexpr double table_threshold_accuracy = 1e-8;
+
 /// Makes the table, as fine as the accuracy needs it.
 /// @throws InputError where every impact is captured, where only some sizes have a critical velocity, and
 /// where a table of reasonable size does not reach the accuracy

@@ -13,12 +13,14 @@ constexpr auto liggghts_tried = "LIGGGHTS-PUBLIC 3.8.0 (Debian 12: liggghts)";
 
 void require_liggghts(const ExportSubject& subject) {
     if (subject.law.name() == "jkr")
-        throw InputError("LIGGGHTS has no JKR: its `cohesion sjkr` is an energy density times an area",
-                         "hertz, dmt, brach-dunn")
+        throw InputError(
+            "LIGGGHTS has no JKR: its `cohesion sjkr` is an energy density times an area, law sjkr",
+            "hertz, dmt, brach-dunn, sjkr")
             .at("--law");
     if (const auto reason = added_forces_refusal(subject))
-        throw InputError("LIGGGHTS: " + *reason,
-                         "hertz, dmt, brach-dunn with zero-overlap; damping constant, contact-radius, tsuji");
+        throw InputError(
+            "LIGGGHTS: " + *reason,
+            "hertz, dmt, brach-dunn, sjkr with zero-overlap; damping constant, contact-radius, tsuji");
 }
 
 std::string liggghts_wall_file(const ExportSubject& subject) {
@@ -28,7 +30,7 @@ std::string liggghts_wall_file(const ExportSubject& subject) {
                "fix              ash_wall all wall/gran model hertz tangential off primitive type 1 zplane "
                "${{ash_wall_z}}\n",
                subject.law.name()) +
-           added_forces(subject, subject.law.uses_work_of_adhesion(), !subject.damping.is_zero());
+           added_forces(subject, attracts(subject), !subject.damping.is_zero());
 }
 
 std::vector<std::string> liggghts_conversions(const ExportSubject& subject) {
@@ -36,8 +38,7 @@ std::vector<std::string> liggghts_conversions(const ExportSubject& subject) {
         "`model hertz` with youngsModulus 2 E* and nu = 0 for sphere and wall: effective modulus E*",
         "coefficientRestitution 1: no damping of the code's own, which would follow another law",
         "R* is the radius of the sphere: the wall is flat"};
-    const auto added =
-        added_force_conversions(subject, subject.law.uses_work_of_adhesion(), !subject.damping.is_zero());
+    const auto added = added_force_conversions(subject, attracts(subject), !subject.damping.is_zero());
     lines.insert(lines.end(), added.begin(), added.end());
     return lines;
 }

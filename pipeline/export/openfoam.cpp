@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "pipeline/export/expected.hpp"
 #include "pipeline/export/tables.hpp"
@@ -33,16 +34,33 @@ ExportFile foam_table(const ImpactTable& table) {
     return {"ashTable", text};
 }
 
-/// What libashimpact needs; only damping that is the same for every size and velocity has one number.
+/// What libashimpact needs: the parameters by its names, and the damping by size and velocity.
 ExportFile solver_file(const ExportSubject& subject) {
-    return {"ashSolver",
-            fmt::format("// Model of ashImpact with `solver yes;`; SI units.\nlaw             {};\n"
-                        "detachment      {};\ndampingLaw      {};\ndensity         {};\n"
-                        "contactModulus  {};\nworkOfAdhesion  {};\ndamping         {};\n",
-                        subject.law.name(), name_of(subject.detachment), name_of(subject.damping.law),
-                        exact(subject.density), exact(subject.contact.contact_modulus),
-                        exact(subject.contact.work_of_adhesion),
-                        exact(subject.damping.nodes.front().coefficient))};
+    std::string text = fmt::format(
+        "// Model of ashImpact with `solver yes;`; SI units.\nlaw             {};\n"
+        "detachment      {};\ndampingLaw      {};\nparameters\n{{\n",
+        subject.law.name(), name_of(subject.detachment), name_of(subject.damping.law));
+    const auto add = [&](std::string_view name, double value) {
+        text += fmt::format("    {} {};\n", name, exact(value));
+    };
+    add("density", subject.density);
+    add("contact_modulus", subject.contact.contact_modulus);
+    add("work_of_adhesion", subject.contact.work_of_adhesion);
+    if (std::isfinite(subject.contact.yield_pressure)) add("yield_pressure", subject.contact.yield_pressure);
+    for (const LawParameter& parameter : subject.law.parameters())
+        if (subject.contact.parameters.has(parameter))
+            add(parameter.name, subject.contact.parameters[parameter]);
+    std::vector<double> velocities;
+    std::vector<double> coefficients;
+    for (const DampingNode& node : subject.damping.nodes) {
+        velocities.push_back(node.velocity);
+        coefficients.push_back(node.coefficient);
+    }
+    text += fmt::format(
+        "}}\n// coefficient(d, v) = c(v) (d/referenceDiameter)^exponent, c linear between these velocities\n"
+        "referenceDiameter {};\nexponent        {};\n",
+        exact(subject.damping.reference_diameter), exact(subject.damping.exponent));
+    return {"ashSolver", text + foam_list("velocity", velocities) + foam_list("damping", coefficients)};
 }
 
 /// One injector a parcel, each with its own velocity, and the file of its place.
@@ -104,10 +122,8 @@ ExportFolder openfoam_folder(const ExportSubject& subject) {
     add("check/0/U", "openfoam/check/U");
     folder.push_back(foam_table(table));
     folder.push_back({"check/constant/ashTable", folder.back().content});
-    if (!subject.damping.depends_on_velocity() && subject.damping.exponent == 0) {
-        folder.push_back(solver_file(subject));
-        folder.push_back({"check/constant/ashSolver", folder.back().content});
-    }
+    folder.push_back(solver_file(subject));
+    folder.push_back({"check/constant/ashSolver", folder.back().content});
     folder.push_back(assumptions(
         subject,
         {"d is the parcel's diameter, v the velocity normal to the wall and relative to it, R* = d/2",

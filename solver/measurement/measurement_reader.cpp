@@ -1,10 +1,10 @@
 #include "solver/measurement/measurement_reader.hpp"
 
-#include "materials/base/cells.hpp"
+#include "materials/base/tables/cells.hpp"
 #include "materials/base/error.hpp"
-#include "materials/base/number.hpp"
+#include "materials/base/tables/number.hpp"
 #include "materials/base/text.hpp"
-#include "materials/base/text_lines.hpp"
+#include "materials/base/tables/text_lines.hpp"
 #include "solver/measurement/measurement_headings.hpp"
 
 #include <algorithm>

@@ -5,8 +5,8 @@
 
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/impact.hpp"
-#include "tests/oracles/dem_code.hpp"
-#include "tests/oracles/dem_impact.hpp"
+#include "tests/oracles/dem/dem_code.hpp"
+#include "tests/oracles/dem/dem_impact.hpp"
 #include "tests/oracles/time_domain.hpp"
 
 namespace ashimpact::oracles {
@@ -50,7 +50,7 @@ Impact posed(const ImpactCase& impact) {
             .velocity = impact.velocity};
 }
 
-ImpactResult solved(const ImpactCase& impact) {
+ImpactResult solved_impact(const ImpactCase& impact) {
     constexpr double promised = 1e-10;
     const auto estimate = [](double value) { return Estimate{value, promised * value}; };
     const auto result = solve_impact(posed(impact));
@@ -72,7 +72,7 @@ Column liggghts_oracle() {
     return dem_oracle(liggghts());
 }
 Column solver_under_test() {
-    return one_by_one("ashimpact", solved);
+    return one_by_one("ashimpact", solved_impact);
 }
 
 double solver_critical_velocity(const ImpactCase& impact) {

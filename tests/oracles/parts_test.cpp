@@ -8,11 +8,11 @@
 #include <tuple>
 
 #include "tests/oracles/contact_force.hpp"
-#include "tests/oracles/deck.hpp"
-#include "tests/oracles/extrapolation.hpp"
-#include "tests/oracles/program.hpp"
+#include "tests/oracles/dem/deck.hpp"
+#include "tests/oracles/dem/extrapolation.hpp"
+#include "tests/oracles/dem/program.hpp"
+#include "tests/oracles/dem/track.hpp"
 #include "tests/oracles/time_domain.hpp"
-#include "tests/oracles/track.hpp"
 #include "tests/relative_difference.hpp"
 
 namespace ashimpact::oracles {

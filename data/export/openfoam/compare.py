@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Compares the parcels of check/ with expected.json: what the model recorded at the wall, and the velocity with which
-each parcel flies away in the end. Exit status 0: all agree, 1: some do not."""
+each parcel flies away in the end. Usage: compare.py [TOLERANCE]. Exit status 0: all agree, 1: some do not."""
 import csv
 import glob
 import json
@@ -14,13 +14,11 @@ FOLDER = os.path.dirname(os.path.abspath(__file__))
 def field(path):
     """The list of a lagrangian field in ASCII, each entry a list of numbers."""
     with open(path) as file:
-        text = file.read()
-    number = r"[-+0-9.eE]+"
-    uniform = re.search(r"\n(\d+)\{(.*?)\}", text)
-    if uniform:
-        return [[float(x) for x in re.findall(number, uniform.group(2))]] * int(uniform.group(1))
-    body = text[re.search(r"\n\d+\s*\n\(", text).end():text.rindex(")")]
-    return [[float(x) for x in re.findall(number, line)] for line in body.strip().splitlines()]
+        text = re.sub(r"FoamFile\s*\{.*?\}|//[^\n]*|/\*.*?\*/", "", file.read(), flags=re.S)
+    size, bracket, body = re.search(r"(\d+)\s*([({])(.*)[)}]", text, re.S).groups()
+    entries = re.findall(r"\([^()]*\)|[-+0-9.eE]+", body)
+    entries = [[float(x) for x in entry.strip("()").split()] for entry in entries]
+    return entries * int(size) if bracket == "{" else entries
 
 
 def main():
@@ -33,7 +31,7 @@ def main():
     place = os.path.join(FOLDER, "check/0.001/lagrangian/kinematicCloud")
     left = dict(zip([int(x[0]) for x in field(place + "/origId")],
                     [abs(u[2]) for u in field(place + "/U")])) if os.path.isdir(place) else {}
-    tolerance = expected["tolerance"]
+    tolerance = float(sys.argv[1]) if len(sys.argv) > 1 else expected["tolerance"]
     failures = 0
     print("   d [um]     v [m/s]   outcome      e expected       e at wall   difference   e of flight")
     for impact in expected["impacts"]:

@@ -7,16 +7,17 @@ import math
 
 CONTACT_MODULUS, DENSITY, WORK_OF_ADHESION = @contact_modulus@, @density@, @work_of_adhesion@
 LAW, DAMPING_LAW = "@law@", "@damping_law@"
+COHESION_ENERGY_DENSITY = @cohesion_energy_density@    # of law sjkr
 COEFFICIENT, REFERENCE_DIAMETER, EXPONENT = @coefficient@, @diameter@, @exponent@
-RESTITUTION = @restitution@      # YADE's own `en`; None: the damping is that of ash_force()
-RESOLUTIONS = (500, 750, 1125, 1690, 2530)      # steps a contact
+DAMPING_RATIO = @damping_ratio@    # YADE's own `betan`; None: the damping is that of ash_force()
+RESOLUTIONS = (2000, 3000, 4500, 6750, 10000)    # steps a contact
 
 
 def ash_force(body):
     """What YADE does not have of the law: attraction and damping of a sphere in contact with the wall z = 0."""
     radius = body.shape.radius
     overlap = radius - body.state.pos[2]
-    if overlap < 0 or RESTITUTION is not None:
+    if overlap < 0 or DAMPING_RATIO is not None:
         O.forces.setPermF(body.id, Vector3(0, 0, 0))
         return
     force = 0.0
@@ -25,6 +26,8 @@ def ash_force(body):
     elif LAW == "brach-dunn":
         tension = (6 * WORK_OF_ADHESION ** 2 * radius * CONTACT_MODULUS / math.pi) ** (1 / 3)
         force = -2 * math.pi * tension * math.sqrt(radius * overlap)
+    elif LAW == "sjkr":
+        force = -math.pi * COHESION_ENERGY_DENSITY * radius * overlap
     damping = COEFFICIENT * (2 * radius / REFERENCE_DIAMETER) ** EXPONENT
     if DAMPING_LAW == "contact-radius":
         damping *= math.sqrt(radius * overlap)
@@ -45,7 +48,7 @@ def ash_material():
 
 
 def ash_engines():
-    properties = {} if RESTITUTION is None else {"en": RESTITUTION, "es": RESTITUTION}
+    properties = {} if DAMPING_RATIO is None else {"betan": DAMPING_RATIO, "betas": DAMPING_RATIO}
     return [ForceResetter(), InsertionSortCollider([Bo1_Sphere_Aabb(), Bo1_Wall_Aabb()]),
             InteractionLoop([Ig2_Wall_Sphere_ScGeom()], [Ip2_FrictMat_FrictMat_MindlinPhys(**properties)],
                             [Law2_ScGeom_MindlinPhys_Mindlin()]),
@@ -63,7 +66,7 @@ def impact(log, number, diameter, velocity, contact_time, captured):
         O.dt = contact_time / (resolution - 0.5)
         log.write("impact %d %d %.17g\n" % (number, resolution, O.dt))
         log.write("0 0 %.17g\n" % -velocity)
-        for step in range(1, (12 if captured else 4) * resolution + 1):
+        for step in range(1, (8 if captured else 4) * resolution + 1):
             ash_forces()
             O.step()
             state = O.bodies[1].state

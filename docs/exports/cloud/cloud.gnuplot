@@ -3,8 +3,9 @@ set output "cloud.svg"
 set logscale x
 set xlabel "diameter [um]"
 set ylabel "captured fraction"
-set xrange [30:200]
+set xrange [60:130]
+set xtics (60, 70, 80, 90, 100, 110, 120, 130)
 set yrange [0:*]
 set key top right
 plot "cloud.dat" using 1:4 with lines lw 2 lc rgb "#0050a0" title "ashimpact, v < v_c(d)", \
-     "cloud.dat" using 1:3 with points pt 7 ps 0.7 lc rgb "#b04000" title "LAMMPS, 100,000 particles"
+     "cloud.dat" using 1:3 with points pt 7 ps 0.7 lc rgb "#b04000" title "LAMMPS"

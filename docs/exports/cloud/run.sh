@@ -7,9 +7,9 @@ ashimpact=$(readlink -f "$1")
 mkdir -p "$2"
 cd "$2"
 ash="--law dmt --contact-modulus 89e9 --work-of-adhesion 0.3 --density 2179.5 --damping 0.0151"
-sizes="--from-diameter 30e-6 --to-diameter 200e-6 --damping-exponent 2"
+sizes="--from-diameter 60e-6 --to-diameter 130e-6 --damping-exponent 1.5 --to-velocity 5"
 "$ashimpact" export lammps $ash --radius 44e-6 $sizes -o lammps
-"$ashimpact" export table $ash --radius 44e-6 $sizes --to-velocity 10 -o table
+"$ashimpact" export table $ash --radius 44e-6 $sizes -o table
 cd lammps
 mpirun --oversubscribe ${MPI_OPTIONS} -n 2 lmp -in in.cloud -var particles "${3:-100000}" -var fastest 5 -screen none -log log.cloud
 cd ..

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "materials/base/error.hpp"
-#include "materials/base/text_lines.hpp"
+#include "materials/base/tables/text_lines.hpp"
 #include "materials/base/units.hpp"
 #include "materials/xrd/readers.hpp"
 #include "materials/xrd/xrd.hpp"

@@ -42,24 +42,40 @@ void Foam::AshImpact<CloudType>::openSolver(const fileName& file)
 {
     #ifdef ASHIMPACT_C_INTERFACE
     IFstream stream(file);
+    if (!stream.good())
+    {
+        FatalErrorInFunction
+            << "Cannot read the model " << file << nl
+            << "It is the file ashSolver of `ashimpact export openfoam`; copy it into constant/." << exit(FatalError);
+    }
     const dictionary dict(stream);
     const word law(dict.get<word>("law"));
     const word detachment(dict.get<word>("detachment"));
     const word dampingLaw(dict.get<word>("dampingLaw"));
-    ashimpact_parameter ash[4];
-    ash[0].name = "density";
-    ash[0].value = dict.get<scalar>("density");
-    ash[1].name = "contact_modulus";
-    ash[1].value = dict.get<scalar>("contactModulus");
-    ash[2].name = "work_of_adhesion";
-    ash[2].value = dict.get<scalar>("workOfAdhesion");
-    ash[3].name = "damping";
-    ash[3].value = dict.get<scalar>("damping");
+    const dictionary& numbers = dict.subDict("parameters");
+    const wordList names(numbers.toc());
+    List<ashimpact_parameter> ash(names.size());
+    forAll(names, i)
+    {
+        ash[i].name = names[i].c_str();
+        ash[i].value = numbers.get<scalar>(names[i]);
+    }
+    dict.readEntry("velocity", dampingVelocity_);
+    dict.readEntry("damping", damping_);
+    referenceDiameter_ = dict.get<scalar>("referenceDiameter");
+    exponent_ = dict.get<scalar>("exponent");
+    if (damping_.empty() || damping_.size() != dampingVelocity_.size() || !(referenceDiameter_ > 0))
+    {
+        FatalErrorInFunction << "The damping of " << file << " is not complete" << exit(FatalError);
+    }
     ashimpact_model* model = nullptr;
     ashimpact_error error;
     if
     (
-        ashimpact_open(law.c_str(), detachment.c_str(), dampingLaw.c_str(), ash, 4, &model, &error) != ASHIMPACT_OK
+        ashimpact_open
+        (
+            law.c_str(), detachment.c_str(), dampingLaw.c_str(), ash.cdata(), ash.size(), &model, &error
+        ) != ASHIMPACT_OK
     )
     {
         FatalErrorInFunction << file << ": " << error.message << exit(FatalError);
@@ -71,6 +87,25 @@ void Foam::AshImpact<CloudType>::openSolver(const fileName& file)
         << "Build it with `sh src/build.sh solver`." << exit(FatalError);
     #endif
 }
+
+
+#ifdef ASHIMPACT_C_INTERFACE
+template<class CloudType>
+Foam::scalar Foam::AshImpact<CloudType>::damping(const scalar diameter, const scalar velocity) const
+{
+    const scalarList& at = dampingVelocity_;
+    scalar coefficient = damping_.last();
+    if (velocity <= at.first()) coefficient = damping_.first();
+    for (label i = 1; i < at.size() && velocity > at.first(); ++i)
+    {
+        if (velocity > at[i]) continue;
+        const scalar share = (velocity - at[i - 1])/(at[i] - at[i - 1]);
+        coefficient = damping_[i - 1] + share*(damping_[i] - damping_[i - 1]);
+        break;
+    }
+    return exponent_ == 0 ? coefficient : coefficient*std::pow(diameter/referenceDiameter_, exponent_);
+}
+#endif
 
 
 template<class CloudType>
@@ -127,6 +162,10 @@ Foam::AshImpact<CloudType>::AshImpact(const AshImpact<CloudType>& model)
     table_(model.table_),
     #ifdef ASHIMPACT_C_INTERFACE
     model_(model.model_),
+    dampingVelocity_(model.dampingVelocity_),
+    damping_(model.damping_),
+    referenceDiameter_(model.referenceDiameter_),
+    exponent_(model.exponent_),
     #endif
     mu_(model.mu_),
     patches_(model.patches_),
@@ -196,8 +235,14 @@ Foam::scalar Foam::AshImpact<CloudType>::restitution(const scalar diameter, cons
     #ifdef ASHIMPACT_C_INTERFACE
     if (model_)
     {
+        const double coefficient = damping(diameter, velocity);
+        const ashimpact_column columns[3] =
+        {
+            {"diameter", &diameter, 0}, {"velocity", &velocity, 0}, {"damping", &coefficient, 0}
+        };
+        const ashimpact_output outputs[1] = {{"restitution", &e}};
         ashimpact_error error;
-        if (ashimpact_restitution(model_.get(), diameter, velocity, &e, &error) != ASHIMPACT_OK)
+        if (ashimpact_solve_impacts(model_.get(), 1, columns, 3, outputs, 1, &error) != ASHIMPACT_OK)
         {
             FatalErrorInFunction << error.message << exit(FatalError);
         }

@@ -8,7 +8,7 @@ cd "$(dirname "$0")"
 flags="" libraries=""
 if [ "$1" = solver ]; then
     flags="-DASHIMPACT_C_INTERFACE $(pkg-config --cflags ashimpact)"
-    libraries="$(pkg-config --libs ashimpact)"
+    libraries="$(pkg-config --libs ashimpact) -Wl,-rpath,$(pkg-config --variable=libdir ashimpact)"
 elif command -v wmake >/dev/null && [ -n "$WM_PROJECT_DIR" ]; then
     FOAM_USER_LIBBIN="$PWD" exec wmake libso
 fi

@@ -1,4 +1,4 @@
-#include "tests/oracles/deck.hpp"
+#include "tests/oracles/dem/deck.hpp"
 
 #include <cstdio>
 #include <fstream>

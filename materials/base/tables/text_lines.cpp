@@ -1,4 +1,4 @@
-#include "materials/base/text_lines.hpp"
+#include "materials/base/tables/text_lines.hpp"
 
 #include <algorithm>
 

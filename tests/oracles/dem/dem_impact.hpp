@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "tests/oracles/dem_code.hpp"
+#include "tests/oracles/dem/dem_code.hpp"
 
 namespace ashimpact::oracles {
 

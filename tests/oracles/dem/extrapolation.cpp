@@ -1,4 +1,4 @@
-#include "tests/oracles/extrapolation.hpp"
+#include "tests/oracles/dem/extrapolation.hpp"
 
 #include <algorithm>
 #include <cassert>

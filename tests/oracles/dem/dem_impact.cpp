@@ -1,11 +1,11 @@
-#include "tests/oracles/dem_impact.hpp"
+#include "tests/oracles/dem/dem_impact.hpp"
 
 #include <array>
 #include <cmath>
 #include <stdexcept>
 
 #include "tests/oracles/contact_force.hpp"
-#include "tests/oracles/extrapolation.hpp"
+#include "tests/oracles/dem/extrapolation.hpp"
 
 namespace ashimpact::oracles {
 

@@ -1,4 +1,4 @@
-#include "tests/oracles/track.hpp"
+#include "tests/oracles/dem/track.hpp"
 
 #include <algorithm>
 #include <array>

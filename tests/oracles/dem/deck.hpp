@@ -11,7 +11,7 @@ using DeckValues = std::map<std::string, std::string>;
 /// Returns a number that reads back as the same double.
 std::string exact(double number);
 
-/// Returns the template tests/oracles/decks/<file>.
+/// Returns the template tests/oracles/dem/decks/<file>.
 /// @throws std::runtime_error if it cannot be read
 std::string deck_template(const std::string& file);
 

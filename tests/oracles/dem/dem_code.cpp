@@ -1,4 +1,4 @@
-#include "tests/oracles/dem_code.hpp"
+#include "tests/oracles/dem/dem_code.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -12,7 +12,7 @@
 #include <system_error>
 #include <utility>
 
-#include "tests/oracles/program.hpp"
+#include "tests/oracles/dem/program.hpp"
 
 namespace ashimpact::oracles {
 

@@ -1,4 +1,4 @@
-#include "materials/base/number.hpp"
+#include "materials/base/tables/number.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "tests/oracles/program.hpp"
+#include "tests/oracles/dem/program.hpp"
 
 #include <fcntl.h>
 #include <sys/wait.h>

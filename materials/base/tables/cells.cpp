@@ -1,4 +1,4 @@
-#include "materials/base/cells.hpp"
+#include "materials/base/tables/cells.hpp"
 
 #include <algorithm>
 

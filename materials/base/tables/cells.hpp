@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "materials/base/text_lines.hpp"
+#include "materials/base/tables/text_lines.hpp"
 
 namespace ashimpact {
 

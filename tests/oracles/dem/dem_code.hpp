@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "tests/oracles/deck.hpp"
+#include "tests/oracles/dem/deck.hpp"
+#include "tests/oracles/dem/track.hpp"
 #include "tests/oracles/impact_case.hpp"
-#include "tests/oracles/track.hpp"
 
 namespace ashimpact::oracles {
 
