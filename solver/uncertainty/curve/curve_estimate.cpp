@@ -1,11 +1,14 @@
 #include "solver/uncertainty/curve/curve_estimate.hpp"
 
 #include "materials/base/error.hpp"
+#include "solver/gsl/distribution.hpp"
+#include "solver/statistics/philox.hpp"
+#include "solver/statistics/quasi_random.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <numeric>
 
 namespace ashimpact {
 
@@ -14,292 +17,222 @@ namespace {
 using Vector = CurvePosterior::Vector;
 using Matrix = CurvePosterior::Matrix;
 
-/// Standard deviations of the bend of g, and ln of their prior weights: smooth curves are likelier.
-constexpr std::array roughnesses{0.012, 0.06, 0.3};
-constexpr std::array log_weights{0.0, -0.5, -1.5};
-
-/// Newton's method with all parameters free, or all but v_c; the Hessian is made positive by its eigenvalues.
-struct Descent {
-    const CurvePosterior& posterior;
-    bool hold;
-
-    [[nodiscard]] Matrix masked(Matrix hessian) const {
-        for (int i = 0; i < CurvePosterior::size; ++i) {
-            if (posterior.free(i) && !(hold && i == CurvePosterior::critical)) continue;
-            hessian.row(i).setZero();
-            hessian.col(i).setZero();
-            hessian(i, i) = 1.0;
-        }
-        return hessian;
-    }
-
-    [[nodiscard]] Vector masked(Vector gradient) const {
-        for (int i = 0; i < CurvePosterior::size; ++i)
-            if (!posterior.free(i) || (hold && i == CurvePosterior::critical)) gradient[i] = 0.0;
-        return gradient;
-    }
-
-    /// The Hessian with every eigenvalue raised to what the priors say at least.
-    struct Inverse {
-        Matrix inverse;
-        double log_determinant;
-    };
-    [[nodiscard]] Inverse inverted(const Matrix& hessian) const {
-        const Eigen::SelfAdjointEigenSolver<Matrix> solver(masked(hessian));
-        const Vector values = solver.eigenvalues().cwiseAbs().cwiseMax(0.05);
-        return {solver.eigenvectors() * values.cwiseInverse().asDiagonal() * solver.eigenvectors().transpose(),
-                values.array().log().sum()};
-    }
-
-    /// One step, shortened until it descends; whether it did.
-    bool step(Vector& place, double& value, const Vector& direction) const {
-        double length = 1.0;
-        for (int i = 0; i < 10; ++i, length *= 0.35) {
-            const Vector trial = place + length * direction;
-            const double there = posterior(trial);
-            if (there >= value) continue;
-            place = trial;
-            value = there;
-            return true;
-        }
-        return false;
-    }
+/// A normal density from which curves are drawn.
+struct Normal {
+    Vector mean;
+    Matrix covariance;
 };
 
 struct Mode {
-    Vector place;
-    double value;  ///< -ln posterior
-    double log_determinant;
-    Matrix inverse;
-    Matrix hessian{};
+    Normal normal;
+    double value = 0.0;       ///< -ln posterior
+    double log_weight = 0.0;  ///< ln of the posterior's integral around it
 };
 
-Vector limited(Vector direction) {
-    const double most = direction.cwiseAbs().maxCoeff();
-    return most > 0.7 ? Vector(direction * (0.7 / most)) : direction;
+/// The covariance that a Hessian stands for; flat and falling directions get the width of a prior.
+Mode with_covariance(Mode mode, const Matrix& hessian) {
+    const Eigen::SelfAdjointEigenSolver<Matrix> solver(hessian);
+    const Vector values = solver.eigenvalues().cwiseAbs().cwiseMax(0.5);
+    mode.normal.covariance =
+        solver.eigenvectors() * values.cwiseInverse().asDiagonal() * solver.eigenvectors().transpose();
+    mode.log_weight = -mode.value - 0.5 * values.array().log().sum();
+    return mode;
 }
 
+/// Newton's method; the Hessian is made positive by its eigenvalues. The draws correct what it leaves undone.
 Mode find_mode(const CurvePosterior& posterior, const Vector& start) {
-    const Descent descent{posterior, false};
-    Mode mode{start, posterior(start), 0.0, Matrix::Identity()};
-    constexpr int steps_a_hessian = 3;
-    for (int i = 0; i < 20; ++i) {
-        const auto curvature = posterior.curvature(mode.place);
-        const auto inverse = descent.inverted(curvature.hessian);
-        mode.hessian = curvature.hessian;
-        mode.inverse = inverse.inverse;
-        mode.log_determinant = inverse.log_determinant;
-        Vector gradient = descent.masked(curvature.gradient);
-        for (int k = 0; k < steps_a_hessian; ++k) {
-            if (k > 0) gradient = descent.masked(posterior.gradient(mode.place));
-            const Vector direction = -(inverse.inverse * gradient);
-            const double promise = -gradient.dot(direction);
-            if (promise < (k == 0 ? 1e-2 : 1e-3)) {
-                if (k < 2) return mode;
-                break;
-            }
-            if (!descent.step(mode.place, mode.value, limited(direction))) {
-                if (k == 0) return mode;
-                break;
-            }
+    Mode mode;
+    mode.normal.mean = start;
+    mode.value = posterior(start);
+    Vector differences = Vector::Constant(0.03);
+    differences[CurvePosterior::critical] = 2e-3;
+    for (int i = 0; i < 25; ++i) {
+        Vector& place = mode.normal.mean;
+        const auto curvature = posterior.curvature(place, mode.value, differences);
+        mode = with_covariance(mode, curvature.hessian);
+        const Vector deviations = mode.normal.covariance.diagonal().cwiseSqrt();
+        differences = (0.2 * deviations).cwiseMin(0.03).cwiseMax(1e-7);
+        differences[CurvePosterior::critical] = std::min(2e-3, differences[CurvePosterior::critical]);
+        Vector step = -(mode.normal.covariance * curvature.gradient);
+        step *= std::min(1.0, 2.0 / step.cwiseAbs().maxCoeff());
+        step *= std::min(1.0, 0.5 / std::abs(step[CurvePosterior::critical]));
+        constexpr double enough = 0.02;
+        const double before = mode.value;
+        for (double length = 1.0; length > 1e-4; length *= 0.35) {
+            const double there = posterior(place + length * step);
+            if (there >= mode.value) continue;
+            place += length * step;
+            mode.value = there;
+            break;
         }
+        if (before - mode.value < enough) break;
     }
     return mode;
 }
 
-/// ln of the marginal density of ln v_c, at places that grow outward from the mode.
-struct Marginal {
-    std::vector<double> place;
-    std::vector<double> value;
-};
+/// Draws from normal densities, each a quasi-random sequence of its own, with their weights.
+class Draws {
+  public:
+    explicit Draws(const CurvePosterior& posterior) : posterior_(posterior) {}
 
-/// The best of all other parameters at one v_c.
-struct Conditional {
-    Vector place;
-    double value;
-};
-
-Conditional conditional(const CurvePosterior& posterior, const Descent& descent, const Matrix& inverse,
-                        const Vector& start) {
-    Conditional best{start, posterior(start)};
-    for (int i = 0; i < 6; ++i) {
-        const Vector gradient = descent.masked(posterior.gradient(best.place));
-        const Vector direction = -(inverse * gradient);
-        if (-gradient.dot(direction) < 3e-2) break;
-        if (!descent.step(best.place, best.value, limited(direction))) break;
+    void add(const Normal& normal, std::size_t count) {
+        proposals_.push_back({normal, normal.covariance.llt().matrixL(), static_cast<double>(count)});
+        const Proposal& proposal = proposals_.back();
+        static const DigitalSequence sequence(QuasiRandomSequence::sobol, CurvePosterior::size);
+        std::vector<std::uint64_t> digits(count);
+        const std::size_t first = place_.size();
+        place_.resize(first + count, Vector::Zero());
+        for (int axis = 0; axis < CurvePosterior::size; ++axis) {
+            sequence.fill(static_cast<std::size_t>(axis), first + 1, digits);
+            for (std::size_t i = 0; i < count; ++i)
+                place_[first + i][axis] = gsl::normal_quantile(unit_interval(digits[i]));
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            const double scale = scales[i % scales.size()];
+            place_[first + i] = normal.mean + scale * (proposal.factor * place_[first + i]);
+            value_.push_back(posterior_(place_[first + i]));
+        }
+        weigh();
     }
-    return best;
-}
 
-Marginal marginal_of(const CurvePosterior& posterior, const Mode& mode, double lower, double upper) {
-    constexpr double drop = 5.5;
-    const int a = CurvePosterior::critical;
-    const Descent descent{posterior, true};
-    const double deviation = std::clamp(std::sqrt(mode.inverse(a, a)), 1e-6, 0.5);
-    const Vector along = mode.inverse.col(a) / mode.inverse(a, a);
-    const auto center = descent.inverted(mode.hessian);
-    struct Point {
-        double place;
-        double value;
-    };
-    std::vector<Point> points{{mode.place[a], -mode.value - 0.5 * center.log_determinant}};
-    const double top = points.front().value;
-    double best = top;
-    for (const double sign : {-1.0, 1.0}) {
-        Conditional here{mode.place, mode.value};
-        Matrix inverse = center.inverse;
-        double log_determinant = center.log_determinant;
-        double growth = 0.0;  // of the logarithm of the determinant, a unit of ln v_c
-        double measured_at = mode.place[a];
-        double step = 0.8 * deviation;
-        double before = top;
-        for (int i = 1; i <= 16; ++i) {
-            Vector next = here.place + sign * step * along;
-            next[a] = here.place[a] + sign * step;
-            if (next[a] < lower || next[a] > upper) break;
-            here = conditional(posterior, descent, inverse, next);
-            if (i % 3 == 2) {
-                const auto there = descent.inverted(posterior.curvature(here.place).hessian);
-                growth = (there.log_determinant - log_determinant) / (here.place[a] - measured_at);
-                for (Point& point : points)
-                    if ((point.place - measured_at) * sign > 1e-12 && i == 2)
-                        point.value -= 0.5 * growth * (point.place - measured_at);
-                inverse = there.inverse;
-                log_determinant = there.log_determinant;
-                measured_at = here.place[a];
+    /// Mean and covariance of the posterior. Where few draws count, of a power of it that more draws fit.
+    [[nodiscard]] Normal moments() const {
+        constexpr double enough = 60.0;
+        std::vector<double> weight = weights(1.0);
+        for (double power = 1.0; effective(weight) < enough; weight = weights(power)) power *= 0.7;
+        Normal normal{Vector::Zero(), Matrix::Zero()};
+        for (std::size_t i = 0; i < place_.size(); ++i) normal.mean += weight[i] * place_[i];
+        for (std::size_t i = 0; i < place_.size(); ++i)
+            normal.covariance +=
+                weight[i] * (place_[i] - normal.mean) * (place_[i] - normal.mean).transpose();
+        return normal;
+    }
+
+    /// Number of independent draws that would say as much.
+    [[nodiscard]] double effective() const { return effective(weights(1.0)); }
+
+    [[nodiscard]] const Vector& likeliest() const {
+        return place_[static_cast<std::size_t>(std::min_element(value_.begin(), value_.end()) -
+                                               value_.begin())];
+    }
+
+    [[nodiscard]] Interval critical_velocity() const {
+        std::vector<std::pair<double, double>> sorted;
+        const std::vector<double> weight = weights(1.0);
+        for (std::size_t i = 0; i < place_.size(); ++i)
+            sorted.emplace_back(place_[i][CurvePosterior::critical], weight[i]);
+        std::sort(sorted.begin(), sorted.end());
+        const auto quantile = [&](double probability) {
+            double sum = 0.0;
+            for (std::size_t i = 0; i < sorted.size(); ++i) {
+                const double next = sum + sorted[i].second;
+                if (next >= probability) return sorted[i].first;
+                sum = next;
             }
-            const double determinant = log_determinant + growth * (here.place[a] - measured_at);
-            const double value = -here.value - 0.5 * determinant;
-            points.push_back({here.place[a], value});
-            best = std::max(best, value);
-            if (value < best - drop) break;
-            if (before - value < 0.3) step *= 1.5;
-            before = value;
+            return sorted.back().first;
+        };
+        double mean = 0.0;
+        double square = 0.0;
+        for (const auto& [x, share] : sorted) {
+            mean += share * x;
+            square += share * x * x;
+        }
+        const double tail = 0.5 * (1.0 - confidence);
+        const double median = std::exp(quantile(0.5));
+        return {median, median * std::sqrt(std::max(0.0, square - mean * mean)), std::exp(quantile(tail)),
+                std::exp(quantile(1.0 - tail))};
+    }
+
+  private:
+    [[nodiscard]] static double effective(const std::vector<double>& weight) {
+        return 1.0 / std::inner_product(weight.begin(), weight.end(), weight.begin(), 0.0);
+    }
+
+    /// Some draws are wider than the density, for a posterior with longer tails.
+    static constexpr std::array scales{1.0, 1.0, 1.5, 1.0, 2.2};
+
+    struct Proposal {
+        Normal normal;
+        Matrix factor;
+        double count;
+
+        [[nodiscard]] double density(const Vector& place) const {
+            const double distance =
+                factor.template triangularView<Eigen::Lower>().solve(place - normal.mean).squaredNorm();
+            double sum = 0.0;
+            for (const double scale : scales)
+                sum += std::exp(-0.5 * distance / (scale * scale)) / std::pow(scale, CurvePosterior::size);
+            return count * sum / factor.diagonal().prod();
+        }
+    };
+
+    /// Posterior over the mixture of everything that was drawn from (Owen & Zhou 2000).
+    void weigh() {
+        log_weight_.resize(place_.size());
+        for (std::size_t i = 0; i < place_.size(); ++i) {
+            double density = 0.0;
+            for (const Proposal& proposal : proposals_) density += proposal.density(place_[i]);
+            log_weight_[i] = -value_[i] - std::log(std::max(density, 1e-300));
         }
     }
-    std::sort(points.begin(), points.end(), [](const Point& x, const Point& y) { return x.place < y.place; });
-    Marginal result;
-    for (const Point& point : points) {
-        result.place.push_back(point.place);
-        result.value.push_back(point.value);
-    }
-    return result;
-}
 
-/// ln density between the places by cubic Hermite interpolation; beyond them it falls as fast as before.
-double interpolated(const Marginal& marginal, double x) {
-    const auto& p = marginal.place;
-    const auto& v = marginal.value;
-    const std::size_t n = p.size();
-    if (n == 1) return x == p[0] ? v[0] : -1e300;
-    if (x < p.front() || x > p.back()) return -1e300;
-    const auto above = static_cast<std::size_t>(std::upper_bound(p.begin(), p.end() - 1, x) - p.begin());
-    const std::size_t j = std::max<std::size_t>(above, 1);
-    const std::size_t i = j - 1;
-    const auto slope = [&](std::size_t k) {
-        if (k == 0) return (v[1] - v[0]) / (p[1] - p[0]);
-        if (k == n - 1) return (v[n - 1] - v[n - 2]) / (p[n - 1] - p[n - 2]);
-        const double left = (v[k] - v[k - 1]) / (p[k] - p[k - 1]);
-        const double right = (v[k + 1] - v[k]) / (p[k + 1] - p[k]);
-        return (left * (p[k + 1] - p[k]) + right * (p[k] - p[k - 1])) / (p[k + 1] - p[k - 1]);
-    };
-    const double h = p[j] - p[i];
-    const double t = (x - p[i]) / h;
-    return v[i] * (1 + 2 * t) * (1 - t) * (1 - t) + v[j] * t * t * (3 - 2 * t) +
-           h * (slope(i) * t * (1 - t) * (1 - t) - slope(j) * t * t * (1 - t));
-}
+    /// Their powers, with a sum of 1.
+    [[nodiscard]] std::vector<double> weights(double power) const {
+        const double best = *std::max_element(log_weight_.begin(), log_weight_.end());
+        std::vector<double> result;
+        double total = 0.0;
+        for (const double log_weight : log_weight_)
+            total += result.emplace_back(std::exp(power * (log_weight - best)));
+        for (double& weight : result) weight /= total;
+        return result;
+    }
 
-std::array<double, 4> summary_of(const std::vector<Marginal>& marginals) {
-    double lower = 1e300;
-    double upper = -1e300;
-    double best = -1e300;
-    for (const Marginal& m : marginals) {
-        lower = std::min(lower, m.place.front());
-        upper = std::max(upper, m.place.back());
-        best = std::max(best, *std::max_element(m.value.begin(), m.value.end()));
+    const CurvePosterior& posterior_;
+    std::vector<Proposal> proposals_;
+    std::vector<Vector> place_;
+    std::vector<double> value_;
+    std::vector<double> log_weight_;
+};
+
+/// The modes that are found from the two best of @p velocities, the better one first.
+std::vector<Mode> modes_of(const CurvePosterior& posterior, const std::vector<double>& velocities) {
+    std::vector<std::pair<double, Vector>> starts;
+    for (const double v : velocities) {
+        Vector place = Vector::Zero();
+        place[CurvePosterior::critical] = std::log(v);
+        starts.emplace_back(posterior(place), place);
     }
-    constexpr int cells = 2000;
-    const double step = (upper - lower) / cells;
-    std::vector<double> cumulative(cells + 1, 0.0);
-    double mean = 0.0;
-    double square = 0.0;
-    for (int i = 0; i < cells; ++i) {
-        const double x = lower + (i + 0.5) * step;
-        double density = 0.0;
-        for (const Marginal& m : marginals) density += std::exp(interpolated(m, x) - best);
-        cumulative[static_cast<std::size_t>(i) + 1] = cumulative[static_cast<std::size_t>(i)] + density;
-        mean += density * x;
-        square += density * x * x;
-    }
-    const double total = cumulative.back();
-    const auto quantile = [&](double probability) {
-        const auto found = std::lower_bound(cumulative.begin() + 1, cumulative.end(), probability * total);
-        const auto i = static_cast<double>(found - cumulative.begin());
-        const double part = (probability * total - *(found - 1)) / std::max(1e-300, *found - *(found - 1));
-        return lower + (i - 1.0 + part) * step;
-    };
-    const double tail = 0.5 * (1.0 - confidence);
-    mean /= total;
-    return {quantile(0.5), quantile(tail), quantile(1.0 - tail),
-            std::sqrt(std::max(0.0, square / total - mean * mean))};
+    std::sort(starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Mode> modes{find_mode(posterior, starts[0].second), find_mode(posterior, starts[1].second)};
+    std::sort(modes.begin(), modes.end(),
+              [](const Mode& a, const Mode& b) { return a.log_weight > b.log_weight; });
+    return modes;
 }
 
 }  // namespace
 
 CurveEstimate estimate_curve(const RestitutionTable& table, const std::vector<RecordedImpact>& impacts,
                              const CurvePrior& prior, const std::vector<double>& starts) {
-    struct Found {
-        double roughness;
-        Mode mode;
-    };
-    std::vector<Found> found;
-    for (const double roughness : roughnesses) {
-        const CurvePosterior posterior(table, impacts, prior, roughness);
-        std::vector<Vector> places;
-        if (found.empty()) {
-            for (const double v : starts) places.push_back(posterior.start(std::log(v)));
-            std::sort(places.begin(), places.end(),
-                      [&](const Vector& a, const Vector& b) { return posterior(a) < posterior(b); });
-            places.resize(std::min<std::size_t>(places.size(), 2));
-        } else {
-            places.push_back(found.back().mode.place);
-        }
-        Mode best{{}, std::numeric_limits<double>::infinity(), 0.0, {}};
-        for (const Vector& place : places) {
-            const Mode mode = find_mode(posterior, place);
-            if (mode.value < best.value) best = mode;
-        }
-        found.push_back({roughness, best});
-    }
-    const auto weight = [&](const Found& f) {
-        const auto at = std::find(roughnesses.begin(), roughnesses.end(), f.roughness);
-        return log_weights[static_cast<std::size_t>(at - roughnesses.begin())];
-    };
-    const auto evidence = [&](const Found& f) { return weight(f) - f.mode.value - 0.5 * f.mode.log_determinant; };
-    const auto likeliest = *std::max_element(found.begin(), found.end(), [&](const Found& a, const Found& b) {
-        return evidence(a) < evidence(b);
-    });
-    if (!(likeliest.mode.value < 1e9)) throw ConvergenceError("no curve of damping explains the impacts");
-    const double lower = table.lower() + 1e-6;
-    const double upper = table.upper() - 1e-6;
-    std::vector<Marginal> marginals;
-    for (const Found& f : found) {
-        if (evidence(f) < evidence(likeliest) - 3.5) continue;
-        const CurvePosterior posterior(table, impacts, prior, f.roughness);
-        marginals.push_back(marginal_of(posterior, f.mode, lower, upper));
-        for (double& value : marginals.back().value) value += weight(f);
-    }
-    const auto [median, low, high, deviation] = summary_of(marginals);
-    const auto damping = [&](double x) { return std::exp(table.log_capture_damping(x)); };
-    const CurvePosterior posterior(table, impacts, prior, likeliest.roughness);
+    const CurvePosterior posterior(table, impacts, prior);
+    const std::vector<Mode> modes = modes_of(posterior, starts);
+    if (!(modes.front().value < 1e9)) throw ConvergenceError("no curve of damping explains the impacts");
+    Draws draws(posterior);
+    for (const Mode& mode : modes)
+        if (mode.log_weight > modes.front().log_weight - 5.0) draws.add(mode.normal, 250);
+    draws.add(draws.moments(), 300);
+    for (int i = 0; i < 12 && (i < 2 || draws.effective() < 500.0); ++i) draws.add(draws.moments(), 400);
+    const Interval velocity = draws.critical_velocity();
+    const auto damping = [&](double v) { return std::exp(table.log_capture_damping(std::log(v))); };
+    const double slope =
+        (damping(*velocity.upper) - damping(*velocity.lower)) / (*velocity.upper - *velocity.lower);
     double fastest = -1e300;
-    for (const RecordedImpact& impact : impacts) fastest = std::max(fastest, std::log(impact.velocity));
-    const double slope = (table.log_capture_damping(high) - table.log_capture_damping(low)) / std::max(1e-12, high - low);
-    return {.critical_velocity = {std::exp(median), std::exp(median) * deviation, std::exp(low), std::exp(high)},
-            .critical_damping = {damping(median), damping(median) * slope * deviation, damping(low), damping(high)},
-            .parameters = likeliest.mode.place,
-            .roughness = likeliest.roughness,
-            .scatter = posterior.scatter_of(likeliest.mode.place),
+    for (const RecordedImpact& impact : impacts) fastest = std::max(fastest, impact.log_velocity);
+    return {.critical_velocity = velocity,
+            .critical_damping = {damping(velocity.value), slope * velocity.standard_uncertainty,
+                                 damping(*velocity.lower), damping(*velocity.upper)},
+            .parameters = draws.likeliest(),
+            .effective = draws.effective(),
+            .scatter = posterior.scatter_of(draws.likeliest()),
             .fastest = fastest};
 }
 

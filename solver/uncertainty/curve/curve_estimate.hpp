@@ -11,20 +11,20 @@ namespace ashimpact {
 
 /// v_c and the curve of damping that impacts support, whatever its form.
 struct CurveEstimate {
-    Interval critical_velocity;  ///< median and 95 % interval [m/s]
-    Interval critical_damping;   ///< eta_capture at those [kg/s]
+    Interval critical_velocity;         ///< median and 95 % interval [m/s]
+    Interval critical_damping;          ///< eta_capture at those [kg/s]
     CurvePosterior::Vector parameters;  ///< of the likeliest curve
-    double roughness;                   ///< its smoothness
+    double effective;                   ///< draws from the posterior, as many independent ones
     Scatter scatter;
     double fastest;  ///< ln v
 };
 
-/// The marginal posterior of ln v_c: at each of its values the other parameters are at their most likely and
-/// integrated by Laplace's method (Tierney and Kadane 1986), and four degrees of smoothness are averaged with
-/// the weights that the impacts give them.
+/// The posterior of the curve, by draws from normal densities that are fitted to it and to what was drawn
+/// before (adaptive importance sampling: Cornuet et al. 2012, Scand. J. Stat. 39:798). The first ones stand
+/// at the modes that are found from @p starts [m/s].
 /// @throws ConvergenceError
 [[nodiscard]] CurveEstimate estimate_curve(const RestitutionTable& table,
-                                           const std::vector<RecordedImpact>& impacts, const CurvePrior& prior,
-                                           const std::vector<double>& starts);
+                                           const std::vector<RecordedImpact>& impacts,
+                                           const CurvePrior& prior, const std::vector<double>& starts);
 
 }  // namespace ashimpact

@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 
+#include <optional>
 #include <vector>
 
 namespace ashimpact {
@@ -15,13 +16,14 @@ struct CurvePrior {
     std::optional<double> scatter;  ///< of ln eta between particles, where it is known
 };
 
-/// -ln of the posterior density of the parameters of a curve at one smoothness.
+/// -ln of the posterior density of a curve of damping with its scatter.
 ///
-/// Parameters: ln v_c, the coefficients of g, ln of the noise's scale, ln of the scatter between particles.
+/// Parameters: ln v_c; the coefficients of g and ln of the scatter between particles, in standard deviations
+/// from the means of their normal priors; ln of the noise's scale, from where it is expected.
 class CurvePosterior {
   public:
     CurvePosterior(const RestitutionTable& table, const std::vector<RecordedImpact>& impacts,
-                   const CurvePrior& prior, double roughness);
+                   const CurvePrior& prior);
 
     static constexpr int critical = 0;
     static constexpr int first_term = 1;
@@ -34,17 +36,13 @@ class CurvePosterior {
     [[nodiscard]] double operator()(const Vector& parameters) const;
     [[nodiscard]] SmoothDamping curve(const Vector& parameters) const;
     [[nodiscard]] Scatter scatter_of(const Vector& parameters) const;
-    [[nodiscard]] Vector start(double log_critical_velocity) const;
-    [[nodiscard]] const std::vector<RecordedImpact>& impacts() const { return *impacts_; }
 
     struct Curvature {
-        double value;
         Vector gradient;
         Matrix hessian;
     };
-    [[nodiscard]] Curvature curvature(const Vector& parameters) const;
-    [[nodiscard]] Vector gradient(const Vector& parameters) const;
-    [[nodiscard]] bool free(int parameter) const { return parameter != scatter || !prior_.scatter; }
+    /// By differences. @param steps about the standard deviations of the parameters, or less
+    [[nodiscard]] Curvature curvature(const Vector& parameters, double value, const Vector& steps) const;
 
   private:
     [[nodiscard]] double prior_term(const Vector& parameters) const;
@@ -52,7 +50,6 @@ class CurvePosterior {
     const RestitutionTable* table_;
     const std::vector<RecordedImpact>* impacts_;
     CurvePrior prior_;
-    double roughness_;
     double fastest_;  ///< ln v
     double slowest_;
 };

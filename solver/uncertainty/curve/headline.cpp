@@ -70,8 +70,10 @@ CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, c
     std::vector<RecordedImpact> impacts = recorded_impacts(set);
     bool noise_known = set.has_noise();
     require_enough(impacts, noise_known);
-    const auto rebounds = static_cast<std::size_t>(std::count_if(
-        impacts.begin(), impacts.end(), [](const RecordedImpact& i) { return i.recorded == Recorded::rebound; }));
+    const auto rebounds =
+        static_cast<std::size_t>(std::count_if(impacts.begin(), impacts.end(), [](const RecordedImpact& i) {
+            return i.recorded == Recorded::rebound;
+        }));
     const std::size_t all = impacts.size();
     const double neighbours = noise_known ? 0.0 : noise_of_neighbours(impacts);
     if (all > few_impacts) {
@@ -96,9 +98,10 @@ CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, c
     const Interval& v = estimate.curve.critical_velocity;
     constexpr double widest = 40.0;
     if (*v.upper > widest * *v.lower)
-        throw InputError("the impacts bound v_c no closer than " + shortest(*v.lower) + " to " + shortest(*v.upper) + " m/s",
+        throw InputError("the impacts bound v_c no closer than " + shortest(*v.lower) + " to " +
+                             shortest(*v.upper) + " m/s",
                          "impacts closer to v_c");
-    const CurvePosterior posterior(table, impacts, prior, estimate.curve.roughness);
+    const CurvePosterior posterior(table, impacts, prior);
     const SmoothDamping curve = posterior.curve(estimate.curve.parameters);
     const bool grouped_without_noise = noise_known && !set.has_noise();
     for (const auto& note : {slow_rebound_note(estimate.curve, curve, impacts),

@@ -28,8 +28,8 @@ struct CriticalVelocityEstimate {
 inline constexpr const char* estimate_method =
     "posterior of v_c with a smooth curve of damping over velocity, captures by their probability";
 
-/// Estimates v_c from rebounds and captures alike: see SmoothDamping and CurvePosterior. More than some thousand
-/// impacts are put together into groups closer than their noise; all of them count.
+/// Estimates v_c from rebounds and captures alike: see SmoothDamping and CurvePosterior. More than some
+/// thousand impacts are put together into groups closer than their noise; all of them count.
 /// @throws InputError where the impacts allow no estimate, with the reason; ConvergenceError
 [[nodiscard]] CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model,
                                                                   const MeasurementSet& set,

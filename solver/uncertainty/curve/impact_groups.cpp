@@ -20,6 +20,7 @@ struct Sums {
     double rebound = 0.0;
     double incident_variance = 0.0;
     double rebound_variance = 0.0;
+    double covariance = 0.0;
 
     void add(const RecordedImpact& impact) {
         count += impact.count;
@@ -27,6 +28,7 @@ struct Sums {
         rebound += impact.count * impact.rebound;
         incident_variance += impact.count * impact.incident_u * impact.incident_u;
         rebound_variance += impact.count * impact.rebound_u * impact.rebound_u;
+        covariance += impact.count * impact.correlation * impact.incident_u * impact.rebound_u;
     }
     /// @param share of the variance that is left: 1, or that of a mean
     [[nodiscard]] RecordedImpact impact(RecordedImpact like, double share, double counts) const {
@@ -35,6 +37,7 @@ struct Sums {
         like.rebound = rebound / count;
         like.incident_u = std::sqrt(share * incident_variance / count);
         like.rebound_u = std::sqrt(share * rebound_variance / count);
+        like.correlation = covariance / std::sqrt(incident_variance * rebound_variance);
         like.count = counts;
         return like;
     }
@@ -54,7 +57,8 @@ std::vector<RecordedImpact> in_cells(const std::vector<RecordedImpact>& impacts)
     }
     std::vector<RecordedImpact> result;
     result.reserve(cells.size());
-    for (const auto& [key, cell] : cells) result.push_back(cell.second.impact(cell.first, 1.0, cell.second.count));
+    for (const auto& [key, cell] : cells)
+        result.push_back(cell.second.impact(cell.first, 1.0, cell.second.count));
     return result;
 }
 
@@ -65,8 +69,8 @@ std::vector<RecordedImpact> recorded_impacts(const MeasurementSet& set) {
     impacts.reserve(set.points.size());
     for (const Measurement& point : set.points) {
         const Recorded recorded = point.outcome == NotedOutcome::capture ? Recorded::capture
-                                  : point.captured()                ? Recorded::zero
-                                                                    : Recorded::rebound;
+                                  : point.captured()                     ? Recorded::zero
+                                                                         : Recorded::rebound;
         const auto count = static_cast<double>(point.count);
         impacts.push_back({.recorded = recorded,
                            .velocity = point.velocity,
@@ -74,9 +78,18 @@ std::vector<RecordedImpact> recorded_impacts(const MeasurementSet& set) {
                            .rebound = point.rebound,
                            .incident_u = point.noise ? std::sqrt(point.noise->incident) : 1.0,
                            .rebound_u = point.noise ? std::sqrt(point.noise->rebound) : 1.0,
+                           .correlation = point.noise
+                                              ? point.noise->covariance /
+                                                    std::sqrt(point.noise->incident * point.noise->rebound)
+                                              : 0.0,
                            .resolution = point.resolution,
                            .count = recorded == Recorded::rebound ? 1.0 : count});
     }
+    // In the same order whatever that of the file, so that sums round alike.
+    std::sort(impacts.begin(), impacts.end(), [](const RecordedImpact& a, const RecordedImpact& b) {
+        return std::tie(a.velocity, a.rebound, a.incident_u, a.rebound_u, a.count) <
+               std::tie(b.velocity, b.rebound, b.incident_u, b.rebound_u, b.count);
+    });
     return impacts;
 }
 
@@ -112,7 +125,8 @@ std::vector<RecordedImpact> grouped(std::vector<RecordedImpact> impacts) {
     if (rebounds.empty()) return in_cells(impacts);
     // Slow enough that a capture is to be expected among them, but for the odd one.
     const double slowest = rebounds[rebounds.size() / 200];
-    const double fastest_capture = captures.empty() ? 0.0 : captures[captures.size() - 1 - captures.size() / 200];
+    const double fastest_capture =
+        captures.empty() ? 0.0 : captures[captures.size() - 1 - captures.size() / 200];
     const double end = 1.3 * std::max(slowest, fastest_capture);
     std::vector<RecordedImpact> slow;
     std::vector<RecordedImpact> result;

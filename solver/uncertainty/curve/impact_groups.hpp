@@ -10,9 +10,10 @@ namespace ashimpact {
 /// The impacts of a set as the likelihood needs them, one by one.
 [[nodiscard]] std::vector<RecordedImpact> recorded_impacts(const MeasurementSet& set);
 
-/// Many impacts put together, so that a million cost no more than some thousand. Where captures are still found,
-/// impacts within a cell half as wide as their noise become one that counts for all. Faster ones are averaged
-/// over a six-hundredth of the range, in which the curve is straight, and the mean has the noise of a mean.
+/// Many impacts put together, so that a million cost no more than some thousand. Where captures are still
+/// found, impacts within a cell half as wide as their noise become one that counts for all. Faster ones are
+/// averaged over a six-hundredth of the range, in which the curve is straight, and the mean has the noise of
+/// a mean.
 /// @param impacts with known noise
 [[nodiscard]] std::vector<RecordedImpact> grouped(std::vector<RecordedImpact> impacts);
 

@@ -35,12 +35,15 @@ class Probability {
           impact_(impact),
           x_(impact.log_velocity),
           velocity_share_(scatter.noise * impact.incident_u / impact.velocity),
-          rebound_u_(scatter.noise * impact.rebound_u),
+          rebound_u_(scatter.noise * impact.rebound_u *
+                     std::sqrt(1.0 - impact.correlation * impact.correlation)),
+          along_(impact.correlation * impact.rebound_u / impact.incident_u),
           damping_(scatter.damping) {
         // A particle with more damping is one at a lower velocity: both noises shift the impact along ln v.
         const double from_critical = x_ - curve.log_critical_velocity();
         const double least = velocity_share_ + 0.02;
-        const double away = from_critical < 0.0 ? std::min(from_critical, -least) : std::max(from_critical, least);
+        const double away =
+            from_critical < 0.0 ? std::min(from_critical, -least) : std::max(from_critical, least);
         const double place = curve.log_critical_velocity() + away;
         const double slope = std::max(0.02, curve.at(place).distance / away);
         const double by_damping = damping_ / slope;
@@ -54,19 +57,21 @@ class Probability {
     /// Density of the reading, of rebounds.
     [[nodiscard]] double rebounds() const {
         if (below_ < -far_end) return far();
-        if (below_ > -far_begin) return near([this](double r, double extra) { return reading(r, extra); }, true);
+        if (below_ > -far_begin)
+            return near([this](double y, double r, double extra) { return reading(y, r, extra); }, true);
         const double t = (-below_ - far_begin) / (far_end - far_begin);
         const double blend = t * t * (3.0 - 2.0 * t);
-        return (1.0 - blend) * near([this](double r, double extra) { return reading(r, extra); }, true) +
+        return (1.0 - blend) *
+                   near([this](double y, double r, double extra) { return reading(y, r, extra); }, true) +
                blend * far();
     }
 
     /// Probability of a rebound that was taken for a capture.
     [[nodiscard]] double unseen() const {
-        if (below_ < -far_end && curve_.at(x_).restitution * impact_.velocity >
-                                     8.0 * rebound_u_ + impact_.resolution)
+        if (below_ < -far_end &&
+            curve_.at(x_).restitution * impact_.velocity > 8.0 * rebound_u_ + impact_.resolution)
             return 0.0;
-        return near([this](double r, double) { return at_rest(r); }, false);
+        return near([this](double, double r, double) { return at_rest(r); }, false);
     }
 
   private:
@@ -80,9 +85,13 @@ class Probability {
         return normal_below(-r / rebound_u_);
     }
 
-    [[nodiscard]] double reading(double r, double extra) const {
+    /// Density of the reading at a shift. An error of v_in brings its share of v_r's error along.
+    [[nodiscard]] double reading(double y, double r, double extra) const {
         const double seen = impact_.resolution > 0.0 ? 1.0 - at_rest(r) : 1.0;
-        return seen * normal_density(impact_.rebound - r, rebound_u_ * rebound_u_ + extra);
+        return seen * normal_density(impact_.rebound - expected(y, r), rebound_u_ * rebound_u_ + extra);
+    }
+    [[nodiscard]] double expected(double y, double r) const {
+        return r + along_ * impact_.velocity * (1.0 - std::exp(share_ * y));
     }
 
     [[nodiscard]] double rebound_at(double y) const {
@@ -102,8 +111,9 @@ class Probability {
             const double q = low + (high - low) * node.position;
             const double y = from + q * q;
             const double r = rebound_at(y);
-            const double extra = share_ * (1.0 - share_) * r * r * width_ * width_;
-            sum += node.weight * 2.0 * q * normal_density(y, width_ * width_) * function(r, extra);
+            const double by_incident = (r - along_ * impact_.velocity) * width_;
+            const double extra = share_ * (1.0 - share_) * by_incident * by_incident;
+            sum += node.weight * 2.0 * q * normal_density(y, width_ * width_) * function(y, r, extra);
         }
         return sum * (high - low);
     }
@@ -111,13 +121,13 @@ class Probability {
     /// Leaves out shifts whose rebound is further from the reading than the noise reaches.
     void narrow_down(double from, double& low, double& high) const {
         const double band = reach * rebound_u_;
-        const auto r_at = [&](double q) { return rebound_at(from + q * q); };
+        const auto r_at = [&](double q) { return expected(from + q * q, rebound_at(from + q * q)); };
         const double range = r_at(high) - r_at(low);
         if (range < 2.0 * band) return;
         const auto root = [&](double value) {
             double a = low;
             double b = high;
-            for (int i = 0; i < 14; ++i) {
+            for (int i = 0; i < 7; ++i) {
                 const double middle = 0.5 * (a + b);
                 (r_at(middle) < value ? a : b) = middle;
             }
@@ -142,9 +152,11 @@ class Probability {
             const double step = std::min(std::sqrt(3.0), 0.9 / velocity_share_);
             const double up_x = std::log1p(step * velocity_share_);
             const double down_x = std::log1p(-step * velocity_share_);
-            const double up = impact_.velocity * (1.0 + step * velocity_share_) * curve_.at(x_ + up_x).restitution;
+            const double change = impact_.velocity * step * velocity_share_;
+            const double up =
+                (impact_.velocity + change) * curve_.at(x_ + up_x).restitution - along_ * change;
             const double down =
-                impact_.velocity * (1.0 - step * velocity_share_) * curve_.at(x_ + down_x).restitution;
+                (impact_.velocity - change) * curve_.at(x_ + down_x).restitution + along_ * change;
             const double weight = 0.5 / (step * step);
             mean += weight * (up + down - 2.0 * r);
             variance += weight * ((up - r) * (up - r) + (down - r) * (down - r)) - (mean - r) * (mean - r);
@@ -156,7 +168,8 @@ class Probability {
     const RecordedImpact& impact_;
     double x_;
     double velocity_share_;  ///< u(v_in)/v_in
-    double rebound_u_;
+    double rebound_u_;       ///< of v_r where v_in is known
+    double along_;           ///< error of v_r that one of v_in brings along
     double damping_;
     double width_ = 0.0;  ///< of all shifts along ln v
     double share_ = 0.0;  ///< of the variance of the shift that v_in has
@@ -168,7 +181,7 @@ class Probability {
 double log_probability(const SmoothDamping& curve, const Scatter& scatter, const RecordedImpact& impact) {
     const Probability probability(curve, scatter, impact);
     const double flat = 1.0 / (1.5 * impact.velocity);  // density of an outlier's reading
-    constexpr double at_rest = 0.1;                       // share of outliers that read zero
+    constexpr double at_rest = 0.1;                     // share of outliers that read zero
     double regular = 0.0;
     double outlier = flat;
     switch (impact.recorded) {

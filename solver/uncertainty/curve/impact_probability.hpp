@@ -15,24 +15,25 @@ enum class Recorded {
 /// One impact as the likelihood needs it.
 struct RecordedImpact {
     Recorded recorded;
-    double velocity;    ///< v_in [m/s]
-    double log_velocity;  ///< ln v_in
-    double rebound;     ///< v_r as read; 0 where there is no reading [m/s]
-    double incident_u;  ///< standard uncertainty of v_in, in units of the noise scale
-    double rebound_u;   ///< of v_r
-    double resolution;  ///< v_r from which on the camera always sees it move; 0: not known [m/s]
-    double count = 1.0; ///< impacts that this one stands for
+    double velocity;           ///< v_in [m/s]
+    double log_velocity;       ///< ln v_in
+    double rebound;            ///< v_r as read; 0 where there is no reading [m/s]
+    double incident_u;         ///< standard uncertainty of v_in, in units of the noise scale
+    double rebound_u;          ///< of v_r
+    double correlation = 0.0;  ///< of the errors of both
+    double resolution;         ///< v_r from which on the camera always sees it move; 0: not known [m/s]
+    double count = 1.0;        ///< impacts that this one stands for
 };
 
 /// How measurements scatter about the curve.
 struct Scatter {
-    double noise;    ///< factor on the uncertainties of both velocities
-    double damping;  ///< standard deviation of ln eta between particles, or of what acts like it (size)
-    double outliers; ///< share of impacts that say nothing
+    double noise;     ///< factor on the uncertainties of both velocities
+    double damping;   ///< standard deviation of ln eta between particles, or of what acts like it (size)
+    double outliers;  ///< share of impacts that say nothing
 };
 
-/// ln of the probability (density) of what was recorded, summed over the true velocities and over the particles
-/// it may have been.
+/// ln of the probability (density) of what was recorded, summed over the true velocities and over the
+/// particles it may have been.
 [[nodiscard]] double log_probability(const SmoothDamping& curve, const Scatter& scatter,
                                      const RecordedImpact& impact);
 

@@ -7,7 +7,7 @@ namespace ashimpact {
 
 namespace {
 
-constexpr int intervals_of_s = 160;           ///< places along s, less one
+constexpr int intervals_of_s = 160;  ///< places along s, less one
 constexpr double columns_per_x = 8;  ///< the dependence on ln v at fixed phi is weak
 
 /// Weights of four neighbours, and their slopes per step.
@@ -51,7 +51,9 @@ RestitutionTable::RestitutionTable(const ContactModel& model, VelocityRange velo
     capture_.resize(columns);
     restitution_ = Eigen::MatrixXd::Zero(intervals_of_s + 1, columns);
     for (Eigen::Index j = 0; j < columns; ++j) {
-        const double velocity = std::min(std::max(model.range().lower, std::exp(first_ + step_ * static_cast<double>(j))), model.range().upper);
+        const double velocity =
+            std::min(std::max(model.range().lower, std::exp(first_ + step_ * static_cast<double>(j))),
+                     model.range().upper);
         const double most = model.damping(velocity, 0.0).value;
         capture_[j] = std::log(most);
         if (!adhesive && j > 0) {
@@ -106,7 +108,9 @@ RestitutionTable::Value RestitutionTable::at(double distance, double x) const {
         // Beyond the ends a parabola goes on: e(-s) by the first three places, e(1 + s) by the last.
         const double first = low < 0 ? 3.0 * values[0] - 3.0 * values[1] + values[2] : values[low];
         const double fourth =
-            low + 3 > intervals_of_s ? 3.0 * values[intervals_of_s] - 3.0 * values[intervals_of_s - 1] + values[intervals_of_s - 2] : values[low + 3];
+            low + 3 > intervals_of_s
+                ? 3.0 * values[intervals_of_s] - 3.0 * values[intervals_of_s - 1] + values[intervals_of_s - 2]
+                : values[low + 3];
         const double f[4] = {first, values[low + 1], values[low + 2], fourth};
         double sum = 0.0;
         double sum_slope = 0.0;

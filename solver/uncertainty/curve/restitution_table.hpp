@@ -6,13 +6,13 @@
 
 namespace ashimpact {
 
-/// The restitution of a contact model as a table of two numbers: x = ln v, and phi = ln(eta_capture(v)/eta), the
-/// distance of the damping from the least that captures at this velocity. A look-up takes 50 ns, where the
-/// model's own inversion takes microseconds.
+/// The restitution of a contact model as a table of two numbers: x = ln v, and phi = ln(eta_capture(v)/eta),
+/// the distance of the damping from the least that captures at this velocity. A look-up takes 50 ns, where
+/// the model's own inversion takes microseconds.
 ///
-/// The table's own variable is s = sqrt(1 - exp(-phi)), in which e is smooth from capture (s = 0) to no damping
-/// at all (s = 1) for adhesive laws and for Hertz alike. Interpolation is cubic (Catmull and Rom 1974); its
-/// error is below 1e-4 in e.
+/// The table's own variable is s = sqrt(1 - exp(-phi)), in which e is smooth from capture (s = 0) to no
+/// damping at all (s = 1) for adhesive laws and for Hertz alike. Interpolation is cubic (Catmull and Rom
+/// 1974); its error is below 1e-4 in e.
 class RestitutionTable {
   public:
     /// @param velocities that impacts and v_c can have, within the model's range [m/s]

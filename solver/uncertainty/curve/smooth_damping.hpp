@@ -11,9 +11,9 @@ namespace ashimpact {
 ///     ln eta(v) = ln eta_capture(v_c) + g(t),   g(t) = sum_k c_k (T_k(2t - 1) - T_k(-1)),
 ///
 /// t in [0, 1] the restitution that constant damping of the same v_c would give at v, over the one at the
-/// fastest impact. In t both kinds of truth are smooth: a damping that goes with the velocity, and one that goes
-/// with the restitution, which for adhesive laws rises vertically at v_c. g = 0 is constant damping. v_c is a
-/// parameter of its own, and above it every impact rebounds.
+/// fastest impact. In t both kinds of truth are smooth: a damping that goes with the velocity, and one that
+/// goes with the restitution, which for adhesive laws rises vertically at v_c. g = 0 is constant damping. v_c
+/// is a parameter of its own, and above it every impact rebounds.
 class SmoothDamping {
   public:
     static constexpr int terms = 7;
@@ -30,10 +30,12 @@ class SmoothDamping {
     /// @param x ln v
     [[nodiscard]] Place at(double x) const;
     /// ln eta. @param x ln v, above v_c
-    [[nodiscard]] double log_damping(double x) const { return table_->log_capture_damping(x) - at(x).distance; }
+    [[nodiscard]] double log_damping(double x) const {
+        return table_->log_capture_damping(x) - at(x).distance;
+    }
     [[nodiscard]] double log_critical_velocity() const { return critical_; }
-    /// How much the curve lingers at e = 0 above v_c, where the distance is less than 0.6 of what constant damping
-    /// gives: there v_c would say nothing. -ln of a prior density.
+    /// How much the curve lingers at e = 0 above v_c, where the distance is less than 0.6 of what constant
+    /// damping gives: there v_c would say nothing. -ln of a prior density.
     [[nodiscard]] double lingering() const { return lingering_; }
 
   private:
@@ -41,7 +43,7 @@ class SmoothDamping {
     [[nodiscard]] Place computed(double x) const;
 
     // Places are tabulated along the root of ln(v/v_c), in which e begins smoothly.
-    static constexpr int cells = 96;
+    static constexpr int cells = 56;
 
     const RestitutionTable* table_;
     double critical_;

@@ -1,6 +1,7 @@
 #include "solver/uncertainty/outcomes/measured_critical_velocity.hpp"
 
 #include "solver/gsl/distribution.hpp"
+#include "solver/uncertainty/curve/impact_groups.hpp"
 #include "solver/uncertainty/outcomes/capture_transition.hpp"
 #include "solver/uncertainty/outcomes/estimate_comparison.hpp"
 #include "solver/uncertainty/profile.hpp"
@@ -12,6 +13,18 @@
 namespace ashimpact {
 
 namespace {
+
+/// The set with the noise that the scatter of its rebounds shows, where it states none and has enough of
+/// them.
+MeasurementSet with_noise(const MeasurementSet& set) {
+    constexpr std::size_t enough = 6;
+    MeasurementSet result = set;
+    if (set.has_noise() || set.rebounds() < enough) return result;
+    const double u = noise_of_neighbours(recorded_impacts(set));
+    if (u > 0.0)
+        for (Measurement& point : result.points) point.noise = VelocityNoise::of_velocities(u, u);
+    return result;
+}
 
 double mean_noise(const MeasurementSet& set) {
     double sum = 0.0;
@@ -60,7 +73,6 @@ void take_gap(MeasuredCriticalVelocity& result) {
 /// One velocity with both outcomes, of unknown uncertainty: v_c is there, and nothing says how closely.
 void take_common_velocity(MeasuredCriticalVelocity& result) {
     result.value = result.fastest_capture;
-    result.standard_uncertainty = 0.0;
     result.note = "captures end and rebounds begin at one velocity, whose uncertainty is not known";
 }
 
@@ -96,8 +108,9 @@ void take_transition(const MeasurementSet& set, double noise, bool mixed, Measur
 
 }  // namespace
 
-MeasuredCriticalVelocity measured_critical_velocity(const MeasurementSet& set) {
-    validate(set);
+MeasuredCriticalVelocity measured_critical_velocity(const MeasurementSet& stated) {
+    validate(stated);
+    const MeasurementSet set = with_noise(stated);
     MeasuredCriticalVelocity result;
     note_range(set, result);
     if (!result.fastest_capture || !result.slowest_rebound) {

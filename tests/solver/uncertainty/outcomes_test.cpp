@@ -42,6 +42,25 @@ TEST_CASE("outcomes without noise bound v_c by the gap between them") {
     CHECK(relative_difference(*measured.standard_uncertainty, 0.2 / std::sqrt(12.0)) < 1e-12);
 }
 
+TEST_CASE("outcomes without stated noise get that of their scatter") {
+    // Rebounds of v_r = (v_in - 1.1)/2 that scatter by 0.03 m/s, as v_in does.
+    Random random(3);
+    int covered = 0;
+    constexpr int laboratories = 200;
+    for (int laboratory = 0; laboratory < laboratories; ++laboratory) {
+        std::vector<Measurement> points;
+        for (int i = 0; i < 30; ++i) {
+            const double v = random.uniform(0.7, 2.5);
+            const double rebound = v > 1.1 ? std::max(1e-3, 0.5 * (v - 1.1) + random.normal(0.03)) : 0.0;
+            points.push_back(impact(v + random.normal(0.03), rebound));
+        }
+        const auto measured = measured_critical_velocity(set_of(points));
+        REQUIRE(measured.value);
+        covered += *measured.lower <= 1.1 && *measured.upper >= 1.1 ? 1 : 0;
+    }
+    CHECK(covered >= 180);
+}
+
 TEST_CASE("outcomes with noise: symmetric ones put v_c in the middle, wider than the gap") {
     const auto measured = measured_critical_velocity(set_of(
         {impact(0.9, 0.0, 0.05), impact(1.0, 0.0, 0.05), impact(1.1, 0.1, 0.05), impact(1.2, 0.2, 0.05)}));
