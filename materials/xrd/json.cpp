@@ -133,6 +133,7 @@ XrdSample read_sample(const View& node) {
 }
 
 XrdResult read_samples(const View& root) {
+    if (!root.is_object()) root.fail("is not an object", "an object with the key samples");
     root.require_keys({"samples"});
     const auto nodes = root.at("samples").elements();
     if (nodes.empty()) root.at("samples").fail("no samples", "at least one");

@@ -198,7 +198,7 @@ TEST_CASE("malformed JSON results") {
                         " {\"name\": \"Quartz\",\n \"weight_fraction\": 60}]}]}"),
                 "line 6: /samples/0/phases/0/weight_fraction: the fraction is 60"));
     CHECK(holds(refused(R"({"samples": []})"), "/samples: no samples"));
-    CHECK(holds(refused(R"([1, 2])"), "/: not an object"));
+    CHECK(holds(refused(R"([1, 2])"), "line 1: is not an object; allowed: an object with the key samples"));
     CHECK(holds(refused(R"({"samples": [], "x": 1})"), "/x: unknown key"));
     CHECK(holds(refused(phases(quartz + "," + quartz)),
                 "line 1: /samples/0/phases/1: the phase \"Quartz\" is there twice"));
