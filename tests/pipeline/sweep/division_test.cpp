@@ -24,9 +24,10 @@ auto left_by(const std::vector<std::string>& command, double samples) {
     CAPTURE(ended.err);
     CHECK(ended.status == 0);
     auto files = sandbox.everything();
-    REQUIRE(files.size() == 3);
+    REQUIRE(files.size() == 4);  // and the spec
     CHECK(files[0].first == "out.h5");
-    CHECK(files[1].first == "out.json");
+    CHECK(files[1].first == "out.html");
+    CHECK(files[2].first == "out.json");
     return files;
 }
 
