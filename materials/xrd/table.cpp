@@ -3,6 +3,8 @@
 #include <map>
 #include <optional>
 
+#include "materials/base/checks.hpp"
+#include "materials/base/json_input.hpp"
 #include "materials/base/text.hpp"
 #include "materials/xrd/readers.hpp"
 #include "materials/xrd/table_layout.hpp"
@@ -133,6 +135,17 @@ XrdSample sample_of_fractions(const Group& group, double scale) {
     return sample;
 }
 
+/// Refuses what would overflow when fractions are made of it.
+void require_computable(const PeakIntensity& peak) {
+    constexpr auto number = Dimension::fraction;
+    require_not_negative("intensity of " + peak.name, peak.intensity, number);
+    require_positive("rir of " + peak.name, peak.reference_intensity_ratio, number);
+    require_not_negative("uncertainty of the intensity of " + peak.name,
+                         peak.intensity_uncertainty.value_or(0), number);
+    require_not_negative("uncertainty of the rir of " + peak.name, peak.ratio_uncertainty.value_or(0),
+                         number);
+}
+
 XrdSample sample_of_peaks(const Group& group) {
     std::vector<PeakIntensity> peaks;
     for (const Entry& entry : group.entries) {
@@ -150,6 +163,7 @@ XrdSample sample_of_peaks(const Group& group) {
                              entry.uncertainty ? entry.uncertainty : entry.intensity->standard_uncertainty,
                          .ratio_uncertainty = entry.ratio_uncertainty ? entry.ratio_uncertainty
                                                                       : entry.ratio->standard_uncertainty});
+        at_place(at_line(entry.line), [&] { require_computable(peaks.back()); });
     }
     try {
         XrdSample sample{.name = group.sample};

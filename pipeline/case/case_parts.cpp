@@ -115,8 +115,8 @@ ReadAnalysis read_xrd_analysis(const View& node, InputFiles& files) {
     for (PhaseFraction& phase : sample.analysis.phases)
         if (!phase.place.empty()) phase.place.insert(0, files.shown(name) + ": ");
     if (const auto standard = node.find("internal_standard")) {
+        const Quantity added = standard->at("added_fraction").quantity(Dimension::fraction);
         sample = standard->located([&] {
-            const Quantity added = standard->at("added_fraction").quantity(Dimension::fraction);
             return with_internal_standard(sample, standard->at("phase").text(), added.value,
                                           added.standard_uncertainty);
         });

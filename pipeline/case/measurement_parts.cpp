@@ -32,8 +32,9 @@ void apply_binning(const View& node, MeasuredRestitution& data) {
 }  // namespace
 
 Camera read_camera(const View& node) {
-    Camera camera{.frame_rate = node.at("frame_rate").number(Dimension::fraction),
-                  .pixel_size = node.at("pixel_size").number(Dimension::length)};
+    Camera camera{
+        .frame_rate = node.at("frame_rate").number(Dimension::fraction),
+        .pixel_size = positive_quantity(node.at("pixel_size"), "pixel size", Dimension::length).value};
     if (const auto frames = node.find("frames")) camera.frames = frames->integer();
     if (const auto position = node.find("position_in_pixels"))
         camera.position_in_pixels = position->number(Dimension::fraction);

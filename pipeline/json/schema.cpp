@@ -185,8 +185,9 @@ void validate_quantity(const View& value, Dimension dimension) {
     constexpr double most = 1e40;
     const double number = value.number(dimension);
     if (!(std::abs(number) <= most))
-        value.fail("is " + shortest(number) + " " + std::string(si_unit(dimension)),
-                   "a number up to 1e40 in SI");
+        (value.is_object() ? value.at("value") : value)
+            .fail("is " + shortest(number) + " " + std::string(si_unit(dimension)),
+                  "a number up to 1e40 in SI");
 }
 
 void validate_quantities_below(const View& value, const Json& schema, const Json& node) {
