@@ -65,6 +65,8 @@ TEST_CASE("quantities of a document without readers: unit, size and place, null 
     CHECK(message(R"({"value": 2, "unit": "m/s"})").empty());
     CHECK(message(R"({"value": 2, "unit": "kg"})")
               .find("/result/samples/0/critical_velocity: the unit \"kg\" is not one of velocity") == 0);
+    CHECK(message(R"({"value": 1e300, "unit": "m/s"})")
+              .find("/result/samples/0/critical_velocity/value: is ") == 0);
     CHECK(message("1e300").find("/result/samples/0/critical_velocity: is 1e+300 m/s; allowed: a number") ==
           0);
 }

@@ -53,7 +53,8 @@ TEST_CASE("a result of any shape becomes text with every value in it") {
 TEST_CASE("what a terminal would obey is shown as a question mark") {
     CHECK(without_controls("a\x1b[31mb\x07\r\x7f") == "a?[31mb???");
     CHECK(without_controls("one\ttwo\nthree") == "one\ttwo\nthree");
-    CHECK(without_controls("\xc2\x9b\x33m") == "?3m");          // CSI as one character of UTF-8
+    CHECK(without_controls("\xc2\x9b\x33m") == "?3m");  // CSI as one character of UTF-8
+    CHECK(in_quotes(std::string(59, 'a') + "\xc3\xa9") == '"' + std::string(59, 'a') + "...\"");
     CHECK(without_controls("a\xff\xc3z\xe2\x82") == "a??z??");  // half a character
     CHECK(without_controls("\xe2\x82\xac \xf0\x9f\x99\x82") == "\xe2\x82\xac \xf0\x9f\x99\x82");
     CHECK(without_controls("\xc2\xb5m, \xc3\xa4sh") == "\xc2\xb5m, \xc3\xa4sh");

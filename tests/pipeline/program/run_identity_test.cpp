@@ -70,6 +70,16 @@ TEST_CASE("the same case gives the same run and the same bytes") {
           })->second);
 }
 
+TEST_CASE("an artifact that is not there is named, and no other file") {
+    const Sandbox sandbox;
+    run_case(sandbox, quick_case(), "one");
+    std::filesystem::remove(sandbox.path("one/2-contact.json"));
+    const auto run = ashimpact_program(sandbox, "run -o one --from analytic");
+    CHECK(run.status == 2);
+    CHECK_MESSAGE(run.err.find("one/2-contact.json: cannot be read") == 0, run.err);
+    CHECK(test::lines_of(run.err).size() == 1);
+}
+
 TEST_CASE("an edited artifact is taken and said to be edited; another layout is no edit") {
     const Sandbox sandbox;
     run_case(sandbox, quick_case(), "one");

@@ -126,6 +126,14 @@ const Spoiled spoiled_specs[]{
          s["sampling"]["sequence"] = "sobol";
      },
      "/sampling/sequence: means nothing for \"random\""},
+    {"shifts of random points",
+     [](Json& s) {
+         s["sampling"] = {{"method", "random"}, {"samples", 64}, {"seed", 1}, {"shifts", 4}};
+     },
+     "/sampling/shifts: means nothing for \"random\"; allowed: quasi-random sampling"},
+    {"a list of ten thousand equal entries",
+     [](Json& s) { s["table"] = std::vector<std::string>(10'000, "restitution"); },
+     "/table: is a list of 10000 entries; allowed: at most 64"},
     {"fewer samples than shifts", [](Json& s) { s["sampling"]["samples"] = 8; },
      "/sampling: \"samples\" is "},
     {"unknown observable", [](Json& s) { s["table"] = {"restitusion"}; },
@@ -178,6 +186,19 @@ TEST_CASE("a wrong spec ends the program with status 2, one line and nothing wri
         CHECK(test::lines_of(ended.err).size() == 1);
         CHECK(sandbox.everything().size() == 1);
     }
+}
+
+TEST_CASE("more rows than the disk has room for are refused before the first impact") {
+    const test::Sandbox sandbox;
+    Json spec = full_spec(1e15);
+    spec["sampling"] = {{"method", "random"}, {"samples", 1e15}, {"seed", 1}};
+    spec["table"] = {"restitution"};
+    spec.erase("sensitivity");
+    sandbox.write("spec.json", spec.dump());
+    const test::Ended ended = test::run(sandbox, {ASHIMPACT_PROGRAM, "sweep", "spec.json", "-o", "out.json"});
+    CHECK(ended.status == 2);
+    CHECK_MESSAGE(ended.err.find("out.h5: a table of 1000000000000000 rows takes ") == 0, ended.err);
+    CHECK(sandbox.everything().size() == 1);
 }
 
 TEST_CASE("a wrong spec under mpirun has status 2 and is told once") {

@@ -144,10 +144,11 @@ CASE_RULES = Rules(
         "critical_damping": ("zero",), "damping_fit_uncertainty": ("zero",), "coefficient_uncertainty": ("zero",),
         "weight_fractions": SMALL, "volume_fractions": SMALL, "amorphous": SMALL, "crystalline_total": SMALL,
         "remainder_scale": SMALL, "added_fraction": ("tiny",), "volume_fraction": SMALL, "value": SMALL,
-        "from": SMALL, "to": ("tiny",)},
+        "from": SMALL, "to": ("tiny",), "rounding": ("zero",)},
     needed=(("wall", "young_modulus"), ("wall", "poisson_ratio")))
 SWEEP_RULES = Rules(may_be={
-    "work_of_adhesion": ("zero",), "damping": ("zero",), "cohesion_energy_density": ("zero",), "resolution": ("tiny",)})
+    "work_of_adhesion": ("zero",), "damping": ("zero",), "cohesion_energy_density": ("zero",), "resolution": ("tiny",),
+    "mean": SIGNED, "minimum": ("tiny",)})
 
 def sweeps():
     fixed = {"density": "2300 kg/m3", "contact_modulus": "90 GPa", "damping": "0.0141 kg/s"}

@@ -212,6 +212,30 @@ TEST_CASE("an elastic-plastic law goes through the scalar solver") {
     }
 }
 
+TEST_CASE("Hertz: damping beyond all bounds captures, and asking for the turning point changes nothing") {
+    int seen = 0;
+    for (const Impacts& impacts : random_impacts(200, 1e11, 29)) {  // damping numbers up to 1e11
+        // A contact that ends at zero force is refused there: it does not converge.
+        if (impacts.law != Law::of<Hertz>() || impacts.damping_law != DampingLaw::constant ||
+            impacts.detachment != Detachment::zero_overlap)
+            continue;
+        ++seen;
+        const ImpactBatchResult with_turn = solve_impacts(impacts.batch());
+        const ImpactBatchResult without = solve_impacts(impacts.batch(), {.turning_point = false});
+        for (Eigen::Index i = 0; i < impacts.size(); ++i) {
+            CAPTURE(i);
+            CHECK(with_turn.outcome[i] == Outcome::capture);
+            CHECK(without.outcome[i] == Outcome::capture);
+            CHECK(with_turn.restitution[i] == 0);
+            CHECK(without.restitution[i] == 0);
+            CHECK(std::isnan(with_turn.contact_time[i]));
+            CHECK(std::isnan(without.contact_time[i]));
+            CHECK(with_turn.maximum_overlap[i] > 0);
+        }
+    }
+    CHECK(seen == 1);
+}
+
 TEST_CASE("what is inadmissible is refused with the place of the first such impact") {
     Impacts impacts = random_impacts(5000, 1.0, 17).front();
     impacts.velocity[4321] = -1.0;

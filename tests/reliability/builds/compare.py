@@ -1,0 +1,62 @@
+#!/usr/bin/env python3
+"""Whether builds of the program agree: `ashimpact run` of the built-in case by each of them, every number of every artifact.
+
+    compare.py PROGRAM OTHER...      to 1e-12 of the number, or of the greatest of its list; all else has to be the same
+"""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+MOST = 1e-12
+COUNTED = ("sha256", "result_sha256", "run", "intervals", "inputs", "bytes")  # hashes and sizes of what is compared itself
+
+
+def artifacts_of(program, folder):
+    subprocess.run([program, "run", "-o", folder, "--no-report"], check=True, capture_output=True)
+    return {path.name: json.loads(path.read_text()) for path in sorted(pathlib.Path(folder).glob("*.json"))}
+
+
+def differences(one, other, place, scale, found):
+    """Appends (relative difference, place) of every number; other kinds of differences as infinite ones."""
+    if isinstance(one, bool) or isinstance(other, bool) or not (
+            isinstance(one, (int, float)) and isinstance(other, (int, float))):
+        if isinstance(one, dict) and isinstance(other, dict) and one.keys() == other.keys():
+            for key in one:
+                if key not in COUNTED:
+                    differences(one[key], other[key], f"{place}/{key}", 0.0, found)
+        elif isinstance(one, list) and isinstance(other, list) and len(one) == len(other):
+            numbers = [abs(each) for each in one if isinstance(each, (int, float))]
+            for index, (left, right) in enumerate(zip(one, other)):
+                differences(left, right, f"{place}/{index}", max(numbers, default=0.0), found)
+        elif one != other:
+            found.append((float("inf"), place))
+        return
+    size = max(abs(one), abs(other), scale)
+    found.append((abs(one - other) / size if size else 0.0, place))
+
+
+def main():
+    programs = sys.argv[1:]
+    if len(programs) < 2:
+        sys.exit(__doc__)
+    with tempfile.TemporaryDirectory() as folder:
+        results = [artifacts_of(program, f"{folder}/{index}") for index, program in enumerate(programs)]
+    status = 0
+    for program, artifacts in zip(programs[1:], results[1:]):
+        found = []
+        differences(results[0], artifacts, "", 0.0, found)
+        greatest, place = max(found)
+        beyond = sorted((each for each in found if each[0] > MOST), reverse=True)
+        print(f"{program}: {len(found)} numbers, greatest relative difference {greatest:.2g} at {place}; "
+              f"{len(beyond)} beyond {MOST:g}")
+        for difference, where in beyond[:20]:
+            print(f"  {difference:.2g} at {where}")
+        status |= bool(beyond)
+    return status
+
+
+if __name__ == "__main__":
+    sys.exit(main())
