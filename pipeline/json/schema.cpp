@@ -13,7 +13,7 @@
 #include "materials/base/text.hpp"
 #include "materials/modulus.hpp"
 #include "materials/work_of_adhesion.hpp"
-#include "pipeline/json/view.hpp"
+#include "materials/base/view.hpp"
 #include "solver/calibration/calibration.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/damping/damping.hpp"

@@ -193,6 +193,7 @@ TEST_CASE("more rows than the disk has room for are refused before the first imp
     Json spec = full_spec(1e15);
     spec["sampling"] = {{"method", "random"}, {"samples", 1e15}, {"seed", 1}};
     spec["table"] = {"restitution"};
+    spec.erase("sensitivity");
     sandbox.write("spec.json", spec.dump());
     const test::Ended ended = test::run(sandbox, {ASHIMPACT_PROGRAM, "sweep", "spec.json", "-o", "out.json"});
     CHECK(ended.status == 2);
