@@ -222,9 +222,9 @@ CurveEstimate estimate_curve(const RestitutionTable& table, const std::vector<Re
     draws.add(draws.moments(), 300);
     for (int i = 0; i < 12 && (i < 2 || draws.effective() < 500.0); ++i) draws.add(draws.moments(), 400);
     const Interval velocity = draws.critical_velocity();
-    const auto damping = [&](double v) { return std::exp(table.log_capture_damping(std::log(v))); };
-    const double slope =
-        (damping(*velocity.upper) - damping(*velocity.lower)) / (*velocity.upper - *velocity.lower);
+    const auto damping = [&](double at) { return std::exp(table.log_capture_damping(std::log(at))); };
+    const double v = velocity.value;
+    const double slope = (damping(1.001 * v) - damping(0.999 * v)) / (0.002 * v);
     double fastest = -1e300;
     for (const RecordedImpact& impact : impacts) fastest = std::max(fastest, impact.log_velocity);
     return {.critical_velocity = velocity,
