@@ -14,12 +14,12 @@
 #include "pipeline/json/writer.hpp"
 #include "pipeline/sweep/crew/crew.hpp"
 #include "pipeline/sweep/mpi/mpi_team.hpp"
-#include "pipeline/text/progress.hpp"
 #include "pipeline/sweep/result_json.hpp"
 #include "pipeline/sweep/sweep.hpp"
 #include "pipeline/sweep/table/outputs.hpp"
 #include "pipeline/sweep/table/table_file.hpp"
 #include "pipeline/text/artifact_text.hpp"
+#include "pipeline/text/progress.hpp"
 
 namespace ashimpact {
 
@@ -77,7 +77,8 @@ std::string summary(const Json& artifact, const SweepFiles& files, const SweepPl
                             100 * law.at("capture_fraction").at("value").get<double>());
     text += files.result.string();
     if (!plan.spec().table.empty()) text += fmt::format(", {}: {} rows", files.table.string(), plan.rows());
-    return text + fmt::format("; as tables:\n  {} inspect {}\n", program_word(), shell_word(files.result.string()));
+    return text +
+           fmt::format("; as tables:\n  {} inspect {}\n", program_word(), shell_word(files.result.string()));
 }
 
 /// Rank 0: everything but the blocks other ranks compute. @returns whether all is done

@@ -22,8 +22,9 @@ Json propagated_json(const VelocityTask& task, const Propagation& propagation,
     Json json{{"critical_velocity", estimate_json(propagation.interval, si_unit(Dimension::velocity))},
               {"interval", interval_json(propagation.interval, si_unit(Dimension::velocity))},
               {"uncertainty", propagation_json(propagation, inputs)}};
-    if (task.measured) json["check"] = check_json(propagation.interval, *task.measured,
-                                                    task.from_impacts() && !task.measured_is_reported);
+    if (task.measured)
+        json["check"] = check_json(propagation.interval, *task.measured,
+                                   task.from_impacts() && !task.measured_is_reported);
     return json;
 }
 
@@ -45,7 +46,10 @@ Json from_estimate(const VelocityTask& task) {
     const Interval& damping = *task.fit.estimate;
     const auto velocity_at = [&](const std::optional<double>& value) -> std::optional<double> {
         if (!value) return std::nullopt;
-        return critical_velocity({task.choice.law, task.choice.detachment, {DampingLaw::constant, *value}, task.contact.pair})
+        return critical_velocity({task.choice.law,
+                                  task.choice.detachment,
+                                  {DampingLaw::constant, *value},
+                                  task.contact.pair})
             .value;
     };
     Interval velocity{.value = *velocity_at(damping.value),
@@ -105,7 +109,8 @@ Json velocity_uncertainty_json(const VelocityTask& task, double velocity, std::v
         json["extrapolated"] = extrapolated;
         method = task.fit.estimate ? estimate_method : extrapolation_method;
     } else if (!task.fit.critical_damping_uncertainty) {
-        constexpr const char* reason = "no interval: the critical damping in 6-fit.json states no uncertainty";
+        constexpr const char* reason =
+            "no interval: the critical damping in 6-fit.json states no uncertainty";
         notes.emplace_back(reason);
         json["interval_note"] = reason;
     } else {
