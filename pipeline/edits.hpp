@@ -7,9 +7,9 @@
 
 namespace ashimpact {
 
-/// Values of an artifact that say the same thing, as they are written: of 6-fit.json the coefficients a, b, c,
-/// the critical damping, which is c, and the estimate that v_c follows from; of 2-contact.json radius, density
-/// and mass. A list of {"at", "value"}, for the provenance; empty for other artifacts.
+/// Values of an artifact that say the same thing, as they are written: of 6-fit.json the coefficients a, b,
+/// c, the critical damping, which is c, and the estimate that v_c follows from; of 2-contact.json radius,
+/// density and mass. A list of {"at", "value"}, for the provenance; empty for other artifacts.
 [[nodiscard]] Json originals_of(const std::string& schema, const Json& result);
 
 /// Makes an edited result agree with itself: where one of such values was edited, those that say the same

@@ -80,10 +80,12 @@ void tell_edits(const Stage& stage, const Artifacts& before, const std::vector<s
                 std::vector<std::string>& warnings) {
     constexpr std::string_view said = " was edited after ashimpact wrote it";
     const auto add = [&](const std::string& warning) {
-        if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
+        if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
+            warnings.push_back(warning);
     };
     for (const std::string_view file : stage.reads) {
-        if (std::find(edited.begin(), edited.end(), file) != edited.end()) add(std::string(file) + std::string(said));
+        if (std::find(edited.begin(), edited.end(), file) != edited.end())
+            add(std::string(file) + std::string(said));
         for (const Json& warning : before.at(file).document.at("warnings"))
             if (const auto text = warning.get<std::string>(); text.ends_with(said)) add(text);
     }
@@ -287,8 +289,7 @@ void add_left(const std::filesystem::path& folder, std::string_view file, std::s
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) return;
     std::string bytes = read_file(path);
-    Json document{
-        {"stage", stage}, {"provenance", {{"inputs", Json::array()}}}, {"warnings", Json::array()}};
+    Json document{{"stage", stage}, {"provenance", {{"inputs", Json::array()}}}, {"warnings", Json::array()}};
     in_file(path.string(), [&] {
         const Json whole = without_comments(parse_json(bytes));
         require_schema_version(whole, true);

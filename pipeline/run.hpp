@@ -28,11 +28,11 @@ struct Remark {
 
 /// A finished run.
 struct RunSummary {
-    std::vector<Artifact> written;         ///< in order, the manifest last
-    std::vector<std::string> samples{};    ///< their names
-    std::vector<Remark> remarks{};         ///< of all artifacts in the folder, those from before this run too
-    std::filesystem::path report{};  ///< file of the report; empty: none was made
-    std::size_t figures = 0;         ///< files of figures written
+    std::vector<Artifact> written;       ///< in order, the manifest last
+    std::vector<std::string> samples{};  ///< their names
+    std::vector<Remark> remarks{};       ///< of all artifacts in the folder, those from before this run too
+    std::filesystem::path report{};      ///< file of the report; empty: none was made
+    std::size_t figures = 0;             ///< files of figures written
 };
 
 /// Runs the stages and writes their artifacts. Everything is read, checked and computed before the first file

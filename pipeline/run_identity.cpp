@@ -158,7 +158,8 @@ std::vector<std::string> accept_edits(Json& document) {
                           " was edited without its interval, which is dropped");
     });
     if (provenance.contains(originals_key))
-        for (std::string& done : reconcile(document.at("schema"), document["result"], provenance[originals_key]))
+        for (std::string& done :
+             reconcile(document.at("schema"), document["result"], provenance[originals_key]))
             dropped.push_back(std::move(done));
     return dropped;
 }

@@ -171,9 +171,10 @@ Composition composed(const Analysis& analysis, const PhaseCatalogue& catalogue) 
         if (!std::holds_alternative<AmorphousNotStated>(analysis.amorphous) ||
             !error.problem().starts_with("nothing says how much"))
             throw;
-        throw InputError(error.problem(),
-                         "\"amorphous\" beside the fractions: \"47 %\" of the whole, \"none\", \"remainder\" (what "
-                         "is missing to 100 %), {\"crystalline_total\": \"53 %\"}; or \"internal_standard\"");
+        throw InputError(
+            error.problem(),
+            "\"amorphous\" beside the fractions: \"47 %\" of the whole, \"none\", \"remainder\" (what "
+            "is missing to 100 %), {\"crystalline_total\": \"53 %\"}; or \"internal_standard\"");
     }
 }
 

@@ -22,7 +22,7 @@ void add_run(CLI::App& program, Action& action) {
     auto* command =
         add_command(program, "run", "Every stage of a case, from XRD to the critical velocity",
                     "ashimpact run my-case/case.json -o my-case/results\n"
-                    "  ashimpact run -o my-case/results --from fit    (after editing an artifact there)");
+                    "  ashimpact run -o my-case/results --from fit    # after editing an artifact there");
     const auto options = std::make_shared<RunOptions>();
     command->add_option("case", options->case_file, "case file; default: the built-in case, Dong et al. 2013")
         ->type_name("CASE.json");

@@ -153,7 +153,8 @@ void add_contact(CLI::App& program, Action& action) {
     add("--wall-surface-energy", options->wall_surface_energy, "of the wall");
     add("--interfacial-energy", options->interfacial_energy, "of both, for the rule dupre");
     add("--adhesion-rule", options->rule, "girifalco-good, dong2013, dupre: w from surface energies", "NAME");
-    add("--roughness", options->contact.roughness, "rms of both surfaces, reduces w (Rabinovich et al. 2000)");
+    add("--roughness", options->contact.roughness,
+        "rms of both surfaces, reduces w (Rabinovich et al. 2000)");
     command->add_flag("--json", options->json, json_help);
     command->callback([options, &action] {
         action = [options](std::ostream& out) { run_contact_command(*options, out); };

@@ -8,8 +8,8 @@
 namespace ashimpact {
 
 /// Standard error. Warnings wait until it is known whether the command's input is right at all: an error in
-/// the input is told in one line, without remarks on results that there are not. Messages that are no errors are
-/// broken at 80 characters. Safe for several threads.
+/// the input is told in one line, without remarks on results that there are not. Messages that are no errors
+/// are broken at 80 characters. Safe for several threads.
 class HeldWarnings : public spdlog::sinks::base_sink<std::mutex> {
   public:
     HeldWarnings() = default;

@@ -33,7 +33,8 @@ double read_contact_modulus(const ContactCommandOptions& options) {
     if (!options.contact.contact_modulus.empty()) {
         if (!options.young_modulus.empty())
             throw InputError("both are given", "one of the two").at("--contact-modulus, --young-modulus");
-        return read_positive_option("--contact-modulus", options.contact.contact_modulus, Dimension::pressure);
+        return read_positive_option("--contact-modulus", options.contact.contact_modulus,
+                                    Dimension::pressure);
     }
     if (options.young_modulus.empty())
         throw InputError("neither is given",
@@ -66,8 +67,7 @@ double read_work_of_adhesion(const ContactCommandOptions& options) {
             .at("--work-of-adhesion, --surface-energy");
     if (options.rule.empty())
         throw InputError("is missing", joined(Names<AdhesionRule>::all)).at("--adhesion-rule");
-    const auto rule =
-        at_place("--adhesion-rule", [&] { return named<AdhesionRule>(options.rule); });
+    const auto rule = at_place("--adhesion-rule", [&] { return named<AdhesionRule>(options.rule); });
     SurfaceEnergies energies{.particle = energy("--surface-energy", options.surface_energy),
                              .wall = energy("--wall-surface-energy", options.wall_surface_energy)};
     if (!options.interfacial_energy.empty())
@@ -91,14 +91,15 @@ void run_contact_command(const ContactCommandOptions& options, std::ostream& out
     const double velocity = std::sqrt(2 * energy / pair.mass);
     const double tabor = tabor_parameter(adhesive, equilibrium_separation);
     if (options.json) {
-        out << write_json({{"contact_modulus", quantity_json(pair.contact_modulus, Dimension::pressure)},
-                           {"effective_radius", quantity_json(pair.effective_radius, Dimension::length)},
-                           {"mass", quantity_json(pair.mass, Dimension::mass)},
-                           {"work_of_adhesion", quantity_json(pair.work_of_adhesion, Dimension::energy_per_area)},
-                           {"separation_energy", quantity_json(energy, Dimension::energy)},
-                           {"critical_velocity", quantity_json(velocity, Dimension::velocity)},
-                           {"tabor_parameter", tabor}},
-                          Digits::seventeen);
+        out << write_json(
+            {{"contact_modulus", quantity_json(pair.contact_modulus, Dimension::pressure)},
+             {"effective_radius", quantity_json(pair.effective_radius, Dimension::length)},
+             {"mass", quantity_json(pair.mass, Dimension::mass)},
+             {"work_of_adhesion", quantity_json(pair.work_of_adhesion, Dimension::energy_per_area)},
+             {"separation_energy", quantity_json(energy, Dimension::energy)},
+             {"critical_velocity", quantity_json(velocity, Dimension::velocity)},
+             {"tabor_parameter", tabor}},
+            Digits::seventeen);
         return;
     }
     TextList list;
@@ -107,7 +108,8 @@ void run_contact_command(const ContactCommandOptions& options, std::ostream& out
     list.add("m, mass in motion", readable(pair.mass, "kg"));
     list.add("w, work of adhesion", readable(pair.work_of_adhesion, "J/m2"));
     list.add("W_s, separation energy", readable(energy, "J"));
-    list.add("v_s, adhesion only", readable(velocity, "m/s") + ": below it adhesion captures without damping");
+    list.add("v_s, adhesion only",
+             readable(velocity, "m/s") + ": below it adhesion captures without damping");
     list.add("Tabor parameter", readable_number(tabor) + " (DMT holds below 0.1, JKR above 5)");
     out << list.text(0);
 }

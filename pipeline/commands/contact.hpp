@@ -9,7 +9,8 @@ namespace ashimpact {
 
 /// What two bodies are made of, as the user typed it; empty where an option was not given.
 struct ContactCommandOptions {
-    ContactOptions contact;  ///< size, mass, and modulus or work of adhesion where they are known by themselves
+    ContactOptions
+        contact;  ///< size, mass, and modulus or work of adhesion where they are known by themselves
     std::string young_modulus;
     std::string poisson_ratio;
     std::string wall_young_modulus;

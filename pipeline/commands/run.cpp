@@ -46,8 +46,8 @@ void run_run_command(const RunOptions& options, std::ostream& out) {
     for (const Artifact& artifact : summary.written)
         if (artifact.file == comparison_artifact)
             out << comparison_text(View(artifact.document).at("result")) << '\n';
-    out << fmt::format("{} artifacts in {}. One of them as tables:\n  {} inspect {}\n", summary.written.size(),
-                       plan.folder.string(), program_word(),
+    out << fmt::format("{} artifacts in {}. One of them as tables:\n  {} inspect {}\n",
+                       summary.written.size(), plan.folder.string(), program_word(),
                        shell_word((plan.folder / summary.written.front().file).string()));
     if (summary.figures > 0)
         out << fmt::format("{} files of figures in {}.\n", summary.figures,

@@ -54,7 +54,8 @@ struct Gap {
 
     [[nodiscard]] std::string sentence() const {
         if (!known())
-            return "No law gives a dynamic critical velocity here, so there is none to compare with that of adhesion "
+            return "No law gives a dynamic critical velocity here, so there is none to compare with that of "
+                   "adhesion "
                    "alone (Eq. 30).";
         const std::string ratios =
             fmt::format("The dynamic critical velocities are {} to {} times the analytic ones of Eq. 30",

@@ -174,8 +174,9 @@ void require_one_interval(const Json& headline, const Json& beside, const View& 
     };
     for (const char* key : {"lower", "upper"})
         if (end(headline["interval"], key) != end(beside, key))
-            node.at("interval").fail(std::string(key) + " is not that of the interval in critical_velocity",
-                                     "the same interval in both places");
+            node.at("interval")
+                .fail(std::string(key) + " is not that of the interval in critical_velocity",
+                      "the same interval in both places");
 }
 
 }  // namespace

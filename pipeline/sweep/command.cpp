@@ -16,12 +16,12 @@
 #include "pipeline/report/sweep/sweep_page.hpp"
 #include "pipeline/sweep/crew/crew.hpp"
 #include "pipeline/sweep/mpi/mpi_team.hpp"
-#include "pipeline/text/progress.hpp"
 #include "pipeline/sweep/result_json.hpp"
 #include "pipeline/sweep/sweep.hpp"
 #include "pipeline/sweep/table/outputs.hpp"
 #include "pipeline/sweep/table/table_file.hpp"
 #include "pipeline/text/artifact_text.hpp"
+#include "pipeline/text/progress.hpp"
 
 namespace ashimpact {
 
@@ -79,7 +79,8 @@ std::string summary(const Json& artifact, const SweepFiles& files, const SweepPl
                             100 * law.at("capture_fraction").at("value").get<double>());
     text += files.result.string();
     if (!plan.spec().table.empty()) text += fmt::format(", {}: {} rows", files.table.string(), plan.rows());
-    return text + fmt::format("; as tables:\n  {} inspect {}\n", program_word(), shell_word(files.result.string()));
+    return text +
+           fmt::format("; as tables:\n  {} inspect {}\n", program_word(), shell_word(files.result.string()));
 }
 
 /// The page beside the result; the one of an earlier sweep does not stay. What cannot be drawn costs no

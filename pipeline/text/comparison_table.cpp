@@ -83,7 +83,8 @@ std::string interval_notes(const View& result, std::size_t width) {
         const auto notes = sample.find("interval_note");
         if (!notes) continue;
         for (const auto& [law, note] : notes->members())
-            text += wrapped_line(fmt::format("{}, {}: {}.", sample.at("name").text(), law, note.text()), width);
+            text +=
+                wrapped_line(fmt::format("{}, {}: {}.", sample.at("name").text(), law, note.text()), width);
     }
     return text;
 }
@@ -116,7 +117,8 @@ std::string reported_text(const View& result, std::size_t width) {
         if (!reported) return {};  // of an older version
         const auto law = reported->find("law");
         table.add({sample.at("name").text(), reported_cell(*reported),
-                   interval_text(reported->find("interval")), law ? law->text() : "-", measured_cell(sample)});
+                   interval_text(reported->find("interval")), law ? law->text() : "-",
+                   measured_cell(sample)});
         reasons += wrapped_line(fmt::format("{}{}: {}.", sample.at("name").text(),
                                             law ? " by " + law->text() : "", reported->at("reason").text()),
                                 width);
@@ -162,11 +164,11 @@ std::string assumptions_text(const View& result, std::size_t width) {
     std::string text;
     if (!assumptions.empty()) text = "Not measured:\n";
     for (const Assumption& assumption : assumptions)
-        text += wrapped_line(fmt::format("  {}{}", assumption.text,
-                                         assumption.samples.size() == samples.size()
-                                             ? ""
-                                             : " (" + joined(assumption.samples) + ")"),
-                             width);
+        text += wrapped_line(
+            fmt::format(
+                "  {}{}", assumption.text,
+                assumption.samples.size() == samples.size() ? "" : " (" + joined(assumption.samples) + ")"),
+            width);
     if (!exact.empty())
         text += wrapped_line(
             "Taken as exact in the intervals, no uncertainty being stated: " + joined(exact) + ".", width);
@@ -192,13 +194,15 @@ std::string contacts_text(const View& result, std::size_t width) {
     TextTable table({"sample", "E [GPa]", "E* [GPa]", "W_s [fJ]", "v_c, adhesion only [m/s]"});
     bool any_published = false;
     for (const View& sample : result.at("samples").elements()) {
-        table.add({sample.at("name").text(), modulus_cell(sample),
-                   fmt::format("{:.2f}", sample.at("contact_modulus").number(Dimension::pressure) / 1e9),
-                   readable_number(sample.at("separation_energy").number(Dimension::energy) / 1e-15),
-                   fmt::format("{:#.3g}", sample.at("analytic_critical_velocity").number(Dimension::velocity))});
+        table.add(
+            {sample.at("name").text(), modulus_cell(sample),
+             fmt::format("{:.2f}", sample.at("contact_modulus").number(Dimension::pressure) / 1e9),
+             readable_number(sample.at("separation_energy").number(Dimension::energy) / 1e-15),
+             fmt::format("{:#.3g}", sample.at("analytic_critical_velocity").number(Dimension::velocity))});
         any_published = any_published || sample.has("published");
     }
-    std::string text = table.text(0, width) + "v_c, adhesion only: Eq. 30 of Dong et al. 2013, without damping.";
+    std::string text =
+        table.text(0, width) + "v_c, adhesion only: Eq. 30 of Dong et al. 2013, without damping.";
     if (any_published) text += " E in brackets: as published.";
     return wrapped_line(text, width, 0) + "\n";
 }

@@ -27,17 +27,16 @@ std::string histogram_text(const Json& histogram, std::size_t indent, std::size_
     const std::size_t merged = (counts.size() + most_bars - 1) / most_bars;
     std::vector<double> sums;
     for (std::size_t i = 0; i < counts.size(); i += merged)
-        sums.push_back(std::accumulate(counts.begin() + static_cast<std::ptrdiff_t>(i),
-                                       counts.begin() + static_cast<std::ptrdiff_t>(std::min(i + merged, counts.size())),
-                                       0.0));
+        sums.push_back(std::accumulate(
+            counts.begin() + static_cast<std::ptrdiff_t>(i),
+            counts.begin() + static_cast<std::ptrdiff_t>(std::min(i + merged, counts.size())), 0.0));
     const double greatest = *std::max_element(sums.begin(), sums.end());
     const double longest = static_cast<double>(width - std::min(width - 10, indent + numbers_width));
 
     const std::string unit = histogram.at("edges").at("unit").get<std::string>();
     TextTable table({"from" + (unit == "1" ? "" : " [" + unit + "]"), "to", "count", ""});
     for (std::size_t i = 0; i < sums.size(); ++i) {
-        const auto length =
-            static_cast<std::size_t>(greatest > 0 ? longest * sums[i] / greatest + 0.5 : 0.0);
+        const auto length = static_cast<std::size_t>(greatest > 0 ? longest * sums[i] / greatest + 0.5 : 0.0);
         const std::string bar(length, '#');
         table.add({readable_number(edges[i * merged]),
                    readable_number(edges[std::min((i + 1) * merged, counts.size())]),
@@ -46,7 +45,8 @@ std::string histogram_text(const Json& histogram, std::size_t indent, std::size_
     }
     std::string text = table.text(indent, width);
     if (histogram.contains("zeros"))
-        text += fmt::format("{}zero: {}\n", std::string(indent, ' '), short_text(histogram.at("zeros")).value_or("-"));
+        text += fmt::format("{}zero: {}\n", std::string(indent, ' '),
+                            short_text(histogram.at("zeros")).value_or("-"));
     return text;
 }
 

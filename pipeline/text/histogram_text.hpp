@@ -6,7 +6,8 @@
 
 namespace ashimpact {
 
-/// {"edges": {"values", "unit"}, "counts": [..]} with an edge more than counts, as the result of a sweep has it.
+/// {"edges": {"values", "unit"}, "counts": [..]} with an edge more than counts, as the result of a sweep has
+/// it.
 [[nodiscard]] bool is_histogram(const Json& value);
 
 /// A histogram as bars, at most 16 of them, the zeros apart.

@@ -39,9 +39,8 @@ void Progress::update(std::uint64_t done) {
     const double rate =
         static_cast<double>(done - before_) / std::chrono::duration<double>(now - start_).count();
     const double part = static_cast<double>(done) / static_cast<double>(total_);
-    const std::string line =
-        fmt::format("\r\x1b[K{:5.1f} %, {} {}/s, {} left", 100 * part, rate_text(rate), noun_,
-                    time_text(static_cast<double>(total_ - done) / rate));
+    const std::string line = fmt::format("\r\x1b[K{:5.1f} %, {} {}/s, {} left", 100 * part, rate_text(rate),
+                                         noun_, time_text(static_cast<double>(total_ - done) / rate));
     std::fputs(line.c_str(), stderr);
     dirty_ = true;
 }

@@ -70,8 +70,8 @@ std::string readable(const Quantity& quantity) {
     const int decimals = 1 - std::stoi(rounded.substr(rounded.find('e') + 1));
     constexpr int most_decimals = 6;
     if (decimals > most_decimals || decimals < -3)
-        return fmt::format("{} +- {}{}", readable_number(quantity.value / scale), readable_number(uncertainty, 2),
-                           unit == "1" ? "" : " " + unit);
+        return fmt::format("{} +- {}{}", readable_number(quantity.value / scale),
+                           readable_number(uncertainty, 2), unit == "1" ? "" : " " + unit);
     const double step = std::pow(10.0, std::max(-decimals, 0));  // of the last digit before the point
     const auto text = [&](double number) {
         return decimals > 0 ? fmt::format("{:.{}f}", number, decimals)

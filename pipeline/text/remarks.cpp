@@ -77,8 +77,8 @@ std::vector<std::string> remark_lines(const std::vector<Remark>& remarks,
         if (found == kinds.end())
             found = kinds.insert(kinds.end(), {.file = remark.file, .kind = kind, .first = parts.text});
         ++found->count;
-        if (!parts.sample.empty() && std::find(found->samples.begin(), found->samples.end(), parts.sample) ==
-                                         found->samples.end())
+        if (!parts.sample.empty() &&
+            std::find(found->samples.begin(), found->samples.end(), parts.sample) == found->samples.end())
             found->samples.push_back(parts.sample);
     }
     std::vector<std::string> lines;

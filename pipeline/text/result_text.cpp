@@ -119,7 +119,8 @@ class ResultText {
         std::vector<std::string> keys;
         const Json* first = nullptr;
         for (const auto& [key, member] : object.items()) {
-            if (!member.is_object() || short_text(member) || is_column(member) || is_histogram(member)) continue;
+            if (!member.is_object() || short_text(member) || is_column(member) || is_histogram(member))
+                continue;
             const auto shared = [&] {
                 std::size_t count = 0;
                 for (const auto& [name, _] : member.items()) count += first->contains(name) ? 1 : 0;
@@ -182,9 +183,10 @@ class ResultText {
                 if (!unit.empty() && cell.ends_with(" " + unit)) cell.resize(cell.size() - unit.size() - 1);
                 row.push_back(std::move(cell));
             }
-            const bool any_column = std::any_of(entries.begin(), entries.end(), [&](const std::string& entry) {
-                return object.at(entry).contains(key) && is_column(object.at(entry).at(key));
-            });
+            const bool any_column =
+                std::any_of(entries.begin(), entries.end(), [&](const std::string& entry) {
+                    return object.at(entry).contains(key) && is_column(object.at(entry).at(key));
+                });
             if (any_column) continue;
             if (!is_short) {
                 if (depth + 1 >= deepest && !view_.all)
@@ -266,8 +268,9 @@ class ResultText {
         }
         for (std::size_t i = 0; i < list.size(); ++i) {
             text += fmt::format("{}{} {}\n", margin(depth), name, title_of(list[i], i));
-            text += list[i].is_object() ? block(list[i], depth + 1)
-                                        : margin(depth + 1) + short_text(list[i]).value_or(list[i].dump()) + "\n";
+            text += list[i].is_object()
+                        ? block(list[i], depth + 1)
+                        : margin(depth + 1) + short_text(list[i]).value_or(list[i].dump()) + "\n";
         }
         return text;
     }

@@ -30,7 +30,9 @@ std::string interval_text(const Json& interval) {
     if (interval.at("lower").is_null() && interval.at("upper").is_null()) return "-";
     std::string lower = end("lower");
     const std::string upper = end("upper");
-    const auto unit = [](const std::string& text) { return text.substr(std::min(text.size(), text.find(' '))); };
+    const auto unit = [](const std::string& text) {
+        return text.substr(std::min(text.size(), text.find(' ')));
+    };
     if (unit(lower) == unit(upper)) lower.resize(lower.size() - unit(lower).size());
     return lower + " to " + upper + level;
 }
@@ -69,9 +71,7 @@ bool is_interval(const Json& value) {
     if (!value.is_object() || value.size() != 3 || !value.contains("level") || !value.contains("lower") ||
         !value.contains("upper") || !value["level"].is_number())
         return false;
-    const auto is_end = [](const Json& end) {
-        return end.is_null() || end.is_number() || is_quantity(end);
-    };
+    const auto is_end = [](const Json& end) { return end.is_null() || end.is_number() || is_quantity(end); };
     return is_end(value["lower"]) && is_end(value["upper"]);
 }
 

@@ -14,7 +14,8 @@ namespace ashimpact {
 /// {"level", "lower", "upper"}.
 [[nodiscard]] bool is_interval(const Json& value);
 
-/// A value that fits behind its name: a text, a number, a quantity, an interval, a list of such; else nothing.
+/// A value that fits behind its name: a text, a number, a quantity, an interval, a list of such; else
+/// nothing.
 [[nodiscard]] std::optional<std::string> short_text(const Json& value);
 
 /// The number of a table's cell; what is only rounding of other numbers (below 1e-12) is 0.

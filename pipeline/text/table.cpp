@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t gap = 2;
 constexpr std::size_t narrowest_key = 16;    ///< to which a column that names rows is cut
-constexpr std::size_t narrowest_value = 20; ///< of a list: where less is left, the value goes below its name
+constexpr std::size_t narrowest_value = 20;  ///< of a list: where less is left, the value goes below its name
 
 std::string without_trailing_blanks(std::string line) {
     line.erase(line.find_last_not_of(' ') + 1);
@@ -81,7 +81,8 @@ std::string TextTable::text(std::size_t indent, std::size_t width) const {
     }
     std::size_t taken = 0;
     for (std::size_t i = 0; i < keys; ++i) taken += widths[i] + (i > 0 ? gap : 0);
-    if (whole > width) {  // names are cut if that keeps the table in one piece, else as far as they have to be
+    if (whole >
+        width) {  // names are cut if that keeps the table in one piece, else as far as they have to be
         std::vector<std::size_t> cut = widths;
         narrow_keys(cut, keys, width, whole - taken - gap);
         std::size_t left = 0;

@@ -23,7 +23,7 @@ struct MeasuredColumn {
 struct MeasurementHeading {
     std::array<std::optional<MeasuredColumn>, 3> value;        ///< by MeasuredQuantity
     std::array<std::optional<MeasuredColumn>, 3> uncertainty;  ///< by MeasuredQuantity
-    std::optional<std::size_t> outcome;      ///< position of the column of outcomes
+    std::optional<std::size_t> outcome;                        ///< position of the column of outcomes
     std::optional<std::size_t> correlation;  ///< of the column of the correlation of the two velocities
     std::vector<std::string> unused;
     std::size_t columns;

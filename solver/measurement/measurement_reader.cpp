@@ -1,10 +1,10 @@
 #include "solver/measurement/measurement_reader.hpp"
 
-#include "materials/base/tables/cells.hpp"
 #include "materials/base/error.hpp"
+#include "materials/base/tables/cells.hpp"
 #include "materials/base/tables/number.hpp"
-#include "materials/base/text.hpp"
 #include "materials/base/tables/text_lines.hpp"
+#include "materials/base/text.hpp"
 #include "solver/measurement/measurement_headings.hpp"
 
 #include <algorithm>
@@ -44,13 +44,17 @@ class TableCells {
     [[nodiscard]] Entry uncertainty(const TableRow& row, MeasuredQuantity quantity) const {
         Entry entry{0.0, std::nullopt};
         const auto& column = heading_.uncertainty_of(quantity);
-        if (column && !row.cells[column->position].empty()) entry.standard_uncertainty = read(row, *column).value;
+        if (column && !row.cells[column->position].empty())
+            entry.standard_uncertainty = read(row, *column).value;
         return entry;
     }
 
     [[nodiscard]] double number(const TableRow& row, std::size_t position, const std::string& name) const {
         const auto number = read_number(row.cells[position], decimal_comma_);
-        if (!number) throw InputError(in_quotes(row.cells[position]) + " in column " + in_quotes(name) + " is not a number", "a finite number");
+        if (!number)
+            throw InputError(
+                in_quotes(row.cells[position]) + " in column " + in_quotes(name) + " is not a number",
+                "a finite number");
         return number->value;
     }
 
@@ -111,13 +115,13 @@ constexpr TextLimits impact_table{
     .content = "a table of impacts", .bytes = std::size_t{256} << 20, .lines = 2'000'000};
 
 constexpr std::array<std::string_view, 18> capture_words{
-    "capture", "captured", "stuck",  "stick",  "sticks", "deposited", "c",      "haftet",    "gehaftet",
-    "haften",  "klebt",    "klebte", "bleibt", "colle",  "collé",     "reste",  "capturé",   "adhère"};
-constexpr std::array<std::string_view, 11> rebound_words{"rebound",    "rebounded", "rebounds",  "bounced",
+    "capture", "captured", "stuck",  "stick",  "sticks", "deposited", "c",     "haftet",  "gehaftet",
+    "haften",  "klebt",    "klebte", "bleibt", "colle",  "collé",     "reste", "capturé", "adhère"};
+constexpr std::array<std::string_view, 11> rebound_words{"rebound",    "rebounded", "rebounds",   "bounced",
                                                          "r",          "prallt ab", "abgeprallt", "rückprall",
                                                          "rueckprall", "rebond",    "rebondit"};
-constexpr std::array<std::string_view, 10> unknown_words{"",   "unknown", "?",         "-",       "na",
-                                                         "n/a", "nan",    "unbekannt", "inconnu", "k.a."};
+constexpr std::array<std::string_view, 10> unknown_words{"",    "unknown", "?",         "-",       "na",
+                                                         "n/a", "nan",     "unbekannt", "inconnu", "k.a."};
 
 template <class Words>
 bool is_one_of(const Words& words, const std::string& text) {

@@ -80,7 +80,8 @@ TEST_CASE("entries of one kind stand side by side; what is shortened is said, an
     for (int i = 1; i < 40; ++i) values += "," + std::to_string(i);
     const Json result = parse_json(R"({"dmt": {"v_c": {"value": 1, "unit": "m/s"}, "verdict": "finite"},
         "jkr": {"v_c": {"value": 2, "unit": "m/s"}, "verdict": "finite"},
-        "curve": {"t": {"values": [)" + values + R"(], "unit": "s"}}})");
+        "curve": {"t": {"values": [)" +
+                                   values + R"(], "unit": "s"}}})");
     const std::string text = result_text(result);
     CHECK_MESSAGE(text.find("v_c [m/s]       1       2") != std::string::npos, text);
     CHECK_MESSAGE(text.find("every 4 of 40 rows; --all shows them") != std::string::npos, text);

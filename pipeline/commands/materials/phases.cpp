@@ -62,7 +62,8 @@ void run_phases_command(const std::string& name, std::ostream& out) {
         return;
     }
     for (const PhaseSet& set : catalogue.sets()) out << set_text(set) << '\n';
-    out << "One of them with its sources and other names, such as\n  " << program_word() << " phases mullite\n"
+    out << "One of them with its sources and other names, such as\n  " << program_word()
+        << " phases mullite\n"
         << "Phases of your own: `modulus --phases FILE`, or \"phases\" in a case.\n";
 }
 

@@ -127,8 +127,10 @@ ModelCurve model_curve(const CurveProblem& problem) {
         const Values velocity = velocities_of(problem, e, eta);
         const bool banded = (half > 0).any();
         const double none = std::numeric_limits<double>::quiet_NaN();
-        const Values lower = banded ? velocities_of(problem, e, eta - half) : Values::Constant(curve_points, none);
-        const Values upper = banded ? velocities_of(problem, e, eta + half) : Values::Constant(curve_points, none);
+        const Values lower =
+            banded ? velocities_of(problem, e, eta - half) : Values::Constant(curve_points, none);
+        const Values upper =
+            banded ? velocities_of(problem, e, eta + half) : Values::Constant(curve_points, none);
         for (int i = 0; i < curve_points; ++i)
             if (std::isfinite(velocity[i]))
                 curve.push_back(impact_at(problem, e[i], eta[i], velocity[i], lower[i], upper[i]));

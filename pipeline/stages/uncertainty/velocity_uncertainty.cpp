@@ -108,7 +108,8 @@ Json velocity_uncertainty_json(const VelocityTask& task, double velocity, std::v
         json["extrapolated"] = extrapolated;
         method = task.fit.estimate ? estimate_method : extrapolation_method;
     } else if (!task.fit.critical_damping_uncertainty) {
-        constexpr const char* reason = "no interval: the critical damping in 6-fit.json states no uncertainty";
+        constexpr const char* reason =
+            "no interval: the critical damping in 6-fit.json states no uncertainty";
         notes.emplace_back(reason);
         json["interval_note"] = reason;
     } else {

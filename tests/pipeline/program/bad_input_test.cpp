@@ -283,7 +283,7 @@ TEST_CASE("wrong options: exit 2, one line that names the option") {
     };
     const Sandbox sandbox;
     for (const Wrong& wrong : {
-             Wrong{"", "a command is missing; allowed: run, modulus, impact"},
+             Wrong{"", "a command is missing; allowed: run, modulus, contact, impact"},
              Wrong{"runn", "unknown command \"runn\", did you mean \"run\"?"},
              Wrong{"modulsu ash.csv", "unknown command \"modulsu\", did you mean \"modulus\"?"},
              Wrong{"impact --radios 3", "\"--radios\" is not expected, did you mean --radius?"},

@@ -87,7 +87,8 @@ TEST_CASE("the first hour: files as a German laboratory has them end in the v_c 
     REQUIRE(own.at("critical_velocity").is_object());
     CHECK(own == tidy);
     const Json damping = sandbox.json("mine/results/4-restitution.json");
-    CHECK_MESSAGE(damping["warnings"].dump().find("unknown") != std::string::npos, damping["warnings"].dump());
+    CHECK_MESSAGE(damping["warnings"].dump().find("unknown") != std::string::npos,
+                  damping["warnings"].dump());
 }
 
 TEST_CASE("the first hour: all impacts captured give a bound, in the table") {

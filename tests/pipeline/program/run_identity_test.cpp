@@ -168,10 +168,11 @@ TEST_CASE("of values that stand twice in an artifact the other follows the edite
         CHECK(after["critical_velocity"]["value"] > before["critical_velocity"]["value"]);
         CHECK(after["critical_velocity"]["interval"].is_null());  // that of another damping
         CHECK(after["interval_note"].get<std::string>().find("states no uncertainty") != std::string::npos);
-        for (const char* file : {"one/7-critical-velocity.json", "one/8-histories.json", "one/comparison.json"})
-            CHECK_MESSAGE(sandbox.json(file)["warnings"].dump().find("6-fit.json was edited") !=
-                              std::string::npos,
-                          file);
+        for (const char* file :
+             {"one/7-critical-velocity.json", "one/8-histories.json", "one/comparison.json"})
+            CHECK_MESSAGE(
+                sandbox.json(file)["warnings"].dump().find("6-fit.json was edited") != std::string::npos,
+                file);
     }
     Json artifact = whole;
     artifact["result"]["samples"][0]["hertz"]["c"]["value"] = 1;

@@ -42,8 +42,9 @@ TEST_CASE("no output on the built-in case is wider than 80 columns") {
     for (const char* command : {"run", "run -v", "run --from fit", "calibrate", "calibrate --compare",
                                 "cross-check", "phases", "phases mullite", "schema"})
         check_fits(sandbox, command);
-    for (const char* artifact : {"0-case", "1-modulus", "2-contact", "3-analytic", "4-restitution", "5-damping",
-                                 "6-fit", "7-critical-velocity", "8-histories", "comparison", "manifest"})
+    for (const char* artifact :
+         {"0-case", "1-modulus", "2-contact", "3-analytic", "4-restitution", "5-damping", "6-fit",
+          "7-critical-velocity", "8-histories", "comparison", "manifest"})
         for (const char* options : {"", " -v", " --all", " -v --all"})
             check_fits(sandbox, std::string("inspect results/") + artifact + ".json" + options);
     check_fits(sandbox, "report results -o a.html");
@@ -51,12 +52,12 @@ TEST_CASE("no output on the built-in case is wider than 80 columns") {
 
 TEST_CASE("no output on the case of init is wider than 80 columns") {
     const Sandbox sandbox;
-    for (const std::string command :
-         {"init mine", "run mine/case.json -o r", "run -o r --only comparison",
-          "modulus mine/ash.csv --amorphous-fraction '42 +- 2 %'"})
+    for (const std::string command : {"init mine", "run mine/case.json -o r", "run -o r --only comparison",
+                                      "modulus mine/ash.csv --amorphous-fraction '42 +- 2 %'"})
         check_fits(sandbox, command);
-    for (const char* artifact : {"0-case", "1-modulus", "2-contact", "3-analytic", "4-restitution", "5-damping",
-                                 "6-fit", "7-critical-velocity", "8-histories", "comparison", "manifest"})
+    for (const char* artifact :
+         {"0-case", "1-modulus", "2-contact", "3-analytic", "4-restitution", "5-damping", "6-fit",
+          "7-critical-velocity", "8-histories", "comparison", "manifest"})
         for (const char* options : {"", " -v --all"})
             check_fits(sandbox, std::string("inspect r/") + artifact + ".json" + options);
     for (const char* law : {"hertz", "dmt", "brach-dunn", "jkr"}) {
