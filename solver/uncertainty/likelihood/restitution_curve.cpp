@@ -38,8 +38,8 @@ class ClosestPlace {
         constexpr double least = 1e-12;
         (pull > 0.0 ? lower_ : upper_) = place_;
         double move = pull / stiffness;
-        const double bend = (last_pull_ - pull) / (place_ - last_);
-        if (bend > 0.0) move = pull / bend;
+        const double curvature = (last_pull_ - pull) / (place_ - last_);
+        if (curvature > 0.0) move = pull / curvature;
         double next = place_ + move;
         if (!(next > lower_ && next < upper_)) {
             const bool bracketed = std::isfinite(lower_) && std::isfinite(upper_);

@@ -111,7 +111,7 @@ TEST_CASE("without damping all of the energy comes back, less what the break cos
 }
 
 TEST_CASE("a single value stands for all, and what is not asked for is not a number") {
-    Impacts impacts = random_impacts(40, 1.0, 15).back();
+    Impacts impacts = random_impacts_of(Law::of<Jkr>(), 40, 1.0, 15);
     impacts.mass.setConstant(1e-12);
     impacts.velocity.setConstant(2.0);
     ImpactBatch batch = impacts.batch();
