@@ -10,7 +10,7 @@ using test::Sandbox;
 
 namespace {
 
-constexpr auto contact =
+constexpr auto particle_and_wall =
     " --diameter '88 um' --density '2300 kg/m3' --contact-modulus '90 GPa' --work-of-adhesion '0.3 J/m2'";
 
 /// Every line of both outputs fits, unless it is one long word, such as a path.
@@ -61,16 +61,16 @@ TEST_CASE("no output on the case of init is wider than 80 columns") {
         for (const char* options : {"", " -v --all"})
             check_fits(sandbox, std::string("inspect r/") + artifact + ".json" + options);
     for (const char* law : {"hertz", "dmt", "brach-dunn", "jkr"}) {
-        const std::string pair = std::string(" --law ") + law + contact;
+        const std::string pair = std::string(" --law ") + law + particle_and_wall;
         check_fits(sandbox, "impact --damping '0.005 kg/s' --velocity '2 m/s'" + pair);
         check_fits(sandbox, "critical-velocity --damping '0.005 kg/s'" + pair);
         check_fits(sandbox, "damping --velocity '2 m/s' --restitution 0.2" + pair);
         check_fits(sandbox, "damping --impacts mine/impacts.csv" + pair);
     }
-    check_fits(sandbox, std::string("contact") + contact);
+    check_fits(sandbox, std::string("contact") + particle_and_wall);
     for (const char* code : {"openfoam", "lammps", "liggghts", "yade", "fluent"})
-        check_fits(sandbox, std::string("export ") + code + " --law dmt --damping '0.005 kg/s'" + contact +
-                                " --velocity '2 m/s' -o " + code);
+        check_fits(sandbox, std::string("export ") + code + " --law dmt --damping '0.005 kg/s'" +
+                                particle_and_wall + " --velocity '2 m/s' -o " + code);
     sandbox.write("spec.json", R"({"impact": {"laws": ["dmt"], "density": "2600 kg/m3",
         "contact_modulus": "90 GPa", "work_of_adhesion": "0.3 J/m2", "damping": "0.0141 kg/s"},
         "variables": {"velocity": {"distribution": "uniform", "from": "0.5 m/s", "to": "5 m/s"},
