@@ -54,9 +54,8 @@ struct Gap {
 
     [[nodiscard]] std::string sentence() const {
         if (!known())
-            return "No law gives a dynamic critical velocity here, so there is none to compare with that of "
-                   "adhesion "
-                   "alone (Eq. 30).";
+            return "No sample has both a dynamic critical velocity and one of adhesion alone (Eq. 30), so "
+                   "there is none to compare.";
         const std::string ratios =
             fmt::format("The dynamic critical velocities are {} to {} times the analytic ones of Eq. 30",
                         readable_number(least_ratio, 3), readable_number(greatest_ratio, 3));

@@ -350,5 +350,5 @@ TEST_CASE("without adhesive laws no work of adhesion is needed") {
     const Artifacts artifacts = computed_from(document);
     const Json& comparison = artifacts.at("comparison.json").document["result"];
     CHECK(comparison["samples"][0]["analytic_critical_velocity"]["value"] == 0);
-    CHECK(comparison["conclusion"].get<std::string>().find("no analytic and dynamic") != std::string::npos);
+    CHECK(comparison["conclusion"].get<std::string>().find("there is none to compare") != std::string::npos);
 }

@@ -87,7 +87,7 @@ TEST_CASE("entries of one kind stand side by side; what is shortened is said, an
     CHECK_MESSAGE(text.find("every 4 of 40 rows; --all shows them") != std::string::npos, text);
     const std::string whole = result_text(result, {.all = true});
     CHECK(whole.find("every") == std::string::npos);
-    CHECK(whole.find("40             39") != std::string::npos);
+    CHECK_MESSAGE(whole.find("  40     39\n") != std::string::npos, whole);
 }
 
 TEST_CASE("a histogram is shown as bars") {

@@ -91,10 +91,11 @@ void list_density(const SampleEstimate& sample, const ModulusCommandOptions& opt
 
 std::string estimate_text(const SampleEstimate& sample, const ModulusCommandOptions& options) {
     const ModulusEstimate& estimate = sample.estimate;
-    const std::string pores = sample.porosity ? ", pores by " + options.porosity_law : "";
+    const std::string pores = sample.porosity ? "  pores by " + options.porosity_law : "";
     TextList list;
-    list.add(fmt::format("Young's modulus ({}{})", options.rule, pores),
-             with_uncertainty(estimate.young_modulus, estimate.standard_uncertainty, Dimension::pressure));
+    list.add(
+        fmt::format("Young's modulus ({})", options.rule),
+        with_uncertainty(estimate.young_modulus, estimate.standard_uncertainty, Dimension::pressure) + pores);
     for (const RuleResult& rule : estimate.rules)
         list.add("  " + std::string(name_of(rule.rule)) + (sample.porosity ? ", dense" : ""),
                  with_uncertainty(rule.young_modulus, rule.standard_uncertainty, Dimension::pressure) +

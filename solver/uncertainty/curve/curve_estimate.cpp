@@ -1,6 +1,7 @@
 #include "solver/uncertainty/curve/curve_estimate.hpp"
 
 #include "materials/base/error.hpp"
+#include "materials/base/text.hpp"
 #include "solver/gsl/distribution.hpp"
 #include "solver/statistics/philox.hpp"
 #include "solver/statistics/quasi_random.hpp"
@@ -16,6 +17,8 @@ namespace {
 
 using Vector = CurvePosterior::Vector;
 using Matrix = CurvePosterior::Matrix;
+
+constexpr double least_effective = 50.0;  ///< draws below which ends of an interval are not told
 
 /// A normal density from which curves are drawn.
 struct Normal {
@@ -221,6 +224,11 @@ CurveEstimate estimate_curve(const RestitutionTable& table, const std::vector<Re
         if (mode.log_weight > modes.front().log_weight - 5.0) draws.add(mode.normal, 250);
     draws.add(draws.moments(), 300);
     for (int i = 0; i < 12 && (i < 2 || draws.effective() < 500.0); ++i) draws.add(draws.moments(), 400);
+    for (int i = 0; i < 18 && draws.effective() < least_effective; ++i) draws.add(draws.moments(), 400);
+    if (draws.effective() < least_effective)
+        throw ConvergenceError(
+            "the impacts are so sharp that too few of the curves drawn explain them: that many count as " +
+            shortest(std::round(draws.effective())));
     const Interval velocity = draws.critical_velocity();
     const auto damping = [&](double at) { return std::exp(table.log_capture_damping(std::log(at))); };
     const double v = velocity.value;

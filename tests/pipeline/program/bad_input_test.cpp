@@ -176,7 +176,7 @@ const Spoiled spoiled_cases[]{
      [](Json& c) {
          c["camera"] = {{"frame_rate", 80000}, {"pixel_size", 0}};
      },
-     "/camera", "pixel size of the camera [m] is 0"},
+     "/camera/pixel_size", "pixel size is 0 m"},
     {"bins of both kinds",
      [](Json& c) {
          c["samples"][0]["restitution"]["binning"] = {{"impacts_per_bin", 3}, {"width", "0.1 m/s"}};
