@@ -10,6 +10,7 @@
 #include "pipeline/json/schema.hpp"
 #include "tests/pipeline/sandbox.hpp"
 #include "tests/relative_difference.hpp"
+#include "tests/support/sanitized.hpp"
 
 using namespace ashimpact;
 using test::ashimpact_program;
@@ -18,13 +19,6 @@ using test::relative_difference;
 using test::Sandbox;
 
 namespace {
-
-// Calibrations take minutes with sanitizers; tests/solver/calibration runs the same code with them.
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool sanitized = true;
-#else
-constexpr bool sanitized = false;
-#endif
 
 const std::string contact =
     " --radius '44 um' --density '2600 kg/m3' --contact-modulus '90 GPa' --work-of-adhesion '0.3 J/m2'";
@@ -540,7 +534,9 @@ TEST_CASE("cross-check: the published fits of one sample imply nearly the same i
     CHECK(ashimpact_program(sandbox, "cross-check case.json").status == 2);
 }
 
-TEST_CASE("calibrate finds constants that reproduce the published velocities" * doctest::skip(sanitized)) {
+// Calibrations take minutes with sanitizers; tests/solver/calibration runs the same code with them.
+TEST_CASE("calibrate finds constants that reproduce the published velocities" *
+          doctest::skip(test::sanitized)) {
     const Sandbox sandbox;
     const Json json = json_of(sandbox, "calibrate");
     REQUIRE(json["constants"].size() >= 3);
@@ -562,7 +558,7 @@ TEST_CASE("calibrate finds constants that reproduce the published velocities" * 
 }
 
 TEST_CASE("calibrate's table says which constants the published values do not fix" *
-          doctest::skip(sanitized)) {
+          doctest::skip(test::sanitized)) {
     const Sandbox sandbox;
     Json document = without_comments(parse_json(embedded_file("cases/dong2013/case.json").value()));
     Json paper = without_comments(parse_json(embedded_file("published/dong2013.json").value()));
@@ -585,7 +581,7 @@ TEST_CASE("calibrate's table says which constants the published values do not fi
 }
 
 TEST_CASE("the built-in case carries what calibration finds, to its printed digits" *
-          doctest::skip(sanitized)) {
+          doctest::skip(test::sanitized)) {
     const Sandbox sandbox;
     const Json found = json_of(sandbox, "calibrate");
     REQUIRE(ashimpact_program(sandbox, "run -o results").status == 0);
@@ -604,7 +600,7 @@ TEST_CASE("the built-in case carries what calibration finds, to its printed digi
 }
 
 TEST_CASE("calibrate --compare sets hypotheses side by side; a density per size is what the tables ask for" *
-          doctest::skip(sanitized)) {
+          doctest::skip(test::sanitized)) {
     const Sandbox sandbox;
     const Json json = json_of(sandbox, "calibrate --compare");
     REQUIRE(json["hypotheses"].size() == 6);
