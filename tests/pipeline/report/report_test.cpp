@@ -5,6 +5,8 @@
 #include <regex>
 #include <set>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "pipeline/files/file.hpp"
 #include "pipeline/files/sha256.hpp"
@@ -30,6 +32,24 @@ const Sandbox& paper() {
     }();
     static_cast<void>(done);
     return sandbox;
+}
+
+/// A text apart from the values of its numbers, and these.
+struct NumbersInText {
+    std::string rest;
+    std::vector<double> numbers;
+};
+NumbersInText numbers_in(const std::string& text) {
+    static const std::regex number(R"(\d+(\.\d+)?(e[-+]?\d+)?)");
+    NumbersInText found;
+    auto from = text.begin();
+    for (std::sregex_iterator match(text.begin(), text.end(), number), end; match != end; ++match) {
+        found.rest.append(from, text.begin() + match->position()).append("#");
+        found.numbers.push_back(std::stod(match->str()));
+        from = text.begin() + match->position() + match->length();
+    }
+    found.rest.append(from, text.end());
+    return found;
 }
 
 /// The hash of an inline element, as a content security policy has it.
@@ -160,7 +180,13 @@ TEST_CASE(
 TEST_CASE("the pictures of the README show what the program makes now; ./dev pictures makes them again") {
     const std::filesystem::path pictures = std::filesystem::path(ASHIMPACT_TEST_DATA) / "../../docs/pictures";
     REQUIRE(ashimpact_program(paper(), "figure restitution results -o readme.svg").status == 0);
-    CHECK(paper().read("readme.svg") == read_file(pictures / "restitution.svg"));
+    // Another processor or compiler rounds the last digits of the numbers to be read out otherwise.
+    const NumbersInText made = numbers_in(paper().read("readme.svg"));
+    const NumbersInText kept = numbers_in(read_file(pictures / "restitution.svg"));
+    CHECK(made.rest == kept.rest);
+    REQUIRE(made.numbers.size() == kept.numbers.size());
+    for (std::size_t i = 0; i < made.numbers.size(); ++i)
+        CHECK(made.numbers[i] == doctest::Approx(kept.numbers[i]).epsilon(1e-9));
     const std::string page = paper().read("results/report.html");
     const auto head = page.find("<header>\n");
     const auto figures = page.find("<section><h2 id=\"figures\"");
