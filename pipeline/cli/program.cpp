@@ -67,9 +67,17 @@ void print(const std::string& text) {
     if (!std::cout) throw InputError("cannot be written", "a place with room").at("standard output");
 }
 
-/// The lines of a text no longer than the output is wide; JSON, which is for programs, as it is.
+/// The lines of a text no longer than the output is wide, those that call this program still to be typed as
+/// they stand; JSON, which is for programs, as it is.
 std::string laid_out(const std::string& text) {
-    return text.starts_with('{') || text.starts_with('[') ? text : wrapped(text, output_width(), 2);
+    if (text.starts_with('{') || text.starts_with('[')) return text;
+    const std::string command = "  " + program_word() + ' ';
+    const std::size_t width = output_width();
+    std::string out;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line); out += '\n')
+        out += line.starts_with(command) ? wrapped_command(line, width) : wrapped(line, width, 2);
+    return out;
 }
 
 /// Prints what a command has done. Where the files are its result and are written, that no one hears of it is

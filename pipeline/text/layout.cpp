@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace ashimpact {
 
@@ -39,6 +40,24 @@ std::string wrapped_line(std::string_view line, std::size_t width, std::size_t h
     return out;
 }
 
+/// The words of a command, a quoted one as one word.
+std::vector<std::string> shell_words(const std::string& command) {
+    std::vector<std::string> words(1);
+    char quote = 0;
+    for (const char c : command) {
+        if (c == ' ' && quote == 0) {
+            if (!words.back().empty()) words.emplace_back();
+            continue;
+        }
+        if (quote == 0 && (c == '"' || c == '\''))
+            quote = c;
+        else if (c == quote)
+            quote = 0;
+        words.back() += c;
+    }
+    return words;
+}
+
 }  // namespace
 
 std::size_t output_width() {
@@ -62,6 +81,31 @@ std::string wrapped(std::string_view text, std::size_t width, std::size_t hangin
         out += width_of(line) <= width ? std::string(line) : wrapped_line(line, width, hanging);
         if (end < text.size()) out += '\n';
         begin = end + 1;
+    }
+    return out;
+}
+
+std::string wrapped_command(const std::string& line, std::size_t width) {
+    if (width_of(line) <= width) return line;
+    constexpr std::string_view backslash = " \\";
+    const std::size_t indent = line.find_first_not_of(' ');
+    std::string out(indent, ' ');
+    std::size_t column = indent;
+    const auto words = shell_words(line.substr(indent));
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        std::string piece = words[i];
+        if (piece.starts_with("-") && i + 1 < words.size() && !words[i + 1].starts_with("-"))
+            piece += " " + words[++i];
+        const bool breaks = column > indent && column + 1 + width_of(piece) + backslash.size() > width;
+        if (breaks) {
+            column = indent + 2;
+            out += std::string(backslash) + '\n' + std::string(column, ' ');
+        } else if (column > indent) {
+            out += ' ';
+            ++column;
+        }
+        out += piece;
+        column += width_of(piece);
     }
     return out;
 }

@@ -64,6 +64,9 @@ TEST_CASE("long lines are broken at blanks, behind their margin; a long word sta
     CHECK(wrapped("  one two three", 9, 2) == "  one two\n    three");
     CHECK(wrapped("short\nlonger than ten", 10) == "short\nlonger\nthan ten");
     CHECK(wrapped("/a/very/long/path here", 8) == "/a/very/long/path\nhere");
+    CHECK(wrapped_command("  run 'a b' -o here", 20) == "  run 'a b' -o here");
+    CHECK(wrapped_command("  run 'a b' -o here", 13) == "  run 'a b' \\\n    -o here");
+    CHECK(wrapped_command("  run 'a b c' -o 'd e'", 12) == "  run \\\n    'a b c' \\\n    -o 'd e'");
     CHECK(cut_to("Hämatit und mehr", 10) == "Hämatit...");
 }
 

@@ -103,11 +103,10 @@ TEST_CASE("what init says can be typed as it stands, and so can the examples of 
     const Sandbox sandbox;
     const auto init = ashimpact_program(sandbox, "init 'my case'");
     REQUIRE(init.status == 0);
-    const std::string start = "ashimpact run ";
-    const auto at = init.out.find(start);
+    const std::string program = "/ashimpact ";
+    const auto at = init.out.rfind(program);
     REQUIRE(at != std::string::npos);
-    const std::string arguments = init.out.substr(at + start.size());
-    CHECK(ashimpact_program(sandbox, "run " + arguments.substr(0, arguments.find('\n'))).status == 0);
+    CHECK(ashimpact_program(sandbox, init.out.substr(at + program.size())).status == 0);
     CHECK(sandbox.has("my case/results/comparison.json"));
 
     REQUIRE(ashimpact_program(sandbox, "init my-case").status == 0);
