@@ -76,8 +76,8 @@ ashimpact_model make_model(const char* law, const char* detachment, const char* 
     const Law chosen = Law::named(text_of(law, "law", law_names()));
     ashimpact_model model{
         .law = chosen,
-        .detachment = detachment == nullptr ? chosen.default_detachment() : detachment_named(detachment),
-        .damping_law = damping_law == nullptr ? DampingLaw::constant : damping_named(damping_law)};
+        .detachment = detachment == nullptr ? chosen.default_detachment() : named<Detachment>(detachment),
+        .damping_law = damping_law == nullptr ? DampingLaw::constant : named<DampingLaw>(damping_law)};
     if (const auto reason = refusal(model.law, model.detachment)) {
         throw InputError(*reason, admissible_detachments(model.law));
     }

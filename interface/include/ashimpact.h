@@ -1,23 +1,20 @@
 /* Impacts of fly-ash particles on a wall, as a C library. Plain C89; usable from C++, Fortran and CFD codes.
  *
- * A model is a contact law with the constants of a particle and a wall. It gives the coefficient of restitution
- * e_n of an impact and the critical velocity v_c below which a particle stays on the wall:
+ * A model is a contact law with the constants of a particle and a wall. It gives the coefficient of
+ * restitution e_n of an impact and the critical velocity v_c below which a particle stays on the wall:
  *
- *     ashimpact_parameter ash[4];
+ *     const ashimpact_parameter ash[] = {{"density", 2160.0}, {"contact_modulus", 60e9},
+ *                                        {"work_of_adhesion", 0.3}, {"damping", 1e-5}};
  *     ashimpact_model *model;
  *     ashimpact_error error;
  *     double e;
- *     ash[0].name = "density";          ash[0].value = 2160.0;
- *     ash[1].name = "contact_modulus";  ash[1].value = 60e9;
- *     ash[2].name = "work_of_adhesion"; ash[2].value = 0.3;
- *     ash[3].name = "damping";          ash[3].value = 1e-5;
  *     if (ashimpact_open("jkr", NULL, NULL, ash, 4, &model, &error) != ASHIMPACT_OK) puts(error.message);
  *     if (ashimpact_restitution(model, 44e-6, 2.0, &e, &error) != ASHIMPACT_OK) puts(error.message);
  *     ashimpact_close(model);
  *
  * Units: SI throughout; each number names its unit. Errors: every function returns a status and never throws
- * or ends the program; where it is not ASHIMPACT_OK, only the error has a meaning. Threads: a model never changes,
- * so that any number of threads may use one at once; only ashimpact_close() needs it to be idle.
+ * or ends the program; where it is not ASHIMPACT_OK, only the error has a meaning. Threads: a model never
+ * changes, so that any number of threads may use one at once; only ashimpact_close() needs it to be idle.
  * Floating point: no function raises a trap or leaves a flag, a rounding mode or a mask behind, and none
  * depends on those of the caller. Source of the model: Dong et al. 2013; docs/laws names that of each law. */
 #ifndef ASHIMPACT_H
@@ -38,9 +35,9 @@ extern "C" {
 /* What became of a call; the numbers are the exit statuses of the program ashimpact. */
 typedef enum {
     ASHIMPACT_OK = 0,
-    ASHIMPACT_DEFECT = 1,          /* a defect of this library, or no memory left */
-    ASHIMPACT_INPUT_ERROR = 2,     /* a number or a name that is not admissible */
-    ASHIMPACT_NOT_CONVERGED = 3    /* a computation did not converge */
+    ASHIMPACT_DEFECT = 1,       /* a defect of this library, or no memory left */
+    ASHIMPACT_INPUT_ERROR = 2,  /* a number or a name that is not admissible */
+    ASHIMPACT_NOT_CONVERGED = 3 /* a computation did not converge */
 } ashimpact_status;
 
 /* Where a function writes what went wrong: one line, with what is allowed. NULL is allowed in its place. */
@@ -50,39 +47,38 @@ typedef struct {
 
 /* A constant of a model by its name:
  *   density            of the particle [kg/m3]; needed by every function that takes a diameter
- *   contact_modulus    E* of particle and wall, 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2 [Pa]; always needed
- *   work_of_adhesion   w, energy to separate unit area, not a surface energy [J/m2]; 0 unless given
+ *   contact_modulus    E* of particle and wall, 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2 [Pa]; always
+ * needed work_of_adhesion   w, energy to separate unit area, not a surface energy [J/m2]; 0 unless given
  *   damping            coefficient of the damping law [unit of that law]; 0 unless given
  *   yield_pressure     p_y of a law that knows yielding (thornton-ning) [Pa]; never yields unless given
- *   ...                what the law declares of its own, such as cohesion_energy_density of sjkr [SI];
- *                      `ashimpact impact --help` lists them, with hyphens for the underlines
+ *   ...                what a law has of its own; `ashimpact impact --help` lists it, with hyphens [SI]
  *   effective_radius, mass   R* [m] and m* [kg], in the place of diameter and density, for
  *                      the functions that take columns: two spheres, or a particle that is no sphere */
 typedef struct {
-    const char *name;
+    const char* name;
     double value;
 } ashimpact_parameter;
 
-/* Numbers that change from one impact to the next: value i stands at values[i * stride], so that a stride of 0
- * is one number for all. Names are those of the parameters, and diameter [m], velocity [m/s] (of approach, > 0)
- * and restitution [1]. A column takes the place of the model's parameter of that name. */
+/* Numbers that change from one impact to the next: value i stands at values[i * stride], so that a stride of
+ * 0 is one number for all. Names are those of the parameters, and diameter [m], velocity [m/s] (of approach,
+ * > 0) and restitution [1]. A column takes the place of the model's parameter of that name. */
 typedef struct {
-    const char *name;
-    const double *values;
+    const char* name;
+    const double* values;
     size_t stride;
 } ashimpact_column;
 
 /* An array for a result, by its name; the function that fills it lists those it knows. */
 typedef struct {
-    const char *name;
-    double *values;
+    const char* name;
+    double* values;
 } ashimpact_output;
 
-/* A contact law with its constants; what it holds is private. */
+/* A contact law with its constants. */
 typedef struct ashimpact_model ashimpact_model;
 
 /* The version of the library that is loaded, such as "1.0.0". */
-ASHIMPACT_API const char *ashimpact_version(void);
+ASHIMPACT_API const char* ashimpact_version(void);
 
 /* Makes a model.
  *   law          hertz, dmt, brach-dunn, jkr, ...; `ashimpact impact --help` lists them
@@ -90,36 +86,35 @@ ASHIMPACT_API const char *ashimpact_version(void);
  *   damping_law  constant [kg/s], contact-radius [Pa s], tsuji [1]; NULL: constant
  *   parameters   count of them, each name once
  *   model        receives the model; NULL on an error. Give it back with ashimpact_close().
- * Tables that make later calls fast are computed where they are first asked for and shared by all models; the
- * first call of its kind takes up to some milliseconds. */
-ASHIMPACT_API ashimpact_status ashimpact_open(const char *law, const char *detachment, const char *damping_law,
-                                              const ashimpact_parameter *parameters, size_t count,
-                                              ashimpact_model **model, ashimpact_error *error);
+ * The first call of a kind takes up to some milliseconds, for tables that all models then share. */
+ASHIMPACT_API ashimpact_status ashimpact_open(const char* law, const char* detachment,
+                                              const char* damping_law, const ashimpact_parameter* parameters,
+                                              size_t count, ashimpact_model** model, ashimpact_error* error);
 
-/* Gives a model back. NULL is allowed. */
-ASHIMPACT_API void ashimpact_close(ashimpact_model *model);
+ASHIMPACT_API void ashimpact_close(ashimpact_model* model); /* gives a model back; NULL is allowed */
 
 /* Restitution e_n(d, v) of a sphere on a flat wall; 0 for a capture [1].
  *   diameter [m], velocity of approach, normal to the wall, > 0 [m/s]
  * Error: |d(e^2)| <= 1e-12 (1 + |U_min|/(m v^2/2)), U_min the depth of the adhesive well. */
-ASHIMPACT_API ashimpact_status ashimpact_restitution(const ashimpact_model *model, double diameter,
-                                                     double velocity, double *restitution,
-                                                     ashimpact_error *error);
+ASHIMPACT_API ashimpact_status ashimpact_restitution(const ashimpact_model* model, double diameter,
+                                                     double velocity, double* restitution,
+                                                     ashimpact_error* error);
 
 /* The same for count spheres: arrays of that length. Nothing depends on how impacts are spread over calls. */
-ASHIMPACT_API ashimpact_status ashimpact_restitutions(const ashimpact_model *model, size_t count,
-                                                      const double *diameter, const double *velocity,
-                                                      double *restitution, ashimpact_error *error);
+ASHIMPACT_API ashimpact_status ashimpact_restitutions(const ashimpact_model* model, size_t count,
+                                                      const double* diameter, const double* velocity,
+                                                      double* restitution, ashimpact_error* error);
 
 /* Critical velocity v_c(d) of a sphere on a flat wall: it is captured below v_c and rebounds above [m/s].
  * 0 where it always rebounds, HUGE_VAL where it is always captured. Relative error 1e-10. */
-ASHIMPACT_API ashimpact_status ashimpact_critical_velocity(const ashimpact_model *model, double diameter,
-                                                           double *critical_velocity, ashimpact_error *error);
+ASHIMPACT_API ashimpact_status ashimpact_critical_velocity(const ashimpact_model* model, double diameter,
+                                                           double* critical_velocity, ashimpact_error* error);
 
 /* The same for count spheres: arrays of that length. */
-ASHIMPACT_API ashimpact_status ashimpact_critical_velocities(const ashimpact_model *model, size_t count,
-                                                             const double *diameter, double *critical_velocity,
-                                                             ashimpact_error *error);
+ASHIMPACT_API ashimpact_status ashimpact_critical_velocities(const ashimpact_model* model, size_t count,
+                                                             const double* diameter,
+                                                             double* critical_velocity,
+                                                             ashimpact_error* error);
 
 /* Many impacts, any parameter a column; the column velocity is needed. Outputs, all of length count:
  *   restitution        e_n = v_r/v_in; 0 for a capture [1]
@@ -127,26 +122,26 @@ ASHIMPACT_API ashimpact_status ashimpact_critical_velocities(const ashimpact_mod
  *   approach_time      first touch to greatest overlap; NaN if that is never reached [s]
  *   maximum_overlap    greatest overlap, or its limit if that is never reached [m]
  * The last two take some ten times as long as the others. */
-ASHIMPACT_API ashimpact_status ashimpact_solve_impacts(const ashimpact_model *model, size_t count,
-                                                       const ashimpact_column *columns, size_t column_count,
-                                                       const ashimpact_output *outputs, size_t output_count,
-                                                       ashimpact_error *error);
+ASHIMPACT_API ashimpact_status ashimpact_solve_impacts(const ashimpact_model* model, size_t count,
+                                                       const ashimpact_column* columns, size_t column_count,
+                                                       const ashimpact_output* outputs, size_t output_count,
+                                                       ashimpact_error* error);
 
 /* Many critical velocities, any parameter but velocity a column. Output:
  *   critical_velocity  v_c; 0 where it always rebounds, HUGE_VAL where it is always captured [m/s] */
 ASHIMPACT_API ashimpact_status ashimpact_solve_critical_velocities(
-    const ashimpact_model *model, size_t count, const ashimpact_column *columns, size_t column_count,
-    const ashimpact_output *outputs, size_t output_count, ashimpact_error *error);
+    const ashimpact_model* model, size_t count, const ashimpact_column* columns, size_t column_count,
+    const ashimpact_output* outputs, size_t output_count, ashimpact_error* error);
 
 /* Dampings that give measured restitutions back; the columns velocity and restitution are needed. Outputs:
  *   damping               coefficient; NaN where no damping gives that restitution, because it is above what
  *                         the law leaves without damping; for restitution 0 the smallest that captures
  *                         [unit of the damping law]
  *   greatest_restitution  what the law leaves without damping [1] */
-ASHIMPACT_API ashimpact_status ashimpact_solve_dampings(const ashimpact_model *model, size_t count,
-                                                        const ashimpact_column *columns, size_t column_count,
-                                                        const ashimpact_output *outputs, size_t output_count,
-                                                        ashimpact_error *error);
+ASHIMPACT_API ashimpact_status ashimpact_solve_dampings(const ashimpact_model* model, size_t count,
+                                                        const ashimpact_column* columns, size_t column_count,
+                                                        const ashimpact_output* outputs, size_t output_count,
+                                                        ashimpact_error* error);
 
 #ifdef __cplusplus
 }

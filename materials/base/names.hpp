@@ -13,8 +13,7 @@ namespace ashimpact {
 /// Names of the values of an enumeration, as files, options and results write them. An enumeration that has
 /// names specialises this beside its declaration:
 ///   static constexpr std::string_view kind = "mixture rule";  // for messages
-///   static constexpr std::array<std::string_view, n> all{...};  // in the order of the enumerators 0 ... n -
-///   1
+///   static constexpr std::array<std::string_view, n> all{...};  // in the order of its values 0, 1, ...
 template <class Enum>
 struct Names;
 
@@ -28,6 +27,14 @@ template <Named Enum>
 [[nodiscard]] constexpr std::string_view name_of(Enum value) {
     return Names<Enum>::all.at(static_cast<std::size_t>(value));
 }
+
+/// All values of an enumeration, in its order.
+template <Named Enum>
+inline constexpr auto values_of = [] {
+    std::array<Enum, Names<Enum>::all.size()> values{};
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<Enum>(i);
+    return values;
+}();
 
 /// All names of an enumeration, in its order.
 template <Named Enum>

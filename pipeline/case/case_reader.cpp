@@ -135,7 +135,7 @@ std::vector<LawChoice> read_laws(const View& document) {
     if (!detachments) return choices;
     for (const auto& [name, value] : detachments->members()) {
         const Law law = value.located([&key = name] { return Law::named(key); });
-        const Detachment detachment = detachment_named(value.text());
+        const Detachment detachment = named<Detachment>(value.text());
         if (const auto reason = refusal(law, detachment)) value.fail(*reason, admissible_detachments(law));
         const auto chosen = std::find_if(choices.begin(), choices.end(),
                                          [&](const LawChoice& choice) { return choice.law == law; });
@@ -268,7 +268,7 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
         data.samples.push_back(read_sample(node, defaults, files, warnings));
     }
     data.laws = read_laws(document);
-    if (const auto law = document.find("damping_law")) data.damping_law = damping_named(law->text());
+    if (const auto law = document.find("damping_law")) data.damping_law = named<DampingLaw>(law->text());
     data.histories = read_histories(document);
     data.fit = read_fit_choices(document.find("fit"));
     data.uncertainty = read_uncertainty_choices(document.find("uncertainty"));

@@ -10,9 +10,9 @@ Json detachments_json(const Case& data) {
     Json laws = Json::object();
     for (const LawChoice& choice : data.laws) {
         Json refused = Json::object();
-        for (const DetachmentName& entry : detachment_names) {
-            if (const auto reason = refusal(choice.law, entry.detachment))
-                refused[std::string(entry.name)] = *reason;
+        for (const Detachment detachment : values_of<Detachment>) {
+            if (const auto reason = refusal(choice.law, detachment))
+                refused[std::string(name_of(detachment))] = *reason;
         }
         laws[std::string(choice.law.name())] = {{"ends_at", name_of(choice.detachment)},
                                                 {"refused", std::move(refused)}};

@@ -24,12 +24,6 @@ std::string laws_where(Test&& test) {
     return joined(names);
 }
 
-std::string damping_law_names() {
-    std::vector<std::string> names;
-    for (const DampingName& entry : damping_names) names.emplace_back(entry.name);
-    return joined(names);
-}
-
 std::string laws_without_adhesion() {
     return laws_where([](Law law) { return !law.uses_work_of_adhesion(); });
 }
@@ -213,7 +207,7 @@ void add_contact_options(CLI::App& command, ContactOptions& options, ContactNeed
         ->type_name("NAME");
     command
         .add_option("--damping-law", options.damping_law,
-                    damping_law_names() + "; the unit of the damping goes with it")
+                    joined(names_of<DampingLaw>()) + "; the unit of the damping goes with it")
         ->capture_default_str()
         ->type_name("NAME");
 }

@@ -160,7 +160,7 @@ ParameterValues<double> read_parameters(const ContactOptions& options, Law law) 
 Detachment read_detachment(const std::string& name, Law law) {
     if (name.empty()) return law.default_detachment();
     return at_option("--detachment", [&] {
-        const Detachment detachment = detachment_named(name);
+        const Detachment detachment = named<Detachment>(name);
         if (const auto reason = refusal(law, detachment))
             throw InputError(*reason, admissible_detachments(law));
         return detachment;
@@ -208,7 +208,7 @@ ContactChoice read_contact(const ContactOptions& options) {
 }
 
 Damping read_damping(const ContactOptions& options) {
-    const DampingLaw law = at_option("--damping-law", [&] { return damping_named(options.damping_law); });
+    const DampingLaw law = at_option("--damping-law", [&] { return named<DampingLaw>(options.damping_law); });
     if (options.damping.empty()) return {law, 0};
     const double coefficient = read_option("--damping", options.damping, dimension_of(law));
     return at_option("--damping", [&] {

@@ -11,9 +11,9 @@
 #include "data/embedded.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/text.hpp"
+#include "materials/base/view.hpp"
 #include "materials/modulus.hpp"
 #include "materials/work_of_adhesion.hpp"
-#include "materials/base/view.hpp"
 #include "solver/calibration/calibration.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/damping/damping.hpp"
@@ -25,19 +25,11 @@ namespace {
 constexpr std::string_view schema_folder = "schemas/";
 constexpr std::string_view suffix = ".json";
 
-template <class Entries, class NameOf>
-std::vector<std::string> names_in(const Entries& entries, NameOf name_of_entry) {
-    std::vector<std::string> names;
-    for (const auto& entry : entries) names.emplace_back(name_of_entry(entry));
-    return names;
-}
-
 /// What stands for "@..." in the schema files: lists that live in the code.
 std::vector<std::string> listed(const std::string& mark) {
-    const auto by_name = [](const auto& entry) { return entry.name; };
-    if (mark == "@laws") return names_in(RegisteredLaws::names, [](std::string_view name) { return name; });
-    if (mark == "@detachments") return names_in(detachment_names, by_name);
-    if (mark == "@damping_laws") return names_in(damping_names, by_name);
+    if (mark == "@laws") return {RegisteredLaws::names.begin(), RegisteredLaws::names.end()};
+    if (mark == "@detachments") return names_of<Detachment>();
+    if (mark == "@damping_laws") return names_of<DampingLaw>();
     if (mark == "@calibration_quantities") return names_of<CalibrationQuantity>();
     if (mark == "@mixture_rules") return names_of<MixtureRule>();
     if (mark == "@porosity_laws") return names_of<PorosityLaw>();

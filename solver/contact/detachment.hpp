@@ -1,5 +1,7 @@
 #pragma once
 
+#include "materials/base/names.hpp"
+
 #include <array>
 #include <string_view>
 
@@ -13,22 +15,12 @@ enum class Detachment {
     load_controlled,  ///< greatest tension
 };
 
-struct DetachmentName {
-    Detachment detachment;
-    std::string_view name;
+/// Names as on the command line and in artifacts.
+template <>
+struct Names<Detachment> {
+    static constexpr std::string_view kind = "detachment";
+    static constexpr std::array<std::string_view, 4> all{"zero-overlap", "zero-force", "pull-off",
+                                                         "load-controlled"};
 };
-
-inline constexpr std::array<DetachmentName, 4> detachment_names{{
-    {Detachment::zero_overlap, "zero-overlap"},
-    {Detachment::zero_force, "zero-force"},
-    {Detachment::pull_off, "pull-off"},
-    {Detachment::load_controlled, "load-controlled"},
-}};
-
-/// Name as used on the command line and in artifacts.
-[[nodiscard]] std::string_view name_of(Detachment detachment);
-
-/// The detachment of that name. @throws InputError naming the allowed ones
-[[nodiscard]] Detachment detachment_named(std::string_view name);
 
 }  // namespace ashimpact

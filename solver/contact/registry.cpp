@@ -132,20 +132,4 @@ ParameterValues<double> typical_parameters(Law law) {
     return values;
 }
 
-std::string_view name_of(Detachment detachment) {
-    for (const DetachmentName& entry : detachment_names) {
-        if (entry.detachment == detachment) return entry.name;
-    }
-    return {};
-}
-
-Detachment detachment_named(std::string_view name) {
-    std::vector<std::string> names;
-    for (const DetachmentName& entry : detachment_names) {
-        if (entry.name == name) return entry.detachment;
-        names.emplace_back(entry.name);
-    }
-    throw unknown_name("detachment", name, names);
-}
-
 }  // namespace ashimpact

@@ -1,14 +1,6 @@
 #include "solver/damping/damping.hpp"
 
-#include "materials/base/checks.hpp"
-
-#include <string>
-
 namespace ashimpact {
-
-std::string_view name_of(DampingLaw law) {
-    return damping_names[static_cast<std::size_t>(law)].name;
-}
 
 Dimension dimension_of(DampingLaw law) {
     return RegisteredDampings::visit<Dimension>(law, []<class D>() { return D::dimension; });
@@ -16,15 +8,6 @@ Dimension dimension_of(DampingLaw law) {
 
 std::string_view unit_of(DampingLaw law) {
     return si_unit(dimension_of(law));
-}
-
-DampingLaw damping_named(std::string_view name) {
-    std::vector<std::string> names;
-    for (const DampingName& entry : damping_names) {
-        if (entry.name == name) return entry.law;
-        names.emplace_back(entry.name);
-    }
-    throw unknown_name("damping law", name, names);
 }
 
 bool vanishes_at_touch(DampingLaw law) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "materials/base/names.hpp"
 #include "materials/base/units.hpp"
 #include "solver/damping/constant.hpp"
 #include "solver/damping/contact_radius.hpp"
@@ -49,25 +50,18 @@ struct Damping {
     double coefficient = 0.0;
 };
 
-struct DampingName {
-    DampingLaw law;
-    std::string_view name;
+/// Names as on the command line and in artifacts.
+template <>
+struct Names<DampingLaw> {
+    static constexpr std::string_view kind = "damping law";
+    static constexpr auto all = RegisteredDampings::apply(
+        []<class... D>() { return std::array<std::string_view, sizeof...(D)>{D::name...}; });
 };
 
-/// The registered damping laws and their names as on the command line and in artifacts.
-inline constexpr auto damping_names = RegisteredDampings::apply([]<class... D>() {
-    std::size_t place = 0;
-    return std::array<DampingName, sizeof...(D)>{DampingName{static_cast<DampingLaw>(place++), D::name}...};
-});
-
-/// Name as used on the command line and in artifacts.
-[[nodiscard]] std::string_view name_of(DampingLaw law);
 /// What the coefficient measures.
 [[nodiscard]] Dimension dimension_of(DampingLaw law);
 /// SI unit of the coefficient.
 [[nodiscard]] std::string_view unit_of(DampingLaw law);
-/// The damping law of that name. @throws InputError naming the allowed ones
-[[nodiscard]] DampingLaw damping_named(std::string_view name);
 
 /// Whether the damping vanishes with the contact radius. If it does not, every contact without adhesion that
 /// ends at zero overlap has a critical velocity.

@@ -4,11 +4,13 @@
 #include "materials/base/error.hpp"
 #include "materials/base/text.hpp"
 #include "solver/motion/orbit.hpp"
+#include "solver/motion/plastic_orbit.hpp"
 #include "solver/motion/scaled_impact.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <vector>
 
 namespace ashimpact {
 
@@ -115,13 +117,10 @@ namespace {
 
 template <class Refusal>
 std::string not_refused(Refusal&& refusal) {
-    std::string names;
-    for (const DetachmentName& entry : detachment_names) {
-        if (refusal(entry.detachment)) continue;
-        if (!names.empty()) names += ", ";
-        names += entry.name;
-    }
-    return names;
+    std::vector<std::string> names;
+    for (const Detachment detachment : values_of<Detachment>)
+        if (!refusal(detachment)) names.emplace_back(name_of(detachment));
+    return joined(names);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include "solver/motion/impact.hpp"
 #include "solver/motion/maugis/cohesive_impact.hpp"
 #include "solver/motion/motion.hpp"
-#include "solver/motion/plastic_motion.hpp"
+#include "solver/motion/plastic_orbit.hpp"
 #include "solver/motion/scale.hpp"
 #include "solver/numeric/extended.hpp"
 

@@ -30,9 +30,9 @@ DampingProblem hertz_problem(DampingLaw law, double restitution) {
 }  // namespace
 
 TEST_CASE("a damping law stands where its name does, and shape is never negative") {
-    for (std::size_t i = 0; i < damping_names.size(); ++i) {
-        const DampingLaw law = damping_names[i].law;
-        CAPTURE(damping_names[i].name);
+    for (std::size_t i = 0; i < values_of<DampingLaw>.size(); ++i) {
+        const DampingLaw law = values_of<DampingLaw>[i];
+        CAPTURE(name_of(values_of<DampingLaw>[i]));
         CHECK(static_cast<std::size_t>(law) == i);
         for (const double u : {0.0, 0.3, 1.0, 2.0}) {
             CHECK(RegisteredDampings::visit<double>(law, [u]<class D>() { return D::shape(u); }) >= 0.0);
@@ -42,33 +42,33 @@ TEST_CASE("a damping law stands where its name does, and shape is never negative
 }
 
 TEST_CASE("the damping of a contact radius does not depend on the velocity whose scale it is worked out in") {
-    for (const DampingName& damping : damping_names) {
-        CAPTURE(damping.name);
+    for (const DampingLaw damping : values_of<DampingLaw>) {
+        CAPTURE(name_of(damping));
         for (const double radius : {1e-7, 1e-6, 5e-6}) {
-            const double one = damping_at(damping.law, 1.0, radius, 0.3);
-            CHECK(relative_difference(one, damping_at(damping.law, 1.0, radius, 20.0)) < 1e-13);
+            const double one = damping_at(damping, 1.0, radius, 0.3);
+            CHECK(relative_difference(one, damping_at(damping, 1.0, radius, 20.0)) < 1e-13);
         }
     }
 }
 
 TEST_CASE("searches start within ten per cent of the damping of a Hertz impact") {
-    for (const DampingName& damping : damping_names) {
+    for (const DampingLaw damping : values_of<DampingLaw>) {
         for (const double loss : {0.05, 0.3, 0.7, 0.95}) {
-            const DampingInversion found = damping_from_restitution(hertz_problem(damping.law, 1.0 - loss));
+            const DampingInversion found = damping_from_restitution(hertz_problem(damping, 1.0 - loss));
             const double number = Scale::of(ash(0.0), 2.0).damping_number(found.damping);
-            CAPTURE(damping.name);
+            CAPTURE(name_of(damping));
             CAPTURE(loss);
-            CHECK(relative_difference(hertz_damping_number(damping.law, loss), number) < 0.1);
+            CHECK(relative_difference(hertz_damping_number(damping, loss), number) < 0.1);
         }
     }
 }
 
 TEST_CASE("a law's limit of overdamping is where Hertz impacts cease to rebound") {
-    for (const DampingName& damping : damping_names) {
-        const double limit = std::sqrt(overdamped_squared(damping.law));
+    for (const DampingLaw damping : values_of<DampingLaw>) {
+        const double limit = std::sqrt(overdamped_squared(damping));
         if (!std::isfinite(limit)) continue;
-        CAPTURE(damping.name);
-        const ContactCase hertz{Law::of<Hertz>(), damping.law, Detachment::zero_overlap};
+        CAPTURE(name_of(damping));
+        const ContactCase hertz{Law::of<Hertz>(), damping, Detachment::zero_overlap};
         for (const double v : ash_velocities) {
             CHECK(solve_impact(impact_of(hertz, ash(0.0), 0.99 * limit, v)).outcome == Outcome::rebound);
             CHECK(solve_impact(impact_of(hertz, ash(0.0), 1.0000001 * limit, v)).outcome == Outcome::capture);

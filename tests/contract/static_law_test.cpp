@@ -128,21 +128,21 @@ TEST_CASE("first touch is at zero overlap, and the special points are what their
                           place(law.name, point));
             };
             root_of(overlap, law.touch(), "touch");
-            for (const DetachmentName& entry : detachment_names) {
-                const auto point = law.detachment_point(entry.detachment);
+            for (const Detachment detachment : values_of<Detachment>) {
+                const auto point = law.detachment_point(detachment);
                 if (!point) continue;
-                switch (entry.detachment) {
+                switch (detachment) {
                     case Detachment::zero_overlap:
-                        root_of(overlap, *point, entry.name);
+                        root_of(overlap, *point, name_of(detachment));
                         break;
                     case Detachment::zero_force:
-                        root_of(force, *point, entry.name);
+                        root_of(force, *point, name_of(detachment));
                         break;
                     case Detachment::pull_off:
-                        root_of(overlap.derivative(), *point, entry.name);
+                        root_of(overlap.derivative(), *point, name_of(detachment));
                         break;
                     case Detachment::load_controlled:
-                        root_of(force.derivative(), *point, entry.name);
+                        root_of(force.derivative(), *point, name_of(detachment));
                         CHECK(force(*point) < 0);
                         CHECK(force(*point) < std::min(force(*point * 0.99L), force(*point * 1.01L)));
                         break;

@@ -15,7 +15,7 @@ prefix=$scratch/moved
 
 echo '== only what is public'
 (cd "$prefix" && find include -type f | sort) | tee "$scratch/headers"
-printf '%s\n' include/ashimpact.h include/ashimpact/error.hpp include/ashimpact/model.hpp | cmp - "$scratch/headers"
+printf '%s\n' include/ashimpact.h include/ashimpact/error.hpp include/ashimpact/model.hpp include/ashimpact/results.hpp | cmp - "$scratch/headers"
 library=$(find "$prefix" -name 'libashimpact.so.1')
 nm -D --defined-only "$library" | awk '{print $3}' | sort >"$scratch/symbols"
 grep -o '^ashimpact_[a-z_]*(' <(sed 's/ *\*\{0,1\}\(ashimpact_[a-z_]*(\)/\n\1/g' "$prefix/include/ashimpact.h") |

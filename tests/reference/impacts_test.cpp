@@ -25,7 +25,7 @@ ParameterValues<double> parameters_of(const nlohmann::json& row) {
 
 Impact impact_from(const nlohmann::json& sphere, const nlohmann::json& row) {
     return {.law = Law::named(row.at("law").get<std::string>()),
-            .detachment = detachment_named(row.at("detachment").get<std::string>()),
+            .detachment = named<Detachment>(row.at("detachment").get<std::string>()),
             .damping = {DampingLaw::constant, row.at("damping")},
             .contact = {.mass = sphere.at("mass"),
                         .effective_radius = sphere.at("radius"),

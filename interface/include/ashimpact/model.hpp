@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ashimpact/error.hpp"
+#include "ashimpact/results.hpp"
 
 namespace ashimpact {
 inline namespace v1 {
@@ -23,20 +24,6 @@ using Columns = std::initializer_list<ashimpact_column>;
 [[nodiscard]] inline ashimpact_column column(const char* name, const double& value) {
     return {name, &value, 0};
 }
-
-/// What many impacts did.
-struct Impacts {
-    std::vector<double> restitution;      ///< e_n = v_r/v_in; 0 for a capture [1]
-    std::vector<double> contact_time;     ///< first touch to detachment; NaN for a capture [s]
-    std::vector<double> approach_time;    ///< first touch to greatest overlap; NaN if never reached [s]
-    std::vector<double> maximum_overlap;  ///< greatest overlap, or its limit if never reached [m]
-};
-
-/// Dampings from restitutions.
-struct Dampings {
-    std::vector<double> damping;               ///< NaN where none gives the restitution [unit of the law]
-    std::vector<double> greatest_restitution;  ///< what the law leaves without damping [1]
-};
 
 /// How a contact ends, and what takes energy from it; an empty name is the law's own detachment, and
 /// constant.

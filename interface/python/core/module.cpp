@@ -32,8 +32,8 @@ struct Choice {
 
     Choice(const std::string& law_name, const std::optional<std::string>& end, const std::string& damping)
         : law(Law::named(law_name)),
-          detachment(end ? detachment_named(*end) : law.default_detachment()),
-          damping_law(damping_named(damping)) {}
+          detachment(end ? named<Detachment>(*end) : law.default_detachment()),
+          damping_law(named<DampingLaw>(damping)) {}
 };
 
 /// The numbers of a chunk of an array that holds one number for all, or one for each problem.
@@ -173,8 +173,8 @@ py::dict laws() {
     for (std::size_t i = 0; i < Law::count(); ++i) {
         const Law law = Law::at(i);
         py::list admissible;
-        for (const DetachmentName& entry : detachment_names) {
-            if (!refusal(law, entry.detachment)) admissible.append(py::str(std::string(entry.name)));
+        for (const Detachment detachment : values_of<Detachment>) {
+            if (!refusal(law, detachment)) admissible.append(py::str(std::string(name_of(detachment))));
         }
         all[py::str(std::string(law.name()))] =
             py::make_tuple(py::str(std::string(name_of(law.default_detachment()))), admissible);

@@ -18,13 +18,6 @@ Words law_words() {
     return words;
 }
 
-template <class Table>
-Words names_in(const Table& table) {
-    Words words;
-    for (const auto& entry : table) words.emplace_back(entry.name);
-    return words;
-}
-
 /// Units that people write, by what the option measures.
 const std::map<std::string, Words>& units() {
     static const Words lengths{"um", "nm", "mm", "m"};
@@ -32,7 +25,6 @@ const std::map<std::string, Words>& units() {
     static const Words velocities{"m/s", "mm/s", "cm/s"};
     static const Words densities{"kg/m3", "g/cm3"};
     static const std::map<std::string, Words> all{{"--radius", lengths},
-                                                  {"--diameter", lengths},
                                                   {"--diameter", lengths},
                                                   {"--pixel-size", lengths},
                                                   {"--cohesion-range", {"nm", "m"}},
@@ -53,8 +45,8 @@ const std::map<std::string, Words>& units() {
 const std::map<std::string, Words>& names() {
     static const std::map<std::string, Words> all{
         {"--law", law_words()},
-        {"--detachment", names_in(detachment_names)},
-        {"--damping-law", names_in(damping_names)},
+        {"--detachment", names_of<Detachment>()},
+        {"--damping-law", names_of<DampingLaw>()},
         {"--method", {"taylor", "paper-explicit"}},
         {"--from", stage_names()},
         {"--only", stage_names()},

@@ -32,7 +32,7 @@ std::vector<LawChoice> read_laws(const View& impact) {
     if (!detachments) return laws;
     for (const auto& [name, value] : detachments->members()) {
         const Law law = value.located([&] { return Law::named(name); });
-        const Detachment detachment = detachment_named(value.text());
+        const Detachment detachment = named<Detachment>(value.text());
         if (const auto reason = refusal(law, detachment)) value.fail(*reason, admissible_detachments(law));
         const auto chosen =
             std::find_if(laws.begin(), laws.end(), [&](const LawChoice& c) { return c.law == law; });
@@ -231,7 +231,7 @@ LoadedSpec read_sweep_spec(const std::string& text) {
     SweepSpec spec;
     const View impact = document.at("impact");
     spec.laws = read_laws(impact);
-    if (const auto law = impact.find("damping_law")) spec.damping_law = damping_named(law->text());
+    if (const auto law = impact.find("damping_law")) spec.damping_law = named<DampingLaw>(law->text());
     read_fixed(impact, spec);
     for (const auto& member : document.at("variables").members()) {
         const ImpactInput input = impact_input_named(member.key);

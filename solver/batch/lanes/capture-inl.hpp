@@ -40,6 +40,15 @@ template <class F>
     return p;
 }
 
+/// Energy, over that in the well, too near capture to tell here.
+inline constexpr double energy_doubt = 1e-9;
+
+/// Lanes that are captured, and those where double precision leaves a doubt of it.
+struct LaneVerdict {
+    Mask captured;
+    Mask doubtful;
+};
+
 /// Decides capture from the state, as CaptureTest does.
 template <class F>
 class LaneCapture {
@@ -47,6 +56,21 @@ class LaneCapture {
     HWY_INLINE LaneCapture(const Equation<F>& equation, const Places& places)
         : equation_(equation), places_(places) {}
 
+    /// @param look_for_creeping whether to look for lanes that creep, which are rare and slow to tell
+    [[nodiscard]] HWY_INLINE LaneVerdict verdict(Lanes q, Lanes v, Mask active, Mask approaching,
+                                                 bool look_for_creeping) const {
+        const Mask leaving = without(without(active, approaching), places_.by_force);
+        const Lanes left = energy_left(q, v);
+        const Mask caught = both(both(leaving, q > places_.end), left < Lanes(0.0));
+        LaneVerdict verdict{caught, both(caught, left > places_.speed_squared * Lanes(-energy_doubt))};
+        if (look_for_creeping) {
+            verdict.captured = either(verdict.captured, both(without(active, approaching), creeping(q, v)));
+            verdict.captured = either(verdict.captured, both(both(active, approaching), creeping_up(q, v)));
+        }
+        return verdict;
+    }
+
+  private:
     /// v^2/2 + U(q) - U_end, after the turn: below zero the end is out of reach.
     [[nodiscard]] HWY_INLINE Lanes energy_left(Lanes q, Lanes v) const {
         return multiply_add(v * Lanes(0.5), v, equation_.potential(q) - places_.end_potential);
@@ -71,7 +95,6 @@ class LaneCapture {
         return both(q < at, both(damped, v <= damping * way * Lanes(0.5)));
     }
 
-  private:
     /// Some damping laws capture whatever touches at q = 0 from a limit on.
     [[nodiscard]] HWY_INLINE Mask overdamped() const {
         constexpr double limit = F::Damping::overdamped_squared;

@@ -23,8 +23,7 @@ class LaneOrbit {
     static constexpr int late = 5;  ///< creeping is tested only from this step on; it is rare and slow
 
     LaneOrbit() = default;
-    /// @param to_turn whether to follow the impacts only to their turning points, for turning_point(); only
-    /// then a step ends at the turn
+    /// @param to_turn whether to follow the impacts only to their turning points, where a step then ends
     HWY_INLINE LaneOrbit(const Equation<F>& equation, Detachment detachment, bool to_turn)
         : equation_(equation),
           places_(places_of(equation, detachment)),
@@ -100,7 +99,8 @@ class LaneOrbit {
 
     /// Lanes that have ended with a speed that is not in doubt.
     [[nodiscard]] HWY_INLINE Mask surely_ended(const LaneArrival& end) const {
-        return both(both(ended_, end.found), end.speed * end.speed > places_.speed_squared * Lanes(doubt));
+        return both(both(ended_, end.found),
+                    end.speed * end.speed > places_.speed_squared * Lanes(energy_doubt));
     }
     /// Lanes whose turning point, or its absence, is not in doubt.
     [[nodiscard]] HWY_INLINE Mask surely_turned(Lanes time) const {
@@ -116,22 +116,14 @@ class LaneOrbit {
         return both(turned_, pull * pull < places_.speed_squared * Lanes(1e-3));
     }
 
-    static constexpr double doubt = 1e-9;  ///< energy, over that in the well, too near capture to tell here
     static constexpr double returned_error = 1.0;  ///< has the pilot shorten the step as far as it ever does
 
     HWY_INLINE void detect_capture(Lanes q, Lanes v, int pass) {
-        const LaneCapture<F> capture(equation_, places_);
-        const Mask leaving = without(without(active_, approaching_), places_.by_force);
-        const Lanes left = capture.energy_left(q, v);
-        const Lanes margin = places_.speed_squared * Lanes(doubt);
-        Mask caught = both(both(leaving, q > places_.end), left < Lanes(0.0));
-        doubtful_ = either(doubtful_, both(caught, left > -margin));
-        if (pass >= late) {
-            caught = either(caught, both(without(active_, approaching_), capture.creeping(q, v)));
-            caught = either(caught, both(both(active_, approaching_), capture.creeping_up(q, v)));
-        }
-        captured_ = either(captured_, caught);
-        active_ = without(active_, caught);
+        const LaneVerdict verdict =
+            LaneCapture<F>(equation_, places_).verdict(q, v, active_, approaching_, pass >= late);
+        doubtful_ = either(doubtful_, verdict.doubtful);
+        captured_ = either(captured_, verdict.captured);
+        active_ = without(active_, verdict.captured);
     }
 
     Equation<F> equation_;

@@ -43,24 +43,25 @@ double chebyshev_sum(const std::vector<double>& coefficients, double t) {
 }  // namespace
 
 CriticalTable& CriticalTable::of(Law law, Detachment detachment, DampingLaw damping_law) {
-    constexpr std::size_t combinations = Law::count() * detachment_names.size() * damping_names.size();
+    constexpr std::size_t combinations =
+        Law::count() * values_of<Detachment>.size() * values_of<DampingLaw>.size();
     static const auto tables = [] {
         auto all = std::make_unique<std::array<CriticalTable, combinations>>();
         std::size_t place = 0;
         for (std::size_t index = 0; index < Law::count(); ++index) {
-            for (const DetachmentName& end : detachment_names) {
-                for (const DampingName& damping : damping_names) {
+            for (const Detachment end : values_of<Detachment>) {
+                for (const DampingLaw damping : values_of<DampingLaw>) {
                     CriticalTable& table = (*all)[place++];
                     table.law_ = Law::at(index);
-                    table.detachment_ = end.detachment;
-                    table.damping_law_ = damping.law;
+                    table.detachment_ = end;
+                    table.damping_law_ = damping;
                 }
             }
         }
         return all;
     }();
     const auto end = static_cast<std::size_t>(detachment);
-    return (*tables)[(law.index() * detachment_names.size() + end) * damping_names.size() +
+    return (*tables)[(law.index() * values_of<Detachment>.size() + end) * values_of<DampingLaw>.size() +
                      static_cast<std::size_t>(damping_law)];
 }
 

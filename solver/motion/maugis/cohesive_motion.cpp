@@ -3,6 +3,7 @@
 #include "solver/contact/maugis/transition.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace ashimpact {
 
@@ -34,6 +35,16 @@ CohesiveMotion::CohesiveMotion(const CohesiveZone& zone, const Polynomial<Extend
     if (detachment != Detachment::zero_overlap) return;
     begin_ = end_;
     before_ = zone.potential(begin_);
+}
+
+bool CohesiveMotion::creeps_up(const MotionState<Extended>& state) const {
+    const CohesiveState& equilibrium = zone_.equilibrium();
+    if (state.position >= touching_.coordinate(equilibrium)) return false;
+    const Extended damping = touching_.damping(state.position);
+    const Extended way = zone_.overlap(equilibrium) - touching_.overlap(state.position);
+    const Extended rounding = 64 * std::numeric_limits<Extended>::epsilon() * zone_.overlap(equilibrium);
+    if (std::abs(way) <= rounding && state.velocity <= damping * rounding) return true;
+    return state.velocity <= damping / 2 * way && zone_.stiffness(equilibrium) <= damping * damping / 4;
 }
 
 std::optional<std::string> cohesive_refusal(const CohesiveZone& zone, Detachment detachment) {

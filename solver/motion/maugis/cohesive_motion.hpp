@@ -32,6 +32,10 @@ class CohesiveMotion {
     [[nodiscard]] Extended potential_after() const { return before_; }
     [[nodiscard]] Extended potential_at_begin() const { return zone_.potential(begin_); }
     [[nodiscard]] Extended potential_at_end() const { return zone_.potential(end_); }
+    /// Whether an approach in contact is so damped that it creeps up to equilibrium and never turns: below
+    /// the line v = (eta/2) (delta_eq - delta) it stays where dF/d(delta) <= eta^2/4 all the way, and the
+    /// stiffness rises all the way. @param state its position is a coordinate of touching()
+    [[nodiscard]] bool creeps_up(const MotionState<Extended>& state) const;
 
   private:
     CohesiveZone zone_;

@@ -4,9 +4,6 @@
 #include "solver/motion/maugis/cohesive_motion.hpp"
 #include "solver/motion/orbit.hpp"
 
-#include <cmath>
-#include <limits>
-
 namespace ashimpact {
 
 /// What became of one Maugis-Dugdale impact, scaled. The positions of orbit.turn and orbit.end are
@@ -78,7 +75,7 @@ class CohesiveFollower {
         const TouchingBranch& branch = motion_.touching();
         Orbit<Extended>& orbit = result_.orbit;
         while (advance(branch, state, std::nullopt, 1) == Event::step) {
-            if (!creeping_up(state)) continue;
+            if (!motion_.creeps_up(state)) continue;
             result_.end = branch.state(state.position);
             result_.turn = motion_.zone().equilibrium();
             orbit.end = orbit.turn = state;
@@ -124,20 +121,6 @@ class CohesiveFollower {
         const Extended energy =
             state.velocity * state.velocity / 2 + motion_.touching().potential(state.position);
         return energy < motion_.potential_at_end();
-    }
-
-    /// So damped that it creeps up to equilibrium and never turns: below the line v = (eta/2) (delta_eq -
-    /// delta) it stays where dF/d(delta) <= eta^2/4 all the way, and the stiffness rises all the way.
-    [[nodiscard]] bool creeping_up(const MotionState<Extended>& state) const {
-        const TouchingBranch& branch = motion_.touching();
-        const CohesiveZone& zone = motion_.zone();
-        const CohesiveState& equilibrium = zone.equilibrium();
-        if (state.position >= branch.coordinate(equilibrium)) return false;
-        const Extended damping = branch.damping(state.position);
-        const Extended way = zone.overlap(equilibrium) - branch.overlap(state.position);
-        const Extended rounding = 64 * std::numeric_limits<Extended>::epsilon() * zone.overlap(equilibrium);
-        if (std::abs(way) <= rounding && state.velocity <= damping * rounding) return true;
-        return state.velocity <= damping / 2 * way && zone.stiffness(equilibrium) <= damping * damping / 4;
     }
 
     const CohesiveMotion& motion_;

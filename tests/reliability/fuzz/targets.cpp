@@ -91,8 +91,8 @@ class Numbers {
 Impact impact_from(std::string_view bytes) {
     Numbers numbers(bytes);
     const Law law = Law::at(numbers.below(Law::count()));
-    const auto detachment = detachment_names[numbers.below(detachment_names.size())].detachment;
-    const auto damping_law = damping_names[numbers.below(damping_names.size())].law;
+    const auto detachment = values_of<Detachment>[numbers.below(values_of<Detachment>.size())];
+    const auto damping_law = values_of<DampingLaw>[numbers.below(values_of<DampingLaw>.size())];
     const bool damped = numbers.below(4) != 0;
     const bool adhesive = numbers.below(4) != 0;
     return {.law = law,

@@ -121,11 +121,10 @@ std::vector<Impacts> random_impacts(Eigen::Index count, double most_damping, std
     for (std::size_t i = 0; i < Law::count(); ++i) {
         const Law law = Law::at(i);
         if (!batch::has_kernels(law)) continue;
-        for (const DetachmentName& detachment : detachment_names) {
-            if (refusal(law, detachment.detachment)) continue;
-            for (const DampingName& damping : damping_names) {
-                sets.push_back(
-                    random_impacts(law, detachment.detachment, damping.law, count, most_damping, random));
+        for (const Detachment detachment : values_of<Detachment>) {
+            if (refusal(law, detachment)) continue;
+            for (const DampingLaw damping : values_of<DampingLaw>) {
+                sets.push_back(random_impacts(law, detachment, damping, count, most_damping, random));
             }
         }
     }

@@ -42,22 +42,23 @@ TEST_CASE("a visitor gets the template of the law it visits") {
 TEST_CASE("unknown names are refused with the known ones") {
     CHECK(input_error_of([] { static_cast<void>(Law::named("JKR")); }) ==
           "no contact law is called \"JKR\", did you mean \"jkr\"?; allowed: " + law_names());
-    CHECK(input_error_of([] { static_cast<void>(detachment_named("")); }) ==
+    CHECK(input_error_of([] { static_cast<void>(named<Detachment>("")); }) ==
           "no detachment is called \"\"; allowed: zero-overlap, zero-force, pull-off, load-controlled");
-    CHECK(input_error_of([] { static_cast<void>(damping_named("viscous")); }) ==
+    CHECK(input_error_of([] { static_cast<void>(named<DampingLaw>("viscous")); }) ==
           "no damping law is called \"viscous\"; allowed: constant, contact-radius, tsuji");
 }
 
 TEST_CASE("detachments and damping laws are found by their names") {
-    for (const DetachmentName& entry : detachment_names) {
-        CHECK(detachment_named(entry.name) == entry.detachment);
-        CHECK(name_of(entry.detachment) == entry.name);
+    for (const Detachment detachment : values_of<Detachment>) {
+        CHECK(named<Detachment>(name_of(detachment)) == detachment);
     }
-    for (const DampingName& entry : damping_names) {
-        CHECK(damping_named(entry.name) == entry.law);
-        CHECK(name_of(entry.law) == entry.name);
-        CHECK(unit_of(entry.law) == si_unit(dimension_of(entry.law)));
+    for (const DampingLaw damping_law : values_of<DampingLaw>) {
+        CHECK(named<DampingLaw>(name_of(damping_law)) == damping_law);
+        CHECK(unit_of(damping_law) == si_unit(dimension_of(damping_law)));
     }
+    CHECK(name_of(Detachment::zero_overlap) == "zero-overlap");
+    CHECK(name_of(Detachment::load_controlled) == "load-controlled");
+    CHECK(name_of(DampingLaw::contact_radius) == "contact-radius");
     CHECK(unit_of(DampingLaw::constant) == "kg/s");
     CHECK(unit_of(DampingLaw::contact_radius) == "Pa s");
     CHECK(unit_of(DampingLaw::tsuji) == "1");

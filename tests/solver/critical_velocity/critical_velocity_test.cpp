@@ -169,12 +169,12 @@ TEST_CASE(
         CHECK(relative_difference(*critical.value, reference.value) < reference.accuracy);
         CHECK_FALSE(critical.contact_time);
     }
-    for (const DampingName& damping : damping_names) {
-        const ContactCase c{law, damping.law, Detachment::zero_overlap};
+    for (const DampingLaw damping : values_of<DampingLaw>) {
+        const ContactCase c{law, damping, Detachment::zero_overlap};
         const Impact impact = impact_of(c, ash(0.3), 0.3, 2.0);
         const CriticalVelocity critical =
             critical_velocity({law, impact.detachment, impact.damping, impact.contact});
-        CAPTURE(damping.name);
+        CAPTURE(name_of(damping));
         CHECK(critical.value);
         CHECK_FALSE(critical.contact_time);
     }
