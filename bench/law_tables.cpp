@@ -36,7 +36,7 @@ struct LawImpacts {
 
 void for_each_law(const std::function<void(const LawImpacts&)>& measure) {
     for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()}) {
-        for (const DampingLaw damping : values_of<DampingLaw>) {
+        for (const DampingLaw damping : all_values<DampingLaw>) {
             const Population many = population(law, law.default_detachment(), damping, 16384);
             measure({many, many.impacts.batch(), static_cast<double>(many.restitution.size())});
         }

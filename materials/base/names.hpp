@@ -30,11 +30,12 @@ template <Named Enum>
 
 /// All values of an enumeration, in its order.
 template <Named Enum>
-inline constexpr auto values_of = [] {
+inline constexpr auto all_values = []() constexpr {
     std::array<Enum, Names<Enum>::all.size()> values{};
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<Enum>(i);
     return values;
-}();
+}
+();
 
 /// All names of an enumeration, in its order.
 template <Named Enum>

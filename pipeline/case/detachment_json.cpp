@@ -10,7 +10,7 @@ Json detachments_json(const Case& data) {
     Json laws = Json::object();
     for (const LawChoice& choice : data.laws) {
         Json refused = Json::object();
-        for (const Detachment detachment : values_of<Detachment>) {
+        for (const Detachment detachment : all_values<Detachment>) {
             if (const auto reason = refusal(choice.law, detachment))
                 refused[std::string(name_of(detachment))] = *reason;
         }

@@ -109,7 +109,7 @@ std::string_view adhesion_words(AdhesionRegime regime) {
         case AdhesionRegime::none:
             break;
     }
-    return "no adhesion";
+    return "no work of adhesion";
 }
 
 }  // namespace
@@ -138,7 +138,7 @@ std::string regime_text(const Regime& regime) {
     list.add("Tabor parameter", regime.tabor_parameter > 0
                                     ? fmt::format("{} ({})", readable_number(regime.tabor_parameter),
                                                   adhesion_words(regime.adhesion))
-                                    : "none: no adhesion");
+                                    : "none: no work of adhesion");
     list.add("greatest pressure", readable(regime.greatest_pressure, "Pa"));
     list.add("yield velocity", velocity(regime.yield_velocity));
     list.add("contact radius", fmt::format("at most {}, {} of R*", readable(regime.contact_radius, "m"),

@@ -12,7 +12,7 @@ namespace ashimpact::batch {
 /// Checks that a contact of this law may end there. As refusal(), which is asked once for each law and
 /// detachment: a batch of one impact takes less time than that. @throws InputError
 inline void require_admissible(Law law, Detachment detachment) {
-    constexpr std::size_t ends = values_of<Detachment>.size();
+    constexpr std::size_t ends = all_values<Detachment>.size();
     static const auto reasons = [] {
         std::array<std::optional<std::string>, Law::count() * ends> all;
         for (std::size_t i = 0; i < all.size(); ++i) {

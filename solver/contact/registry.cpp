@@ -71,11 +71,9 @@ const std::vector<LawParameter>& law_parameters() {
 }
 
 std::string ParameterFault::problem() const {
-    std::string names;
-    for (const LawParameter& parameter : parameters) {
-        if (!names.empty()) names += ", ";
-        names += parameter.name;
-    }
+    std::vector<std::string> all;
+    for (const LawParameter& parameter : parameters) all.emplace_back(parameter.name);
+    const std::string names = joined(all);
     if (parameters.size() == 1) return names + " is missing";
     return (given == 0 ? "none" : std::to_string(given)) + std::string(" of ") + names + " given";
 }

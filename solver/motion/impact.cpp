@@ -118,7 +118,7 @@ namespace {
 template <class Refusal>
 std::string not_refused(Refusal&& refusal) {
     std::vector<std::string> names;
-    for (const Detachment detachment : values_of<Detachment>)
+    for (const Detachment detachment : all_values<Detachment>)
         if (!refusal(detachment)) names.emplace_back(name_of(detachment));
     return joined(names);
 }

@@ -11,7 +11,7 @@ namespace ashimpact {
 
 /// Which limit of adhesion a contact is near; Johnson & Greenwood 1997 (J. Colloid Interface Sci. 192:326).
 enum class AdhesionRegime {
-    none,     ///< no adhesion
+    none,     ///< no work of adhesion
     dmt,      ///< Tabor parameter below dmt_limit: hard and small, attraction acts around the contact
     between,  ///< neither limit holds
     jkr,      ///< Tabor parameter above jkr_limit: soft and large, attraction acts within the contact

@@ -30,9 +30,9 @@ DampingProblem hertz_problem(DampingLaw law, double restitution) {
 }  // namespace
 
 TEST_CASE("a damping law stands where its name does, and shape is never negative") {
-    for (std::size_t i = 0; i < values_of<DampingLaw>.size(); ++i) {
-        const DampingLaw law = values_of<DampingLaw>[i];
-        CAPTURE(name_of(values_of<DampingLaw>[i]));
+    for (std::size_t i = 0; i < all_values<DampingLaw>.size(); ++i) {
+        const DampingLaw law = all_values<DampingLaw>[i];
+        CAPTURE(name_of(all_values<DampingLaw>[i]));
         CHECK(static_cast<std::size_t>(law) == i);
         for (const double u : {0.0, 0.3, 1.0, 2.0}) {
             CHECK(RegisteredDampings::visit<double>(law, [u]<class D>() { return D::shape(u); }) >= 0.0);
@@ -42,7 +42,7 @@ TEST_CASE("a damping law stands where its name does, and shape is never negative
 }
 
 TEST_CASE("the damping of a contact radius does not depend on the velocity whose scale it is worked out in") {
-    for (const DampingLaw damping : values_of<DampingLaw>) {
+    for (const DampingLaw damping : all_values<DampingLaw>) {
         CAPTURE(name_of(damping));
         for (const double radius : {1e-7, 1e-6, 5e-6}) {
             const double one = damping_at(damping, 1.0, radius, 0.3);
@@ -52,7 +52,7 @@ TEST_CASE("the damping of a contact radius does not depend on the velocity whose
 }
 
 TEST_CASE("searches start within ten per cent of the damping of a Hertz impact") {
-    for (const DampingLaw damping : values_of<DampingLaw>) {
+    for (const DampingLaw damping : all_values<DampingLaw>) {
         for (const double loss : {0.05, 0.3, 0.7, 0.95}) {
             const DampingInversion found = damping_from_restitution(hertz_problem(damping, 1.0 - loss));
             const double number = Scale::of(ash(0.0), 2.0).damping_number(found.damping);
@@ -64,7 +64,7 @@ TEST_CASE("searches start within ten per cent of the damping of a Hertz impact")
 }
 
 TEST_CASE("a law's limit of overdamping is where Hertz impacts cease to rebound") {
-    for (const DampingLaw damping : values_of<DampingLaw>) {
+    for (const DampingLaw damping : all_values<DampingLaw>) {
         const double limit = std::sqrt(overdamped_squared(damping));
         if (!std::isfinite(limit)) continue;
         CAPTURE(name_of(damping));

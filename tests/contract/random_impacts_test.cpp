@@ -22,8 +22,8 @@ namespace {
 /// neighbours span.
 Impact random_impact(Random& random) {
     ContactCase c{.law = Law::at(random.below(Law::count())),
-                  .damping_law = values_of<DampingLaw>[random.below(values_of<DampingLaw>.size())],
-                  .detachment = values_of<Detachment>[random.below(values_of<Detachment>.size())]};
+                  .damping_law = all_values<DampingLaw>[random.below(all_values<DampingLaw>.size())],
+                  .detachment = all_values<Detachment>[random.below(all_values<Detachment>.size())]};
     const double radius = random.log_uniform(1e-7, 1e-3);
     const double density = random.log_uniform(500.0, 2e4);
     ContactPair pair{.mass = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * density,

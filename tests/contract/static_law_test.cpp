@@ -128,7 +128,7 @@ TEST_CASE("first touch is at zero overlap, and the special points are what their
                           place(law.name, point));
             };
             root_of(overlap, law.touch(), "touch");
-            for (const Detachment detachment : values_of<Detachment>) {
+            for (const Detachment detachment : all_values<Detachment>) {
                 const auto point = law.detachment_point(detachment);
                 if (!point) continue;
                 switch (detachment) {

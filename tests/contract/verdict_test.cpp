@@ -35,7 +35,7 @@ constexpr ContactCase hertz(DampingLaw damping_law, Detachment detachment = Deta
 }  // namespace
 
 TEST_CASE("without adhesion: never captured undamped, by force, or with contact-radius damping") {
-    for (const DampingLaw damping : values_of<DampingLaw>) {
+    for (const DampingLaw damping : all_values<DampingLaw>) {
         CAPTURE(name_of(damping));
         CHECK(verdict_of(hertz(damping), 0.0, 0.0) == CaptureVerdict::never_captured);
         for (const double coefficient : {0.001, 1.0, 2.3, 1e4}) {

@@ -39,7 +39,7 @@ MaugisCase random_case(Random& random) {
                                               ashimpact::Detachment::zero_overlap,
                                               ashimpact::Detachment::load_controlled};
     MaugisCase c{.lambda = random.log_uniform(0.05, 50.0),
-                 .damping_law = values_of<DampingLaw>[random.below(values_of<DampingLaw>.size())],
+                 .damping_law = all_values<DampingLaw>[random.below(all_values<DampingLaw>.size())],
                  .damping = random.uniform(0.0, 0.5),
                  .velocity = random.log_uniform(0.5, 50.0),
                  .detachment = ends[random.below(3)]};

@@ -12,7 +12,7 @@ namespace ashimpact::test {
 namespace {
 
 void add_detachments(Law law, DampingLaw damping_law, std::vector<ContactCase>& cases) {
-    for (const Detachment detachment : values_of<Detachment>) {
+    for (const Detachment detachment : all_values<Detachment>) {
         if (!refusal(law, detachment)) cases.push_back({law, damping_law, detachment});
     }
 }
@@ -22,7 +22,7 @@ void add_detachments(Law law, DampingLaw damping_law, std::vector<ContactCase>& 
 std::vector<ContactCase> elastic_cases() {
     std::vector<ContactCase> cases;
     for (std::size_t i = 0; i < Law::count(); ++i) {
-        for (const DampingLaw damping : values_of<DampingLaw>) add_detachments(Law::at(i), damping, cases);
+        for (const DampingLaw damping : all_values<DampingLaw>) add_detachments(Law::at(i), damping, cases);
     }
     return cases;
 }

@@ -173,7 +173,7 @@ py::dict laws() {
     for (std::size_t i = 0; i < Law::count(); ++i) {
         const Law law = Law::at(i);
         py::list admissible;
-        for (const Detachment detachment : values_of<Detachment>) {
+        for (const Detachment detachment : all_values<Detachment>) {
             if (!refusal(law, detachment)) admissible.append(py::str(std::string(name_of(detachment))));
         }
         all[py::str(std::string(law.name()))] =

@@ -44,13 +44,13 @@ double chebyshev_sum(const std::vector<double>& coefficients, double t) {
 
 CriticalTable& CriticalTable::of(Law law, Detachment detachment, DampingLaw damping_law) {
     constexpr std::size_t combinations =
-        Law::count() * values_of<Detachment>.size() * values_of<DampingLaw>.size();
+        Law::count() * all_values<Detachment>.size() * all_values<DampingLaw>.size();
     static const auto tables = [] {
         auto all = std::make_unique<std::array<CriticalTable, combinations>>();
         std::size_t place = 0;
         for (std::size_t index = 0; index < Law::count(); ++index) {
-            for (const Detachment end : values_of<Detachment>) {
-                for (const DampingLaw damping : values_of<DampingLaw>) {
+            for (const Detachment end : all_values<Detachment>) {
+                for (const DampingLaw damping : all_values<DampingLaw>) {
                     CriticalTable& table = (*all)[place++];
                     table.law_ = Law::at(index);
                     table.detachment_ = end;
@@ -61,7 +61,7 @@ CriticalTable& CriticalTable::of(Law law, Detachment detachment, DampingLaw damp
         return all;
     }();
     const auto end = static_cast<std::size_t>(detachment);
-    return (*tables)[(law.index() * values_of<Detachment>.size() + end) * values_of<DampingLaw>.size() +
+    return (*tables)[(law.index() * all_values<Detachment>.size() + end) * all_values<DampingLaw>.size() +
                      static_cast<std::size_t>(damping_law)];
 }
 

@@ -91,8 +91,8 @@ class Numbers {
 Impact impact_from(std::string_view bytes) {
     Numbers numbers(bytes);
     const Law law = Law::at(numbers.below(Law::count()));
-    const auto detachment = values_of<Detachment>[numbers.below(values_of<Detachment>.size())];
-    const auto damping_law = values_of<DampingLaw>[numbers.below(values_of<DampingLaw>.size())];
+    const auto detachment = all_values<Detachment>[numbers.below(all_values<Detachment>.size())];
+    const auto damping_law = all_values<DampingLaw>[numbers.below(all_values<DampingLaw>.size())];
     const bool damped = numbers.below(4) != 0;
     const bool adhesive = numbers.below(4) != 0;
     return {.law = law,

@@ -49,10 +49,10 @@ TEST_CASE("unknown names are refused with the known ones") {
 }
 
 TEST_CASE("detachments and damping laws are found by their names") {
-    for (const Detachment detachment : values_of<Detachment>) {
+    for (const Detachment detachment : all_values<Detachment>) {
         CHECK(named<Detachment>(name_of(detachment)) == detachment);
     }
-    for (const DampingLaw damping_law : values_of<DampingLaw>) {
+    for (const DampingLaw damping_law : all_values<DampingLaw>) {
         CHECK(named<DampingLaw>(name_of(damping_law)) == damping_law);
         CHECK(unit_of(damping_law) == si_unit(dimension_of(damping_law)));
     }

@@ -169,7 +169,7 @@ TEST_CASE(
         CHECK(relative_difference(*critical.value, reference.value) < reference.accuracy);
         CHECK_FALSE(critical.contact_time);
     }
-    for (const DampingLaw damping : values_of<DampingLaw>) {
+    for (const DampingLaw damping : all_values<DampingLaw>) {
         const ContactCase c{law, damping, Detachment::zero_overlap};
         const Impact impact = impact_of(c, ash(0.3), 0.3, 2.0);
         const CriticalVelocity critical =

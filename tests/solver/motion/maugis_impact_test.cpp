@@ -119,7 +119,7 @@ TEST_CASE(
     "captured just below the critical velocity, rebounding just above, on every branch and with every "
     "damping") {
     for (const double lambda : {0.05, 0.5, 0.8, 0.9375, 0.94, 2.0, 50.0}) {
-        for (const DampingLaw damping : values_of<DampingLaw>) {
+        for (const DampingLaw damping : all_values<DampingLaw>) {
             for (const Detachment detachment : {Detachment::pull_off, Detachment::zero_overlap}) {
                 Impact impact = maugis(lambda, 1.0, 0.3, damping, detachment);
                 CAPTURE(describe(impact));

@@ -39,7 +39,7 @@ TEST_CASE(
         const double beta =
             eta * std::pow(pair.mass, -0.6) * std::pow(scale.stiffness, -0.4) * std::pow(v, -0.2);
         CHECK(relative_difference(scale.damping_number({DampingLaw::constant, eta}), beta) < 1e-14);
-        for (const DampingLaw law : values_of<DampingLaw>) {
+        for (const DampingLaw law : all_values<DampingLaw>) {
             const double number = 0.37;
             const double back = scale.damping_number({law, scale.damping_coefficient(law, number)});
             CHECK(relative_difference(back, number) < 1e-15);
