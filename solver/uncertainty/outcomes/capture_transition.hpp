@@ -6,11 +6,11 @@
 
 namespace ashimpact {
 
-/// Where captures turn into rebounds: P(capture at v) = Phi((center - v)/width), width^2 the noise of v_in
-/// and what is added to it.
+/// Where captures turn into rebounds: P(capture at v) = Phi((center - v)/width), width^2 the variance of the
+/// noise of v_in plus extra_variance.
 struct CaptureTransition {
     double center;          ///< [m/s]
-    double extra_variance;  ///< beside the noise, 0 where that explains the mixing [m2/s2]
+    double extra_variance;  ///< 0 if the noise explains how outcomes mix [m2/s2]
 };
 
 /// -2 ln L of the outcomes of a series with captures and rebounds.
