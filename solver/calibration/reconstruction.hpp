@@ -14,7 +14,7 @@ struct PublishedDamping {
 };
 
 /// The incident velocity at which an impact with this damping rebounds with restitution @p restitution [m/s].
-/// Restitution rises monotonically with velocity for constant damping.
+/// Restitution rises monotonically with velocity for constant damping, unless the contact yields.
 /// @param impact its velocity is not used
 /// @throws InputError for another damping law, a restitution outside (0, 1) or not reached at any velocity
 [[nodiscard]] double velocity_of_restitution(const Impact& impact, double restitution);

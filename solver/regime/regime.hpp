@@ -25,9 +25,9 @@ struct Names<AdhesionRegime> {
 
 /// The numbers that say whether a contact law applies, and what they say of the law chosen.
 struct Regime {
-    double tabor_parameter = 0.0;  ///< mu = (R* w^2/(E*^2 z0^3))^(1/3) [1]; Tabor 1977
+    double tabor_parameter = 0.0;  ///< mu = (R* w^2/(E*^2 z0^3))^(1/3), z0 = 0.4 nm [1]; Tabor 1977
     AdhesionRegime adhesion = AdhesionRegime::none;
-    double transition_parameter = 0.0;     ///< lambda of Maugis, 1.157 mu of the law's own cohesion [1]
+    double transition_parameter = 0.0;     ///< lambda of Maugis, see transition_parameter_of() [1]
     double damping_number = 0.0;           ///< beta, the scaled coefficient of the damping law [1]
     double adhesion_number = 0.0;          ///< of the law, in the impact's own scale [1]
     double contact_radius = 0.0;           ///< at greatest overlap, by the law [m]
