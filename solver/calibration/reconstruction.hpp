@@ -37,9 +37,8 @@ struct CurvePoint {
 /// back to lower velocities (Brach-Dunn, 88 um: by 0.85 %), and rises from the fold on. No measurement shows
 /// the part below the fold, where e falls with velocity.
 ///
-/// Hertz does not fold for the paper's fits: a rebound e needs a share of 21.415 e - 50 e^(3/2) + ... more,
-/// and v_c goes with eta^5, so that eta would have to fall by more than 21.415/5 = 4.283 of itself per unit
-/// of e; theirs fall by 1.9 at most. Their rising branch begins at v_c with e = 0.
+/// For Hertz it folds only if eta falls by more than 4.283 of itself per unit of e (docs/dong2013.md). The
+/// paper's fits fall by 1.9 at most, so that their rising branch begins at v_c with e = 0.
 [[nodiscard]] CurvePoint least_rebound(const PublishedDamping& published);
 
 /// Restitution of the curve at @p velocity [m/s]: the least one on the rising branch; 0 below the velocity of
