@@ -207,7 +207,7 @@ void note_rescaling(const FractionModel& model, std::vector<std::string>& notes)
                     per_cent(expected));
 }
 
-/// A refinement that knows no amorphous phase adds up to one; what remains beside it is no measurement.
+/// A refinement without an amorphous phase adds up to one; the remainder to 100 % is then no measurement.
 void note_small_remainder(const Analysis& analysis, const FractionModel& model,
                           std::vector<std::string>& notes) {
     const auto* const stated = std::get_if<AmorphousRemainder>(&analysis.amorphous);

@@ -21,7 +21,7 @@ struct PhaseFraction {
     std::string place{};              ///< where the file has it, "line 12"; for messages, may be empty
 };
 
-/// How the amorphous part is known. It is never assumed: an analysis that does not state it is refused.
+/// How the amorphous part is known. An analysis that does not state it is refused: it is never assumed.
 struct AmorphousNotStated {};
 struct AmorphousNone {};  ///< the user says that there is none
 struct AmorphousFraction {
@@ -33,8 +33,8 @@ struct CrystallineTotal {
     double value = 0;  ///< [1] of the whole; the rest is amorphous
     std::optional<double> standard_uncertainty{};
 };
-/// The fractions, times a scale, are of the whole sample; the rest is amorphous. An internal standard gives
-/// the scale.
+/// The fractions times a scale are those of the whole sample; the rest is amorphous. An internal standard
+/// gives the scale.
 struct AmorphousRemainder {
     double scale = 1;  ///< [1]
     std::optional<double> standard_uncertainty{};

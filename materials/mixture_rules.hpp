@@ -4,8 +4,8 @@
 
 #include "materials/elastic_moduli.hpp"
 
-/// Elastic moduli of a mixture from those of its phases and their volume fractions. The fractions must add up
-/// to one; each rule is a weighted mean and returns the modulus of the phase for a single one.
+/// Elastic moduli of a mixture from those of its phases and their volume fractions, which must add up to one.
+/// Each rule is a weighted mean: a single phase gives its own modulus.
 namespace ashimpact {
 
 /// Returns Young's modulus by the parallel model [Pa]: E = sum v_i E_i. Source: Dong et al. 2013, Eq. 1.
@@ -30,20 +30,21 @@ namespace ashimpact {
 [[nodiscard]] IsotropicModuli reuss_moduli(std::span<const double> volume_fractions,
                                            std::span<const IsotropicModuli> phases);
 
-/// Returns the mean of the two [Pa], the usual estimate for an aggregate.
+/// Returns the mean of Voigt's and Reuss' bounds [Pa], the usual estimate for an aggregate.
 [[nodiscard]] IsotropicModuli hill_moduli(std::span<const double> volume_fractions,
                                           std::span<const IsotropicModuli> phases);
 
 /// Returns the lower Hashin-Shtrikman bounds [Pa] in Walpole's form, which also holds when the stiffest phase
-/// in K is not the stiffest in G: K = [sum v_i/(K_i + y)]^-1 - y with y = (4/3) G_min, G = [sum v_i/(G_i +
-/// z)]^-1 - z with z = G_min (9 K_min + 8 G_min)/(6 (K_min + 2 G_min)); phases of zero fraction are left out
-/// of the extremes. Source: Hashin & Shtrikman 1963, J. Mech. Phys. Solids 11:127; Walpole 1966, J. Mech.
-/// Phys. Solids 14:151. Validity: statistically isotropic and homogeneous mixture.
+/// in K is not the stiffest in G:
+///   K = [sum v_i/(K_i + y)]^-1 - y,   y = (4/3) G_min,
+///   G = [sum v_i/(G_i + z)]^-1 - z,   z = G_min (9 K_min + 8 G_min)/(6 (K_min + 2 G_min)).
+/// Phases of zero fraction do not count for the extremes. Source: Hashin & Shtrikman 1963, J. Mech. Phys.
+/// Solids 11:127; Walpole 1966, J. Mech. Phys. Solids 14:151. Validity: statistically isotropic and
+/// homogeneous mixture.
 [[nodiscard]] IsotropicModuli hashin_shtrikman_lower(std::span<const double> volume_fractions,
                                                      std::span<const IsotropicModuli> phases);
 
-/// Returns the upper bounds [Pa]: the same with the largest K and G. Pores may stand in as a phase of K = G =
-/// 0.
+/// Returns the upper bounds [Pa]: the same with the largest K and G. Pores may be a phase of K = G = 0.
 [[nodiscard]] IsotropicModuli hashin_shtrikman_upper(std::span<const double> volume_fractions,
                                                      std::span<const IsotropicModuli> phases);
 

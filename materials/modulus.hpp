@@ -18,7 +18,7 @@ enum class MixtureRule {
     parallel,                ///< Eq. 1, the default
     series,                  ///< Reuss on E
     hill,                    ///< mean of the two
-    voigt,                   ///< upper bounds on K and G; this and the following need every Poisson ratio
+    voigt,                   ///< upper bounds on K and G; from here on every Poisson ratio is needed
     reuss,                   ///< lower bounds on K and G
     voigt_reuss_hill,        ///< mean of the two
     hashin_shtrikman_lower,  ///< lower bounds on K and G for isotropic mixtures
@@ -60,7 +60,7 @@ struct ModulusEstimate {
     double density = 0;                         ///< of the dense mixture [kg/m3]
     double density_uncertainty = 0;             ///< [kg/m3]
     std::vector<Contribution> contributions{};  ///< to the variance of young_modulus, largest first
-    std::vector<std::string> notes{};           ///< beside those of the composition
+    std::vector<std::string> notes{};           ///< in addition to those of the composition
 
     /// The result of one rule; nothing where a Poisson ratio is missing.
     [[nodiscard]] std::optional<RuleResult> by(MixtureRule rule) const;
@@ -75,7 +75,7 @@ struct ModulusEstimate {
 /// Returns the Young's modulus of estimate_modulus alone [Pa], without its uncertainty: for Monte Carlo.
 [[nodiscard]] double young_modulus_of(const Composition& composition, const ModulusOptions& options = {});
 
-/// Density of a particle from its phases beside the measured one.
+/// Density of a particle: that of its phases and the apparent one.
 struct ParticleDensity {
     double true_density = 0;      ///< of the dense mixture [kg/m3]
     double porosity = 0;          ///< [1]
@@ -83,10 +83,9 @@ struct ParticleDensity {
     std::vector<std::string> notes{};
 };
 
-/// Returns the density of a particle: the measured (apparent) one where there is one, else true (1 - P). With
-/// a measured one and no porosity, the porosity follows from the two; with both, a disagreement of more than
-/// 0.005 is noted. Errors: InputError for a measured density above the true one, or a porosity outside [0,
-/// 1).
+/// Returns the density of a particle: the measured (apparent) one if given, else true (1 - P). A measured
+/// density without a porosity gives the porosity; given both, a disagreement of more than 0.005 is noted.
+/// Errors: InputError for a measured density above the true one, or a porosity outside [0, 1).
 [[nodiscard]] ParticleDensity particle_density(double true_density, std::optional<double> porosity,
                                                std::optional<double> measured_density);
 

@@ -36,7 +36,7 @@ struct ResolvedPhase {
 /// A name in a file.
 struct PlacedName {
     std::string name;
-    std::string place{};
+    std::string place{};  ///< where the file has it, "line 12"; may be empty
 };
 
 /// Phase sets in order of preference: a name is looked for in the first set, then in the next.
@@ -55,8 +55,7 @@ class PhaseCatalogue {
     /// Errors: InputError with the nearest candidates, or the members of a group that has no representative.
     [[nodiscard]] ResolvedPhase resolve(std::string_view name) const;
 
-    /// The same for several names, each with the place that its file has it at ("line 12", may be empty).
-    /// Errors: one InputError for all unknown names, each with its place.
+    /// The same for several names. Errors: one InputError for all unknown names, each with its place.
     [[nodiscard]] std::vector<ResolvedPhase> resolve_all(const std::vector<PlacedName>& names) const;
 
     [[nodiscard]] const std::vector<PhaseSet>& sets() const& { return sets_; }
@@ -68,8 +67,8 @@ class PhaseCatalogue {
     };
     /// The first phase with that key among the names of the first `sets` sets.
     [[nodiscard]] Found find(const std::string& key, std::size_t sets) const;
-    /// The phase with that key; if it is found by a synonym and a set before its own knows the same phase,
-    /// that one.
+    /// The phase with that key. If a synonym led to it and an earlier set has a phase of the same name, that
+    /// of the earlier set.
     [[nodiscard]] std::optional<ResolvedPhase> named(std::string_view name, const std::string& key) const;
     [[nodiscard]] std::vector<std::string> nearest_names(std::string_view name) const;
 

@@ -48,23 +48,22 @@ struct PorousModuli {
 ///   pabst-gregorova   Pabst & Gregorova 2004, J. Mater. Sci. 39:3213: closed isometric pores.
 ///   spriggs           Spriggs 1961, J. Am. Ceram. Soc. 44:628: where b was fitted; does not vanish at P = 1.
 ///   gibson-ashby      Gibson & Ashby 1997, Cellular Solids: open cells, P above 0.7.
-/// All but the first leave Poisson's ratio as it is. P is not checked (see require_valid), so that a
-/// derivative at P = 0 can be taken by central differences. Errors: InputError for hashin-shtrikman without
-/// Poisson's ratio.
+/// All but the first leave Poisson's ratio as it is. P is not checked here (see require_valid), so that
+/// central differences work at P = 0. Errors: InputError for hashin-shtrikman without Poisson's ratio.
 [[nodiscard]] PorousModuli porous_moduli(const PorousModuli& dense, const Porosity& porosity);
 
 /// Throws InputError for P outside [0, 1) and for a coefficient that is missing or superfluous.
 void require_valid(const Porosity& porosity);
 
-/// Returns what is to be said of a law used outside of its validity; empty inside.
+/// Returns a warning if the law is used outside of its validity, else an empty text.
 [[nodiscard]] std::string porosity_warning(const Porosity& porosity);
 
 /// Returns the porosity [1] from the apparent (mercury, helium with closed pores) and the true density
 /// [kg/m3]: P = 1 - apparent/true. Errors: InputError if the apparent density is the larger one.
 [[nodiscard]] double porosity_from_densities(double apparent_density, double true_density);
 
-/// Returns the wall thickness of a hollow sphere (cenosphere) [m]: r (1 - P^(1/3)). A contact that is small
-/// against it touches the dense wall: then take E without porosity, and the apparent density for the mass.
+/// Returns the wall thickness of a hollow sphere (cenosphere) [m]: r (1 - P^(1/3)). A contact much smaller
+/// than that deforms the dense wall only: take E without porosity, and the apparent density for the mass.
 [[nodiscard]] double cenosphere_wall_thickness(double radius, double porosity);
 
 }  // namespace ashimpact

@@ -2,10 +2,10 @@
 
 namespace ashimpact {
 
-/// Where a JKR contact breaks.
+/// Where a JKR contact breaks; K = (4/3) E*.
 enum class Separation {
     pull_off,         ///< displacement control, at the fold a^3 = (1/6) pi w R^2/K; the paper's choice
-    load_controlled,  ///< at the largest tension, a^3 = (3/2) pi w R^2/K
+    load_controlled,  ///< at the greatest tension, a^3 = (3/2) pi w R^2/K
 };
 
 /// A JKR contact of a sphere with a flat wall.
@@ -16,9 +16,9 @@ struct AdhesiveContact {
 };
 
 /// Returns c_W of W_s = c_W (w^5 R^4/E*^2)^(1/3) [1], exact.
-/// With abar, Fbar, deltabar of Dong et al. 2013, Eqs. 21, 25, 27, the work integral of F d(delta) has the
-/// primitive Phi = abar^2 (2x/5 - (2/3) sqrt(6x) + 1), x = abar^3. First touch (delta = 0) is x = 8/3; the
-/// ends are x = 1/6 and x = 3/2. So
+/// In the normalisation of Dong et al. 2013, Eqs. 21, 25, 27, the integral of F d(delta) is
+/// Phi = abar^2 (2x/5 - (2/3) sqrt(6x) + 1), x = abar^3. First touch (delta = 0) is x = 8/3; the ends are
+/// x = 1/6 (pull-off) and x = 3/2 (load-controlled). So
 ///   pull-off:        c_W = pi^(5/3) (6 2^(2/3) + 1)/10       = 7.092195...
 ///   load-controlled: c_W = pi^(5/3) (6 2^(2/3) - 3^(4/3))/10 = 3.502601...
 /// Derivation: docs/materials.md.
@@ -27,7 +27,7 @@ struct AdhesiveContact {
 /// Returns c_v = sqrt(3 c_W/(2 pi)) of v_s = c_v (w/R)^(5/6)/(rho^3 E*^2)^(1/6) [1]; pull-off 1.840183...
 [[nodiscard]] double separation_velocity_constant(Separation separation);
 
-/// Returns the work to separate a JKR contact from zero overlap on, W_s [J].
+/// Returns W_s, the work to take a JKR contact from zero overlap to its break [J].
 /// W_s = c_W (w^5 R^4/E*^2)^(1/3). Source: Dong et al. 2013, Eq. 28 (Thornton & Ning 1998), read with E* and
 /// w where the paper prints Young's modulus and surface energy. Errors: InputError unless w >= 0, R, E* > 0.
 [[nodiscard]] double separation_energy(const AdhesiveContact& contact,
@@ -51,7 +51,7 @@ inline constexpr double velocity_constant = 1.84;           ///< Eq. 30
 /// Returns v_s by Eq. 29 [m/s], for any effective mass [kg].
 [[nodiscard]] double separation_velocity_from_mass(const AdhesiveContact& contact, double mass);
 
-/// Returns v_s by Eq. 30 [m/s]; 6e-5 larger than Eq. 29, which is rounded differently.
+/// Returns v_s by Eq. 30 [m/s]; 6e-5 larger, relatively, than Eq. 29, which is rounded differently.
 [[nodiscard]] double separation_velocity(const AdhesiveContact& contact, double density);
 
 }  // namespace dong2013

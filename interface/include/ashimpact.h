@@ -13,8 +13,8 @@
  *     ashimpact_close(model);
  *
  * Units: SI throughout; each number names its unit. Errors: every function returns a status and never throws
- * or ends the program; where it is not ASHIMPACT_OK, only the error has a meaning. Threads: a model never
- * changes, so that any number of threads may use one at once; only ashimpact_close() needs it to be idle.
+ * or ends the program; if it is not ASHIMPACT_OK, only the error has a meaning. Threads: a model is
+ * immutable, so any number of threads may use it at once; only ashimpact_close() needs it to be idle.
  * Floating point: no function raises a trap or leaves a flag, a rounding mode or a mask behind, and none
  * depends on those of the caller. Source of the model: Dong et al. 2013; docs/laws names that of each law. */
 #ifndef ASHIMPACT_H
@@ -47,21 +47,21 @@ typedef struct {
 
 /* A constant of a model by its name:
  *   density            of the particle [kg/m3]; needed by every function that takes a diameter
- *   contact_modulus    E* of particle and wall, 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2 [Pa]; always
- * needed work_of_adhesion   w, energy to separate unit area, not a surface energy [J/m2]; 0 unless given
+ *   contact_modulus    E*, 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2 of particle and wall [Pa]; required
+ *   work_of_adhesion   w, energy to separate unit area, not a surface energy [J/m2]; 0 unless given
  *   damping            coefficient of the damping law [unit of that law]; 0 unless given
- *   yield_pressure     p_y of a law that knows yielding (thornton-ning) [Pa]; never yields unless given
- *   ...                what a law has of its own; `ashimpact impact --help` lists it, with hyphens [SI]
- *   effective_radius, mass   R* [m] and m* [kg], in the place of diameter and density, for
- *                      the functions that take columns: two spheres, or a particle that is no sphere */
+ *   yield_pressure     p_y, for laws that yield (thornton-ning) [Pa]; never yields unless given
+ *   ...                a law's own parameters; `ashimpact impact --help` lists them, with hyphens [SI]
+ *   effective_radius, mass   R* [m] and m* [kg] instead of diameter and density, in functions that take
+ *                      columns: for two spheres, or a particle that is no sphere */
 typedef struct {
     const char* name;
     double value;
 } ashimpact_parameter;
 
-/* Numbers that change from one impact to the next: value i stands at values[i * stride], so that a stride of
- * 0 is one number for all. Names are those of the parameters, and diameter [m], velocity [m/s] (of approach,
- * > 0) and restitution [1]. A column takes the place of the model's parameter of that name. */
+/* Numbers that change from one impact to the next: value i is values[i * stride], so that a stride of 0 means
+ * one number for all. Names are those of the parameters, and diameter [m], velocity [m/s] (of approach, > 0)
+ * and restitution [1]. A column replaces the model's parameter of that name. */
 typedef struct {
     const char* name;
     const double* values;
@@ -116,7 +116,7 @@ ASHIMPACT_API ashimpact_status ashimpact_critical_velocities(const ashimpact_mod
                                                              double* critical_velocity,
                                                              ashimpact_error* error);
 
-/* Many impacts, any parameter a column; the column velocity is needed. Outputs, all of length count:
+/* Many impacts; any parameter may be a column, velocity must be one. Outputs, all of length count:
  *   restitution        e_n = v_r/v_in; 0 for a capture [1]
  *   contact_time       first touch to detachment; NaN for a capture [s]
  *   approach_time      first touch to greatest overlap; NaN if that is never reached [s]
@@ -127,17 +127,16 @@ ASHIMPACT_API ashimpact_status ashimpact_solve_impacts(const ashimpact_model* mo
                                                        const ashimpact_output* outputs, size_t output_count,
                                                        ashimpact_error* error);
 
-/* Many critical velocities, any parameter but velocity a column. Output:
+/* Many critical velocities; any parameter may be a column, velocity not. Output:
  *   critical_velocity  v_c; 0 where it always rebounds, HUGE_VAL where it is always captured [m/s] */
 ASHIMPACT_API ashimpact_status ashimpact_solve_critical_velocities(
     const ashimpact_model* model, size_t count, const ashimpact_column* columns, size_t column_count,
     const ashimpact_output* outputs, size_t output_count, ashimpact_error* error);
 
-/* Dampings that give measured restitutions back; the columns velocity and restitution are needed. Outputs:
- *   damping               coefficient; NaN where no damping gives that restitution, because it is above what
- *                         the law leaves without damping; for restitution 0 the smallest that captures
- *                         [unit of the damping law]
- *   greatest_restitution  what the law leaves without damping [1] */
+/* Dampings that give measured restitutions back; velocity and restitution must be columns. Outputs:
+ *   damping               coefficient [unit of the damping law]; for restitution 0 the smallest that
+ *                         captures; NaN for a restitution above greatest_restitution
+ *   greatest_restitution  restitution without damping [1] */
 ASHIMPACT_API ashimpact_status ashimpact_solve_dampings(const ashimpact_model* model, size_t count,
                                                         const ashimpact_column* columns, size_t column_count,
                                                         const ashimpact_output* outputs, size_t output_count,

@@ -31,7 +31,7 @@ void require_solvable(const CalibrationProblem& problem, std::size_t constants) 
     }
 }
 
-/// A contact time that the calibrated model has not is no minimum worth reporting.
+/// Refuses a minimum at which the model captures an impact whose contact time was measured.
 void require_rebounds(const CalibrationProblem& problem, const CalibrationSummary& summary) {
     for (std::size_t i = 0; i < summary.contact_times.size(); ++i) {
         if (!summary.contact_times[i].captured_up_to) continue;

@@ -39,8 +39,7 @@ struct Names<CalibrationQuantity> {
 /// What a calibrated constant measures.
 [[nodiscard]] Dimension dimension_of(CalibrationQuantity quantity);
 
-/// One free constant: one value for all samples, or one value each. Its starting value is that of the
-/// samples.
+/// One free constant: one value for all samples, or one each. The search starts from the samples' values.
 struct FreeConstant {
     CalibrationQuantity quantity;
     bool per_sample = false;
@@ -65,8 +64,8 @@ struct ContactTimeObservation {
     double velocity_uncertainty;    ///< standard [m/s]
     double value;                   ///< contact time [s]
     double standard_uncertainty;    ///< of the time itself [s]
-    /// Standard, of each coefficient, e.g. rounding/sqrt(12); that of c is one error with that of the damping
-    /// of a critical velocity of the same sample and law [kg/s].
+    /// Standard uncertainty of each coefficient, e.g. rounding/sqrt(12) [kg/s]. The error of c and that of
+    /// critical_damping of the same sample and law are one, since one printed number gives both.
     double damping_fit_uncertainty = 0.0;
 };
 
@@ -87,14 +86,13 @@ struct CalibratedConstant {
     double upper;
 };
 
-/// What the calibrated model says of one observation.
+/// One observation beside its prediction [SI].
 struct CalibrationResidual {
     double observed;
     double predicted;
-    double
-        relative_uncertainty;  ///< standard; own rounding and that of the damping or velocity behind it [1]
-    /// Of a contact time that the model has not, as it captures the impact: the velocity up to which it does,
-    /// that of least_rebound() [m/s]. What is predicted is then the time just above the critical velocity of
+    double relative_uncertainty;  ///< standard; rounding of the value and of the numbers behind it [1]
+    /// Set for a contact time if the model captures the impact: the velocity up to which it does, that of
+    /// least_rebound() [m/s]. `predicted` is then the contact time just above the critical velocity of
     /// eta(0), prolonged by the distance to it.
     std::optional<double> captured_up_to{};
 
@@ -114,18 +112,18 @@ struct CalibrationSummary {
     int iterations;
 };
 
-/// Least squares in the logarithms of constants and observations (GSL), with the uncertainty of each
-/// observation widened by the rounding of the damping, or of the velocity and the fit, that it rests on.
+/// Least squares in the logarithms of constants and observations (GSL). The uncertainty of each observation
+/// includes the rounding of the numbers it rests on: the damping, or the velocity and the fit.
 /// @throws InputError for a problem with fewer observations than constants or unknown samples,
 /// ConvergenceError
 [[nodiscard]] CalibrationSummary calibrate(const CalibrationProblem& problem);
 
-/// The same, also where the constants found capture an impact whose contact time was measured: chi^2 then
-/// counts the stand-in of CalibrationResidual. @throws InputError, ConvergenceError
+/// Like calibrate(), but accepts captured impacts, with the substitute contact time of CalibrationResidual.
+/// @throws InputError, ConvergenceError
 [[nodiscard]] CalibrationSummary calibrate_despite_captures(const CalibrationProblem& problem);
 
-/// The same by the critical velocities alone: chi^2, its degrees of freedom and AIC are theirs, and bounds
-/// from below where there are contact times, which are predicted beside.
+/// Like calibrate(), but fits the critical velocities alone; contact times are only predicted. chi^2, degrees
+/// of freedom and AIC count the velocities, so that they are lower bounds of those of the whole problem.
 [[nodiscard]] CalibrationSummary calibrate_by_velocities(const CalibrationProblem& problem);
 
 }  // namespace ashimpact

@@ -26,14 +26,14 @@ struct CalibrationSlot {
                                                           const std::vector<CalibrationSlot>& slots,
                                                           const Eigen::VectorXd& logarithms);
 
-/// Normalised residuals of a problem, uncorrelated; the weights stay those of the point they were computed
-/// at, so that chi^2 has one meaning during a fit.
+/// Normalised, uncorrelated residuals of a problem. The weights are computed once, at the point given to the
+/// constructor, so that chi^2 keeps its meaning during a fit.
 class CalibrationObjective {
   public:
     CalibrationObjective(const CalibrationProblem& problem, const Eigen::VectorXd& logarithms);
 
     [[nodiscard]] Eigen::VectorXd residuals(const Eigen::VectorXd& logarithms) const;
-    /// Fit from @p start; where @p held is given, that number keeps its value. @throws ConvergenceError
+    /// Fit from @p start; the number at index @p held, if given, keeps its value. @throws ConvergenceError
     [[nodiscard]] gsl::NonlinearFit fit(const Eigen::VectorXd& start,
                                         std::optional<Eigen::Index> held = std::nullopt) const;
 

@@ -13,7 +13,7 @@ namespace ashimpact {
 namespace {
 
 constexpr double furthest = 10.0;  ///< factor from the best value to which a profile is followed
-constexpr double strong = 0.95;    ///< correlation from which two constants are said to be traded
+constexpr double strong = 0.95;    ///< correlation from which two constants are called traded
 
 std::string name_of(const CalibratedConstant& constant) {
     std::string name(name_of(constant.quantity));
@@ -33,7 +33,7 @@ std::string statement_of(const CalibrationSummary& summary, std::size_t constant
     return text;
 }
 
-/// Interval of one logarithm. The others are followed from where they were for the last value.
+/// Interval of one logarithm. The search for the others starts from their last values.
 Interval logarithmic_interval(const CalibrationObjective& objective, const Eigen::VectorXd& best,
                               Eigen::Index constant, double deviation) {
     const double least = objective.residuals(best).squaredNorm();

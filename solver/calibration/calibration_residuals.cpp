@@ -40,14 +40,14 @@ double contact_time(const PublishedDamping& published, const CurvePoint& at) {
     return solve_impact(impact).contact_time.value();
 }
 
-/// Power of v_c/v with which the stand-in for a contact time grows on the captured side: about the slope of
-/// the real one just above v_c, so that the weights do not jump there.
+/// Power of v_c/v with which the substitute for a contact time grows on the captured side: about the slope of
+/// the real time just above v_c, so that the weights do not jump there.
 constexpr double captured_growth = 3.0;
 
-/// Contact time at @p velocity on the curve that the published fit implies. On the captured side of the curve
-/// there is none; that of a rebound just above the v_c of eta(0), growing with the distance to it, stands for
-/// it so that a fit can find its way back. The time at the fold itself would not do: the curve leaves it with
-/// a slope that has no bound, and fits get stuck there.
+/// Contact time at @p velocity on the curve that the published fit implies. A captured impact has none; its
+/// substitute is the time of a rebound just above the v_c of eta(0), growing with the distance to v_c, so
+/// that a fit can find its way back. The time at the fold would not do: its slope there is unbounded, and
+/// fits get stuck.
 double predicted_time(const CalibrationSample& sample, const ContactTimeObservation& at, double velocity) {
     const PublishedDamping published = published_damping(sample, at);
     const double e = reconstructed_restitution(published, velocity);
@@ -56,15 +56,14 @@ double predicted_time(const CalibrationSample& sample, const ContactTimeObservat
     return contact_time(published, {above, 0.0}) * std::pow(above / velocity, captured_growth);
 }
 
-/// The velocity up to which the impact of a contact time is captured, that of the fold; none where it
-/// rebounds.
+/// The velocity up to which the impact of a contact time is captured, that of the fold; none if it rebounds.
 std::optional<double> captured_up_to(const CalibrationSample& sample, const ContactTimeObservation& at) {
     const PublishedDamping published = published_damping(sample, at);
     if (reconstructed_restitution(published, at.velocity) > 0.0) return std::nullopt;
     return least_rebound(published).velocity;
 }
 
-/// The same contact time if a coefficient of the published fit were another.
+/// The same contact time with one coefficient of the published fit changed.
 double with_coefficient(const CalibrationSample& sample, ContactTimeObservation at, Eigen::Index coefficient,
                         double change) {
     at.damping_fit.coefficients[coefficient] += change;
@@ -76,7 +75,8 @@ double logarithmic_slope(const std::function<double(double)>& function, double a
     return std::log(function(at * (1 + nudge)) / function(at * (1 - nudge))) / (2 * nudge);
 }
 
-/// Errors of ln(prediction) that an observation shares with none, and that of the printed damping. [1]
+/// Errors of ln(prediction): those of this observation alone, and that of the printed damping, which is
+/// shared [1].
 struct VelocityError {
     double predicted;
     double own;

@@ -8,12 +8,12 @@
 
 namespace ashimpact {
 
-/// What the samples as they stand say of the observations, and how well each is known.
+/// Predictions from given samples beside the observations, and how well each is known.
 struct CalibrationResiduals {
     std::vector<CalibrationResidual> critical_velocities;
     std::vector<CalibrationResidual> contact_times;
-    /// Of ln(predicted/observed), velocities first. The damping at v_c and the constant term of the fit that
-    /// a contact time rests on are one printed number, so their rounding is one error.
+    /// Covariance of ln(predicted/observed), velocities first. The damping at v_c and the constant term of
+    /// the fit that a contact time rests on are one printed number, so their rounding is one error.
     Eigen::MatrixXd covariance;
 };
 

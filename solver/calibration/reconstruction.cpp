@@ -21,11 +21,11 @@ Impact impact_with(const PublishedDamping& published, double e, double velocity)
             .velocity = velocity};
 }
 
-/// In restitution: no two turns of a curve that a parabola eta(e) implies are as close.
+/// Step in restitution; the curve of a parabola eta(e) has no two turns as close as this.
 constexpr double branch_step = 0.02;
 
-/// Where a function with one minimum between @p a and @p b has it, by golden sections down to the width that
-/// rounding of the function allows.
+/// Position of the only minimum of a function between @p a and @p b, by golden sections down to the width
+/// that its rounding allows.
 double least_argument(const std::function<double(double)>& function, double a, double b) {
     constexpr double golden = 0.61803398874989485;
     constexpr double narrowest = 1e-8;

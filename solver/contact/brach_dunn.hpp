@@ -12,7 +12,7 @@
 namespace ashimpact {
 
 /// Brach & Dunn 1995: Hertz repulsion and a line attraction 2 pi a f on the rim of the contact;
-/// Dong et al. 2013, Eqs. 12-14, normalised Eq. 24. Normalisation and state as in Hertz.
+/// Dong et al. 2013, Eqs. 12-14, normalised Eq. 24. Normalisation and state as in Hertz. Validity: empirical.
 template <class Real>
 struct BrachDunn {
     static constexpr std::string_view name = "brach-dunn";
@@ -25,7 +25,7 @@ struct BrachDunn {
         const Real w = pair.work_of_adhesion;
         return root<3>(Real(6.0 / std::numbers::pi) * w * w * pair.effective_radius * pair.contact_modulus);
     }
-    /// Adhesion number of the law for lengths in @p length [m].
+    /// Adhesion number [1] where L is @p length [m].
     [[nodiscard]] static Real adhesion_number(const BasicContactPair<Real>& pair, const Real& length) {
         return Real(2.0 * std::numbers::pi) * line_tension(pair) * root<2>(pair.effective_radius) /
                (hertz_stiffness(pair) * length);
@@ -44,10 +44,10 @@ struct BrachDunn {
     /// Attractive part of the force, never positive [k L^(3/2)]; Eq. 13.
     [[nodiscard]] Real attractive_force(const Real& u) const { return -adhesion * power<2>(u); }
 
-    /// State at first touch.
+    /// State u at first touch.
     [[nodiscard]] Real touch() const { return Real{}; }
 
-    /// State at which the static law detaches; none where the law has no such point.
+    /// State u at which the static contact ends by that rule; none if the law has no such point.
     [[nodiscard]] std::optional<Real> detachment_point(Detachment detachment) const {
         if (detachment == Detachment::zero_overlap) return Real{};
         if (detachment == Detachment::zero_force) return root<4>(adhesion);

@@ -11,8 +11,8 @@ namespace ashimpact {
 enum class Detachment {
     zero_overlap,     ///< the surfaces are back where they first touched: delta = 0
     zero_force,       ///< the total force, damping included, has fallen to zero
-    pull_off,         ///< displacement-controlled break (the fold of the JKR curve)
-    load_controlled,  ///< greatest tension
+    pull_off,         ///< displacement-controlled break: least overlap, the fold of the JKR curve
+    load_controlled,  ///< load-controlled break: greatest tension
 };
 
 /// Names as on the command line and in artifacts.

@@ -13,7 +13,7 @@ namespace ashimpact {
 
 /// Derjaguin, Muller & Toporov 1975: Hertz repulsion and a constant attraction 2 pi w R*;
 /// Dong et al. 2013, Eqs. 10-11, normalised Eq. 23. Normalisation and state as in Hertz.
-/// Validity: small Tabor parameter (hard, small spheres, long-ranged attraction).
+/// Validity: Tabor parameter below 0.1 (hard, small spheres, long-ranged attraction).
 template <class Real>
 struct Dmt {
     static constexpr std::string_view name = "dmt";
@@ -21,7 +21,7 @@ struct Dmt {
 
     Real adhesion;  ///< 2 pi w R* / (k L^(3/2)) [1]
 
-    /// Adhesion number of the law for lengths in @p length [m].
+    /// Adhesion number [1] where L is @p length [m].
     [[nodiscard]] static Real adhesion_number(const BasicContactPair<Real>& pair, const Real& length) {
         return Real(2.0 * std::numbers::pi) * pair.work_of_adhesion * pair.effective_radius /
                (hertz_stiffness(pair) * length * root<2>(length));
@@ -40,10 +40,10 @@ struct Dmt {
     /// Attractive part of the force, never positive [k L^(3/2)]; Eq. 11.
     [[nodiscard]] Real attractive_force(const Real& /*u*/) const { return -adhesion; }
 
-    /// State at first touch.
+    /// State u at first touch.
     [[nodiscard]] Real touch() const { return Real{}; }
 
-    /// State at which the static law detaches; none where the law has no such point.
+    /// State u at which the static contact ends by that rule; none if the law has no such point.
     [[nodiscard]] std::optional<Real> detachment_point(Detachment detachment) const {
         if (detachment == Detachment::zero_overlap) return Real{};
         if (detachment == Detachment::zero_force) return root<6>(adhesion);

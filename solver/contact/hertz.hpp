@@ -11,9 +11,9 @@ namespace ashimpact {
 
 /// Hertz contact without adhesion, F = k delta^(3/2); Dong et al. 2013, Eqs. 3-9, normalised Eq. 22.
 ///
-/// Normalised as every law here: lengths in L, forces in k L^(3/2), contact radius in sqrt(R* L), and the
-/// state is u = sqrt(contact radius), in which overlap and force are polynomials. Validity: contact radius <<
-/// R*.
+/// Every law here is normalised by a length L that the caller chooses (see BasicScale): overlaps are in units
+/// of L, forces in k L^(3/2), contact radii in sqrt(R* L). The state is u = sqrt(contact radius) in these
+/// units; overlap and force are polynomials of u. Validity: contact radius << R*.
 template <class Real>
 struct Hertz {
     static constexpr std::string_view name = "hertz";
@@ -21,7 +21,7 @@ struct Hertz {
 
     Real adhesion{};  ///< unused: the law has no attraction
 
-    /// Adhesion number of the law for lengths in @p length [m]: none [1].
+    /// Adhesion number [1]: 0.
     [[nodiscard]] static Real adhesion_number(const BasicContactPair<Real>&, const Real& /*length*/) {
         return Real(0);
     }
@@ -39,10 +39,10 @@ struct Hertz {
     /// Attractive part of the force, never positive [k L^(3/2)].
     [[nodiscard]] Real attractive_force(const Real& /*u*/) const { return Real{}; }
 
-    /// State at first touch.
+    /// State u at first touch.
     [[nodiscard]] Real touch() const { return Real{}; }
 
-    /// State at which the static law detaches; none where the law has no such point.
+    /// State u at which the static contact ends by that rule; none if the law has no such point.
     [[nodiscard]] std::optional<Real> detachment_point(Detachment detachment) const {
         if (detachment == Detachment::zero_overlap || detachment == Detachment::zero_force) return Real{};
         return std::nullopt;

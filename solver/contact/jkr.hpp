@@ -14,8 +14,8 @@ namespace ashimpact {
 /// Johnson, Kendall & Roberts 1971; Dong et al. 2013, Eqs. 15-20, normalised Eqs. 25-27.
 ///
 /// delta = a^2/R* - sqrt(2 pi w a/E*), F = K a^3/R* - sqrt(8 pi w E* a^3), K = (4/3) E*. Normalisation and
-/// state as in Hertz: polynomials through first touch (u^3 = adhesion, delta = 0), turning point and the fold
-/// (u^3 = adhesion/4). Validity: large Tabor parameter (soft, large spheres, short-ranged attraction).
+/// state as in Hertz; both are polynomials of u from first touch (u^3 = adhesion, delta = 0) to the fold
+/// (u^3 = adhesion/4). Validity: Tabor parameter above 5 (soft, large spheres, short-ranged attraction).
 template <class Real>
 struct Jkr {
     static constexpr std::string_view name = "jkr";
@@ -23,7 +23,7 @@ struct Jkr {
 
     Real adhesion;  ///< sqrt(2 pi w/E*) R*^(1/4) L^(-3/4) [1]
 
-    /// Adhesion number of the law for lengths in @p length [m].
+    /// Adhesion number [1] where L is @p length [m].
     [[nodiscard]] static Real adhesion_number(const BasicContactPair<Real>& pair, const Real& length) {
         return root<2>(Real(2.0 * std::numbers::pi) * pair.work_of_adhesion / pair.contact_modulus) *
                root<4>(pair.effective_radius) / power<3>(root<4>(length));
@@ -39,8 +39,8 @@ struct Jkr {
     [[nodiscard]] constexpr U force(const U& u) const {
         return power<6>(u) - (adhesion * Real(1.5)) * power<3>(u);
     }
-    /// Attractive part of the force: the tensile rim of Eq. 18, all of the force where the contact is tensile
-    /// throughout (u^3 <= adhesion/2, Eq. 26) [k L^(3/2)].
+    /// Attractive part of the force, never positive [k L^(3/2)]: the tensile rim of Eq. 18. Where the whole
+    /// contact is tensile (u^3 <= adhesion/2, Eq. 26) it is the total force.
     [[nodiscard]] Real attractive_force(const Real& u) const {
         using std::sqrt;
         if (Real(2) * power<3>(u) <= adhesion) return force(u);
@@ -48,10 +48,10 @@ struct Jkr {
         return -rim * sqrt(rim / Real(2));
     }
 
-    /// State at first touch: zero overlap, reached by the jump to a finite contact radius.
+    /// State u at first touch: zero overlap, where the contact radius jumps from 0 to a finite value.
     [[nodiscard]] Real touch() const { return root<3>(adhesion); }
 
-    /// State at which the static law detaches.
+    /// State u at which the static contact ends by that rule.
     [[nodiscard]] std::optional<Real> detachment_point(Detachment detachment) const {
         switch (detachment) {
             case Detachment::zero_overlap:

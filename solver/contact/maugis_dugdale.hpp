@@ -39,7 +39,8 @@ inline constexpr LawParameter cohesion_range{
 };
 
 /// Maugis 1992 (J. Colloid Interface Sci. 150:243): elastic spheres with a cohesive zone of constant stress
-/// (Dugdale) around the contact, between Dmt (short of reach: lambda to 0) and Jkr (lambda to infinity).
+/// (Dugdale) around the contact. It lies between Dmt (cohesion of long reach, lambda to 0) and Jkr (short
+/// reach, lambda to infinity).
 ///
 /// Overlap and force are no polynomials of one coordinate, so this type only declares the law; the static law
 /// is CohesiveZone, the impact CohesiveMotion. Sources, branches and limits: docs/laws/maugis-dugdale.md.
@@ -50,7 +51,7 @@ struct MaugisDugdale {
     static constexpr bool self_similar = false;
     static constexpr std::array parameters{stated_tabor, cohesive_stress, cohesion_range};
 
-    /// That of Jkr: the share of adhesion in an impact of that length, whatever its range.
+    /// Adhesion number of Jkr [1] where L is @p length [m]; the reach of the cohesion does not enter.
     [[nodiscard]] static Real adhesion_number(const BasicContactPair<Real>& pair, const Real& length) {
         return Jkr<Real>::adhesion_number(pair, length);
     }

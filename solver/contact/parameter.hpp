@@ -13,7 +13,7 @@
 
 namespace ashimpact {
 
-/// A number that a contact law takes beside the properties of every contact pair. A law declares its
+/// A parameter of a contact law, beyond the properties that every contact pair has. A law declares its
 /// parameters in its header; command line, case, schema, sweep and batch take them from there.
 struct LawParameter {
     /// Key in JSON; the option of the command line is "--" and the name with hyphens. Laws that take the same
@@ -25,8 +25,8 @@ struct LawParameter {
     double typical;                ///< the same number [SI unit of the dimension]; the contract suite uses it
     bool may_be_zero = false;
     double greatest = std::numeric_limits<double>::infinity();  ///< bound, inclusive [SI]
-    std::optional<double> otherwise{};  ///< value where it is not given; none: it must be given [SI]
-    /// Of the parameters of a law with the same number here, other than 0, exactly one must be given.
+    std::optional<double> otherwise{};  ///< default value; none: a value must be given [SI]
+    /// Parameters of a law that share a number other than 0 are alternatives: exactly one must be given.
     int choice = 0;
 };
 
@@ -57,7 +57,7 @@ class ParameterValues {
     [[nodiscard]] constexpr bool has(const LawParameter& parameter) const {
         return find(parameter.name) != nullptr;
     }
-    /// The value given, else the parameter's own otherwise; not a number where neither is there [SI].
+    /// Returns the value given, else the parameter's default, else NaN [SI].
     [[nodiscard]] constexpr Real operator[](const LawParameter& parameter) const {
         if (const Real* value = find(parameter.name)) return *value;
         return Real(parameter.otherwise.value_or(std::numeric_limits<double>::quiet_NaN()));

@@ -71,9 +71,9 @@ class Law {
     [[nodiscard]] std::span<const LawParameter> parameters() const;
     /// Whether the law declares this parameter.
     [[nodiscard]] bool takes(const LawParameter& parameter) const;
-    /// Whether the adhesion number alone tells the law's impacts apart once they are scaled. Not so if the
-    /// law declares `static constexpr bool self_similar = false`: another number of the pair, such as a Tabor
-    /// parameter, remains. Tables and maps in scaled numbers leave such a law to the scalar solver.
+    /// Whether scaled impacts of the law depend on the contact through the adhesion number alone. A law in
+    /// which another number remains, such as a Tabor parameter, declares
+    /// `static constexpr bool self_similar = false`; tables and maps leave it to the scalar solver.
     [[nodiscard]] bool self_similar() const;
     /// Whether the law's attraction depends on the work of adhesion.
     [[nodiscard]] bool uses_work_of_adhesion() const;
@@ -94,7 +94,7 @@ class Law {
 /// The parameters of all registered laws, each name once.
 [[nodiscard]] const std::vector<LawParameter>& law_parameters();
 
-/// Parameters of which not as many are given as a law needs.
+/// Parameters of a law of which too few or, of a choice, too many are given.
 struct ParameterFault {
     std::vector<LawParameter> parameters;       ///< one, or those of a choice
     int given;                                  ///< 0, or two or more of a choice
@@ -112,8 +112,8 @@ void require_allowed(const LawParameter& parameter, double value);
 /// Checks that a law has the parameters it needs and that their values are allowed. @throws InputError
 void require_parameters(Law law, const ParameterValues<double>& values);
 
-/// A value for each parameter of a law that must be given: one for those that may be chosen from. For places
-/// where the law's numbers scale away, such as tables in scaled numbers.
+/// Typical values of the parameters that a law requires, one for each choice. For code whose results do not
+/// depend on them, such as tables in scaled numbers.
 [[nodiscard]] ParameterValues<double> typical_parameters(Law law);
 
 /// "hertz, dmt, ...", for messages.

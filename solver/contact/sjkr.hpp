@@ -23,9 +23,10 @@ inline constexpr LawParameter cohesion_energy_density{
     .may_be_zero = true,
 };
 
-/// "Simplified JKR" of DEM codes (LIGGGHTS: cohesion sjkr): Hertz repulsion and an attraction k_c pi a^2 in
-/// proportion to the contact area, a^2 = R* delta. No work of adhesion enters. Normalisation and state as in
-/// Hertz. Validity: an empirical closure; it has neither a pull-off force nor hysteresis.
+/// "Simplified JKR" of DEM codes: Hertz repulsion and an attraction k_c pi a^2 in proportion to the contact
+/// area, a^2 = R* delta. LIGGGHTS (cohesion sjkr) takes the area of intersection, twice as large at a wall.
+/// No work of adhesion enters. Normalisation and state as in Hertz. Validity: an empirical closure; it has
+/// neither a pull-off force nor hysteresis.
 template <class Real>
 struct Sjkr {
     static constexpr std::string_view name = "sjkr";
@@ -34,7 +35,7 @@ struct Sjkr {
 
     Real adhesion;  ///< pi k_c R* / (k L^(1/2)) [1]
 
-    /// Adhesion number of the law for lengths in @p length [m].
+    /// Adhesion number [1] where L is @p length [m].
     [[nodiscard]] static Real adhesion_number(const BasicContactPair<Real>& pair, const Real& length) {
         return Real(std::numbers::pi) * pair.parameters[cohesion_energy_density] * pair.effective_radius /
                (hertz_stiffness(pair) * root<2>(length));
@@ -53,10 +54,10 @@ struct Sjkr {
     /// Attractive part of the force, never positive [k L^(3/2)].
     [[nodiscard]] Real attractive_force(const Real& u) const { return -adhesion * power<4>(u); }
 
-    /// State at first touch.
+    /// State u at first touch.
     [[nodiscard]] Real touch() const { return Real{}; }
 
-    /// State at which the static law detaches; none where the law has no such point.
+    /// State u at which the static contact ends by that rule; none if the law has no such point.
     [[nodiscard]] std::optional<Real> detachment_point(Detachment detachment) const {
         if (detachment == Detachment::zero_overlap) return Real{};
         if (detachment == Detachment::zero_force) return root<2>(adhesion);

@@ -22,10 +22,9 @@ struct StaticPoint {
 };
 
 /// A contact law without dynamics: Dong et al. 2013, Eqs. 9-20 in SI units, Eqs. 21-27 (Figure 3) normalised.
-/// The curve begins where the law detaches by default: at zero overlap, or for JKR and maugis-dugdale at the
-/// displacement-controlled fold, below which a contact is unstable; of maugis-dugdale that may lie before
-/// contact, where the contact radius is 0. A contact that can yield is refused: its force depends on its
-/// history.
+/// The curve begins where the law detaches by default. That is zero overlap, or for JKR and maugis-dugdale
+/// the fold, below which a contact is unstable; the fold of maugis-dugdale may lie across a gap, with contact
+/// radius 0. A contact that can yield is refused, since its force depends on its history.
 class StaticCurve {
   public:
     /// @param contact its mass is not used

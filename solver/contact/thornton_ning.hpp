@@ -12,15 +12,15 @@ namespace ashimpact {
 
 /// Thornton & Ning 1998 (Powder Technol. 99:154): adhesive, elastic-perfectly plastic sphere.
 ///
-/// Elastic branch: JKR, until the pressure in the centre reaches the contact yield pressure p_y,
-/// p_y = 2 E* a_y/(pi R*) - sqrt(2 w E*/(pi a_y)). Unloading: JKR of the sphere flattened to the radius R_p
-/// that makes force and contact radius continuous at greatest overlap; it breaks at the fold of that curve,
-/// so adhesion acts with R_p. Without adhesion this is Thornton & Ning's closed form. With adhesion, plastic
-/// loading is closed here by the superposition that makes up JKR (Hertz contact plus the retraction of a flat
-/// punch): the Hertz part yields, each further ring of contact adding the pressure p_y + sqrt(2 w E*/(pi a))
-/// to it, the punch part stays elastic. Then loading is smooth at yield and flattening never negative; see
-/// docs/decisions. Lines below are the elastic branch, normalised as in Hertz; the others are in
-/// YieldedContact.
+/// Loading is JKR until the pressure in the centre reaches the yield pressure p_y, at the contact radius a_y:
+/// p_y = 2 E* a_y/(pi R*) - sqrt(2 w E*/(pi a_y)). Unloading is JKR of the sphere flattened to the radius R_p
+/// that makes force and contact radius continuous at greatest overlap. It breaks at the fold of that curve,
+/// so adhesion acts with R_p. Without adhesion, plastic loading is Thornton & Ning's closed form. With
+/// adhesion it is closed here: JKR is a Hertz contact plus the retraction of a flat punch; the Hertz part
+/// yields, so each further ring of contact adds the pressure p_y + sqrt(2 w E*/(pi a)) to it, and the punch
+/// part stays elastic. Loading is then smooth at yield and flattening never negative
+/// (docs/decisions/0003-plastic-closure.md). This type is the elastic branch, normalised as in Hertz;
+/// YieldedContact has the others.
 template <class Real>
 struct ThorntonNing {
     static constexpr std::string_view name = "thornton-ning";
@@ -28,12 +28,12 @@ struct ThorntonNing {
 
     Real adhesion;  ///< as in Jkr [1]
 
-    /// Adhesion number of the law for lengths in @p length [m].
+    /// Adhesion number [1] where L is @p length [m].
     [[nodiscard]] static Real adhesion_number(const BasicContactPair<Real>& pair, const Real& length) {
         return Jkr<Real>::adhesion_number(pair, length);
     }
-    /// Yield number (contact radius at which a Hertz contact yields)/sqrt(R* L) = pi R* p_y/(2 E* sqrt(R* L))
-    /// [1].
+    /// Yield number [1]: the contact radius at which a Hertz contact yields over sqrt(R* L),
+    /// pi R* p_y/(2 E* sqrt(R* L)).
     [[nodiscard]] static double yield_number(const ContactPair& pair, double length) {
         return std::numbers::pi * pair.yield_pressure / (2.0 * pair.contact_modulus) *
                std::sqrt(pair.effective_radius / length);
@@ -54,10 +54,11 @@ struct ThorntonNing {
         return Jkr<Real>{adhesion}.attractive_force(u);
     }
 
-    /// State at first touch.
+    /// State u at first touch.
     [[nodiscard]] Real touch() const { return Jkr<Real>{adhesion}.touch(); }
 
-    /// State at which the elastic branch detaches; a flattened sphere does not come back to zero overlap.
+    /// State u at which the elastic branch ends by that rule. None for zero overlap, to which a flattened
+    /// sphere does not return.
     [[nodiscard]] std::optional<Real> detachment_point(Detachment detachment) const {
         if (detachment == Detachment::zero_overlap) return std::nullopt;
         return Jkr<Real>{adhesion}.detachment_point(detachment);
@@ -70,7 +71,7 @@ struct YieldedContact {
     Real adhesion;      ///< as in Jkr [1]
     Real yield_number;  ///< as in ThorntonNing [1]
 
-    /// State u_y at which the elastic branch reaches p_y: u^3 - yield_number u - adhesion/2 = 0.
+    /// State u_y at which the elastic branch reaches p_y, the root of u^3 - yield_number u - adhesion/2.
     [[nodiscard]] Real yield_point() const {
         using std::abs;
         using std::max;
@@ -84,7 +85,7 @@ struct YieldedContact {
         }
         return u;
     }
-    /// Overlap on the plastic branch: the geometry of the elastic one [L].
+    /// Overlap on the plastic branch, the same function of contact radius as on the elastic one [L].
     template <class U>
     [[nodiscard]] U plastic_overlap(const U& u) const {
         return power<4>(u) - adhesion * u;
@@ -101,7 +102,7 @@ struct YieldedContact {
     [[nodiscard]] U plastic_force(const U& u) const {
         return plastic_hertz_force(u) - (Real(1.5) * adhesion) * power<3>(u);
     }
-    /// Flattening R*/R_p <= 1 after loading to @p u.
+    /// Flattening R*/R_p <= 1 after loading to @p u [1].
     [[nodiscard]] Real flattening(const Real& u) const { return plastic_hertz_force(u) / power<6>(u); }
     /// Permanent overlap delta_p after loading to @p u [L].
     [[nodiscard]] Real permanent_overlap(const Real& u) const {

@@ -14,11 +14,11 @@ struct Arrival {
     std::optional<Extended> time_after = 0;  ///< from that state to the end; none if infinite
 };
 
-/// The end of contact is a rest point of the regularised motion (delta'(q_end) = 0).
+/// Whether the end of contact is a rest point of the regularised motion (delta'(q_end) = 0).
 [[nodiscard]] bool ends_at_rest_point(const Motion<Extended>& motion);
 
-/// The orbit that arrives at the end of contact with no velocity left; none where no orbit does: without
-/// adhesion only damping that does not vanish with the contact radius has one.
+/// The orbit that arrives at the end of contact with no velocity left; none if no orbit does. Without
+/// adhesion there is one only if the damping does not vanish with the contact radius.
 [[nodiscard]] std::optional<Arrival> critical_arrival(const Motion<Extended>& motion);
 
 /// Follows the outward leg backward in time to its turning point; none if the orbit escapes, so that no

@@ -15,7 +15,7 @@ namespace ashimpact {
 
 namespace {
 
-/// Verdict known beforehand, or none where the critical orbit has to be followed.
+/// Verdict known beforehand, or none if the critical orbit has to be followed.
 std::optional<CaptureVerdict> known_verdict(const CriticalVelocityProblem& problem, bool adhesive,
                                             bool breaking_costs) {
     const Damping& damping = problem.damping;

@@ -20,7 +20,7 @@ struct Names<CaptureVerdict> {
     static constexpr std::array<std::string_view, 3> all{"finite", "always-captured", "never-captured"};
 };
 
-/// An impact whose velocity is asked for.
+/// An impact whose critical velocity is asked for.
 struct CriticalVelocityProblem {
     Law law;
     Detachment detachment;
@@ -35,22 +35,22 @@ struct CriticalVelocity {
     std::optional<double> maximum_overlap{};  ///< greatest overlap at v_c [m]
     double dissipated = 0.0;                  ///< work taken by damping at v_c [J]
     double plastic = 0.0;                     ///< work spent in yielding at v_c [J]
-    double detachment_energy = 0.0;           ///< U(end) - U(touch): what the break itself costs [J]
+    double detachment_energy = 0.0;           ///< U(end) - U(touch): cost of the break itself [J]
     int steps = 0;                            ///< Taylor steps taken
     std::vector<double> crossings{};  ///< every velocity at which capture and rebound change places [m/s]
 };
 
-/// What becomes of elastic impacts without adhesion that end at zero overlap, if velocity does not matter.
-/// Undamped they are never captured. With damping that vanishes with the contact radius they are never
-/// captured either, unless the damping law has a limit (Tsuji's sqrt(5)) from which on they always are. None
-/// for damping that does not vanish.
+/// The verdict on elastic impacts without adhesion that end at zero overlap, if it is the same at every
+/// velocity. Undamped impacts are never captured. Nor are those whose damping vanishes with the contact
+/// radius, except from the limit of the damping law on (Tsuji's sqrt(5)), where all are captured. None for
+/// damping that does not vanish: then v_c is finite.
 [[nodiscard]] std::optional<CaptureVerdict> verdict_without_adhesion(const Damping& damping);
 
-/// The dynamic critical velocity v_c: the velocity whose impact arrives at the end of contact at rest.
+/// The dynamic critical velocity v_c: an impact at v_c arrives at the end of contact at rest.
 ///
-/// One integration backward in time from there gives it, without root finding: orbits cannot cross, so
-/// rebound speed is monotone in the incident velocity. v_c^2 = 2 (D + U_end - U_touch)/m. The dissipated work
-/// D is integrated as well, so nothing cancels under weak damping. Hertz with constant damping: v_c =
+/// Orbits cannot cross, so rebound speed is monotone in the incident velocity, and one integration backward
+/// in time from the end gives v_c without root finding: v_c^2 = 2 (D + U_end - U_touch)/m. The dissipated
+/// work D is integrated too, so nothing cancels under weak damping. Hertz with constant damping has v_c =
 /// 0.5476175 eta^5/(m^3 k^2).
 /// @throws InputError for inadmissible input, ConvergenceError if the step count runs away
 [[nodiscard]] CriticalVelocity critical_velocity(const CriticalVelocityProblem& problem);

@@ -35,8 +35,8 @@ class PlasticCapture {
 
     [[nodiscard]] const PlasticMotion<Extended>& motion() const { return motion_; }
 
-    /// Positive where an impact that reaches the greatest contact @p u is captured, negative where it
-    /// rebounds: how far beyond u the orbit that just arrives would have to turn.
+    /// How far beyond the greatest contact @p u the orbit that just arrives at the end would have to turn:
+    /// positive if an impact that turns at u is captured, negative if it rebounds.
     [[nodiscard]] double margin(double u) {
         const Unloading unloading = from(u);
         if (!unloading.arrival) return overdamped_ ? 1.0 : -1.0;
@@ -126,8 +126,8 @@ bool captured_at(const CriticalVelocityProblem& problem, double velocity) {
     return scaled_restitution<Extended>(impact, Scale::of(problem.contact, velocity)) == 0;
 }
 
-/// The crossing as impacts on both sides have it. Damping so strong that hardly any speed is left draws
-/// orbits together, so that one followed backward loses the digits that impacts followed forward keep.
+/// The crossing refined by forward impacts. Very strong damping draws orbits together, so that a backward
+/// orbit loses digits that forward impacts keep.
 double confirmed(const CriticalVelocityProblem& problem, double velocity) {
     double margin = 1e-11;
     const auto parts = [&](double lower, double upper) {
@@ -146,7 +146,7 @@ double confirmed(const CriticalVelocityProblem& problem, double velocity) {
     return upper;
 }
 
-/// Where no impact of a positive energy reaches the critical contact the closure says nothing.
+/// Refuses a critical contact that no impact of positive energy reaches: the closure does not hold there.
 [[noreturn]] void refuse_outside(const CriticalVelocityProblem& problem) {
     std::ostringstream what;
     what << "the critical impact lies outside the range of the plastic closure at a yield pressure of "

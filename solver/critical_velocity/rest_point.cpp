@@ -64,16 +64,16 @@ class RestPoint {
   private:
     [[nodiscard]] int time_order() const { return 1 + 2 * lowest_power(slope_) - order_; }
 
-    /// Leading power of w in z: of the two terms of the equation of energy, U_end - U goes as z^(2 l) and the
-    /// work of damping against a speed z^p as z^(p + 2 + 2 g), if they are led by q^l and delta' eta by q^g.
+    /// Leading power of the speed w in z. In the energy equation U_end - U goes as z^(2 l), the work of
+    /// damping at a speed z^p as z^(p + 2 + 2 g), if U_end - U is led by q^l and delta' eta by q^g.
     [[nodiscard]] int leading_power() const {
         const int by_force = lowest_power(fall_);
         const bool damped = drag_[lowest_power(drag_)] != 0;
         return damped ? std::min(by_force, 2 + 2 * lowest_power(drag_)) : by_force;
     }
 
-    /// w = z^order (c_0 + c_1 z + ...) from the equation of energy, term by term. Where damping is of the
-    /// leading order too, c_0 solves c_0^2 = 2 f + 2 d c_0 and each c_n stands on both sides.
+    /// w = z^order (c_0 + c_1 z + ...) from the energy equation, term by term. If damping is of the leading
+    /// order too, c_0 solves c_0^2 = 2 f + 2 d c_0, and each c_n is on both sides.
     void expand_speed() {
         const Extended drag = coefficient(drag_, order_ - 2);
         const Extended damped = drag / static_cast<Extended>(order_);

@@ -7,13 +7,13 @@ namespace ashimpact {
 /// The critical orbit just before an end of contact that is a rest point of the regularised motion
 /// (delta'(q_end) = 0: zero overlap of DMT, Brach-Dunn and sjkr, the pull-off fold of JKR).
 ///
-/// With z = sqrt(q - q_end) and w = |v| it leaves backward along
+/// With z = sqrt(q - q_end) and the speed w = |v| it leaves backward along
 ///
 ///     w^2/2 = U_end - U + integral of 2 z delta' eta w dz,
 ///
 /// whose solution is a power series in z for every law. Damping may be of the leading order, as in sjkr,
-/// whose attraction vanishes as the overlap does. The series gives the speed, the work of damping and the
-/// time, the integral of 2 z delta'/w dz, up to the end, each to rounding. The time is none if that integral
+/// whose attraction vanishes as the overlap does. The series gives, each to rounding, the speed, and from it
+/// the work of damping and the time up to the end. The time is the integral of 2 z delta'/w dz, none if it
 /// diverges.
 [[nodiscard]] Arrival arrival_at_rest_point(const Motion<Extended>& motion);
 

@@ -12,7 +12,7 @@ struct ConstantDamping {
     static constexpr std::string_view name = "constant";
     static constexpr Dimension dimension = Dimension::damping;
     static constexpr double overdamped_squared = std::numeric_limits<double>::infinity();
-    static constexpr double error_weight = 1.0;
+    static constexpr double error_weight = 1.0;  ///< see docs/adding-a-law.md
 
     /// eta at u = sqrt(contact radius) for the scaled coefficient 1.
     template <class U>
@@ -24,7 +24,7 @@ struct ConstantDamping {
     [[nodiscard]] static auto unit(const Scale& scale) {
         return scale.momentum() / scale.length;
     }
-    /// Scaled coefficient at which a Hertz impact loses @p loss = 1 - e, within a few per cent [1].
+    /// Scaled coefficient of a Hertz impact with e = 1 - @p loss, within a few per cent [1].
     [[nodiscard]] static double hertz_number(double loss) {
         return loss * (0.558 + 0.22 * loss + 0.33 * loss * loss * loss);
     }

@@ -26,7 +26,7 @@ struct ContactRadiusDamping {
     [[nodiscard]] static auto unit(const Scale& scale) {
         return scale.momentum() / (scale.length * scale.radius_length);
     }
-    /// Scaled coefficient at which a Hertz impact loses @p loss = 1 - e, within a few per cent [1].
+    /// Scaled coefficient of a Hertz impact with e = 1 - @p loss, within a few per cent [1].
     [[nodiscard]] static double hertz_number(double loss) { return 0.88 * -std::log1p(-loss); }
 };
 

@@ -12,7 +12,7 @@
 
 namespace ashimpact {
 
-/// How the damping force F_d = eta d(delta)/dt depends on the contact; the position is that in
+/// How eta of the damping force F_d = eta d(delta)/dt depends on the contact. In the order of
 /// RegisteredDampings.
 enum class DampingLaw { constant, contact_radius, tsuji };
 
@@ -69,12 +69,12 @@ struct Names<DampingLaw> {
 /// Square of the scaled coefficient from which on every impact that touches at zero contact radius is
 /// captured; infinite if there is none [1].
 [[nodiscard]] double overdamped_squared(DampingLaw law);
-/// Whether a scaled coefficient is as large as that.
+/// Whether a scaled coefficient reaches overdamped_squared().
 template <class Real>
 [[nodiscard]] bool is_overdamped(DampingLaw law, const Real& number) {
     return number * number >= Real(overdamped_squared(law));
 }
-/// Scaled coefficient at which a Hertz impact loses @p loss = 1 - e, about [1].
+/// Scaled coefficient of a Hertz impact with e = 1 - @p loss, approximately [1].
 [[nodiscard]] double hertz_damping_number(DampingLaw law, double loss);
 
 }  // namespace ashimpact

@@ -2,13 +2,13 @@
 
 namespace ashimpact::gsl {
 
-/// The x below which a standard normal variable falls with this probability, 0 < p < 1.
+/// Quantile of the standard normal distribution, 0 < p < 1.
 [[nodiscard]] double normal_quantile(double probability);
 
 /// Probability of a standard normal variable below @p x.
 [[nodiscard]] double normal_probability(double x);
 
-/// Logarithm of normal_probability(), also where that is too small for a number.
+/// Logarithm of normal_probability(), also if that underflows.
 [[nodiscard]] double normal_log_probability(double x);
 
 /// Slope of normal_log_probability(): density over probability.
@@ -18,7 +18,7 @@ namespace ashimpact::gsl {
 [[nodiscard]] double quick_normal_log_probability(double x);
 [[nodiscard]] double quick_normal_log_probability_slope(double x);
 
-/// The x below which Student's t falls with this probability; that of the normal for 0 degrees of freedom.
+/// Quantile of Student's t; that of the normal distribution for 0 degrees of freedom.
 [[nodiscard]] double student_quantile(double probability, int degrees_of_freedom);
 
 /// Probability of a chi^2 at least this large; 1 without degrees of freedom.

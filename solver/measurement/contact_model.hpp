@@ -30,9 +30,9 @@ struct VelocityAt {
     double by_damping;  ///< dv/d eta [m/kg], positive
 };
 
-/// One law, one contact, constant damping: the relation between velocity, restitution and damping in every
-/// direction, read from a map (microseconds; its accuracy() is stated). For fits and Monte Carlo; single
-/// published numbers come from solve_impact, damping_from_restitution and critical_velocity.
+/// One law, one contact, constant damping: any of velocity, restitution and damping from the other two, read
+/// from a map in microseconds with the stated accuracy(). For fits and Monte Carlo; published numbers come
+/// from solve_impact(), damping_from_restitution() and critical_velocity().
 class ContactModel {
   public:
     /// @throws InputError for a contact that is not physical, or one whose law has a history (yield)
@@ -44,7 +44,7 @@ class ContactModel {
     [[nodiscard]] const RestitutionMap& map() const { return *map_; }
     [[nodiscard]] const std::shared_ptr<const RestitutionMap>& shared_map() const { return map_; }
 
-    /// The damping that gives a restitution back; e = 0 gives the smallest that captures.
+    /// The damping that gives a restitution; e = 0 gives the smallest that captures [kg/s].
     /// @param velocity within range() [m/s] @param restitution within [0, greatest_restitution(velocity)]
     [[nodiscard]] DampingAt damping(double velocity, double restitution) const;
     /// Restitution without damping, the greatest that can be reached [1].
@@ -53,9 +53,9 @@ class ContactModel {
     /// range(). @param damping > 0 [kg/s] @param guess a velocity close by, where one is known [m/s]
     [[nodiscard]] std::optional<VelocityAt> velocity(double restitution, double damping,
                                                      std::optional<double> guess = std::nullopt) const;
-    /// The velocity up to which impacts are captured; none where it lies outside range() [m/s].
+    /// The velocity up to which impacts are captured; none if it lies outside range() [m/s].
     [[nodiscard]] std::optional<double> critical_velocity(double damping) const;
-    /// The same anywhere: outside range() it is solved; none where there is no finite one, or no damping.
+    /// The same, solved if outside range(); none if it is not finite or there is no damping [m/s].
     [[nodiscard]] std::optional<double> critical_velocity_anywhere(double damping) const;
     /// Restitution of an impact, 0 for a capture [1]. @param velocity within range() [m/s]
     [[nodiscard]] double restitution(double velocity, double damping) const;
@@ -71,7 +71,7 @@ class ContactModel {
     double damping_unit_;   ///< m^(3/5) k^(2/5), unit of damping at 1 m/s [kg/s (s/m)^(1/5)]
 };
 
-/// A map of @p law that covers @p velocities for each of @p contacts; a contact without adhesion is one of
+/// A map of @p law that covers @p velocities for each of @p contacts; for contacts without adhesion a map of
 /// Hertz.
 /// @throws InputError
 [[nodiscard]] std::shared_ptr<const RestitutionMap> make_restitution_map(

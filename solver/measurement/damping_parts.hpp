@@ -33,7 +33,7 @@ struct DampingParts {
     std::vector<DampingPart> parts;        ///< from slow to fast
     std::vector<PartBoundary> boundaries;  ///< one fewer
     std::vector<std::size_t> outliers;     ///< indices in the set; flagged, not left out
-    std::string note;                      ///< why there are no parts, where there are none
+    std::string note;                      ///< why there are no parts; else empty
 };
 
 struct PartOptions {
@@ -54,11 +54,11 @@ struct RisingBranch {
     bool falls_beyond;                 ///< e falls beyond that; otherwise the series ends while it rises
 };
 
-/// Everything up to the velocity of greatest smoothed restitution; the whole series where it never falls by
-/// more than two standard uncertainties. A series too short to be smoothed is taken whole, unless a rank test
-/// (Kendall) finds that it falls.
+/// Everything up to the velocity of greatest smoothed restitution; the whole series if restitution never
+/// falls by more than two standard uncertainties. A series too short to be smoothed is taken whole, unless a
+/// rank test (Kendall) finds that restitution falls.
 /// @param smoothing of the damping that @p model gives for @p set
-/// @throws InputError where restitution falls with velocity from the slowest rebound on
+/// @throws InputError if restitution falls with velocity from the slowest rebound on
 [[nodiscard]] RisingBranch rising_branch(const ContactModel& model, const MeasurementSet& set,
                                          const std::optional<DampingSmoothing>& smoothing);
 

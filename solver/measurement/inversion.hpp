@@ -15,13 +15,14 @@ struct InvertedImpact {
     double velocity;    ///< v_in [m/s]
     double restitution;
     double greatest_restitution;  ///< without damping: the reachable range is 0 to this [1]
-    /// The damping that gives the restitution back; for a capture the least that captures, a lower bound;
-    /// none where the restitution is beyond reach [kg/s].
+    /// The damping that gives the restitution [kg/s]; for a capture the least that captures, which is a lower
+    /// bound; none for a restitution above greatest_restitution.
     std::optional<double> damping;
-    std::optional<double> standard_uncertainty;  ///< of the damping, where that of the velocities is known
-    double by_restitution;                       ///< d eta/d e at fixed v_in [kg/s]
-    double by_velocity;                          ///< d eta/d v_in at fixed e [kg/m]
-    std::optional<double> contact_time;          ///< of a rebound [s]
+    std::optional<double>
+        standard_uncertainty;            ///< of the damping, if those of the velocities are known [kg/s]
+    double by_restitution;               ///< d eta/d e at fixed v_in [kg/s]
+    double by_velocity;                  ///< d eta/d v_in at fixed e [kg/m]
+    std::optional<double> contact_time;  ///< of a rebound [s]
 };
 
 /// Inverts every impact of a set, in its order. Uncertainty: that of both velocities through d eta/d e and

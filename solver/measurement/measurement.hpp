@@ -38,7 +38,7 @@ enum class NotedOutcome {
 /// ratio, has errors in both axes of every plot against it.
 struct Measurement {
     double velocity;                       ///< v_in [m/s]
-    double rebound;                        ///< v_r, magnitude; 0 where none was seen [m/s]
+    double rebound;                        ///< v_r, magnitude; 0 if no rebound was seen [m/s]
     std::optional<VelocityNoise> noise{};  ///< none: not known
     std::size_t line = 0;                  ///< of the file it stands in; 0: none
     std::size_t count = 1;                 ///< impacts it is the mean of
@@ -47,7 +47,7 @@ struct Measurement {
     NotedOutcome outcome = NotedOutcome::from_reading;
 
     [[nodiscard]] double restitution() const { return rebound / velocity; }
-    /// No rebound was seen: a capture, or where nothing says so a rebound too slow to be seen.
+    /// Whether no rebound was seen: a capture or, if not noted as such, a rebound too slow to be seen.
     [[nodiscard]] bool captured() const { return outcome == NotedOutcome::capture || rebound == 0.0; }
 };
 
@@ -56,11 +56,11 @@ struct MeasurementSet {
     std::string source;  ///< file name, for messages
     std::vector<Measurement> points;
     std::vector<std::string> warnings{};
-    std::size_t unknown = 0;  ///< impacts of the file whose outcome is not known; they are not among the points
+    std::size_t unknown = 0;  ///< impacts of the file whose outcome is not known; not among the points
 
     [[nodiscard]] std::size_t captures() const;
     [[nodiscard]] std::size_t rebounds() const { return points.size() - captures(); }
-    /// Whether the uncertainties are known; it is for all points or for none.
+    /// Whether the uncertainties are known, which they are for all points or for none.
     [[nodiscard]] bool has_noise() const;
 };
 
@@ -69,7 +69,7 @@ struct MeasurementSet {
 /// @throws InputError with source and line
 void validate(const MeasurementSet& set);
 
-/// What a high-speed camera resolves of a velocity that is the slope of positions in successive frames.
+/// A high-speed camera, which gives a velocity as the slope of positions in successive frames.
 struct Camera {
     double frame_rate;                     ///< [1/s]; Dong et al. 2013: 80,000
     double pixel_size;                     ///< in the object [m]
@@ -82,7 +82,7 @@ struct Camera {
 };
 
 /// The set with the camera's uncertainty in both velocities of every point, replacing what was known.
-/// @throws InputError for a camera that resolves not even the fastest impact
+/// @throws InputError for a camera that cannot resolve even the fastest impact
 [[nodiscard]] MeasurementSet with_camera(MeasurementSet set, const Camera& camera);
 
 }  // namespace ashimpact

@@ -22,16 +22,17 @@ struct DampingNumber {
     double by_x;            ///< d beta/dx
 };
 
-/// beta(e, x), the damping number that gives a restitution, of one law and all materials, in a form that
-/// costs a microsecond where solving the impact costs milliseconds.
+/// beta(e, x), the damping number that gives restitution e at x, for one law and all materials. A look-up
+/// takes a microsecond, solving an impact milliseconds.
 ///
-/// beta is interpolated in the cube root of e over its greatest value: near capture its expansion has powers
-/// from e to e^(7/3) that depend on the law, in thirds where it is adhesive: whole powers of the cube root.
-/// Hertz has e and e^(3/2), the power 4.5 of the cube root, which is smooth enough. The approximation is
-/// checked against solved impacts when it is made, see accuracy().
+/// beta is interpolated in the cube root of e over its greatest value. Near capture its expansion has powers
+/// of e in thirds, from e to e^(7/3), for adhesive laws; these are whole powers of the cube root. Hertz has e
+/// and e^(3/2), the power 4.5 of the cube root, which is smooth enough. The map is checked against solved
+/// impacts when it is made, see accuracy().
 class RestitutionMap {
   public:
-    /// Solves the impacts (some hundredths of a second). The range is cut where every impact is captured.
+    /// Solves the impacts (some hundredths of a second). Velocities at which every impact is captured are cut
+    /// off the range.
     /// @throws InputError for a detachment that does not capture or a range that is empty
     RestitutionMap(Law law, Detachment detachment, ScaledVelocityRange range);
 

@@ -8,9 +8,9 @@
 
 namespace ashimpact {
 
-/// The impacts of one law with constant damping, reduced to their two numbers: the logarithm x = ln(v/V_a) of
-/// the velocity over the law's adhesion velocity (0 for Hertz, which has none), and the damping number
-/// beta = eta m^(-3/5) k^(-2/5) v^(-1/5). Every material is one of these impacts.
+/// The impacts of one law with constant damping, reduced to their two numbers: x = ln(v/V_a), with the
+/// velocity V_a at which the adhesion number is one (Hertz has none, and x no effect), and the damping number
+/// beta = eta m^(-3/5) k^(-2/5) v^(-1/5). An impact in any material is one of these.
 class ScaledImpacts {
   public:
     /// @throws InputError for a detachment that the law does not admit, or that never captures
@@ -18,14 +18,14 @@ class ScaledImpacts {
 
     [[nodiscard]] Law law() const { return law_; }
     [[nodiscard]] Detachment detachment() const { return detachment_; }
-    /// Whether the law attracts; without attraction x is without effect.
+    /// Whether the law attracts; without attraction x has no effect.
     [[nodiscard]] bool adhesive() const { return adhesion_velocity_ > 0.0; }
 
     /// Restitution [1].
     [[nodiscard]] double restitution(double damping_number, double x) const;
     /// Restitution without damping, the greatest there is [1].
     [[nodiscard]] double greatest_restitution(double x) const;
-    /// x below which every impact is captured, damped or not; minus infinity where there is none.
+    /// x below which every impact is captured, damped or not; minus infinity if there is none.
     [[nodiscard]] double lowest() const { return lowest_; }
     /// Contact time in units of the scale's time L/v; the impact must rebound [1].
     [[nodiscard]] double contact_time(double damping_number, double x) const;
@@ -39,8 +39,9 @@ class ScaledImpacts {
     };
     [[nodiscard]] double damping_number(double restitution, double x, const Search& search) const;
 
-    /// Damping numbers of many impacts on the batch solver, to its accuracy, which leaves all digits at
-    /// e > 0.02 or so. @param restitution 0 < e <= greatest_restitution(x) [1]; @param x of the same length
+    /// Damping numbers of many impacts by the batch solver, to its accuracy: all digits at e above about
+    /// 0.02.
+    /// @param restitution 0 < e <= greatest_restitution(x) [1]; @param x of the same length
     [[nodiscard]] Eigen::ArrayXd damping_numbers(const Eigen::ArrayXd& restitution,
                                                  const Eigen::ArrayXd& x) const;
     /// Contact times of many impacts that rebound, as contact_time() [1].

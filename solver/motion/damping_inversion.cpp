@@ -68,9 +68,9 @@ double too_much(RestitutionCurve& curve, double restitution) {
     return number;
 }
 
-/// Whether enough of the damping captures the impact, so that restitution zero is reachable: not where the
-/// contact ends by force, nor where without adhesion no amount of a damping that vanishes with the contact
-/// radius captures.
+/// Whether enough damping captures the impact, so that restitution zero is reachable. It does not if the
+/// contact ends by force; nor, without adhesion, if the damping vanishes with the contact radius and no
+/// amount of it captures.
 bool reaches_zero(const DampingProblem& problem) {
     return problem.detachment != Detachment::zero_force &&
            (is_adhesive(problem) || !vanishes_at_touch(problem.damping_law) ||
@@ -94,15 +94,15 @@ double smallest_capturing(const DampingProblem& problem, RestitutionCurve& curve
 
 constexpr double spacing = 2 * std::numeric_limits<double>::epsilon();
 
-/// The root in a bracket to the spacing of numbers, restitution in extended precision: what is left to damp
-/// may be so little, or restitution so steep, that double precision does not see it.
+/// The root in a bracket to the spacing of numbers, with restitution in extended precision: the loss may be
+/// so small, or restitution so steep, that double precision does not resolve it.
 double solution_within(RestitutionCurve& curve, double target, double lower, double upper) {
     const auto miss = [&](double number) { return static_cast<double>(curve.at<Extended>(number) - target); };
     return gsl::brent(miss, lower, upper, {.relative = spacing}).root;
 }
 
-/// A root of double precision, mended to the spacing of numbers by one step of Newton's method in extended
-/// precision; none where that does not do, since restitution is too steep or too flat there.
+/// A root in double precision, improved to the spacing of numbers by one step of Newton's method in extended
+/// precision; none if one step is not enough, since restitution is too steep or too flat there.
 std::optional<double> mended(RestitutionCurve& curve, double target, double root) {
     const double step = 1e-6 * root;
     const double slope = (target - curve.at<double>(root - step)) / step;

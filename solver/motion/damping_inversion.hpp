@@ -16,14 +16,14 @@ struct DampingProblem {
 
 struct DampingInversion {
     Damping damping;              ///< the coefficient that gives the measured restitution back
-    double greatest_restitution;  ///< reachable without damping: the upper end of the range [1]
+    double greatest_restitution;  ///< that without damping: the upper end of the reachable range [1]
     ImpactResult impact;          ///< the impact with that damping
     int impacts;                  ///< impacts solved on the way
 };
 
 /// The damping coefficient that gives a measured restitution, adhesion included; Dong et al. 2013,
-/// section 4.2. Restitution falls monotonically with damping, so the answer is unique. It is exact to the
-/// spacing of floating- point numbers. Restitution 0 gives the smallest damping that captures.
+/// section 4.2. Restitution falls monotonically with damping, so the answer is unique; it is exact to the
+/// spacing of floating-point numbers. Restitution 0 gives the smallest damping that captures.
 /// @throws InputError if no damping gives the restitution, naming the reachable range; ConvergenceError
 [[nodiscard]] DampingInversion damping_from_restitution(const DampingProblem& problem);
 

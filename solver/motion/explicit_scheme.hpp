@@ -5,8 +5,8 @@
 namespace ashimpact {
 
 struct ExplicitSchemeOptions {
-    double time_step = 0.0;         ///< Dt, up to m/eta and a tenth of an undamped Hertz contact [s]
-    long most_steps = 100'000'000;  ///< then ConvergenceError
+    double time_step = 0.0;         ///< Dt, at most m/eta and a tenth of an undamped Hertz contact [s]
+    long most_steps = 100'000'000;  ///< step limit
 };
 
 /// The paper's own scheme, kept as a second method to compare with:
@@ -14,11 +14,12 @@ struct ExplicitSchemeOptions {
 ///     (delta_i - 2 delta_{i+1} + delta_{i+2})/Dt^2 + eta/m (delta_{i+1} - delta_i)/Dt + F(delta_{i+1})/m = 0
 ///
 /// from delta_0 = 0, delta_1 = v Dt; Dong et al. 2013, Eqs. 31-34. First order in Dt: the damping uses the
-/// velocity half a step behind. The contact ends at zero overlap (crossing by linear interpolation, the
-/// velocity there from the last two steps); a capture is the second turning point, or certain before it where
-/// the motion is so damped that it creeps (CaptureTest, as in solve_impact). Constant damping and laws whose
-/// force is a function of overlap only (not JKR). The ledger ends where solve_impact's does; its residual is
-/// the scheme's energy error.
+/// velocity half a step behind. Validity: constant damping, and laws whose force is a function of overlap
+/// (not JKR).
+///
+/// The contact ends at zero overlap: the crossing is interpolated linearly, the velocity there is that of the
+/// last two steps. An impact is captured if it turns a second time, or if CaptureTest finds that it creeps.
+/// The ledger ends where that of solve_impact() does; its residual is the energy error of the scheme.
 /// @throws InputError for what the scheme cannot treat, ConvergenceError at the step limit
 [[nodiscard]] ImpactResult solve_impact_explicit(const Impact& impact, const ExplicitSchemeOptions& options);
 

@@ -56,9 +56,9 @@ EnergyLedger ledger_of(const Solved& impact, double unit) {
             .minimum = joule(impact.last.potential(impact.last.equilibrium))};
 }
 
-/// Refuses what the closure of the elastic-plastic law does not carry: results that are not finite, energy
-/// that is not accounted for, or, inside the closure's range, a flattened sphere that gains more by adhesion
-/// than the work spent on it (docs/decisions/0003-plastic-closure.md).
+/// Refuses results outside the closure of the elastic-plastic law: numbers that are not finite, a ledger that
+/// does not close, or, inside the closure's range, a flattened sphere that gains more by adhesion than the
+/// work spent on it (docs/decisions/0003-plastic-closure.md).
 void require_within_closure(const Impact& impact, const Scale& scale, const ImpactResult& result) {
     constexpr double least_ratio = 0.5;  // below it adhesion alone yields the contact at first touch
     const double ratio =
@@ -88,7 +88,7 @@ std::optional<std::string> refusal(Law law, Detachment detachment) {
     return law.visit<std::optional<std::string>>(
         [&]<template <class> class L>() -> std::optional<std::string> {
             if constexpr (!has_polynomials<L>) {
-                // Any zone that is short of reach; refusal() of a contact knows which it is.
+                // Any zone of short reach; refusal() of a contact takes its own.
                 return cohesive_refusal(CohesiveZone(2), detachment);
             } else {
                 const L<Extended> numeric{1.0L};  // whether it is admissible depends on no number

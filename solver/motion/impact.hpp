@@ -34,13 +34,13 @@ struct Names<Outcome> {
 struct EnergyLedger {
     double incident;    ///< m v_in^2/2
     double remaining;   ///< kinetic energy at the end of the ledger
-    double at_touch;    ///< potential at first touch, 0 by definition at zero contact radius
+    double at_touch;    ///< potential at first touch; U is 0 at zero contact radius
     double potential;   ///< potential at the end of the ledger
     double dissipated;  ///< work taken by damping
-    double plastic;     ///< work spent in yielding; below 0 where a flattened contact gains more adhesion
-    double jumps;       ///< lost where the surfaces jump together and apart; law maugis-dugdale alone
-    double residual;    ///< integration error: what the ledger lacks
-    double minimum;     ///< U_min, potential at static equilibrium; the depth of the adhesive well
+    double plastic;     ///< work spent in yielding less adhesion gained by flattening; may be negative
+    double jumps;       ///< lost where the surfaces jump together and apart; law maugis-dugdale only
+    double residual;    ///< integration error: what is missing in the balance above
+    double minimum;     ///< U_min, potential at static equilibrium: depth of the adhesive well
 };
 
 /// What one impact did; a captured particle has restitution 0 and no contact time.
@@ -56,12 +56,11 @@ struct ImpactResult {
     int steps;  ///< Taylor steps taken
 };
 
-/// Why a detachment is not admissible for a law, in words; none if it is admissible. A detachment is
-/// admissible if the static potential there is not below that at first touch: an undamped impact would gain
-/// energy.
+/// Why a detachment is not admissible for a law, in words; none if it is admissible. The static potential at
+/// an admissible detachment is not below that at first touch; else an undamped impact would gain energy.
 [[nodiscard]] std::optional<std::string> refusal(Law law, Detachment detachment);
 
-/// The same for one contact: law maugis-dugdale admits load-controlled where the greatest tension lies beyond
+/// The same for one contact. Law maugis-dugdale admits load-controlled if the greatest tension lies beyond
 /// the reach of the cohesion, which depends on the transition parameter.
 [[nodiscard]] std::optional<std::string> refusal(Law law, const ContactPair& contact, Detachment detachment);
 
@@ -72,10 +71,10 @@ struct ImpactResult {
 void validate(const ContactPair& contact);
 void validate(const Impact& impact);
 
-/// Solves one impact to the rounding of extended precision (relative error of restitution, times and overlap
-/// far below 1e-10 at fly-ash scale; conditioning 1 + |U_min|/(m v^2/2)).
-/// @throws InputError for inadmissible input, ConvergenceError if the step count runs away: contact-radius
-/// damping so strong that a Hertz contact creeps back with a restitution below some 1e-13
+/// Solves one impact to the rounding of extended precision. Relative errors of restitution, times and overlap
+/// are far below 1e-10 at fly-ash scale; they grow with the condition number 1 + |U_min|/(m v^2/2).
+/// @throws InputError for inadmissible input, ConvergenceError at the step limit, as with contact-radius
+/// damping so strong that a Hertz contact creeps back with a restitution below about 1e-13
 [[nodiscard]] ImpactResult solve_impact(const Impact& impact);
 
 /// Restitution alone, in double precision and without validation: for root finding and fits [1].

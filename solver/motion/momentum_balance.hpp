@@ -12,23 +12,23 @@ struct StageMomentum {
     double static_impulse;   ///< of the contact force F_tot, positive where it pushes the bodies apart [N s]
     double damping_impulse;  ///< of the damping force, as a magnitude [N s]
     double mean_force;       ///< static_impulse/duration [N]
-    double residual;         ///< error of the quadrature: what the momentum balance lacks [N s]
+    double residual;         ///< error of the quadrature: what is missing in the momentum balance [N s]
 };
 
 /// The momentum of one rebound, stage by stage; Dong et al. 2013, Eqs. 35-45.
 ///
 /// Approach: static + damping impulse = m v_in (Eqs. 36, 38). Rebound: static - damping impulse = m v_rn (37,
-/// 39). The paper derives (44) and (45) from equal mean forces (40) and from speeds that fall throughout.
-/// Neither holds exactly, so the balance reports both sides.
+/// 39). The paper derives (44) and (45) from equal mean forces (40), |v| <= v_in on approach and |v| <= v_rn
+/// on rebound. None of these holds exactly, so the balance reports both sides.
 struct MomentumBalance {
     StageMomentum approach;
     StageMomentum rebound;
     double incident_momentum;  ///< m v_in [N s]
-    /// Left of (44); for constant damping eta times the way there and back: 2 eta delta_m where the contact
-    /// ends at zero overlap, eta (2 delta_m - delta_f) where it ends at the overlap delta_f, which is
-    /// negative on the neck of a JKR contact, positive at zero force with adhesion [N s].
+    /// Left side of (44) [N s]: the damping impulse, as a magnitude. Constant damping gives 2 eta delta_m if
+    /// the contact ends at zero overlap, eta (2 delta_m - delta_f) if it ends at overlap delta_f, which is
+    /// negative on the neck of a JKR contact, positive at zero force with adhesion.
     double damping_impulse;
-    double momentum_lost;  ///< right of (44), m (v_in - v_rn) [N s]
+    double momentum_lost;  ///< right side of (44), m (v_in - v_rn) [N s]
 
     /// Sides that differ by rounding only, as without damping, count as equal.
     [[nodiscard]] bool damping_exceeds_loss() const;  ///< (44)

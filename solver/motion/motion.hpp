@@ -26,7 +26,7 @@ struct Motion {
     Polynomial<Real> potential;  ///< U(q)
     Real touch{};                ///< q at first touch
     Real equilibrium{};          ///< q of the static equilibrium, the minimum of U
-    std::optional<Real> end;     ///< q at which the contact ends; none: not a place but total force zero
+    std::optional<Real> end;     ///< q at which the contact ends; none if it ends at zero total force
     bool squared = false;        ///< q = u^2
     bool overdamped = false;     ///< the damping captures every impact that touches at zero contact radius
 
@@ -45,7 +45,7 @@ struct ScaledDamping {
     DampingLaw law;
     Real number;  ///< scaled coefficient [1]
 
-    /// eta(u)
+    /// eta(u), scaled [1].
     [[nodiscard]] Polynomial<Real> polynomial() const {
         const auto u = Polynomial<Real>::identity();
         return number *
@@ -72,7 +72,7 @@ template <class Real>
     return motion;
 }
 
-/// Builds the equation of motion from the law's own lines.
+/// Builds the equation of motion from overlap and force of law L.
 /// @param adhesion, damping_number scaled coefficients [1]
 template <template <class> class L, class Real>
 [[nodiscard]] Motion<Real> make_motion(Real adhesion, DampingLaw damping_law, Real damping_number,

@@ -17,17 +17,18 @@ struct Orbit {
     int steps = 0;
 };
 
-/// Decides capture from the present state, exactly. The integration need not go on until the motion dies out.
+/// Decides capture exactly from the present state, so that the integration need not wait for the motion to
+/// die out.
 template <class Real>
 class CaptureTest {
   public:
     explicit CaptureTest(const Motion<Real>& motion);
 
-    /// The energy no longer suffices to reach the end of contact.
+    /// Whether the energy no longer suffices to reach the end of contact.
     [[nodiscard]] bool bound(const MotionState<Real>& state) const;
-    /// After the turn: so damped that it creeps back without ever reaching the end of contact.
+    /// After the turn: whether it is so damped that it creeps back and never reaches the end of contact.
     [[nodiscard]] bool creeping(const MotionState<Real>& state) const;
-    /// Before the turn: so damped that it creeps up to equilibrium and never turns.
+    /// Before the turn: whether it is so damped that it creeps up to equilibrium and never turns.
     [[nodiscard]] bool creeping_up(const MotionState<Real>& state) const;
 
   private:
@@ -45,10 +46,10 @@ enum class ApproachEnd {
     turned,    ///< at greatest overlap
     left,      ///< reached the place where the branch ends
     creeping,  ///< never turns
-    passing,   ///< never turns either: creeps to where the branch ends, and on beyond
+    passing,   ///< never turns: creeps to where the branch ends and on along the next
 };
 
-/// Whether an approach creeps on beyond the end of its branch; none does where there is nothing beyond.
+/// For a branch with nothing beyond its end: no approach creeps on from it.
 struct EndsHere {
     template <class State>
     [[nodiscard]] bool operator()(const State& /*state*/) const {
@@ -57,8 +58,8 @@ struct EndsHere {
 };
 
 /// The inward leg on one branch, until the motion turns, creeps, or reaches @p leave_at.
-/// @p observe is called with the branch, each expansion and the part of its step that was used; @p creeps_beyond
-/// with each state of an approach that leaves its branch before equilibrium.
+/// @p observe is called with the branch, each expansion and the part of its step that was used; @p
+/// creeps_beyond with each state of an approach that leaves its branch before equilibrium.
 template <class Real, class Observer, class Beyond = EndsHere>
 ApproachEnd approach(const Motion<Real>& motion, MotionState<Real>& state,
                      const std::optional<Real>& leave_at, Orbit<Real>& orbit, Observer& observe,

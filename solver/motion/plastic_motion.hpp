@@ -20,12 +20,13 @@ class PlasticMotion {
     /// Unloading from the state u_greatest of greatest contact, which must not be below yield().
     [[nodiscard]] Motion<Real> unloading(Real u_greatest) const;
 
-    /// State u at which plastic loading starts: the yield point, or first touch where adhesion alone yields.
+    /// State u at which plastic loading starts: the yield point, or first touch if yields_at_touch().
     [[nodiscard]] Real yield() const { return std::max(yield_, elastic_touch()); }
-    /// The contact yields by adhesion alone, at first touch.
+    /// Whether the contact yields by adhesion alone, at first touch.
     [[nodiscard]] bool yields_at_touch() const { return yield_ < elastic_touch(); }
-    /// Potential at a state u of the loading branch; continuous with the elastic one at yield. Where adhesion
-    /// alone yields it is that of the sphere flattened by the touch, so that plastic work counts from there.
+    /// Potential at a state u of the loading branch, continuous with the elastic one at yield. If adhesion
+    /// alone makes the contact yield, it is continuous with that of the sphere flattened by the touch, so
+    /// that plastic work counts from there.
     [[nodiscard]] Real loading_potential(Real u) const {
         return loading_.potential(loading_.coordinate(u)) + offset_;
     }

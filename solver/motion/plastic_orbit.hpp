@@ -12,7 +12,7 @@ template <class Real>
 struct PlasticOrbit {
     Orbit<Real> orbit;
     bool yielded = false;
-    Motion<Real> last;    ///< branch of the rebound, or of the rest that a creeping approach tends to
+    Motion<Real> last;    ///< branch of the rebound, or of the equilibrium that a creeping approach tends to
     Motion<Real> path;    ///< branch of orbit.end
     Real plastic_work{};  ///< spent in yielding
 };
@@ -30,7 +30,7 @@ template <class Real, class Observer>
     if (!motion.yields_at_touch()) {
         result.last = result.path = elastic;
         const std::optional<Real> yield = elastic.coordinate(motion.yield());
-        // Only what creeps for ever is cut short: the way of any other is followed through its yield point.
+        // Only an approach that creeps for ever is cut short; any other is followed through its yield point.
         constexpr int many_steps = 1000;
         const auto creeps_beyond = [&](const MotionState<Real>& s) {
             return orbit.steps > many_steps && motion.creeps_through(s);

@@ -39,11 +39,11 @@ struct BasicScale {
     [[nodiscard]] Real damping_number(const Damping& damping) const {
         return Real(damping.coefficient) / damping_unit(damping.law);
     }
-    /// The coefficient [unit of the law] that has this scaled value; inverse of damping_number.
+    /// The coefficient of this scaled value, the inverse of damping_number() [unit of the law].
     [[nodiscard]] Real damping_coefficient(DampingLaw law, const Real& number) const {
         return number * damping_unit(law);
     }
-    /// What the coefficient of a damping law is measured in [unit of the law].
+    /// The coefficient whose scaled value is 1 [unit of the law].
     [[nodiscard]] Real damping_unit(DampingLaw law) const {
         return RegisteredDampings::visit<Real>(law, [this]<class D>() { return D::unit(*this); });
     }

@@ -11,8 +11,8 @@
 
 namespace ashimpact {
 
-/// The scaled equation of motion of an impact (its velocity is not used: the scale sets it). Not for an
-/// impact that is_cohesive(); law maugis-dugdale without adhesion is Hertz.
+/// The scaled equation of motion of an impact that is not is_cohesive(). The scale sets the velocity; that of
+/// the impact is not used. Law maugis-dugdale without adhesion is Hertz.
 template <class Real>
 [[nodiscard]] Motion<Real> scaled_motion(const Impact& impact, const Scale& scale) {
     return impact.law.visit<Motion<Real>>([&]<template <class> class L>() {
@@ -47,8 +47,7 @@ template <class Real>
             impact.detachment};
 }
 
-/// Follows an impact in its own scale, whatever its law but not where it is_cohesive(); @p observe as in
-/// follow().
+/// Follows an impact of any law in its own scale, unless it is_cohesive(); @p observe as in follow().
 template <class Real, class Observer>
 [[nodiscard]] Orbit<Real> scaled_orbit(const Impact& impact, const Scale& scale, Observer&& observe) {
     return can_yield(impact.law, impact.contact)
@@ -56,7 +55,7 @@ template <class Real, class Observer>
                : follow(scaled_motion<Real>(impact, scale), Real(1), observe);
 }
 
-/// Restitution of an impact in its own scale, without validation or results beside it [1].
+/// Restitution alone of an impact in its own scale, without validation [1].
 template <class Real>
 [[nodiscard]] Real scaled_restitution(const Impact& impact, const Scale& scale) {
     if (is_cohesive(impact.law, impact.contact)) return static_cast<Real>(cohesive_restitution(impact));

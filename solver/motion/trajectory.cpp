@@ -122,7 +122,7 @@ class Sampler {
     double adhesion_;
 };
 
-/// The same for an impact with a cohesive zone: its repulsion is the Hertz part a^3, its attraction all else.
+/// The same for an impact with a cohesive zone: the repulsion is the Hertz part a^3, the rest attraction.
 struct CohesiveSampler {
     Scale scale;
 

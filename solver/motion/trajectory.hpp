@@ -17,9 +17,9 @@ struct TrajectoryPoint {
     double damping_force;     ///< eta d(delta)/dt, opposing the motion [N]
 };
 
-/// The impact at @p count instants evenly spaced in time from first touch to detachment (for a capture: to
-/// greatest overlap and on until the particle has come to rest to 1 % of v_in, or @p count points of its
-/// ringing), exact to the solver's tolerance at each of them.
+/// The impact at @p count instants evenly spaced in time from first touch to detachment, exact to the
+/// solver's tolerance at each of them. A capture is followed until the particle rests to 1 % of v_in or has
+/// @p count points of ringing.
 /// @throws InputError for inadmissible input or count < 2
 [[nodiscard]] std::vector<TrajectoryPoint> trajectory(const Impact& impact, int count);
 

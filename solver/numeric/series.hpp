@@ -40,7 +40,7 @@ template <class Real, std::size_t size>
 }
 
 /// Radius within which the terms fall off geometrically from the leading ones, by the root test on the last
-/// ten coefficients (a symmetric start leaves gaps of up to nine zeros); infinite where all of those vanish.
+/// ten coefficients, since a symmetric start leaves gaps of up to nine zeros; infinite if all ten vanish.
 template <class Real, std::size_t size>
 [[nodiscard]] Real radius(const std::array<Real, size>& c) {
     constexpr std::size_t leading = 3;

@@ -33,7 +33,7 @@ AdhesionRegime adhesion_regime(double tabor_parameter) {
     return tabor_parameter > jkr_limit ? AdhesionRegime::jkr : AdhesionRegime::between;
 }
 
-/// JKR in which the contact yields where its own pressure, adhesion included, says so.
+/// Laws with JKR's pressure in the contact, adhesion included, by which they yield.
 bool is_jkr(Law law) {
     return law == Law::of<Jkr>() || law == Law::of<ThorntonNing>();
 }
@@ -109,7 +109,7 @@ class Judge {
         return pressure_profile(impact_.law, contact_, regime_.contact_radius).central();
     }
 
-    /// As judge_yield() for a cohesive zone: the centre yields where its own pressure says so.
+    /// As judge_yield() for a cohesive zone, whose own pressure in the centre decides.
     void judge_cohesive_yield() {
         const MaugisUnits units = maugis_units(contact_);
         const double lambda = transition_parameter(contact_);

@@ -25,18 +25,18 @@ struct Names<AdhesionRegime> {
 
 /// The numbers that say whether a contact law applies, and what they say of the law chosen.
 struct Regime {
-    double tabor_parameter = 0.0;  ///< mu = (R* w^2/(E*^2 z0^3))^(1/3) [1]; Tabor 1977
+    double tabor_parameter = 0.0;  ///< mu = (R* w^2/(E*^2 z0^3))^(1/3), z0 = 0.4 nm [1]; Tabor 1977
     AdhesionRegime adhesion = AdhesionRegime::none;
-    double transition_parameter = 0.0;     ///< lambda of Maugis, 1.157 mu of the law's own cohesion [1]
-    double damping_number = 0.0;           ///< beta (constant damping) or its like for the others [1]
+    double transition_parameter = 0.0;     ///< lambda of Maugis, see transition_parameter_of() [1]
+    double damping_number = 0.0;           ///< beta, the scaled coefficient of the damping law [1]
     double adhesion_number = 0.0;          ///< of the law, in the impact's own scale [1]
-    double contact_radius = 0.0;           ///< the law's own at greatest overlap [m]
-    double relative_contact_radius = 0.0;  ///< that over R* [1]
+    double contact_radius = 0.0;           ///< at greatest overlap, by the law [m]
+    double relative_contact_radius = 0.0;  ///< contact_radius/R* [1]
     double relative_overlap = 0.0;         ///< greatest overlap over R* [1]
-    double greatest_pressure = 0.0;        ///< in the centre at greatest overlap; p_y where it yields [Pa]
+    double greatest_pressure = 0.0;        ///< in the centre at greatest overlap; p_y if it yields [Pa]
     /// V_y of the closed form, without adhesion and damping; none without a yield pressure [m/s]
     std::optional<double> yield_velocity{};
-    /// V_y of the law chosen, its adhesion included, without damping; 0 where adhesion alone yields [m/s]
+    /// V_y of the law chosen, with its adhesion, without damping; 0 if adhesion alone makes it yield [m/s]
     std::optional<double> law_yield_velocity{};
     bool yields = false;  ///< the impact goes beyond the yield pressure, damping included
     std::vector<std::string> warnings{};
@@ -58,9 +58,8 @@ inline constexpr double widest_contact = 0.3;
 
 /// Judges an impact, solved or to be solved. @p maximum_overlap as in ImpactResult [m]
 ///
-/// Where JKR acts (jkr, thornton-ning) the centre yields at p_y = 2 E* a/(pi R*) - sqrt(2 w E*/(pi a)); in
-/// the other laws attraction acts outside the contact, so that p_y is Hertz's. Either way the law's own
-/// potential gives the velocity. Brach-Dunn is empirical and has no range of Tabor parameters.
+/// A contact yields where the pressure in its centre, by pressure_profile() of the law, reaches p_y; the
+/// potential of the law gives the velocity. Brach-Dunn is empirical and has no range of Tabor parameters.
 [[nodiscard]] Regime regime_of(const Impact& impact, double maximum_overlap);
 
 }  // namespace ashimpact

@@ -6,9 +6,9 @@
 
 namespace ashimpact {
 
-/// How values that are not negative fall into bins: of one width (absolute), or of one width relative to the
-/// value (relative), 2^-k so that a bin is a sign, an exponent and k binary digits of the number. Relative
-/// bins cover every positive number. Zero never falls into a bin: it is counted beside them.
+/// Bins for values that are not negative, all of one width (absolute) or of one width relative to the value
+/// (relative). A relative width is 2^-k, so that a bin is an exponent and k binary digits of the number, and
+/// bins cover every positive number. Zero is in no bin: it is counted apart.
 class Bins {
   public:
     /// [0, 1] in @p count equal bins.
@@ -31,13 +31,13 @@ class Bins {
     unsigned digits_;
 };
 
-/// An interval that holds a quantile of the values counted.
+/// An interval in which a quantile of the counted values lies.
 struct QuantileBounds {
     double lower;
     double upper;
 };
 
-/// How many values fell into each bin. Integers: the same in whatever order values are counted and parts are
+/// How many values are in each bin. Integers, so the same in whatever order values are counted and parts
 /// added.
 class Histogram {
   public:

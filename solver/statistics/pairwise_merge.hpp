@@ -6,11 +6,11 @@
 
 namespace ashimpact {
 
-/// Merges what the chunks of a long sum give in the order of a fixed binary tree, holding one node a level.
+/// Merges the chunks of a long sum in the order of a fixed binary tree, holding one node for each level.
 ///
-/// Floating-point sums depend on their order. Here it depends on the number of chunks alone: chunks 2i and 2i
-/// + 1 merge, then pairs of such pairs, and so on, whoever computed them; a part of 2^level chunks that
-/// begins at a multiple of it is a node of that tree and may be merged elsewhere first.
+/// Floating-point sums depend on their order. Here the order depends on the number of chunks alone: chunks 2i
+/// and 2i + 1 merge, then pairs of such pairs, and so on, whoever computed them. A part of 2^level chunks
+/// that begins at a multiple of 2^level is a node of that tree and may be merged elsewhere first.
 /// @tparam Sums has merge(const Sums&) and transfer(archive)
 template <class Sums>
 class PairwiseMerge {

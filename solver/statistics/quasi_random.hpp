@@ -12,10 +12,10 @@ enum class QuasiRandomSequence {
     niederreiter  ///< base 2; Bratley, Fox & Niederreiter 1994
 };
 
-/// A digital sequence in base 2: points of the unit cube that fill it more evenly than random ones. Any point
-/// can be had by its number, point n being the exclusive or of the direction numbers at the bits of the Gray
-/// code of n (Antonov & Saleev 1979), so that parts of a sequence can be made apart. Point 0 is the origin.
-/// The direction numbers are those of Boost.Random; see docs/decisions/0009-quasi-random.md.
+/// A digital sequence in base 2: points of the unit cube that fill it more evenly than random ones. Point n
+/// is the exclusive or of the direction numbers at the bits of the Gray code of n (Antonov & Saleev 1979), so
+/// any part of a sequence can be made by itself. Point 0 is the origin. The direction numbers are those of
+/// Boost.Random; see docs/decisions/0009-quasi-random.md.
 class DigitalSequence {
   public:
     /// @throws InputError for a dimension the tables do not reach

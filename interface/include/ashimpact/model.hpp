@@ -17,7 +17,7 @@ inline namespace v1 {
 using Parameters = std::initializer_list<ashimpact_parameter>;
 using Columns = std::initializer_list<ashimpact_column>;
 
-/// A column of numbers side by side, which must outlive the call; and one number for all.
+/// A column of contiguous numbers, or one number for every row; what is passed must outlive the call.
 [[nodiscard]] inline ashimpact_column column(const char* name, const std::vector<double>& values) {
     return {name, values.data(), 1};
 }
@@ -25,22 +25,22 @@ using Columns = std::initializer_list<ashimpact_column>;
     return {name, &value, 0};
 }
 
-/// How a contact ends, and what takes energy from it; an empty name is the law's own detachment, and
-/// constant.
+/// How a contact ends, and how it is damped. An empty name means the law's own detachment, or constant
+/// damping.
 struct Choices {
     std::string detachment{};   ///< zero-overlap, zero-force, pull-off, load-controlled
     std::string damping_law{};  ///< constant [kg/s], contact-radius [Pa s], tsuji [1]
 };
 
 /// A contact law with the constants of a particle and a wall (Dong et al. 2013; docs/laws names the source of
-/// each law). It never changes: any number of threads may use one at once. Every function throws InputError
-/// for what is not admissible, naming what is allowed, and ConvergenceError. Floating-point traps, flags and
-/// modes of the caller are neither disturbed nor used.
+/// each law). A model is immutable, so any number of threads may use it at once. Every function throws
+/// InputError for what is not admissible, naming what is allowed, and ConvergenceError. Floating-point traps,
+/// flags and modes of the caller are neither disturbed nor used.
 class Model {
   public:
     /// @param law hertz, dmt, brach-dunn, jkr, ...
     /// @param parameters {{"density", 2160.0}, {"contact_modulus", 60e9}, ...} [SI]
-    /// @param choices detachment and damping law, where they are not the usual ones
+    /// @param choices detachment and damping law, if not the default ones
     Model(const std::string& law, Parameters parameters, const Choices& choices = {}) {
         ashimpact_error error;
         ashimpact_model* made = nullptr;
@@ -59,8 +59,8 @@ class Model {
         return result;
     }
 
-    /// Critical velocity of a sphere on a flat wall: captured below it, rebounding above; 0 where it always
-    /// rebounds, infinite where it is always captured [m/s].
+    /// Critical velocity of a sphere on a flat wall: captured below it, rebounding above; 0 if it always
+    /// rebounds, infinite if it is always captured [m/s]. @param diameter [m]
     [[nodiscard]] double critical_velocity(double diameter) const {
         double result = 0.0;
         ashimpact_error error;
@@ -68,7 +68,7 @@ class Model {
         return result;
     }
 
-    /// Restitutions of many spheres. @param diameter [m] @param velocity [m/s], as many
+    /// Restitutions of many spheres [1]. @param diameter [m] @param velocity [m/s], as many as diameters
     [[nodiscard]] std::vector<double> restitutions(const std::vector<double>& diameter,
                                                    const std::vector<double>& velocity) const {
         if (diameter.size() != velocity.size()) throw InputError("diameter and velocity differ in length");
@@ -80,7 +80,7 @@ class Model {
         return result;
     }
 
-    /// Critical velocities of many spheres [m/s].
+    /// Critical velocities of many spheres [m/s]. @param diameter [m]
     [[nodiscard]] std::vector<double> critical_velocities(const std::vector<double>& diameter) const {
         std::vector<double> result(diameter.size());
         ashimpact_error error;
@@ -90,7 +90,8 @@ class Model {
         return result;
     }
 
-    /// Many impacts, any parameter a column of count values or one; see ashimpact_solve_impacts().
+    /// Many impacts; any parameter may be a column of @p count values or one value; see
+    /// ashimpact_solve_impacts().
     [[nodiscard]] Impacts impacts(std::size_t count, Columns columns) const {
         Impacts out{std::vector<double>(count), std::vector<double>(count), std::vector<double>(count),
                     std::vector<double>(count)};
@@ -102,7 +103,7 @@ class Model {
         return out;
     }
 
-    /// Many critical velocities, any parameter a column [m/s]; see ashimpact_solve_critical_velocities().
+    /// Many critical velocities [m/s], parameters as in impacts(); see ashimpact_solve_critical_velocities().
     [[nodiscard]] std::vector<double> critical_velocities(std::size_t count, Columns columns) const {
         std::vector<double> out(count);
         solve(ashimpact_solve_critical_velocities, count, columns, {{"critical_velocity", out.data()}});

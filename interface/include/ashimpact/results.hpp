@@ -16,7 +16,7 @@ struct Impacts {
 /// Dampings from restitutions.
 struct Dampings {
     std::vector<double> damping;               ///< NaN where none gives the restitution [unit of the law]
-    std::vector<double> greatest_restitution;  ///< what the law leaves without damping [1]
+    std::vector<double> greatest_restitution;  ///< restitution without damping [1]
 };
 
 }  // namespace v1

@@ -39,9 +39,9 @@ class Impacts:
     captured: Truths
     """Whether the particle stays on the wall."""
     approach_time: Optional[Numbers]
-    """First touch to greatest overlap; NaN where that is never reached; None with method="table" [s]."""
+    """First touch to greatest overlap; NaN if that is never reached; None with method="table" [s]."""
     maximum_overlap: Optional[Numbers]
-    """Greatest overlap, or its limit where that is never reached; None with method="table" [m]."""
+    """Greatest overlap, or its limit if that is never reached; None with method="table" [m]."""
 
     def to_pandas(self) -> "pandas.DataFrame":
         """The impacts as a table, one a row, units in the headings. Needs pandas."""
@@ -63,7 +63,7 @@ class CriticalVelocities:
     """Velocities below which a particle is captured."""
 
     critical_velocity: Numbers
-    """v_c; 0 where every impact rebounds, infinite where every impact is captured [m/s]."""
+    """v_c; 0 if every impact rebounds, infinite if every impact is captured [m/s]."""
 
     @property
     def never_captured(self) -> Truths:
@@ -81,14 +81,14 @@ class Dampings:
     """Damping coefficients that give measured restitutions back."""
 
     damping: Numbers
-    """Coefficient; NaN where no damping gives the restitution
+    """Coefficient; NaN if no damping gives the restitution
     [kg/s constant, Pa s contact-radius, 1 tsuji]."""
     greatest_restitution: Numbers
-    """What the law leaves without damping [1]."""
+    """Restitution without damping, the greatest there is [1]."""
 
 
 def laws() -> dict[str, tuple[str, list[str]]]:
-    """Each contact law with its own detachment and those that are admissible for it."""
+    """Each contact law with its default detachment and those that are admissible for it."""
     return _core.laws()
 
 
@@ -178,8 +178,8 @@ def impacts(
         mass: of the sphere [kg].
         work_of_adhesion: energy to separate unit area, not a surface energy [J/m2].
         damping: coefficient of the damping law [kg/s constant, Pa s contact-radius, 1 tsuji].
-        yield_pressure: of the law thornton-ning; it never yields without [Pa].
-        detachment: where the contact ends; the law's own without.
+        yield_pressure: p_y, for the law thornton-ning; without it the sphere never yields [Pa].
+        detachment: where the contact ends; without it as the law does by default.
         damping_law: constant, contact-radius, tsuji.
         method: integration, or table, some ten times as fast from 100,000 impacts on; a table has neither
             approach times nor overlaps.
@@ -236,7 +236,7 @@ def critical_velocities(
 
     Raises:
         InputError: naming the first sphere it concerns.
-        ConvergenceError: where a velocity could not be found.
+        ConvergenceError: if a velocity could not be found.
     """
     columns = _columns(
         density,
@@ -279,7 +279,7 @@ def dampings(
 
     Raises:
         InputError: naming the first impact it concerns.
-        ConvergenceError: where a damping could not be found.
+        ConvergenceError: if a damping could not be found.
     """
     columns = _columns(
         density,

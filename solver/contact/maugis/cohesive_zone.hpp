@@ -50,13 +50,13 @@ class CohesiveZone {
     [[nodiscard]] CohesiveState at_contact_radius(Extended a) const;
     /// The state without contact whose cohesive zone has radius @p c [1].
     [[nodiscard]] static CohesiveState in_gap(Extended c);
-    /// The stable state at @p delta, which must not be below that of pull_off() [1].
+    /// The stable state at overlap @p delta, not below that of pull_off() [1].
     [[nodiscard]] CohesiveState at_overlap(Extended delta) const;
 
     [[nodiscard]] Extended overlap(const CohesiveState& state) const;
     [[nodiscard]] Extended force(const CohesiveState& state) const;
     [[nodiscard]] Extended potential(const CohesiveState& state) const;
-    /// dF/d(delta) along the branch; rises all along the stable branch [1].
+    /// dF/d(delta) along the branch; rises with overlap all along the stable branch [1].
     [[nodiscard]] Extended stiffness(const CohesiveState& state) const;
 
     /// Gap branch as polynomials of c.
@@ -77,7 +77,7 @@ class CohesiveZone {
     /// Work lost in both jumps of an undamped impact that ends at the fold, W = U(fold) - U(touch) >= 0 [1].
     [[nodiscard]] Extended separation_energy() const;
 
-    /// Derivatives along the contact branch, for whoever expands it.
+    /// Derivatives along the contact branch, for expansions in series.
     struct Slopes {
         Extended radius;           ///< -da/dtheta = T > 0
         Extended cohesive_radius;  ///< -dc/dtheta/cos(theta) = M
@@ -85,7 +85,7 @@ class CohesiveZone {
         Extended force;            ///< -dF/dtheta/cos(theta); negative beyond the greatest tension
     };
     [[nodiscard]] Slopes slopes(const CohesiveState& state) const;
-    /// P and Q at an angle, without cancellation.
+    /// P (quadratic) and Q (linear) at an angle, without cancellation.
     [[nodiscard]] Extended quadratic(Extended theta) const;
     [[nodiscard]] Extended linear(Extended theta) const;
 

@@ -4,7 +4,7 @@
 
 namespace ashimpact {
 
-/// Units of Maugis, in which a pair is known by its transition parameter alone; w must be above 0.
+/// Units of Maugis, in which the transition parameter is the only number of a pair; w must be above 0.
 struct MaugisUnits {
     double radius;   ///< (pi w R^2/K)^(1/3), K = (4/3) E* [m]
     double overlap;  ///< (pi^2 w^2 R/K^2)^(1/3) [m]
@@ -24,7 +24,7 @@ struct MaugisUnits {
 [[nodiscard]] double transition_parameter(const ContactPair& contact, double stress);
 
 /// Returns the transition parameter of a pair that carries one parameter of law maugis-dugdale [1].
-/// @throws InputError where it is outside of what the law computes, 1e-4 to 1e6. Requires w > 0.
+/// Requires w > 0. @throws InputError outside 1e-4 to 1e6, the range that the law computes
 [[nodiscard]] double transition_parameter(const ContactPair& contact);
 
 /// lambda/mu for the Tabor parameter mu = (R w^2/(E*^2 z0^3))^(1/3): (32/(9 sqrt 3)) (9/(16 pi))^(1/3)
@@ -35,12 +35,12 @@ struct MaugisUnits {
 /// 0), 7.0922 (w^5 R^4/E*^2)^(1/3) for JKR (lambda to infinity), where it is Eq. 28 of Dong et al. 2013.
 [[nodiscard]] double cohesive_separation_energy(const ContactPair& contact, double lambda);
 
-/// Returns Eq. 30 corrected, v_s(lambda) = sqrt(2 W_s(lambda)/m) [m/s].
+/// Returns v_s(lambda) = sqrt(2 W_s(lambda)/m) [m/s], which is Eq. 30 for lambda to infinity.
 [[nodiscard]] double cohesive_separation_velocity(const ContactPair& contact, double lambda);
 
-/// Returns W_s(lambda)/W_s(JKR) by a closed form of this project, for rough use by hand [1]. Exact below
-/// lambda = 0.655, where both jumps happen in the gap and W_s goes with lambda^5; above, a fit of least
-/// greatest error, within 0.6 %.
+/// Returns W_s(lambda)/W_s(JKR) by a closed form of this project, for use by hand [1]. It is exact below
+/// lambda = 0.655, where both jumps happen in the gap and W_s goes with lambda^5. Above it is a minimax fit,
+/// within 0.6 %.
 [[nodiscard]] double fitted_energy_ratio(double lambda);
 
 /// The greatest relative error of fitted_energy_ratio() [1]; a test holds it over lambda 0.01 to 1e4.

@@ -63,7 +63,7 @@ class FoldArrival {
 
   private:
     [[nodiscard]] Extended convergence() const {
-        Terms pace{};  // without the zero at the head, which says nothing of the radius
+        Terms pace{};  // without the leading zero, which has no bearing on the radius
         std::copy(velocity_.begin() + 1, velocity_.end(), pace.begin());
         pace.back() = velocity_.back() / radius(statics_.slope);
         return std::min({radius(pace), radius(statics_.slope), radius(statics_.force)});
@@ -77,7 +77,7 @@ class FoldArrival {
 /// Follows a branch backward in time.
 class Backward {
   public:
-    /// Until the velocity vanishes; false where the orbit escapes beyond @p farthest.
+    /// Until the velocity vanishes; false if the orbit escapes beyond @p farthest.
     template <class Branch>
     bool to_rest(const Branch& branch, MotionState<Extended>& state, Extended farthest) {
         while (state.position < farthest) {

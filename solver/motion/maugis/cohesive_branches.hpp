@@ -41,7 +41,7 @@ class TouchingBranch {
     Polynomial<Extended> damping_;
 };
 
-/// The part of the impact in which the surfaces attract one another across a gap; conservative. q is the
+/// The part of the impact in which the surfaces attract one another across a gap, without damping. q is the
 /// radius c of the cohesive zone, in which everything is a polynomial.
 class GapBranch {
   public:

@@ -5,16 +5,16 @@
 
 namespace ashimpact {
 
-/// Whether an impact follows a cohesive zone: law maugis-dugdale with adhesion. Without, the law is Hertz.
+/// Whether an impact has a cohesive zone: law maugis-dugdale with adhesion. Without adhesion it is Hertz.
 [[nodiscard]] inline bool is_cohesive(Law law, const ContactPair& contact) {
     return law == Law::of<MaugisDugdale>() && contact.work_of_adhesion > 0.0;
 }
 
 /// An impact that is_cohesive() in units of Maugis.
 struct ScaledCohesiveImpact {
-    Scale scale;  ///< its velocity is the unit of velocity, not that of the impact
+    Scale scale;  ///< scale.velocity is the unit of velocity, not the velocity of the impact
     CohesiveMotion motion;
-    Extended velocity;  ///< of the impact, in that unit
+    Extended velocity;  ///< of the impact, in that unit [1]
 };
 
 /// The impact in units of Maugis. @throws InputError for a transition parameter out of range

@@ -14,8 +14,8 @@ namespace ashimpact {
 /// mass 1.
 ///
 /// The surfaces come into reach at delta = -h_0 and jump to the stable state of that overlap; the velocity
-/// does not change, the energy of the jump is lost. Where the contact ends at zero overlap the impact begins
-/// there too, on the stable branch: what happens across the gap is then no part of it.
+/// does not change, the energy of the jump is lost. With detachment zero_overlap the impact also begins at
+/// zero overlap, on the stable branch, and leaves out what happens across the gap.
 class CohesiveMotion {
   public:
     /// @param damping eta as a polynomial of sqrt(a)
@@ -28,13 +28,13 @@ class CohesiveMotion {
     [[nodiscard]] const CohesiveState& end() const { return end_; }
     /// Potential before the surfaces come into reach: 0, or that of the first state at zero overlap.
     [[nodiscard]] Extended potential_before() const { return before_; }
-    /// Potential after the contact has ended; likewise.
+    /// Potential after the contact has ended; the same.
     [[nodiscard]] Extended potential_after() const { return before_; }
     [[nodiscard]] Extended potential_at_begin() const { return zone_.potential(begin_); }
     [[nodiscard]] Extended potential_at_end() const { return zone_.potential(end_); }
-    /// Whether an approach in contact is so damped that it creeps up to equilibrium and never turns: below
-    /// the line v = (eta/2) (delta_eq - delta) it stays where dF/d(delta) <= eta^2/4 all the way, and the
-    /// stiffness rises all the way. @param state its position is a coordinate of touching()
+    /// Whether an approach in contact is so damped that it creeps up to equilibrium and never turns. It stays
+    /// below the line v = (eta/2) (delta_eq - delta) if dF/d(delta) <= eta^2/4 all the way, and the stiffness
+    /// rises all the way. @param state its position is a coordinate of touching()
     [[nodiscard]] bool creeps_up(const MotionState<Extended>& state) const;
 
   private:
@@ -46,10 +46,10 @@ class CohesiveMotion {
     Extended before_ = 0;
 };
 
-/// Why the detachment does not end a contact of this transition parameter, or none where it does.
+/// Why the detachment is not admissible for this transition parameter, in words; none if it is.
 [[nodiscard]] std::optional<std::string> cohesive_refusal(const CohesiveZone& zone, Detachment detachment);
 
-/// Velocity whose scale has the units of Maugis [m/s]; w must be above 0.
+/// Velocity for which BasicScale has the units of Maugis [m/s]; w must be above 0.
 [[nodiscard]] double maugis_velocity(const ContactPair& contact);
 
 }  // namespace ashimpact

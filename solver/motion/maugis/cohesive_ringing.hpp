@@ -4,9 +4,9 @@
 
 namespace ashimpact {
 
-/// The ringing of a captured particle after capture became certain, from @p state in contact: Taylor steps,
-/// across the gap and back where the motion leads there, until it rests to @p share of @p velocity or @p most
-/// steps.
+/// Follows the ringing of a captured particle from the state in which capture became certain, across the gap
+/// and back where the motion leads there, until the energy left is that of 1 % of @p velocity or @p most
+/// Taylor steps are taken. @p observe as in CohesiveFollower.
 template <class Observer>
 void ring(const CohesiveMotion& motion, const CohesiveOrbit& captured, Extended velocity, std::size_t most,
           Observer& observe) {

@@ -18,7 +18,7 @@ namespace {
 using Vector = CurvePosterior::Vector;
 using Matrix = CurvePosterior::Matrix;
 
-constexpr double least_effective = 50.0;  ///< draws below which ends of an interval are not told
+constexpr double least_effective = 50.0;  ///< draws below which an interval is not given
 
 /// A normal density from which curves are drawn.
 struct Normal {
@@ -32,7 +32,7 @@ struct Mode {
     double log_weight = 0.0;  ///< ln of the posterior's integral around it
 };
 
-/// The covariance that a Hessian stands for; flat and falling directions get the width of a prior.
+/// The covariance by a Hessian; flat and falling directions get the width of a prior.
 Mode with_covariance(Mode mode, const Matrix& hessian) {
     const Eigen::SelfAdjointEigenSolver<Matrix> solver(hessian);
     const Vector values = solver.eigenvalues().cwiseAbs().cwiseMax(0.5);
@@ -42,7 +42,7 @@ Mode with_covariance(Mode mode, const Matrix& hessian) {
     return mode;
 }
 
-/// Newton's method; the Hessian is made positive by its eigenvalues. The draws correct what it leaves undone.
+/// Newton's method; the Hessian is made positive by its eigenvalues. The draws correct what is inexact.
 Mode find_mode(const CurvePosterior& posterior, const Vector& start) {
     Mode mode;
     mode.normal.mean = start;
@@ -111,7 +111,7 @@ class Draws {
         return normal;
     }
 
-    /// Number of independent draws that would say as much.
+    /// Number of independent draws that the weighted ones are worth.
     [[nodiscard]] double effective() const { return effective(weights(1.0)); }
 
     [[nodiscard]] const Vector& likeliest() const {

@@ -9,19 +9,19 @@
 
 namespace ashimpact {
 
-/// v_c and the curve of damping that impacts support, whatever its form.
+/// v_c and the smooth curve of damping estimated from impacts.
 struct CurveEstimate {
     Interval critical_velocity;         ///< median and 95 % interval [m/s]
     Interval critical_damping;          ///< eta_capture at those [kg/s]
     CurvePosterior::Vector parameters;  ///< of the likeliest curve
-    double effective;                   ///< draws from the posterior, as many independent ones
+    double effective;                   ///< number of independent draws that the weighted ones are worth
     Scatter scatter;
     double fastest;  ///< ln v
 };
 
-/// The posterior of the curve, by draws from normal densities that are fitted to it and to what was drawn
-/// before (adaptive importance sampling: Cornuet et al. 2012, Scand. J. Stat. 39:798). The first ones stand
-/// at the modes that are found from @p starts [m/s].
+/// Samples the posterior of the curve by adaptive importance sampling (Cornuet et al. 2012, Scand. J. Stat.
+/// 39:798): draws come from normal densities, each fitted to the draws before. The first densities stand at
+/// the modes that are found from @p starts [m/s].
 /// @throws ConvergenceError
 [[nodiscard]] CurveEstimate estimate_curve(const RestitutionTable& table,
                                            const std::vector<RecordedImpact>& impacts,

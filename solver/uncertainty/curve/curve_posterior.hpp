@@ -9,17 +9,17 @@
 
 namespace ashimpact {
 
-/// What is taken to be known before the impacts are looked at.
+/// What is known or assumed before the impacts are looked at.
 struct CurvePrior {
     bool noise_known;
-    double noise;                   ///< where it is not known, about how much [m/s]
-    std::optional<double> scatter;  ///< of ln eta between particles, where it is known
+    double noise;                   ///< expected noise, if it is not known [m/s]
+    std::optional<double> scatter;  ///< of ln eta between particles, if known [1]
 };
 
 /// -ln of the posterior density of a curve of damping with its scatter.
 ///
 /// Parameters: ln v_c; the coefficients of g and ln of the scatter between particles, in standard deviations
-/// from the means of their normal priors; ln of the noise's scale, from where it is expected.
+/// from the means of their normal priors; ln of the noise over its expected scale.
 class CurvePosterior {
   public:
     CurvePosterior(const RestitutionTable& table, const std::vector<RecordedImpact>& impacts,

@@ -10,12 +10,12 @@
 namespace ashimpact {
 
 struct EstimateOptions {
-    /// Relative standard deviation of single diameters about their mean, where it is known, such as from the
-    /// sieve; the damping number goes with the square of the diameter. None: what the impacts show.
+    /// Relative standard deviation of single diameters about their mean, if known, such as from the sieve;
+    /// the damping number goes with its inverse square. None: estimated from the impacts.
     std::optional<double> size_scatter{};
 };
 
-/// v_c as the impacts of one sample support it, through the dynamic model and a smooth curve of damping.
+/// v_c estimated from the impacts of one sample, by the dynamic model and a smooth curve of damping.
 struct CriticalVelocityEstimate {
     CurveEstimate curve;
     std::size_t rebounds;            ///< used
@@ -28,9 +28,9 @@ struct CriticalVelocityEstimate {
 inline constexpr const char* estimate_method =
     "posterior of v_c with a smooth curve of damping over velocity, captures by their probability";
 
-/// Estimates v_c from rebounds and captures alike: see SmoothDamping and CurvePosterior. More than some
-/// thousand impacts are put together into groups closer than their noise; all of them count.
-/// @throws InputError where the impacts allow no estimate, with the reason; ConvergenceError
+/// Estimates v_c from rebounds and captures: see SmoothDamping and CurvePosterior. More than some thousand
+/// impacts are first grouped (see grouped()); all of them count.
+/// @throws InputError if the impacts allow no estimate, with the reason; ConvergenceError
 [[nodiscard]] CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model,
                                                                   const MeasurementSet& set,
                                                                   const EstimateOptions& options = {});

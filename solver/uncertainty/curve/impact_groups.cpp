@@ -85,7 +85,7 @@ std::vector<RecordedImpact> recorded_impacts(const MeasurementSet& set) {
                            .resolution = point.resolution,
                            .count = recorded == Recorded::rebound ? 1.0 : count});
     }
-    // In the same order whatever that of the file, so that sums round alike.
+    // Independent of the order of the file, so that sums round alike.
     std::sort(impacts.begin(), impacts.end(), [](const RecordedImpact& a, const RecordedImpact& b) {
         return std::tie(a.velocity, a.rebound, a.incident_u, a.rebound_u, a.count) <
                std::tie(b.velocity, b.rebound, b.incident_u, b.rebound_u, b.count);
@@ -123,7 +123,7 @@ std::vector<RecordedImpact> grouped(std::vector<RecordedImpact> impacts) {
     for (const RecordedImpact& impact : impacts)
         (impact.recorded == Recorded::rebound ? rebounds : captures).push_back(impact.velocity);
     if (rebounds.empty()) return in_cells(impacts);
-    // Slow enough that a capture is to be expected among them, but for the odd one.
+    // Velocities at which captures are to be expected, leaving out stray ones.
     const double slowest = rebounds[rebounds.size() / 200];
     const double fastest_capture =
         captures.empty() ? 0.0 : captures[captures.size() - 1 - captures.size() / 200];

@@ -10,10 +10,9 @@ namespace ashimpact {
 /// The impacts of a set as the likelihood needs them, one by one.
 [[nodiscard]] std::vector<RecordedImpact> recorded_impacts(const MeasurementSet& set);
 
-/// Many impacts put together, so that a million cost no more than some thousand. Where captures are still
-/// found, impacts within a cell half as wide as their noise become one that counts for all. Faster ones are
-/// averaged over a six-hundredth of the range, in which the curve is straight, and the mean has the noise of
-/// a mean.
+/// Groups impacts, so that a million cost no more than some thousand. At velocities with captures, impacts
+/// within a cell half as wide as their noise become one that counts for all. Faster ones are averaged over a
+/// six-hundredth of the range, in which the curve is straight; the mean has the noise of a mean.
 /// @param impacts with known noise
 [[nodiscard]] std::vector<RecordedImpact> grouped(std::vector<RecordedImpact> impacts);
 
@@ -21,7 +20,7 @@ namespace ashimpact {
 /// state none [m/s].
 [[nodiscard]] double noise_of_neighbours(const std::vector<RecordedImpact>& impacts);
 
-/// Impacts up to which each is taken by itself.
+/// Number of impacts up to which none are grouped.
 inline constexpr std::size_t few_impacts = 2500;
 
 }  // namespace ashimpact

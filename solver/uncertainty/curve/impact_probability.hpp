@@ -29,11 +29,11 @@ struct RecordedImpact {
 struct Scatter {
     double noise;     ///< factor on the uncertainties of both velocities
     double damping;   ///< standard deviation of ln eta between particles, or of what acts like it (size)
-    double outliers;  ///< share of impacts that say nothing
+    double outliers;  ///< share of impacts that are not informative [1]
 };
 
-/// ln of the probability (density) of what was recorded, summed over the true velocities and over the
-/// particles it may have been.
+/// ln of the probability (density) of the record, integrated over the true velocities and the scatter between
+/// particles.
 [[nodiscard]] double log_probability(const SmoothDamping& curve, const Scatter& scatter,
                                      const RecordedImpact& impact);
 

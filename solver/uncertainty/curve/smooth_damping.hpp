@@ -10,10 +10,10 @@ namespace ashimpact {
 ///
 ///     ln eta(v) = ln eta_capture(v_c) + g(t),   g(t) = sum_k c_k (T_k(2t - 1) - T_k(-1)),
 ///
-/// t in [0, 1] the restitution that constant damping of the same v_c would give at v, over the one at the
-/// fastest impact. In t both kinds of truth are smooth: a damping that goes with the velocity, and one that
-/// goes with the restitution, which for adhesive laws rises vertically at v_c. g = 0 is constant damping. v_c
-/// is a parameter of its own, and above it every impact rebounds.
+/// with t in [0, 1] the restitution at v over that at the fastest impact, both for constant damping of the
+/// same v_c. In t a damping that depends on the velocity is smooth, and so is one that depends on the
+/// restitution, which for adhesive laws rises vertically at v_c. g = 0 is constant damping. v_c is a
+/// parameter of its own, and above it every impact rebounds.
 class SmoothDamping {
   public:
     static constexpr int terms = 7;

@@ -20,7 +20,7 @@ namespace ashimpact {
 /// How eta(e_n) is fitted to the rebounds of a rising branch.
 struct DampingCurveOptions {
     int order = 2;        ///< of the polynomial; the paper's is 2
-    bool robust = false;  ///< bisquare weights take back what lies far from the curve
+    bool robust = false;  ///< bisquare weights for rebounds far from the curve
 };
 
 /// One rebound in a fit.
@@ -53,19 +53,19 @@ struct DampingCurveFit {
     double extrapolation;                ///< distance of e = 0 from the data over their width [1]
 };
 
-/// The paper's way to v_c: eta(e_n) as a polynomial through the rebounds, extrapolated to e_n = 0. The curve
-/// that passes closest to the rebounds in the plane (v_in, v_r), in units of their noise (orthogonal
-/// distances; Fuller 1987, Measurement Error Models, ch. 1); intervals by its curvature. They hold where eta
-/// is such a polynomial.
+/// The paper's way to v_c: eta(e_n) as a polynomial through the rebounds, extrapolated to e_n = 0. Its curve
+/// in the plane (v_in, v_r) passes closest to the rebounds, in units of their noise (orthogonal distances;
+/// Fuller 1987, Measurement Error Models, ch. 1). Intervals follow from the curvature and hold if eta is such
+/// a polynomial.
 ///
 /// Noise that is not known is taken as equal in both velocities and estimated from the scatter; noise that
 /// explains the scatter with less than 1 % probability is enlarged to fit.
-/// @param set the impacts to use, all of the rising branch; captures are passed over
+/// @param set the impacts to use, all of the rising branch; captures are ignored
 /// @throws InputError for too few rebounds or distinct restitutions, saying what is there; ConvergenceError
 [[nodiscard]] DampingCurveFit fit_damping_curve(const ContactModel& model, const MeasurementSet& set,
                                                 const DampingCurveOptions& options = {});
 
-/// That measured uncertainties were enlarged to fit, and how much, in words; none where they were not.
+/// By how much measured uncertainties were enlarged to fit, in words; none if they were not.
 [[nodiscard]] std::optional<std::string> enlargement_note(const DampingCurveFit& fit);
 
 }  // namespace ashimpact

@@ -33,8 +33,8 @@ struct ReboundSelection {
 /// @throws InputError unless there are enough distinct rebounds for a curve of this order
 void require_enough(const ReboundSelection& selection, const MeasurementSet& set, int order);
 
-/// Least squares of the inverted damping on the restitution: biased by the noise in both, but close; of a
-/// lower order where that of @p order gives no curve. @throws ConvergenceError where none does
+/// Starting coefficients by least squares of the inverted damping on the restitution, biased by the noise in
+/// both, but close. A lower order is taken if @p order gives no curve. @throws ConvergenceError if none does
 [[nodiscard]] Eigen::VectorXd starting_coefficients(const ContactModel& model, const RestitutionData& data,
                                                     int order);
 

@@ -6,7 +6,7 @@
 
 namespace ashimpact {
 
-/// What a fit of eta(e_n) sees. Weights below one take a rebound back (robust fits).
+/// The data of a fit of eta(e_n). Weights below one reduce the influence of a rebound (robust fits).
 struct RestitutionData {
     std::vector<Measurement> rebounds;  ///< each with its noise
     std::vector<double> weights;

@@ -12,8 +12,8 @@
 namespace ashimpact {
 
 /// Distances of the rebounds, in units of their noise, from the curve that a damping implies in the plane
-/// (v_in, v_r), as a function of the coefficients of eta(e_n): orthogonal-distance regression, in which the
-/// errors of both velocities, hence the correlated ones of e and eta, are treated as what they are.
+/// (v_in, v_r), as a function of the coefficients of eta(e_n): orthogonal-distance regression. It accounts
+/// for the errors of both velocities, and so for the correlated ones of e and eta.
 class RestitutionDistances {
   public:
     RestitutionDistances(const ContactModel& model, const RestitutionData& data);
@@ -23,7 +23,7 @@ class RestitutionDistances {
         Eigen::MatrixXd jacobian;
         std::vector<double> restitutions;  ///< of the nearest points of the curve
     };
-    /// Rows for coefficients; where the curve does not exist, residuals too large for any fit to stay there.
+    /// Residuals for coefficients; for those without a curve, residuals that drive any fit away.
     [[nodiscard]] const Rows& rows(const Eigen::VectorXd& coefficients) const;
 
   private:

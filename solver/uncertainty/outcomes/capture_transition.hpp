@@ -6,11 +6,11 @@
 
 namespace ashimpact {
 
-/// Where captures turn into rebounds: P(capture at v) = Phi((center - v)/width), width^2 the noise of v_in
-/// and what is added to it.
+/// Where captures turn into rebounds: P(capture at v) = Phi((center - v)/width), width^2 the variance of the
+/// noise of v_in plus extra_variance.
 struct CaptureTransition {
     double center;          ///< [m/s]
-    double extra_variance;  ///< beside the noise, 0 where that explains the mixing [m2/s2]
+    double extra_variance;  ///< 0 if the noise explains how outcomes mix [m2/s2]
 };
 
 /// -2 ln L of the outcomes of a series with captures and rebounds.
@@ -22,16 +22,16 @@ class OutcomeLikelihood {
 
     [[nodiscard]] double at(const CaptureTransition& transition) const;
 
-    /// The most likely centre at this extra variance; there is one, as -2 ln L is convex in it. Anywhere
-    /// between outcomes that are far apart, it is their middle. Can be negative.
+    /// The most likely centre at this extra variance; there is one, as -2 ln L is convex in it. If outcomes
+    /// are so far apart that any centre between them is as likely, it is their middle. Can be negative.
     [[nodiscard]] double best_center(double extra_variance) const;
 
     /// -2 ln L at a centre with the extra variance that is likeliest there, up to the range of v_in squared.
     [[nodiscard]] double profile(double center) const;
 
-    /// The most likely transition; an extra variance only where the outcomes are likelier with it.
-    /// @return none where no extra width up to the range of v_in explains them better than outcomes that do
-    /// not depend on the velocity, or the centre is not positive
+    /// The most likely transition; it has an extra variance only if that makes the outcomes likelier.
+    /// @return none if no width up to the range of v_in explains the outcomes better than chance that does
+    /// not depend on the velocity, or if the centre is not positive
     [[nodiscard]] std::optional<CaptureTransition> best() const;
 
   private:

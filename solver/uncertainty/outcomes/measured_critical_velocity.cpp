@@ -14,7 +14,7 @@ namespace ashimpact {
 
 namespace {
 
-/// The set with the noise that the scatter of its rebounds shows, where it states none and has enough of
+/// The set with the noise estimated from the scatter of its rebounds, if it states none and has enough of
 /// them.
 MeasurementSet with_noise(const MeasurementSet& set) {
     constexpr std::size_t enough = 6;
@@ -41,8 +41,8 @@ void note_range(const MeasurementSet& set, MeasuredCriticalVelocity& result) {
 }
 
 /// One outcome only: v_c is bounded on one side. Each impact bounds it by its velocity and error, and the
-/// bound that goes furthest is taken; it holds where all do. So each of n is let fail in (1 - confidence)/n
-/// of cases, as the fastest of many captures is likely to be the one with the largest error.
+/// tightest bound is taken; it holds if all do. So each of n bounds may fail in (1 - confidence)/n of cases:
+/// the fastest of many captures is likely to be the one with the largest error.
 void bound_one_side(const MeasurementSet& set, MeasuredCriticalVelocity& result) {
     const double share = (1.0 - confidence) / static_cast<double>(set.points.size());
     const double quantile = -gsl::normal_quantile(share);
@@ -70,7 +70,7 @@ void take_gap(MeasuredCriticalVelocity& result) {
     result.note = "between the fastest capture and the slowest rebound";
 }
 
-/// One velocity with both outcomes, of unknown uncertainty: v_c is there, and nothing says how closely.
+/// One velocity with both outcomes, of unknown uncertainty: v_c is there, with no interval.
 void take_common_velocity(MeasuredCriticalVelocity& result) {
     result.value = result.fastest_capture;
     result.note = "captures end and rebounds begin at one velocity, whose uncertainty is not known";

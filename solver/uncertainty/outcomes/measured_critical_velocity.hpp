@@ -10,9 +10,9 @@
 
 namespace ashimpact {
 
-/// The critical velocity as the outcomes alone show it, without any model of the contact.
+/// The critical velocity from captures and rebounds alone, without any model of the contact.
 struct MeasuredCriticalVelocity {
-    std::optional<double> value;  ///< > 0; none where one outcome was seen or they give no threshold [m/s]
+    std::optional<double> value;  ///< > 0; none if only one outcome was seen or they give no threshold [m/s]
     std::optional<double> standard_uncertainty;  ///< [m/s]
     std::optional<double> lower;                 ///< of the 95 % interval; none: not bounded [m/s]
     std::optional<double> upper;                 ///< [m/s]
@@ -23,14 +23,14 @@ struct MeasuredCriticalVelocity {
     std::string note;  ///< in words
 };
 
-/// Maximum likelihood of P(capture at v) = Phi((v_c - v)/width). The width is the noise of v_in, or what the
-/// mixing of outcomes demands where that is more (particles differ); the interval is of the profile
-/// likelihood, with the width that is likeliest at each v_c. Without known noise and without mixing the
-/// interval is the gap between the fastest capture and the slowest rebound. Outcomes that contradict a
-/// threshold (captures faster than rebounds beyond their noise) give no value, and the note says so.
+/// Maximum likelihood of P(capture at v) = Phi((v_c - v)/width). The width is the noise of v_in, or more if
+/// outcomes mix over a wider range, as when particles differ. The interval is that of the profile likelihood,
+/// with the width that is likeliest at each v_c. Without known noise and without mixing it is the gap between
+/// the fastest capture and the slowest rebound. Outcomes that contradict a threshold (captures faster than
+/// rebounds beyond their noise) give no value, and the note says so.
 ///
 /// Captures alone bound v_c from below, by the greatest v_in - z u(v_in) of an impact, z the normal quantile
-/// of 1 - 0.05/n for n impacts; rebounds alone bound it from above, by the least v_in + z u(v_in). Where all
+/// of 1 - 0.05/n for n impacts; rebounds alone bound it from above, by the least v_in + z u(v_in). If all
 /// particles share one v_c such a bound holds in 95 % of cases or more, whatever velocities were aimed at.
 /// @throws InputError for a set that is not valid
 [[nodiscard]] MeasuredCriticalVelocity measured_critical_velocity(const MeasurementSet& set);

@@ -6,9 +6,9 @@ namespace ashimpact {
 
 /// Checks a fitted v_c against the impacts it was fitted to: below v_c nothing rebounds.
 ///
-/// A rebound is clear where v_r exceeds three standard uncertainties (those of the fit, where its noise was
-/// enlarged or estimated). The v_in of the slowest one is allowed the noise that the slowest of so many has.
-/// @throws InputError where v_c, less its uncertainty, lies above that
+/// A rebound is clear if v_r exceeds three standard uncertainties (those of the fit, if it enlarged or
+/// estimated the noise). The v_in of the slowest clear rebound is allowed the noise that the slowest of so
+/// many has. @throws InputError if v_c, less its uncertainty, lies above that
 void require_rebounds_above(const DampingCurveFit& fit, const MeasurementSet& set);
 
 }  // namespace ashimpact

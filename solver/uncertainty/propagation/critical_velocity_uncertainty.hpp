@@ -10,19 +10,19 @@ namespace ashimpact {
 /// Name of the factor under which the scatter of a fit is ranked.
 inline constexpr const char* fit_factor = "damping fit";
 
-/// What becomes of the damping when the contact is not quite what was assumed.
+/// What happens to the damping if the contact is not quite what was assumed.
 enum class DampingUnderChange {
-    /// The measured curve v_r(v_in) is what is known: the damping is read from it again with the other
-    /// contact. Its errors and those of the contact cancel to a large part in v_c.
+    /// The measured curve v_r(v_in) is known: the damping is read from it again with the other contact. Its
+    /// errors and those of the contact cancel to a large part in v_c.
     reread,
-    /// The damping is known by itself, e.g. published: the errors do not cancel.
+    /// The damping is known by itself, e.g. published: errors do not cancel.
     held,
 };
 
 /// v_c with an interval from everything: the fit's covariance (with the asymmetry of its interval), size,
 /// density, moduli, fractions, w; and the ranking of what dominates.
 /// @param contact whose values are those of @p model 's contact
-/// @throws InputError where the two contacts differ
+/// @throws InputError if the two contacts differ
 [[nodiscard]] Propagation propagate_critical_velocity(const DampingCurveFit& fit, const ContactModel& model,
                                                       const RandomContact& contact,
                                                       DampingUnderChange change = DampingUnderChange::reread,
