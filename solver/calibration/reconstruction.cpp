@@ -3,6 +3,7 @@
 #include "materials/base/error.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/gsl/root.hpp"
+#include "solver/motion/scaled_impact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -64,6 +65,9 @@ double velocity_of_restitution(const Impact& impact, double restitution) {
                              std::string(name_of(impact.damping.law)) + "'",
                          std::string(name_of(DampingLaw::constant)));
     }
+    if (can_yield(impact.law, impact.contact))
+        throw InputError("restitution need not rise with velocity where the contact yields",
+                         "a contact without yield pressure");
     if (!(restitution > 0.0 && restitution < 1.0)) not_reached(restitution, "0 < e < 1");
     const CriticalVelocity critical =
         critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact});

@@ -124,8 +124,10 @@ class Judge {
         while (margin(a + width) < 0.0) width *= 2.0;
         a += sign_change<double>([&](double x) { return margin(a + x); }, width);
         const CohesiveState at_yield = zone.at_contact_radius(a / units.radius);
-        const auto energy = static_cast<double>(zone.potential(at_yield) - zone.potential(zone.touch()));
-        const bool at_touch = zone.overlap(at_yield) <= zone.overlap(zone.touch());
+        const CohesiveState begin =
+            impact_.detachment == Detachment::zero_overlap ? zone.at_overlap(0) : zone.touch();
+        const auto energy = static_cast<double>(zone.potential(at_yield) - zone.potential(begin));
+        const bool at_touch = zone.overlap(at_yield) <= zone.overlap(begin);
         regime_.yield_velocity = ashimpact::yield_velocity(contact_);
         regime_.law_yield_velocity =
             at_touch ? 0.0 : std::sqrt(2.0 * std::max(0.0, energy) * units.energy() / contact_.mass);

@@ -23,18 +23,18 @@ EnergyLedger ledger_of(const CohesiveOrbit& followed, const CohesiveMotion& moti
     const MotionState<Extended>& last = rebound ? followed.orbit.end : followed.orbit.turn;
     const Extended incident = velocity * velocity / 2;
     const Extended remaining = last.velocity * last.velocity / 2;
-    const Extended before = motion.potential_before();
-    const Extended potential = rebound ? motion.potential_after() : motion.zone().potential(followed.turn);
+    const Extended outside = motion.potential_outside();
+    const Extended potential = rebound ? outside : motion.zone().potential(followed.turn);
     const Extended jumps = followed.lost_at_touch + followed.lost_at_break;
     const auto joule = [unit](Extended energy) { return static_cast<double>(energy) * unit; };
     return {.incident = joule(incident),
             .remaining = joule(remaining),
-            .at_touch = joule(before),
+            .at_touch = joule(outside),
             .potential = joule(potential),
             .dissipated = joule(last.dissipation),
             .plastic = 0.0,
             .jumps = joule(jumps),
-            .residual = joule(incident + before - remaining - potential - last.dissipation - jumps),
+            .residual = joule(incident + outside - remaining - potential - last.dissipation - jumps),
             .minimum = joule(motion.zone().potential(motion.zone().equilibrium()))};
 }
 

@@ -34,7 +34,7 @@ CohesiveMotion::CohesiveMotion(const CohesiveZone& zone, const Polynomial<Extend
       end_(end_of(zone, detachment)) {
     if (detachment != Detachment::zero_overlap) return;
     begin_ = end_;
-    before_ = zone.potential(begin_);
+    outside_ = zone.potential(begin_);
 }
 
 bool CohesiveMotion::creeps_up(const MotionState<Extended>& state) const {

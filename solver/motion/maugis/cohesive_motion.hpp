@@ -26,10 +26,9 @@ class CohesiveMotion {
     [[nodiscard]] const GapBranch& gap() const { return gap_; }
     [[nodiscard]] const CohesiveState& begin() const { return begin_; }
     [[nodiscard]] const CohesiveState& end() const { return end_; }
-    /// Potential before the surfaces come into reach: 0, or that of the first state at zero overlap.
-    [[nodiscard]] Extended potential_before() const { return before_; }
-    /// Potential after the contact has ended; the same.
-    [[nodiscard]] Extended potential_after() const { return before_; }
+    /// Potential outside of the contact, before it begins and after it has ended: 0, or that of the first
+    /// state at zero overlap where it begins and ends there.
+    [[nodiscard]] Extended potential_outside() const { return outside_; }
     [[nodiscard]] Extended potential_at_begin() const { return zone_.potential(begin_); }
     [[nodiscard]] Extended potential_at_end() const { return zone_.potential(end_); }
     /// Whether an approach in contact is so damped that it creeps up to equilibrium and never turns. It stays
@@ -43,7 +42,7 @@ class CohesiveMotion {
     GapBranch gap_;
     CohesiveState begin_;
     CohesiveState end_;
-    Extended before_ = 0;
+    Extended outside_ = 0;
 };
 
 /// Why the detachment is not admissible for this transition parameter, in words; none if it is.

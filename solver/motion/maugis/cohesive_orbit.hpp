@@ -26,7 +26,7 @@ class CohesiveFollower {
     [[nodiscard]] CohesiveOrbit follow(Extended velocity) {
         MotionState<Extended> state{.velocity = velocity};
         const CohesiveZone& zone = motion_.zone();
-        result_.lost_at_touch = motion_.potential_before() - motion_.potential_at_begin();
+        result_.lost_at_touch = motion_.potential_outside() - motion_.potential_at_begin();
         if (motion_.begin().touching()) {
             state.position = motion_.touching().coordinate(motion_.begin());
         } else {
@@ -113,7 +113,7 @@ class CohesiveFollower {
             if (!broken) return;
         }
         result_.orbit.outcome = Outcome::rebound;
-        result_.lost_at_break = motion_.potential_at_end() - motion_.potential_after();
+        result_.lost_at_break = motion_.potential_at_end() - motion_.potential_outside();
     }
 
     /// The energy no longer suffices to reach the end.

@@ -211,4 +211,11 @@ TEST_CASE("restitutions that no velocity has are refused") {
         impact_of({Law::of<Dmt>(), DampingLaw::contact_radius, Detachment::zero_overlap}, ash(0.3), 0.5, 2.0);
     CHECK(message(falling, 0.5) ==
           "restitution need not rise with velocity for damping law 'contact-radius'; allowed: constant");
+    Impact yielding = impact;
+    yielding.law = Law::of<ThorntonNing>();
+    yielding.detachment = Detachment::pull_off;
+    yielding.contact.yield_pressure = 2e9;
+    CHECK(message(yielding, 0.5) ==
+          "restitution need not rise with velocity where the contact yields; allowed: a contact without yield "
+          "pressure");
 }
