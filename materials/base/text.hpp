@@ -46,6 +46,9 @@ namespace ashimpact {
 /// terminal would obey, and for each byte that is part of no UTF-8 character.
 [[nodiscard]] std::string without_controls(std::string_view text);
 
+/// Bytes of the UTF-8 character with which a text begins; 0 if it begins with none. @param text not empty
+[[nodiscard]] std::size_t utf8_length(std::string_view text);
+
 /// A long text, such as a file name, with "..." for its middle.
 [[nodiscard]] std::string shortened(const std::string& text);
 

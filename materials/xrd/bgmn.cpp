@@ -5,6 +5,7 @@
 
 #include "materials/base/tables/number.hpp"
 #include "materials/base/text.hpp"
+#include "materials/xrd/normalise.hpp"
 #include "materials/xrd/readers.hpp"
 
 namespace ashimpact::xrd {
@@ -212,11 +213,9 @@ XrdResult read_bgmn(const TextLines& file) {
     }
     if (!(total > 0))
         throw InputError("no phase has a weight", "GEWICHT above zero").at(at_line(file.last_line()));
-    for (PhaseFraction& phase : sample.analysis.phases) {
-        phase.fraction /= total;
-        if (phase.standard_uncertainty) *phase.standard_uncertainty /= total;
+    normalise(sample.analysis.phases, total);
+    for (const PhaseFraction& phase : sample.analysis.phases)
         compare_with_goal(phase, contents, sample.warnings);
-    }
     report_failed_goals(contents, sample.warnings);
     require_whole_number(sample, contents, file);
     return {.format = XrdFormat::bgmn_lst, .samples = {std::move(sample)}};

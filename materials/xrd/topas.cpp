@@ -6,6 +6,7 @@
 
 #include "materials/base/tables/number.hpp"
 #include "materials/base/text.hpp"
+#include "materials/xrd/normalise.hpp"
 #include "materials/xrd/readers.hpp"
 
 namespace ashimpact::xrd {
@@ -272,10 +273,7 @@ XrdSample sample_of(const TopasPattern& pattern) {
     if (!(total > 0))
         throw InputError("no phase has a weight", "weight_percent or MVW with a weight per cent above zero")
             .at(at_line(pattern.line));
-    for (PhaseFraction& phase : sample.analysis.phases) {
-        phase.fraction /= total;
-        if (phase.standard_uncertainty) *phase.standard_uncertainty /= total;
-    }
+    normalise(sample.analysis.phases, total);
     return completed(std::move(sample), pattern);
 }
 

@@ -43,21 +43,6 @@ void check_bytes(std::string_view bytes, const TextLimits& limits) {
         throw InputError("the file is empty", std::string(limits.content)).at(at_line(1));
 }
 
-/// Length of the UTF-8 sequence at the front, or zero.
-std::size_t utf8_length(std::string_view text) {
-    const unsigned char first = byte(text.front());
-    const std::size_t length = first < 0x80   ? 1
-                               : first < 0xc2 ? 0
-                               : first < 0xe0 ? 2
-                               : first < 0xf0 ? 3
-                               : first < 0xf5 ? 4
-                                              : 0;
-    if (length == 0 || length > text.size()) return 0;
-    for (std::size_t i = 1; i < length; ++i)
-        if ((byte(text[i]) & 0xc0) != 0x80) return 0;
-    return length;
-}
-
 bool is_utf8(std::string_view text) {
     while (!text.empty()) {
         const std::size_t length = utf8_length(text);
