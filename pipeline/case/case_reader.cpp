@@ -131,17 +131,7 @@ std::vector<LawChoice> read_laws(const View& document) {
     std::vector<LawChoice> choices;
     choices.reserve(laws.size());
     for (const Law law : laws) choices.push_back({law, law.default_detachment()});
-    const auto detachments = document.find("detachments");
-    if (!detachments) return choices;
-    for (const auto& [name, value] : detachments->members()) {
-        const Law law = value.located([&key = name] { return Law::named(key); });
-        const Detachment detachment = named<Detachment>(value.text());
-        if (const auto reason = refusal(law, detachment)) value.fail(*reason, admissible_detachments(law));
-        const auto chosen = std::find_if(choices.begin(), choices.end(),
-                                         [&](const LawChoice& choice) { return choice.law == law; });
-        if (chosen == choices.end()) value.fail("the law is not among \"laws\"", "a law of the case");
-        chosen->detachment = detachment;
-    }
+    read_detachments(document.find("detachments"), choices, "a law of the case");
     return choices;
 }
 

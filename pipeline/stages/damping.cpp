@@ -19,32 +19,24 @@ namespace ashimpact {
 
 namespace {
 
-/// What one law reads from a series.
+/// The damping that one law gives for the impacts of a series.
 struct Reading {
     std::vector<InvertedImpact> impacts;
     DampingParts parts;
     Json rising;          ///< null where there is no rising branch
-    std::string note{};   ///< why
+    std::string note{};   ///< why there is none
     double accuracy = 0;  ///< of restitutions read from a map; 0: solved [1]
 };
 
 /// One impact by solving, for damping laws and contacts that have no map.
 InvertedImpact solved(const Measurement& point, std::size_t index, const DampingProblem& problem) {
-    InvertedImpact inverted{.index = index,
-                            .velocity = point.velocity,
-                            .restitution = problem.restitution,
-                            .greatest_restitution = 0,
-                            .damping = {},
-                            .standard_uncertainty = {},
-                            .by_restitution = 0,
-                            .by_velocity = 0,
-                            .contact_time = {}};
+    InvertedImpact inverted{.index = index, .velocity = point.velocity, .restitution = problem.restitution};
     try {
         const DampingInversion inversion = damping_from_restitution(problem);
         inverted.greatest_restitution = inversion.greatest_restitution;
         inverted.damping = inversion.damping.coefficient;
         inverted.contact_time = inversion.impact.contact_time;
-    } catch (const InputError&) {  // beyond reach: listed, with what is within
+    } catch (const InputError&) {  // no damping gives this restitution: listed with the greatest possible one
         inverted.greatest_restitution = restitution_of(
             {problem.law, problem.detachment, {problem.damping_law, 0}, problem.contact, problem.velocity});
     }
