@@ -9,14 +9,14 @@
 
 namespace ashimpact {
 
-/// v_c and the curve of damping that impacts support, whatever its form.
+/// v_c and the curve of damping, estimated from all impacts without assuming a form of eta.
 struct CurveEstimate {
     Interval critical_velocity;         ///< median and 95 % interval [m/s]
     Interval critical_damping;          ///< eta_capture at those [kg/s]
     CurvePosterior::Vector parameters;  ///< of the likeliest curve
-    double effective;                   ///< draws from the posterior, as many independent ones
+    double effective;                   ///< effective number of independent draws from the posterior
     Scatter scatter;
-    double fastest;  ///< ln v
+    double fastest;  ///< ln v_in of the fastest impact
 };
 
 /// The posterior of the curve, by draws from normal densities that are fitted to it and to what was drawn

@@ -6,7 +6,7 @@
 
 namespace ashimpact {
 
-/// What a fit of eta(e_n) sees. Weights below one take a rebound back (robust fits).
+/// Data of a fit of eta(e_n). Robust fits give rebounds weights below one.
 struct RestitutionData {
     std::vector<Measurement> rebounds;  ///< each with its noise
     std::vector<double> weights;
