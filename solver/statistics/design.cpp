@@ -10,7 +10,7 @@ namespace ashimpact {
 
 namespace {
 
-/// Groups of random points; more would tell their errors no better than the few points in each.
+/// Groups of random points, for estimates of errors.
 constexpr std::uint32_t random_groups = 16;
 
 const std::vector<double>& values_of(const Distribution& variable) {

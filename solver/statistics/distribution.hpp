@@ -57,10 +57,10 @@ using Distribution = std::variant<Choice, Uniform, LogUniform, Normal, LogNormal
 /// Half width sqrt(3) standard_uncertainty.
 [[nodiscard]] Distribution uniform_around(double value, double standard_uncertainty);
 
-/// Replaces probabilities of (0, 1) by quantiles: the values below which the distribution has them.
+/// Replaces probabilities in (0, 1) by the quantiles of the distribution.
 void to_quantiles(const Distribution& distribution, std::span<double> probabilities);
 
-/// The least and the greatest value a distribution can give, infinite where there is none.
+/// The least and the greatest value of a distribution; infinite if it is not bounded.
 struct Support {
     double lowest;
     double highest;
