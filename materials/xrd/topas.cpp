@@ -145,7 +145,7 @@ class TopasReader {
         return *number;
     }
 
-    /// The numbers between the brackets behind a macro; an argument that is no number is none.
+    /// The arguments of a macro; none for an argument that is not a number.
     std::vector<std::optional<PrintedNumber>> arguments_after(const Token& macro) {
         if (at_ >= tokens_.size()) cut_off(macro);
         if (tokens_[at_].text != "(")
@@ -211,7 +211,7 @@ std::string stem_of(std::string name) {
     return name.substr(0, name.rfind('.'));
 }
 
-/// The amorphous part that the refinement states, or that follows from a spiked standard.
+/// Adds the amorphous part, which the refinement states or which follows from a spiked standard.
 XrdSample completed(XrdSample sample, const TopasPattern& pattern) {
     const TopasPhase* standard = nullptr;
     for (const TopasPhase& phase : pattern.phases) {

@@ -35,7 +35,7 @@ struct FitTask {
     double rising_to;  ///< end of the rising branch [m/s]
 };
 
-/// What a fit leaves, or why there is none.
+/// The result of a fit, or the reasons why there is none.
 struct Fitted {
     Json json = nullptr;
     std::vector<std::string> notes{};
@@ -109,7 +109,7 @@ Json quadratic_part(const DampingCurveFit& fit) {
     return quadratic_fit_json(values, covariance, fit.critical_damping.standard_uncertainty, "kg/s");
 }
 
-/// Where nothing can be extrapolated: the critical damping of the estimate alone, as a constant.
+/// The critical damping of the estimate as a constant damping, for impacts that allow no extrapolation.
 Json constant_part(const Interval& critical_damping) {
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
     covariance(0, 0) = std::pow(critical_damping.standard_uncertainty, 2);
@@ -117,7 +117,7 @@ Json constant_part(const Interval& critical_damping) {
                               critical_damping.standard_uncertainty, "kg/s");
 }
 
-/// Through the dynamic model: all that analyse_impacts() says of the series.
+/// By analyse_impacts(), through the dynamic model.
 Fitted fit_through_model(const FitTask& task) {
     const FitChoices& choices = task.data.fit;
     MeasuredDampingOptions options;

@@ -38,7 +38,7 @@ std::vector<CriticalDampings> read_critical_dampings(const View& result, Dimensi
     return samples;
 }
 
-/// What the artifacts say of one sample.
+/// Results of one sample from the artifacts.
 struct SampleInputs {
     const Sample& sample;
     const ContactPair& contact;

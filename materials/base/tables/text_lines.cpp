@@ -15,7 +15,7 @@ unsigned char byte(char c) {
     return static_cast<unsigned char>(c);
 }
 
-/// Refuses what cannot be a result before anything is copied.
+/// Refuses a file that cannot be a text, before anything is copied.
 void check_bytes(std::string_view bytes, const TextLimits& limits) {
     if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
         throw InputError("this is UTF-16", "UTF-8, ASCII or Latin-1 text").at(at_line(1));

@@ -137,7 +137,7 @@ class Chunk {
         return picked;
     }
 
-    /// Leaves out the points of which an impact is not known: its part of the variance is not either.
+    /// Removes points with an impact that did not converge, as their part of the variance is unknown.
     static void remove_unknown(Columns& blocks) {
         std::vector<std::size_t> known;
         for (std::size_t i = 0; i < blocks[0].size(); ++i)

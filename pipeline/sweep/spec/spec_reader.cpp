@@ -66,7 +66,7 @@ void require_input(const View& document, const SweepSpec& spec, ImpactInput inpu
         with_article(dimension_name(dimension_of(input, spec.damping_law))) + " here or in /variables");
 }
 
-/// An input that no law of the sweep looks at changes nothing: said, not refused.
+/// Warns of an input that no law of the sweep uses.
 void warn_unused(SweepSpec& spec, ImpactInput input, bool used) {
     if (!used && is_given(spec, input))
         spec.warnings.push_back(std::string(name_of(input)) +
