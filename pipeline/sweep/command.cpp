@@ -135,7 +135,7 @@ void run_sweep_command(const SweepOptions& options, MpiSession& session, const I
     text = session.broadcast(text);
     const SweepPlan plan(text);
     const int threads = options.threads > 0 ? options.threads : default_threads(session.size_here());
-    const auto of_spec = [&](const ContactModel& model, const ImpactColumns& impacts,
+    const auto of_spec = [&](const ImpactModel& model, const ImpactColumns& impacts,
                              const WantedResults& wanted) {
         return in_file(options.spec, [&] { return solver(model, impacts, wanted); });
     };

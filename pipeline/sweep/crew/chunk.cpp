@@ -31,7 +31,7 @@ class Chunk {
         into.counts.laws.resize(spec.laws.size());
         into.failed.counts.resize(spec.laws.size());
         for (std::size_t i = 0; i < spec.laws.size(); ++i) {
-            const ContactModel model{spec.laws[i].law, spec.laws[i].detachment, spec.damping_law};
+            const ImpactModel model{spec.laws[i].law, spec.laws[i].detachment, spec.damping_law};
             const ResultColumns results = solver(model, impacts, plan_.wanted());
             add_statistics(results, impacts, into.sums.laws[i], into.counts.laws[i]);
             add_failures(results, i, into.failed);

@@ -25,8 +25,8 @@ struct ImpactColumns {
     std::vector<std::pair<std::string_view, std::vector<double>>> parameters;  ///< of contact laws, by name
 };
 
-/// The models that all of the impacts share.
-struct ContactModel {
+/// Contact law, detachment and damping law of many impacts.
+struct ImpactModel {
     Law law;
     Detachment detachment;
     DampingLaw damping_law;
@@ -56,11 +56,11 @@ struct ResultColumns {
 
 /// Solves many impacts. The result of an impact must not depend on the other impacts.
 using ImpactSolver =
-    std::function<ResultColumns(const ContactModel&, const ImpactColumns&, const WantedResults&)>;
+    std::function<ResultColumns(const ImpactModel&, const ImpactColumns&, const WantedResults&)>;
 
 /// The batch solver, on the calling thread. Impacts that do not converge are listed. @throws InputError
 /// naming what a variable may not be
-[[nodiscard]] ResultColumns solve_in_batch(const ContactModel& model, const ImpactColumns& impacts,
+[[nodiscard]] ResultColumns solve_in_batch(const ImpactModel& model, const ImpactColumns& impacts,
                                            const WantedResults& wanted);
 
 }  // namespace ashimpact
