@@ -7,6 +7,7 @@
 #include "materials/base/error.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/contact.hpp"
+#include "pipeline/stages/for_each_law.hpp"
 #include "pipeline/stages/in_parallel.hpp"
 #include "pipeline/stages/json/inversion_json.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
@@ -167,9 +168,7 @@ std::vector<SampleDamping> read_dampings(const View& result, Dimension dimension
     std::vector<SampleDamping> samples;
     for (const View& sample : result.at("samples").elements()) {
         SampleDamping entry{.name = sample.at("name").text(), .laws = {}};
-        for (const auto& [name, node] : sample.members()) {
-            if (name == "name") continue;
-            const Law law = node.located([&, &key = name] { return Law::named(key); });
+        for_each_law(sample, {"name"}, [&](Law law, const View& node) {
             DampingSeries series{.origin = node.at("origin").text(),
                                  .velocity = node.at("velocity").column(Dimension::velocity),
                                  .restitution = node.at("restitution").column(Dimension::fraction),
@@ -181,7 +180,7 @@ std::vector<SampleDamping> read_dampings(const View& result, Dimension dimension
             if (const auto rising = node.find("rising_branch"))
                 series.rising_to = rising->at("to").number(Dimension::velocity);
             entry.laws.set(law, std::move(series));
-        }
+        });
         samples.push_back(std::move(entry));
     }
     return samples;

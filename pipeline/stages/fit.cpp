@@ -12,6 +12,7 @@
 #include "pipeline/json/statistics_json.hpp"
 #include "pipeline/stages/contact.hpp"
 #include "pipeline/stages/damping.hpp"
+#include "pipeline/stages/for_each_law.hpp"
 #include "pipeline/stages/in_parallel.hpp"
 #include "pipeline/stages/json/damping_fit_json.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
@@ -207,10 +208,8 @@ std::vector<SampleFit> read_fits(const View& result, Dimension dimension) {
     std::vector<SampleFit> samples;
     for (const View& sample : result.at("samples").elements()) {
         SampleFit entry{.name = sample.at("name").text(), .laws = {}};
-        for (const auto& [name, node] : sample.members()) {
-            if (name == "name") continue;
-            const Law law = node.located([&, &key = name] { return Law::named(key); });
-            const auto value = [&, &node = node](const char* key) { return node.at(key).number(dimension); };
+        for_each_law(sample, {"name"}, [&](Law law, const View& node) {
+            const auto value = [&](const char* key) { return node.at(key).number(dimension); };
             LawFit fit{DampingPolynomial::quadratic(value("a"), value("b"), value("c")),
                        value("critical_damping")};
             node.at("critical_damping").located([&] {
@@ -221,7 +220,7 @@ std::vector<SampleFit> read_fits(const View& result, Dimension dimension) {
             if (const auto curve = node.find("extrapolated")) fit.extrapolated = read_damping_fit(*curve);
             if (const auto estimate = node.find("direct")) fit.estimate = read_critical_damping(*estimate);
             entry.laws.set(law, std::move(fit));
-        }
+        });
         samples.push_back(std::move(entry));
     }
     return samples;
