@@ -9,8 +9,8 @@
 
 namespace ashimpact {
 
-/// Whether a positive number in SI is so far from the ends of floating point that products of powers of such
-/// numbers remain numbers.
+/// Whether a positive number in SI is far enough from the limits of double precision that products of powers
+/// of such numbers neither overflow nor underflow.
 [[nodiscard]] constexpr bool is_computable(double value) {
     return value >= 1e-40 && value <= 1e40;
 }
@@ -33,8 +33,8 @@ void require_poisson_ratio(std::string_view name, double value);
 /// Throws InputError unless 0 <= value <= 1.
 void require_fraction(std::string_view name, double value);
 
-/// The error for a name that is none of `known`: `no <kind> is called "<name>", did you mean "<nearest>"?`,
-/// with all of them as what is allowed.
+/// The error for a name that is not among `known`: `no <kind> is called "<name>", did you mean "<nearest>"?`,
+/// and all known names as what is allowed.
 [[nodiscard]] InputError unknown_name(std::string_view kind, std::string_view name,
                                       const std::vector<std::string>& known);
 

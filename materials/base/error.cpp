@@ -15,12 +15,12 @@ std::string one_line(const std::string& place, const std::string& problem, const
     return line;
 }
 
-/// Whether a place is, or begins with, that outer one already.
+/// Whether a place already is, or begins with, an outer one.
 bool stands_before(const std::string& outer, const std::string& place) {
     return place == outer || place.starts_with(outer + ": ");
 }
 
-/// A place without endless keys: each part of a pointer has its middle left out where it is long.
+/// A place for messages: the middle of each long part of a JSON pointer is left out.
 std::string with_short_keys(const std::string& place) {
     constexpr std::size_t longest = 200;  // of a place that is taken as it is
     if (!place.starts_with('/') || place.size() <= longest) return place;

@@ -12,12 +12,12 @@ class InputError : public std::runtime_error {
     /// @param allowed what would be accepted; may be empty
     explicit InputError(std::string problem, std::string allowed = {});
 
-    /// The same error with the place it was found at (JSON pointer, line, option) in front of any inner
-    /// place. Joins JSON pointers; never repeats a place.
+    /// The same error with the place (JSON pointer, line, option) where it was found, in front of any place
+    /// it has. Two JSON pointers are joined; a place is never repeated.
     [[nodiscard]] InputError at(const std::string& place) const;
 
-    /// The same error with the file it was found in, in front of any place. A file name that begins with a
-    /// slash does not count as a pointer.
+    /// The same error with the file where it was found, in front of any place. The name of a file is not
+    /// taken for a JSON pointer, even if it begins with a slash.
     [[nodiscard]] InputError in_file(const std::string& file) const;
 
     [[nodiscard]] const std::string& place() const { return place_; }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t deepest = 64;
 
-/// Follows the parser and refuses what the library would take silently.
+/// Callback of the parser that refuses what the library would accept silently.
 class Watcher {
   public:
     bool operator()(int /*depth*/, Json::parse_event_t event, const Json& parsed) {
@@ -59,7 +59,7 @@ class Watcher {
         if (parsed.is_string()) refuse_nul(parsed.get_ref<const std::string&>());
         count();
     }
-    /// What stands after a NUL would be lost wherever the text becomes a file name.
+    /// Refuses a NUL: a text after it would be lost if it becomes a file name.
     void refuse_nul(const std::string& text) const {
         if (text.find('\0') != std::string::npos)
             throw InputError("holds a NUL character", "a text without it").at(pointer());
@@ -82,13 +82,13 @@ std::string place_of(std::string_view text, std::size_t byte) {
            std::to_string(1 + before.size() - line_start);
 }
 
-/// What the library says, in one line without its own name and place.
+/// The library's message in one line, without its own name and place.
 std::string reason_of(std::string message) {
     for (const std::string_view before : {"] ", "parse error", ": "}) {
         const auto found = message.find(before);
         if (found != std::string::npos) message.erase(0, found + before.size());
     }
-    // The piece of the document that it read last may be as long as the document.
+    // It quotes the last piece that it read, which may be as long as the document.
     constexpr std::string_view quoted = "last read: '";
     if (auto start = message.find(quoted); start != std::string::npos) {
         start += quoted.size();

@@ -18,12 +18,12 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] std::string child_pointer(const std::string& pointer, std::string_view key);
 [[nodiscard]] std::string child_pointer(const std::string& pointer, std::size_t index);
 
-/// Parses the user's JSON, stricter than the library: a key twice in one object (comments apart), more than
-/// 64 levels, a number out of range and text after the end are errors, and so is what is no JSON. Errors:
-/// InputError at "line N, column M" or at the JSON pointer.
+/// Parses the user's JSON more strictly than the library: a repeated key in one object (comments apart), more
+/// than 64 levels, a number out of range and text after the end are errors too. Errors: InputError at "line
+/// N, column M" or at the JSON pointer.
 [[nodiscard]] Json parse_json(std::string_view text);
 
-/// Runs `read` and puts `place` in front of the place of an InputError it throws.
+/// Returns what `read` returns, and puts `place` in front of the place of an InputError that it throws.
 template <class Read>
 decltype(auto) at_place(const std::string& place, Read&& read) {
     try {
@@ -33,7 +33,8 @@ decltype(auto) at_place(const std::string& place, Read&& read) {
     }
 }
 
-/// Runs `read` and puts the name of a file in front of the place of an InputError it throws.
+/// Returns what `read` returns, and puts the name of a file in front of the place of an InputError that it
+/// throws.
 template <class Read>
 decltype(auto) in_file(const std::string& file, Read&& read) {
     try {

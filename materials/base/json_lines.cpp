@@ -8,7 +8,7 @@ namespace ashimpact {
 
 namespace {
 
-/// "/samples/0/phases/0/weight_fraction" has five; what lies deeper is told by its surroundings.
+/// Levels whose lines are recorded: "/samples/0/phases/0/weight_fraction" has five.
 constexpr std::size_t deepest_kept = 5;
 
 }  // namespace
@@ -18,7 +18,7 @@ JsonLines::JsonLines(std::string_view text) : rest_(text) {
     rest_ = {};
 }
 
-/// The next character that is no blank; nothing is consumed but blanks.
+/// Skips blanks and returns the next character without consuming it; NUL at the end.
 char JsonLines::next() {
     const auto blanks = std::min(rest_.find_first_not_of(" \t\r\n"), rest_.size());
     line_ += static_cast<std::size_t>(
@@ -27,7 +27,7 @@ char JsonLines::next() {
     return rest_.empty() ? '\0' : rest_.front();
 }
 
-/// A string with its quotes, as written.
+/// Consumes a string and returns it as written, with its quotes.
 std::string JsonLines::read_string() {
     std::size_t end = 1;
     while (end < rest_.size() && rest_[end] != '"') end += rest_[end] == '\\' ? 2 : 1;

@@ -7,13 +7,13 @@
 
 namespace ashimpact {
 
-/// The lines at which the values of a JSON text begin, by JSON pointer.
+/// Line numbers at which the values of a JSON text begin, by JSON pointer.
 class JsonLines {
   public:
     /// `text` must be JSON that parses.
     explicit JsonLines(std::string_view text);
 
-    /// The line of the value a pointer names, or of the nearest value around it.
+    /// The line of the value that a pointer names, or of the innermost recorded value that contains it.
     [[nodiscard]] std::size_t line_of(std::string pointer) const;
 
   private:

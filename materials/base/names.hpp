@@ -10,8 +10,8 @@
 
 namespace ashimpact {
 
-/// Names of the values of an enumeration, as files, options and results write them. An enumeration that has
-/// names specialises this beside its declaration:
+/// Names of the values of an enumeration, as files, options and results write them. An enumeration gets names
+/// by a specialisation beside its declaration:
 ///   static constexpr std::string_view kind = "mixture rule";  // for messages
 ///   static constexpr std::array<std::string_view, n> all{...};  // in the order of its values 0, 1, ...
 template <class Enum>
@@ -43,7 +43,7 @@ template <Named Enum>
     return {Names<Enum>::all.begin(), Names<Enum>::all.end()};
 }
 
-/// The value of that name. @throws InputError with the nearest name and all of them
+/// The value of that name. @throws InputError with the nearest name and a list of all names
 template <Named Enum>
 [[nodiscard]] Enum named(std::string_view name) {
     for (std::size_t i = 0; i < Names<Enum>::all.size(); ++i)

@@ -19,7 +19,7 @@ std::string_view trimmed(std::string_view text) {
 
 namespace {
 
-/// Whether a byte goes on with a UTF-8 character that begins before it.
+/// Whether a byte is a continuation byte of a UTF-8 character.
 bool continues(char byte) {
     return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U;
 }
@@ -123,10 +123,7 @@ std::string joined(std::span<const std::string_view> words) {
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
-namespace {
-
-/// The bytes of the UTF-8 character that a text begins with; 0 where it begins with none.
-std::size_t character_length(std::string_view text) {
+std::size_t utf8_length(std::string_view text) {
     const auto first = static_cast<unsigned char>(text.front());
     if (first < 0x80) return 1;
     const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
@@ -135,6 +132,8 @@ std::size_t character_length(std::string_view text) {
                ? length
                : 0;
 }
+
+namespace {
 
 bool is_control(std::string_view character) {
     const auto byte = static_cast<unsigned char>(character.front());
@@ -148,7 +147,7 @@ std::string without_controls(std::string_view text) {
     std::string shown;
     shown.reserve(text.size());
     while (!text.empty()) {
-        const std::size_t length = character_length(text);
+        const std::size_t length = utf8_length(text);
         const std::string_view character = text.substr(0, std::max<std::size_t>(length, 1));
         if (length == 0 || is_control(character))
             shown += '?';

@@ -8,11 +8,11 @@
 
 namespace ashimpact {
 
-/// The text without blanks at both ends.
+/// The text without blanks at its ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
-/// Piece of the user's text for a one-line message: in quotes, cut after 60 bytes, control characters
-/// blanked.
+/// The user's text for a one-line message: in quotes, cut off after 60 bytes, with blanks for control
+/// characters.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
 /// The text with blanks for its line breaks.
@@ -24,15 +24,16 @@ namespace ashimpact {
 /// Shortest decimal form that reads back as the same number.
 [[nodiscard]] std::string shortest(double value);
 
-/// Fewest insertions, deletions and replacements of bytes that turn one word into the other (Levenshtein).
+/// Fewest insertions, deletions, replacements and swaps of neighbouring bytes that turn one word into the
+/// other (optimal string alignment).
 [[nodiscard]] std::size_t edit_distance(std::string_view from, std::string_view to);
 
-/// Up to `count` of the candidates that are near to the word (edit distance, case ignored, at most half of
-/// its length), nearest first, equally near ones in their order.
+/// Up to `count` candidates whose edit distance from the word is at most half of its length, ignoring case;
+/// nearest first, equally near ones in their order.
 [[nodiscard]] std::vector<std::string> nearest(std::string_view word,
                                                const std::vector<std::string>& candidates, std::size_t count);
 
-/// `, did you mean "..."?` with the nearest candidate; empty where none is near.
+/// `, did you mean "..."?` with the nearest candidate; empty if none is near.
 [[nodiscard]] std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
 
 /// "a pressure", "an energy": the indefinite article by the first letter.
@@ -42,11 +43,14 @@ namespace ashimpact {
 [[nodiscard]] std::string joined(const std::vector<std::string>& words);
 [[nodiscard]] std::string joined(std::span<const std::string_view> words);
 
-/// The text with "?" for each control character, of one byte or in UTF-8, but tabs and line ends, which a
-/// terminal would obey, and for each byte that is part of no UTF-8 character.
+/// The text with "?" for each control character that a terminal would obey, except tabs and line ends, and
+/// for each byte that belongs to no UTF-8 character.
 [[nodiscard]] std::string without_controls(std::string_view text);
 
-/// A long text, such as a file name, with "..." for its middle.
+/// Bytes of the UTF-8 character with which a text begins; 0 if it begins with none. @param text not empty
+[[nodiscard]] std::size_t utf8_length(std::string_view text);
+
+/// The text, such as a file name, with "..." for its middle if it is long.
 [[nodiscard]] std::string shortened(const std::string& text);
 
 /// The text as a word of a shell command, in single quotes if it needs them.

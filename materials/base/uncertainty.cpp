@@ -8,7 +8,7 @@ namespace ashimpact {
 
 namespace {
 
-std::vector<double> values_of(const std::vector<UncertainInput>& inputs) {
+std::vector<double> nominal_values(const std::vector<UncertainInput>& inputs) {
     std::vector<double> values;
     values.reserve(inputs.size());
     for (const UncertainInput& input : inputs) values.push_back(input.value);
@@ -21,7 +21,7 @@ std::vector<PropagatedUncertainty> propagate_linearly(
     const std::function<std::vector<double>(const std::vector<double>&)>& function,
     const std::vector<UncertainInput>& inputs) {
     constexpr double step_factor = 6e-6;  // third root of the rounding error
-    std::vector<double> x = values_of(inputs);
+    std::vector<double> x = nominal_values(inputs);
     std::vector<PropagatedUncertainty> results(function(x).size());
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         const double u = inputs[i].standard_uncertainty;

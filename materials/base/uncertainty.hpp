@@ -10,7 +10,7 @@ namespace ashimpact {
 struct UncertainInput {
     std::string what;                 ///< "Young's modulus of mullite"
     double value = 0;                 ///< [SI]
-    double standard_uncertainty = 0;  ///< [SI]; zero where none is known
+    double standard_uncertainty = 0;  ///< [SI]; 0 if unknown
 };
 
 /// How much one input adds to the variance of a result.
@@ -22,7 +22,7 @@ struct Contribution {
 /// Uncertainty of one result.
 struct PropagatedUncertainty {
     double standard_uncertainty = 0;            ///< [unit of the result]
-    std::vector<Contribution> contributions{};  ///< largest first, zeros left out
+    std::vector<Contribution> contributions{};  ///< largest first, without zeros
 };
 
 /// Propagates uncertainties linearly through a function with several results, each input independent:

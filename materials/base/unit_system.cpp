@@ -33,8 +33,8 @@ struct NamedUnit {
     const char* definition;
 };
 
-/// What fly-ash input is written in. Definitions may only use rows above them. No symbol may, with a prefix,
-/// read as another unit of the database (ft would be a femtotonne).
+/// Units common in input about fly ash. A definition may only use rows above it. No symbol with a prefix may
+/// coincide with another unit of the database (with a tonne, ft would be a femtotonne).
 constexpr std::array named_units{
     NamedUnit{"N", "newton", "kg.m.s-2"},   NamedUnit{"Pa", "pascal", "N.m-2"},
     NamedUnit{"J", "joule", "N.m"},         NamedUnit{"W", "watt", "J.s-1"},
@@ -82,7 +82,7 @@ const ut_system* small_system() {
     return system.get();
 }
 
-/// Null where the machine has no database.
+/// The UDUNITS-2 database; null if the machine has none.
 const ut_system* database() {
     static const System system(ut_read_xml(nullptr));
     return system.get();
@@ -128,7 +128,7 @@ bool names_a_unit(std::string_view unit) {
     return !unit.empty();
 }
 
-/// UDUNITS-2 parses through global state.
+/// Locks UDUNITS-2, which parses through global state.
 std::unique_lock<std::mutex> hold_library() {
     static std::mutex mutex;
     std::unique_lock lock(mutex);

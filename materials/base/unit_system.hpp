@@ -7,7 +7,7 @@ namespace ashimpact {
 
 enum class UnitProblem { none, unknown, other_dimension };
 
-/// Factor from one unit to another, or why there is none.
+/// Factor from one unit to another, or the reason why there is none.
 struct UnitScale {
     double scale = 0;
     UnitProblem problem = UnitProblem::none;
@@ -19,7 +19,7 @@ struct UnitScale {
 /// know it.
 [[nodiscard]] UnitScale scale_to(std::string_view unit, std::string_view target);
 
-/// The same through the UDUNITS-2 database alone; for the test that both agree.
+/// Like scale_to(), but always from the UDUNITS-2 database; for the test that the small table agrees with it.
 [[nodiscard]] UnitScale database_scale_to(std::string_view unit, std::string_view target);
 
 /// Rewrites `µ`, `μ`, `·`, `−`, superscript digits, no-break spaces, `Å` and `**` in the ASCII of the

@@ -45,7 +45,7 @@ std::string allowed(Dimension dimension) {
     return with_article(name) + " [" + std::string(unit) + "], e.g. " + std::string(examples);
 }
 
-/// The number of 15 significant digits next to it: takes away the rounding errors of a product of unit
+/// The factor rounded to 15 significant digits, which removes the rounding errors of a product of unit
 /// factors.
 double without_rounding_noise(double factor) {
     std::array<char, 32> buffer{};

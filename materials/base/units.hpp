@@ -32,7 +32,7 @@ enum class Dimension {
 /// digits. Errors: InputError for junk, NaN, infinity, an unknown unit or one of another dimension.
 [[nodiscard]] double parse_quantity(std::string_view text, Dimension expected);
 
-/// Values in one unit to SI: a column's unit is looked up once. Errors as to_si().
+/// Converts values of one unit to SI; the unit is looked up once. Errors as to_si().
 class SiConversion {
   public:
     SiConversion(std::string_view unit, Dimension expected);

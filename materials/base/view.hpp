@@ -12,8 +12,8 @@
 
 namespace ashimpact {
 
-/// A value together with the JSON pointer it stands at, so that whatever is wrong with it says where.
-/// Every read throws InputError with that pointer as its place. The document must outlive its views.
+/// A value of a document with its JSON pointer. Every read throws InputError with that pointer as its place.
+/// The document must outlive its views.
 class View {
   public:
     explicit View(const Json& document) : View(document, {}) {}
@@ -30,7 +30,7 @@ class View {
     [[nodiscard]] std::optional<View> find(std::string_view key) const;
     /// The elements of an array.
     [[nodiscard]] std::vector<View> elements() const;
-    /// An object must have no other keys than these; the error names the nearest one.
+    /// Refuses keys other than these. @throws InputError naming the nearest one
     void require_keys(std::initializer_list<std::string_view> allowed) const;
     /// One member of an object.
     struct Member;
@@ -41,7 +41,7 @@ class View {
     [[nodiscard]] std::vector<std::string> texts() const;
     [[nodiscard]] bool truth() const;
     [[nodiscard]] int integer() const;
-    /// A quantity in SI; keys that say where it comes from are left aside.
+    /// A quantity in SI; its keys "origin" and "source" are ignored.
     [[nodiscard]] Quantity quantity(Dimension dimension) const;
     /// The value of a quantity [SI unit of the dimension].
     [[nodiscard]] double number(Dimension dimension) const;
@@ -50,7 +50,8 @@ class View {
 
     [[noreturn]] void fail(const std::string& problem, const std::string& allowed = {}) const;
 
-    /// Calls @p read and gives any InputError of it this place.
+    /// Returns what @p read returns, and puts this pointer in front of the place of an InputError that it
+    /// throws.
     template <class Read>
     auto located(Read&& read) const;
 

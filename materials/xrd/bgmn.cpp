@@ -5,6 +5,7 @@
 
 #include "materials/base/tables/number.hpp"
 #include "materials/base/text.hpp"
+#include "materials/xrd/normalise.hpp"
 #include "materials/xrd/readers.hpp"
 
 namespace ashimpact::xrd {
@@ -15,7 +16,7 @@ constexpr std::string_view block_heading = "Local parameters and GOALs for phase
 constexpr std::string_view goals_heading = "Global parameters and GOALs";
 constexpr std::string_view title = "Rietveld refinement to file(s)";
 
-/// A value that may be a number, or a word that says there is none.
+/// A value: a number, or none if a word states that there is none.
 struct Value {
     std::optional<PrintedNumber> number{};
     std::size_t line = 0;
@@ -45,7 +46,7 @@ Value read_value(std::string_view text, std::size_t line) {
     return {.number = number, .line = line};
 }
 
-/// GEWICHT may be anisotropic; the number that counts then stands behind MeanValue(GEWICHT)=.
+/// Reads GEWICHT. An anisotropic one has its mean behind MeanValue(GEWICHT)=.
 Value read_weight(std::string_view text, std::size_t line) {
     constexpr std::string_view mean = "MeanValue(GEWICHT)=";
     const auto found = text.find(mean);
@@ -117,7 +118,7 @@ Contents scan(const TextLines& file) {
         .at(at_line(file.last_line()));
 }
 
-/// A list file has no end mark; its goals say which blocks must follow.
+/// Refuses a file that was cut off. It has no end mark, but its goals name the blocks that must follow.
 void require_complete(const Contents& contents, const TextLines& file) {
     if (contents.blocks.empty()) cut_off("there is no block of a phase", file);
     for (const Block& block : contents.blocks)
@@ -139,7 +140,7 @@ void require_complete(const Contents& contents, const TextLines& file) {
         cut_off("the last block has no atomic positions", file);
 }
 
-/// A number that ends with the file may lack digits; only a goal that agrees shows that it does not.
+/// Refuses a last number at the very end of the file, which may lack digits, unless a goal agrees with it.
 void require_whole_number(const XrdSample& sample, const Contents& contents, const TextLines& file) {
     const Block& last = contents.blocks.back();
     const char end = file.text().back();
@@ -172,7 +173,7 @@ void compare_with_goal(const PhaseFraction& phase, const Contents& contents,
                            " (a correction for microabsorption is only in the goal)");
 }
 
-/// Goals that could not be computed and belong to no block: without them a phase may be missing unseen.
+/// Warns of goals that could not be computed and have no block: their phases may be missing.
 void report_failed_goals(const Contents& contents, std::vector<std::string>& warnings) {
     for (const auto& [name, goal] : contents.goals)
         if (!goal.number && !contents.first_lines.contains(name))
@@ -212,11 +213,9 @@ XrdResult read_bgmn(const TextLines& file) {
     }
     if (!(total > 0))
         throw InputError("no phase has a weight", "GEWICHT above zero").at(at_line(file.last_line()));
-    for (PhaseFraction& phase : sample.analysis.phases) {
-        phase.fraction /= total;
-        if (phase.standard_uncertainty) *phase.standard_uncertainty /= total;
+    normalise(sample.analysis.phases, total);
+    for (const PhaseFraction& phase : sample.analysis.phases)
         compare_with_goal(phase, contents, sample.warnings);
-    }
     report_failed_goals(contents, sample.warnings);
     require_whole_number(sample, contents, file);
     return {.format = XrdFormat::bgmn_lst, .samples = {std::move(sample)}};

@@ -4,6 +4,7 @@
 
 #include "materials/base/tables/number.hpp"
 #include "materials/base/text.hpp"
+#include "materials/xrd/normalise.hpp"
 #include "materials/xrd/readers.hpp"
 
 namespace ashimpact::xrd {
@@ -112,10 +113,7 @@ XrdSample sample_of(const std::vector<FullProfPhase>& phases, const TextLines& f
     if (total < 99 || total > 101)
         sample.warnings.push_back("the fractions add up to " + shortest(total) +
                                   " %: they are divided by it");
-    for (PhaseFraction& phase : sample.analysis.phases) {
-        phase.fraction /= total;
-        if (phase.standard_uncertainty) *phase.standard_uncertainty /= total;
-    }
+    normalise(sample.analysis.phases, total);
     return sample;
 }
 

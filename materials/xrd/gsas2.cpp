@@ -41,7 +41,7 @@ PrintedNumber weight_in(std::string_view text, std::size_t line) {
     return weight;
 }
 
-/// State of a pass through the file.
+/// State of the reader while it goes through the file.
 struct Scan {
     std::string phase{};
     std::string histogram{};

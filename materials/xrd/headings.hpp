@@ -21,10 +21,10 @@ enum class Role {
     standard,  ///< known weight fraction of an added internal standard
 };
 
-/// Whether a heading says per cent or fraction.
+/// Whether a heading states per cent or a fraction.
 enum class Scale { not_stated, per_cent, fraction };
 
-/// A heading taken apart: "Weight [wt.%]" is a weight in per cent.
+/// The parts of a heading: "Weight [wt.%]" is a weight in per cent.
 struct Heading {
     std::string text;  ///< without the unit in brackets
     std::string unit;  ///< what stood in brackets; may be empty

@@ -3,6 +3,7 @@
 
 #include "materials/base/checks.hpp"
 #include "materials/base/text.hpp"
+#include "materials/xrd/normalise.hpp"
 #include "materials/xrd/xrd.hpp"
 
 namespace ashimpact {
@@ -65,10 +66,7 @@ std::vector<PhaseFraction> adiabatic_fractions(const std::vector<PeakIntensity>&
         total += amount;
     }
     if (!(total > 0)) throw InputError("all intensities are zero", "at least one peak");
-    for (PhaseFraction& fraction : fractions) {
-        fraction.fraction /= total;
-        if (fraction.standard_uncertainty) *fraction.standard_uncertainty /= total;
-    }
+    xrd::normalise(fractions, total);
     return fractions;
 }
 

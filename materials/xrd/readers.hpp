@@ -3,7 +3,7 @@
 #include "materials/base/tables/text_lines.hpp"
 #include "materials/xrd/xrd.hpp"
 
-/// One reader a format; read_xrd chooses. Errors: InputError at "line N" (JSON: at the pointer).
+/// One reader for each format, chosen by read_xrd(). Errors: InputError at "line N" (JSON: at the pointer).
 namespace ashimpact::xrd {
 
 /// BGMN and Profex list files: GEWICHT of each phase over their sum, XrayDensity, checked against the goals.
@@ -31,7 +31,7 @@ namespace ashimpact::xrd {
 [[nodiscard]] bool looks_like_json(const TextLines& file);
 [[nodiscard]] XrdResult read_json(const TextLines& file);
 
-/// What read_xrd says where no reader feels addressed.
+/// The formats that read_xrd() names if it recognises none.
 inline constexpr const char* known_formats =
     "a BGMN/Profex .lst, a GSAS-II .lst, a FullProf .sum, a TOPAS .out, a CSV or TSV table with a header, or "
     "the "

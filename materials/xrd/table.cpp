@@ -13,7 +13,8 @@ namespace ashimpact::xrd {
 
 namespace {
 
-/// Whether the amounts are per cent: what headings and cells say, else their size.
+/// Factor from amounts to fractions: 0.01 for per cent, if headings or cells say so, or else by the size of
+/// amounts.
 double scale_of(const Table& table, const std::vector<Entry>& entries, std::vector<std::string>& warnings) {
     bool per_cent = false;
     bool fraction = false;
@@ -54,12 +55,12 @@ std::vector<Group> groups_of(std::vector<Entry> entries) {
     return groups;
 }
 
-/// A file of one sample need not name it.
+/// "the sample" with its name, if the file gives one.
 std::string called(const std::string& sample) {
     return "the sample" + (sample.empty() ? "" : " " + in_quotes(sample));
 }
 
-/// A table has no end mark; one that stops behind a separator, where an amount must stand, is cut off.
+/// Refuses a table that ends with a separator before its last amount: it was cut off. @throws InputError
 void require_complete(const TextLines& file, const Table& table, const Entry& last) {
     if (!last.amount && file.text().back() == table.separator)
         throw InputError("the last line stops before its amount: the file seems to be cut off",
@@ -91,7 +92,7 @@ void check_total(double sum, double stated, const Entry& entry) {
             .at(at_line(entry.line));
 }
 
-/// Fractions of one sample, with totals checked and an amorphous part by difference understood.
+/// Fractions of one sample. A stated total is checked; a stated crystalline total gives the amorphous part.
 XrdSample sample_of_fractions(const Group& group, double scale) {
     XrdSample sample{.name = group.sample};
     double sum = 0;
@@ -135,7 +136,7 @@ XrdSample sample_of_fractions(const Group& group, double scale) {
     return sample;
 }
 
-/// Refuses what would overflow when fractions are made of it.
+/// Refuses numbers with which fractions would overflow. @throws InputError
 void require_computable(const PeakIntensity& peak) {
     constexpr auto number = Dimension::fraction;
     require_not_negative("intensity of " + peak.name, peak.intensity, number);
@@ -178,7 +179,7 @@ XrdSample sample_of_peaks(const Group& group) {
     }
 }
 
-/// An added standard is a phase whose weight in the mixture is known.
+/// Rescales a sample that contains an internal standard, a phase whose weight in the mixture is known.
 XrdSample standardised(const XrdSample& sample, const Group& group, const Table& table) {
     const Entry* standard = nullptr;
     for (const Entry& entry : group.entries) {

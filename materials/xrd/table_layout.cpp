@@ -23,14 +23,14 @@ std::vector<Heading> headings_of(const TableRow& row) {
     return headings;
 }
 
-/// A line is the heading if it names a sample or phase column and at least one more.
+/// Whether a line can be the heading: it names a sample or phase column and at least one more.
 bool is_heading(const std::vector<Heading>& headings) {
     return headings.size() >= 2 && std::any_of(headings.begin(), headings.end(), [](const Heading& heading) {
                return heading.role == Role::phase || heading.role == Role::sample;
            });
 }
 
-/// A heading that names a column of amounts, too, and not only words that a title may hold.
+/// Whether a heading also names a column of amounts, which a title does not.
 bool names_amounts(const std::vector<Heading>& headings) {
     return std::any_of(headings.begin(), headings.end(), [](const Heading& heading) {
         return heading.role == Role::weight || heading.role == Role::volume ||
@@ -165,7 +165,7 @@ std::vector<Entry> wide_entries(const Table& table, Role row_role) {
     return entries;
 }
 
-/// Uncertainties may stand behind each of several columns; everything else must be unique to be understood.
+/// Refuses two columns of one quantity, other than uncertainties, which may follow each of several columns.
 void refuse_repeated_roles(const Table& table) {
     for (std::size_t i = 0; i < table.headings.size(); ++i) {
         const Role role = table.headings[i].role;

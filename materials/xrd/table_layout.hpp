@@ -26,7 +26,7 @@ struct Entry {
     std::optional<PrintedNumber> standard{};  ///< known weight
 };
 
-/// A table as its file shows it.
+/// A table cut into cells.
 struct Table {
     std::size_t heading_line = 0;
     std::vector<Heading> headings;
@@ -56,7 +56,7 @@ enum class Layout {
 /// Cuts a file into heading and rows. Errors: InputError at the line.
 [[nodiscard]] Table parse_table(const TextLines& file);
 
-/// The arrangement the headings tell. Errors: InputError at the heading.
+/// The arrangement of a table, from its headings. Errors: InputError at the heading.
 [[nodiscard]] Layout layout_of(const Table& table);
 
 /// All entries, row by row. Errors: InputError at the line.

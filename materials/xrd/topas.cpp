@@ -6,6 +6,7 @@
 
 #include "materials/base/tables/number.hpp"
 #include "materials/base/text.hpp"
+#include "materials/xrd/normalise.hpp"
 #include "materials/xrd/readers.hpp"
 
 namespace ashimpact::xrd {
@@ -144,7 +145,7 @@ class TopasReader {
         return *number;
     }
 
-    /// The numbers between the brackets behind a macro; an argument that is no number is none.
+    /// The arguments of a macro; none for an argument that is not a number.
     std::vector<std::optional<PrintedNumber>> arguments_after(const Token& macro) {
         if (at_ >= tokens_.size()) cut_off(macro);
         if (tokens_[at_].text != "(")
@@ -210,7 +211,7 @@ std::string stem_of(std::string name) {
     return name.substr(0, name.rfind('.'));
 }
 
-/// The amorphous part that the refinement states, or that follows from a spiked standard.
+/// Adds the amorphous part, which the refinement states or which follows from a spiked standard.
 XrdSample completed(XrdSample sample, const TopasPattern& pattern) {
     const TopasPhase* standard = nullptr;
     for (const TopasPhase& phase : pattern.phases) {
@@ -272,10 +273,7 @@ XrdSample sample_of(const TopasPattern& pattern) {
     if (!(total > 0))
         throw InputError("no phase has a weight", "weight_percent or MVW with a weight per cent above zero")
             .at(at_line(pattern.line));
-    for (PhaseFraction& phase : sample.analysis.phases) {
-        phase.fraction /= total;
-        if (phase.standard_uncertainty) *phase.standard_uncertainty /= total;
-    }
+    normalise(sample.analysis.phases, total);
     return completed(std::move(sample), pattern);
 }
 

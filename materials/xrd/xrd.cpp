@@ -14,7 +14,7 @@ struct Reader {
     XrdResult (*read)(const TextLines&);
 };
 
-/// The most telling formats first.
+/// Tried in this order: the formats that are recognised most reliably come first.
 constexpr std::array readers{
     Reader{xrd::looks_like_json, xrd::read_json},   Reader{xrd::looks_like_bgmn, xrd::read_bgmn},
     Reader{xrd::looks_like_gsas2, xrd::read_gsas2}, Reader{xrd::looks_like_fullprof, xrd::read_fullprof},

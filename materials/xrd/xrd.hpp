@@ -12,10 +12,10 @@
 
 namespace ashimpact {
 
-/// No XRD result is longer [bytes]; what lies behind need not be read to refuse it.
+/// Greatest length of an XRD result [byte]. A longer file is refused without reading the rest.
 inline constexpr std::size_t longest_xrd_file = std::size_t{16} << 20;
 
-/// What a file was recognised as.
+/// Format of a file.
 enum class XrdFormat { bgmn_lst, gsas2_lst, fullprof_sum, topas_out, table, json };
 
 template <>

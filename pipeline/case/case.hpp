@@ -62,7 +62,7 @@ struct Reconstruction {
 };
 using RestitutionSource = std::variant<MeasuredRestitution, Reconstruction>;
 
-/// Published values of a sample: for comparison and calibration, never a result.
+/// Published values of a sample, used for comparison and calibration only.
 struct PublishedSample {
     struct ContactTime {
         Law law;
@@ -89,10 +89,10 @@ struct Sample {
     std::string analysis_source{};
     std::optional<Porosity> porosity{};
     bool porosity_from_density = false;       ///< the porosity's value follows from density and phases
-    std::optional<Stated> poisson_ratio{};    ///< else mixed from the phases
-    std::optional<Stated> density{};          ///< apparent; else that of the phases, less the pores
+    std::optional<Stated> poisson_ratio{};    ///< none: mixed from the phases
+    std::optional<Stated> density{};          ///< apparent; none: that of the phases, less the pores
     std::optional<Stated> contact_modulus{};  ///< instead of Eq. 7 [Pa]
-    std::optional<Stated> yield_pressure{};   ///< for laws that yield; else never [Pa]
+    std::optional<Stated> yield_pressure{};   ///< for laws that yield; none: the contact stays elastic [Pa]
     std::vector<std::pair<LawParameter, Stated>> parameters{};  ///< of laws that declare their own
     std::optional<Adhesion> work_of_adhesion{};
     std::optional<Stated> measured_critical_velocity{};
@@ -120,10 +120,10 @@ struct FitChoices {
     double outlier = 4.0;
 };
 
-/// How the uncertainty of what is known goes into v_c.
+/// How uncertainties are propagated to v_c.
 struct UncertaintyChoices {
     PropagationOptions propagation{};
-    bool reread = true;  ///< measured impacts fix v_r(v_in), so another contact reads another damping
+    bool reread = true;  ///< whether v_r(v_in) as measured is inverted again for each contact
 };
 
 /// A case, complete: every default filled in, every file it names read.

@@ -20,7 +20,7 @@ double not_negative(const View& node, std::string_view name, Dimension dimension
     return value;
 }
 
-/// Refuses an uncertainty with which the value would say nothing.
+/// Refuses an uncertainty so large that the value is meaningless. @throws InputError
 void require_uncertainty(const View& node, const Stated& stated, double most, const std::string& allowed) {
     if (stated.quantity.standard_uncertainty.value_or(0) > most)
         node.at("standard_uncertainty")
@@ -94,7 +94,7 @@ std::vector<PhaseFraction> read_fractions(const View& node, const std::optional<
     return phases;
 }
 
-/// The sample of an XRD file that the case means.
+/// The sample of an XRD file that the case names, or its only one.
 XrdSample chosen_sample(const View& node, const XrdResult& result) {
     const auto name = node.find("xrd_sample");
     std::vector<std::string> names;

@@ -20,7 +20,7 @@ namespace ashimpact {
 [[nodiscard]] Adhesion read_adhesion(const View& node);
 [[nodiscard]] Porosity read_porosity(const View& node);
 
-/// The analysis of a sample and where it comes from, with what its file warns about.
+/// The analysis of a sample with its source and the warnings of its file.
 struct ReadAnalysis {
     Analysis analysis;
     std::string source;

@@ -17,7 +17,7 @@ namespace ashimpact {
 
 namespace {
 
-/// Values a sample takes where it does not state its own.
+/// Values of the case for samples that do not state their own.
 struct Defaults {
     std::optional<View> particle;
     std::optional<Adhesion> work_of_adhesion;
@@ -36,7 +36,7 @@ std::optional<Stated> read_optional(const std::optional<View>& node, std::string
     return read_positive(*node, name, dimension);
 }
 
-/// The parameters of any law that a sample states, or the particle of the case for it.
+/// Parameters of contact laws that a sample states, or "particle" of the case.
 std::vector<std::pair<LawParameter, Stated>> read_parameters(const View& sample, const Defaults& defaults) {
     std::vector<std::pair<LawParameter, Stated>> parameters;
     for (const LawParameter& parameter : law_parameters()) {
@@ -131,17 +131,7 @@ std::vector<LawChoice> read_laws(const View& document) {
     std::vector<LawChoice> choices;
     choices.reserve(laws.size());
     for (const Law law : laws) choices.push_back({law, law.default_detachment()});
-    const auto detachments = document.find("detachments");
-    if (!detachments) return choices;
-    for (const auto& [name, value] : detachments->members()) {
-        const Law law = value.located([&key = name] { return Law::named(key); });
-        const Detachment detachment = named<Detachment>(value.text());
-        if (const auto reason = refusal(law, detachment)) value.fail(*reason, admissible_detachments(law));
-        const auto chosen = std::find_if(choices.begin(), choices.end(),
-                                         [&](const LawChoice& choice) { return choice.law == law; });
-        if (chosen == choices.end()) value.fail("the law is not among \"laws\"", "a law of the case");
-        chosen->detachment = detachment;
-    }
+    read_detachments(document.find("detachments"), choices, "a law of the case");
     return choices;
 }
 
@@ -153,7 +143,7 @@ PhaseCatalogue catalogue_of(const View& document, const PhaseCatalogue& built_in
     return catalogue;
 }
 
-/// The artifact has no other sets and no groups: a phase must know every name under which it was found.
+/// Makes a phase known by the name under which it was found: the artifact has no other sets and no groups.
 void answer_to(Phase& phase, const std::string& name) {
     const PhaseCatalogue alone({PhaseSet{.name = "case", .phases = {phase}}});
     try {
@@ -163,7 +153,7 @@ void answer_to(Phase& phase, const std::string& name) {
     }
 }
 
-/// compose(), which says by which keys the amorphous part is stated where it is missing.
+/// compose(), with an error that names the keys of the amorphous part if that is missing.
 Composition composed(const Analysis& analysis, const PhaseCatalogue& catalogue) {
     try {
         return compose(analysis, catalogue);
@@ -229,7 +219,7 @@ void check_parameters(Law law, const Sample& sample, const View& node) {
                   fault->allowed());
 }
 
-/// What only the whole case shows.
+/// Checks that concern the case as a whole. @throws InputError
 void check_whole(const Case& data, const View& document) {
     std::set<std::string> names;
     const auto nodes = document.at("samples").elements();
@@ -262,7 +252,8 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
                       .published = {},
                       .camera = document.find("camera")};
     if (const auto w = document.find("work_of_adhesion")) defaults.work_of_adhesion = read_adhesion(*w);
-    if (defaults.camera) static_cast<void>(read_camera(*defaults.camera));  // wrong even where none needs it
+    if (defaults.camera)
+        static_cast<void>(read_camera(*defaults.camera));  // checked even if no sample uses it
     for (const View& node : document.at("samples").elements()) {
         defaults.published = published.of(node.at("name").text());
         data.samples.push_back(read_sample(node, defaults, files, warnings));

@@ -10,20 +10,20 @@
 
 namespace ashimpact {
 
-/// A case with the files it was made of.
+/// A case with the files it was read from.
 struct LoadedCase {
     Case data;
     std::vector<InputFile> inputs;
     std::vector<std::string> warnings;
 };
 
-/// Reads and checks a case file and every file it names; the built-in case where no file is given.
+/// Reads and checks a case file and every file it names; the built-in case if no file is given.
 /// @param allow_outside whether the case may name files outside of its folder
 /// @throws InputError: file, JSON pointer or line, what is wrong, what is allowed
 [[nodiscard]] LoadedCase load_case(const std::optional<std::string>& file, bool allow_outside = false);
 
-/// Reads a case that conforms to the schema and checks what a schema cannot say. @p files serves the files it
-/// names.
+/// Reads a case that conforms to the schema and checks what a schema cannot express. @p files reads the files
+/// that it names.
 [[nodiscard]] Case read_case(const View& document, const PhaseCatalogue& catalogue, InputFiles& files);
 
 /// The phase sets the program carries, literature values first.

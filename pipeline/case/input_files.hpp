@@ -12,7 +12,7 @@ struct InputFile {
     std::string sha256;  ///< of its bytes
 };
 
-/// The files a case names, read relative to it, and a record of those that were read.
+/// Reads the files that a case names, relative to it, and records those that were read.
 class InputFiles {
   public:
     /// Files beside a case file of the user.
@@ -20,12 +20,13 @@ class InputFiles {
     /// Files beside a case the program carries, such as "cases/dong2013/case.json".
     [[nodiscard]] static InputFiles built_in(const std::string& case_file);
 
-    /// The bytes of the case file itself, which comes first in the record.
+    /// The bytes of the case file itself. To be called before any other read, so that it comes first in the
+    /// record.
     [[nodiscard]] std::string read_case();
-    /// Lets the case name files outside of its folder, too.
+    /// Allows the case to name files outside of its folder.
     void allow_outside() { may_leave_ = true; }
-    /// The bytes of another file. @throws InputError if it cannot be read, or lies outside of the case's folder,
-    /// through links too, where that is not allowed
+    /// The bytes of another file. @throws InputError if it cannot be read, or lies outside of the case's
+    /// folder, through links too, where that is not allowed
     [[nodiscard]] std::string read(const std::string& name);
     /// The bytes of a file the program carries.
     [[nodiscard]] std::string read_built_in(const std::string& path);

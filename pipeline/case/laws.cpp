@@ -1,5 +1,8 @@
 #include "pipeline/case/laws.hpp"
 
+#include <algorithm>
+
+#include "solver/motion/impact.hpp"
 #include "solver/motion/scaled_impact.hpp"
 
 namespace ashimpact {
@@ -8,6 +11,20 @@ bool yields(Law law) {
     return can_yield(
         law,
         {.mass = 1, .effective_radius = 1, .contact_modulus = 1, .work_of_adhesion = 1, .yield_pressure = 1});
+}
+
+void read_detachments(const std::optional<View>& node, std::vector<LawChoice>& choices,
+                      const std::string& known_laws) {
+    if (!node) return;
+    for (const auto& [name, value] : node->members()) {
+        const Law law = value.located([&key = name] { return Law::named(key); });
+        const Detachment detachment = named<Detachment>(value.text());
+        if (const auto reason = refusal(law, detachment)) value.fail(*reason, admissible_detachments(law));
+        const auto chosen = std::find_if(choices.begin(), choices.end(),
+                                         [&](const LawChoice& choice) { return choice.law == law; });
+        if (chosen == choices.end()) value.fail("the law is not among \"laws\"", known_laws);
+        chosen->detachment = detachment;
+    }
 }
 
 }  // namespace ashimpact

@@ -16,7 +16,8 @@ namespace ashimpact {
 [[nodiscard]] MeasuredRestitution read_measured(const View& node, InputFiles& files,
                                                 const std::optional<View>& camera);
 
-/// How measured impacts are fitted, and how what is uncertain goes into v_c; what is absent has its default.
+/// How measured impacts are fitted, and how uncertainties are propagated to v_c. Absent keys have their
+/// defaults.
 [[nodiscard]] FitChoices read_fit_choices(const std::optional<View>& node);
 [[nodiscard]] UncertaintyChoices read_uncertainty_choices(const std::optional<View>& node);
 

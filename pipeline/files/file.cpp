@@ -44,14 +44,14 @@ int write_bytes(const std::filesystem::path& path, std::string_view bytes, bool 
         else
             bytes.remove_prefix(static_cast<std::size_t>(written));
     }
-    // A pipe and some file systems cannot be forced; only a disk's own error counts.
+    // A pipe and some file systems cannot be synchronised; only errors of the disk count.
     const bool forced = !onto_disk || error != 0 || again([&] { return fsync(file); }) == 0;
     if (!forced && errno != EINVAL && errno != ENOTSUP) error = errno;
     if (close(file) != 0 && error == 0 && errno != EINTR) error = errno;
     return error;
 }
 
-/// Files under their temporary names; those not yet in their place are removed in the end.
+/// Files under temporary names. The destructor removes those that commit() has not renamed.
 class Staged {
   public:
     Staged() = default;

@@ -16,15 +16,14 @@ inline constexpr std::size_t longest_file = std::size_t{256} << 20U;
 /// The bytes of a file, or its first @p most where it is longer. @throws InputError if it cannot be read
 [[nodiscard]] std::string read_start(const std::filesystem::path& path, std::size_t most);
 
-/// Makes a folder and those it is in; nothing to do for an empty path. @throws InputError if that cannot be
-/// done
+/// Makes a folder and its parents; does nothing for an empty path. @throws InputError if that fails
 void make_folder(const std::filesystem::path& folder);
 
-/// Whether two names are those of one file, through links too.
+/// Whether two paths lead to the same file, through links too.
 [[nodiscard]] bool is_same_file(const std::filesystem::path& one, const std::filesystem::path& other);
 
-/// Refuses, before there is anything to write, a folder that cannot be made or written into.
-/// @throws InputError naming the folder, or what stands in its way
+/// Checks before a computation that a folder can be made or written into.
+/// @throws InputError naming the folder, or the path that prevents it
 void require_writable_folder(const std::filesystem::path& folder);
 
 struct FileContent {
@@ -32,13 +31,13 @@ struct FileContent {
     std::string content;
 };
 
-/// Writes a file as it stands and waits until it is on the disk. @throws InputError if it cannot be written
+/// Writes a file in place and waits until it is on the disk. @throws InputError if it cannot be written
 void write_through(const std::filesystem::path& path, const std::string& content);
 
-/// Writes files so that no reader ever sees half of one: each under another name beside its place, then all
-/// renamed in order. If anything fails before the first rename, what was there stays as it was. Signals that
-/// end the program wait only while files are renamed. Folders are made as needed. A symbolic link stays one:
-/// what it names is written. A device or a pipe is written to as it is.
+/// Writes files so that no reader ever sees an incomplete one: each under a temporary name in the same
+/// folder, then all are renamed in order. If anything fails before the first rename, the old files remain
+/// unchanged. Signals that end the program are blocked only during the renames. Folders are made as needed. A
+/// symbolic link is kept and its target is written. A device or a pipe is written to directly.
 /// @throws InputError if a file cannot be written
 void write_files(std::span<const FileContent> files);
 

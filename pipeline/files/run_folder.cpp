@@ -35,13 +35,12 @@ constexpr std::string_view backward_mark = "ashimpact run folder 1: backward\n";
         .in_file(path.string());
 }
 
-/// One file of a replacement. Whether it replaces one stands in the journal: only then there is an old one to
-/// go back to.
+/// One file of a replacement. The journal states whether it replaces an old file, which can then be restored.
 struct Move {
     std::string name;
     bool replaces;
     std::string staged;  ///< the new file
-    std::string kept;    ///< the old file, where there was one
+    std::string kept;    ///< second name of the old file, if there was one
     std::string place;
 };
 
@@ -58,16 +57,15 @@ bool is_there(const std::string& path) {
     return ::lstat(path.c_str(), &status) == 0;
 }
 
-/// Puts every file that still waits into its place. No memory is asked for: it runs in a process made by
-/// fork() too. @return 0, or the error of the first rename that failed
+/// Renames every staged file to its place. Allocates no memory, as it also runs in a process made by fork().
+/// @return 0, or the error of the first rename that failed
 int go_forward(const std::vector<Move>& moves) {
     for (const Move& move : moves)
         if (is_there(move.staged) && ::rename(move.staged.c_str(), move.place.c_str()) != 0) return errno;
     return 0;
 }
 
-/// Takes every file back to what was there before; may be repeated. @return 0, or the error of the first
-/// failure
+/// Restores every old file; may be repeated. @return 0, or the error of the first failure
 int go_back(const std::vector<Move>& moves) {
     int error = 0;
     for (const Move& move : moves) {
@@ -79,10 +77,10 @@ int go_back(const std::vector<Move>& moves) {
     return error;
 }
 
-/// What became of a replacement that was decided.
+/// How a committed replacement ended.
 enum class Ended : int { replaced = 0, taken_back = 1, undecided = 2 };
 
-/// Renames, and takes all back where one fails. The error of that rename goes to @p error.
+/// Renames all files, and reverts them all if one rename fails. @param error that of the failed rename
 Ended carry_out(const std::vector<Move>& moves, const std::string& journal, const std::string& way_back,
                 int& error) {
     error = go_forward(moves);
@@ -91,8 +89,8 @@ Ended carry_out(const std::vector<Move>& moves, const std::string& journal, cons
     return Ended::taken_back;
 }
 
-/// The same in a process of its own, which goes on if this one is killed; in this one where there can be no
-/// other.
+/// Like carry_out(), but in a process of its own, which goes on if this one is killed; in this process if no
+/// other can be started.
 Ended carry_out_apart(const std::vector<Move>& moves, const std::string& journal, const std::string& way_back,
                       int& error) {
     const SignalsHeld held;
@@ -128,7 +126,7 @@ std::vector<Move> moves_in(const fs::path& folder, std::istream& lines) {
     return moves;
 }
 
-/// Forgets a replacement that is over: the journal first, without which the rest means nothing.
+/// Removes the traces of a finished replacement: the journal first, without which the rest has no effect.
 void clear(const fs::path& staging) {
     std::error_code ignored;
     fs::remove(staging / journal_name, ignored);
@@ -142,7 +140,7 @@ void sync_folder(const fs::path& folder) {
     ::close(file);
 }
 
-/// Keeps the file that is to be replaced under a second name, or as a copy where there are no links.
+/// Keeps the old file under a second name, or as a copy on a file system without links.
 void keep_old(const Move& move) {
     if (::link(move.place.c_str(), move.kept.c_str()) == 0) return;
     write_through(move.kept, read_file(move.place));

@@ -9,12 +9,12 @@
 
 namespace ashimpact {
 
-/// Keeps a folder for one run: a second one is refused. The lock ends with the process that holds it, however
-/// it ends; nothing is left in the folder.
+/// Locks a folder for one run, so that a second one is refused. The lock ends with the process that holds it,
+/// however that ends, and leaves nothing in the folder.
 class FolderLock {
   public:
     FolderLock() = default;
-    /// Locks a folder that exists; a file system without locks is used without.
+    /// Locks an existing folder; does nothing on a file system without locks.
     /// @throws InputError if another run has it
     explicit FolderLock(const std::filesystem::path& folder);
     ~FolderLock();
@@ -29,13 +29,12 @@ class FolderLock {
     int file_ = -1;
 };
 
-/// Refuses a folder in which something else than a plain file bears one of the names, without opening it: a
-/// pipe would wait for ever. @throws InputError naming it
+/// Checks that nothing but plain files has one of the names in a folder. Nothing is opened, because opening a
+/// pipe could block. @throws InputError naming the other kind of file
 void require_plain_files(const std::filesystem::path& folder, std::span<const std::string> names);
 
-/// Completes, or takes back, what an interrupted replace_files() left in a folder, and removes its temporary
-/// files. To be called with the folder locked.
-/// @throws InputError if that cannot be done
+/// Completes or reverts an interrupted replace_files() in a folder, and removes its temporary files. The
+/// folder must be locked. @throws InputError if that fails
 void settle(const std::filesystem::path& folder, std::span<const std::string> names);
 
 struct NamedContent {
@@ -43,12 +42,12 @@ struct NamedContent {
     std::string content;
 };
 
-/// Replaces files of a folder, all or none, and leaves every other file as it is. The new files are written
-/// beside first (in a folder of their own, `.ashimpact-new`) and forced onto the disk; then a journal is put
-/// there under its name, which decides; then each file is renamed to its place. Where a rename fails those
-/// before it are taken back. A process of its own renames, so that killing this one does not stop it halfway;
-/// and whatever is interrupted nevertheless, settle() completes. docs/decisions/0011-run-folder.md.
-/// @throws InputError if it cannot be done; then the old files are there
+/// Replaces files of a folder, all or none, and leaves every other file unchanged. The new files are first
+/// written to a folder of their own, `.ashimpact-new`, and forced onto the disk. Then a journal is renamed
+/// into that folder, which commits the replacement, and each file is renamed to its place. If a rename fails,
+/// the earlier ones are reverted. A process of its own renames, so that killing this one does not stop it
+/// halfway; settle() completes what is interrupted nevertheless. docs/decisions/0011-run-folder.md.
+/// @throws InputError if it fails; the old files are then in place
 void replace_files(const std::filesystem::path& folder, std::span<const NamedContent> files);
 
 }  // namespace ashimpact

@@ -1,5 +1,6 @@
 #include "pipeline/files/sha256.hpp"
 
+#include <fmt/format.h>
 #include <nettle/sha2.h>
 
 #include <array>
@@ -14,14 +15,7 @@ std::string sha256(std::string_view bytes) {
     sha256_update(&context, bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
     std::array<std::uint8_t, SHA256_DIGEST_SIZE> digest{};
     sha256_digest(&context, digest.size(), digest.data());
-
-    constexpr std::string_view digits = "0123456789abcdef";
-    std::string text;
-    for (const std::uint8_t octet : digest) {
-        text += digits[octet >> 4U];
-        text += digits[octet & 15U];
-    }
-    return text;
+    return fmt::format("{:02x}", fmt::join(digest, ""));
 }
 
 }  // namespace ashimpact

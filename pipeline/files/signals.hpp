@@ -4,8 +4,8 @@
 
 namespace ashimpact {
 
-/// Has the signals that end the program wait for as long as it lives: around renames, which take no time, and
-/// around nothing that can wait.
+/// Blocks the signals that end the program while it exists. Meant for renames, which are quick, and never for
+/// operations that can block.
 class SignalsHeld {
   public:
     SignalsHeld() {

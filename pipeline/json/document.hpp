@@ -4,7 +4,7 @@
 
 namespace ashimpact {
 
-/// The document without its comments, at any depth.
+/// The document without comments (keys that begin with "//"), at any depth.
 [[nodiscard]] Json without_comments(const Json& document);
 
 }  // namespace ashimpact

@@ -23,7 +23,7 @@ Values read_column(const View& parent, const char* key, Dimension dimension, std
     return values;
 }
 
-/// One of two columns, or nothing; both are a contradiction.
+/// Whether one of two columns is given. @throws InputError if both are
 bool has_either(const View& node, const char* first, const char* second) {
     if (node.has(first) && node.has(second))
         node.at(second).fail(in_quotes(first) + " is given too", "one of the two");
@@ -68,7 +68,7 @@ void read_noise(const View& node, MeasurementSet& set) {
     }
 }
 
-/// Whether a rebound as fast as the impact, or faster, is so within three standard uncertainties.
+/// Whether three standard uncertainties explain a rebound as fast as the impact or faster.
 bool explained(const Measurement& point) {
     if (!point.noise) return false;
     const double variance = point.noise->incident + point.noise->rebound - 2 * point.noise->covariance;

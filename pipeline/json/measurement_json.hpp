@@ -13,13 +13,14 @@ namespace ashimpact {
 /// is a capture.
 [[nodiscard]] Json measurement_columns(const MeasurementSet& set, bool as_rebound_velocity = false);
 
-/// Reads the same columns; rebound_velocity may stand for restitution, and restitution_uncertainty for
-/// rebound_uncertainty (the errors of v_in and e_n are then taken as independent).
-/// @throws InputError with the JSON pointer for columns that do not go together or impacts that are none
+/// Reads the columns of measurement_columns(). restitution_uncertainty may stand in place of
+/// rebound_uncertainty; the errors of v_in and e_n are then taken as independent.
+/// @throws InputError with the JSON pointer for columns that contradict each other or invalid impacts
 [[nodiscard]] MeasurementSet read_measurement_columns(const View& node);
 
-/// Checks impacts that are about to be used. A rebound as fast as the impact, or faster, must be so
-/// within three standard uncertainties. @throws InputError naming the point, or its line
+/// Checks impacts before they are used. A restitution of 1 or more must be explained by three standard
+/// uncertainties.
+/// @throws InputError naming the point, or its line
 void check_impacts(const MeasurementSet& set);
 
 }  // namespace ashimpact

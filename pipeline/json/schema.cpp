@@ -25,7 +25,7 @@ namespace {
 constexpr std::string_view schema_folder = "schemas/";
 constexpr std::string_view suffix = ".json";
 
-/// What stands for "@..." in the schema files: lists that live in the code.
+/// The names for which "@..." stands in the schema files; they are defined in the code.
 std::vector<std::string> listed(const std::string& mark) {
     if (mark == "@laws") return {RegisteredLaws::names.begin(), RegisteredLaws::names.end()};
     if (mark == "@detachments") return names_of<Detachment>();
@@ -37,7 +37,7 @@ std::vector<std::string> listed(const std::string& mark) {
     throw std::logic_error("no list for " + mark);
 }
 
-/// Puts a property for each parameter of a contact law in the place of "@law_parameters".
+/// Replaces "@law_parameters" by a property for each parameter of a contact law.
 void list_parameters(Json& properties) {
     constexpr auto mark = "@law_parameters";
     const bool quantity = properties.at(mark) == "quantity";
@@ -73,7 +73,8 @@ class Bundle {
     [[nodiscard]] Json take() && { return std::move(root_); }
 
   private:
-    /// Makes every reference one to "#/definitions/...", every list the program's own.
+    /// Turns every reference into one to "#/definitions/...", and every "@..." into a list of the program's
+    /// names.
     void resolve(Json& node) {
         if (node.is_object() && node.contains("enum") && node["enum"].size() == 1) {
             const auto only = node["enum"][0].get<std::string>();

@@ -23,12 +23,12 @@ namespace ashimpact {
 void validate_document(const Json& document, std::string_view schema_name);
 
 /// The part of a schema that describes the value under @p path (keys and indices, outermost first),
-/// references resolved; null if nothing does.
+/// references resolved; null if there is none.
 [[nodiscard]] const Json* schema_part(const Json& schema, const std::vector<std::string>& path);
 
-/// Checks every quantity of a document that its schema gives a dimension: unit, a finite number up to 1e40 in
-/// SI. For documents that no reader of ours goes through whole, such as artifacts that were edited. The
-/// document conforms to its schema.
+/// Checks the unit and the size (finite, up to 1e40 in SI) of every quantity to which the schema gives a
+/// dimension. For documents that no reader reads completely, such as edited artifacts. The document must
+/// conform to its schema.
 /// @throws InputError with the JSON pointer
 void validate_quantities(const Json& document, std::string_view schema_name);
 

@@ -16,7 +16,7 @@ Json matrix_json(const Eigen::MatrixXd& matrix) {
     return rows;
 }
 
-std::vector<double> values_of(const Eigen::VectorXd& vector) {
+std::vector<double> to_std_vector(const Eigen::VectorXd& vector) {
     return {vector.data(), vector.data() + vector.size()};
 }
 

@@ -11,7 +11,7 @@ namespace ashimpact {
 /// The rows of a matrix.
 [[nodiscard]] Json matrix_json(const Eigen::MatrixXd& matrix);
 /// The values of a vector.
-[[nodiscard]] std::vector<double> values_of(const Eigen::VectorXd& vector);
+[[nodiscard]] std::vector<double> to_std_vector(const Eigen::VectorXd& vector);
 
 /// The number, or null where it is not finite.
 [[nodiscard]] Json finite_json(double value);

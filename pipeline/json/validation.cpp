@@ -49,7 +49,7 @@ std::string shown(const Json& value) {
     return value.is_string() ? in_quotes(value.get<std::string>()) : value.dump();
 }
 
-/// What the schema says a value may be.
+/// What the schema allows for a value, in words.
 std::string allowed_by(const Json& schema, const Path& path) {
     const Json* part = schema_part(schema, path);
     if (part == nullptr) return {};
@@ -119,7 +119,7 @@ std::vector<std::string> keys_allowed(const Json& schema, const Path& path) {
 constexpr std::size_t longest_set = 64;           ///< entries of a list in which none may stand twice
 constexpr std::size_t longest_list = 10'000'000;  ///< of any list
 
-/// Refuses lists that are too long before anything is done with them.
+/// Refuses lists that are too long, before the validator sees them. @throws InputError
 void refuse_long_lists(const Json& node, const Json& schema, Path& path) {
     if (node.is_array() && node.size() > longest_set) {
         const Json* part = schema_part(schema, path);
@@ -164,7 +164,8 @@ void validate_document(const Json& document, std::string_view schema_name) {
     valijson::Validator validator;
     const valijson::adapters::NlohmannJsonAdapter target(plain_document);
     if (validator.validate(compiled, target, nullptr)) return;
-    // Why: every error is listed, so ever longer beginnings of the document are looked at.
+    // The validator lists every error of a document, so beginnings of increasing length are validated until
+    // one has an error.
     for (std::size_t most = 16;; most *= 2) {
         const nlohmann::json beginning = beginning_of(document, most);
         valijson::ValidationResults results;

@@ -14,7 +14,7 @@ constexpr std::size_t indent_width = 2;
 
 std::string number(double value, Digits digits) {
     if (!std::isfinite(value)) throw std::logic_error("a result holds a number that is not finite");
-    value += 0.0;  // -0 would only puzzle
+    value += 0.0;  // turns -0 into 0
     std::array<char, 32> buffer{};
     char* const end = buffer.data() + buffer.size();
     const auto written = digits == Digits::shortest

@@ -11,9 +11,9 @@ enum class Digits {
     seventeen,  ///< 17 significant digits
 };
 
-/// Writes a document, one object or array a line where it is short: quantities and columns stay readable. The
-/// same document gives the same bytes. Ends with a newline.
-/// @throws std::logic_error for a number that is not finite, which no result may hold
+/// Writes a document with each short object or array on one line, which keeps quantities and columns
+/// readable. The same document gives the same bytes. Ends with a newline.
+/// @throws std::logic_error for a number that is not finite, which no result may contain
 [[nodiscard]] std::string write_json(const Json& document, Digits digits = Digits::shortest);
 
 }  // namespace ashimpact

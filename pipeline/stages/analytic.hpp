@@ -7,7 +7,7 @@
 
 namespace ashimpact {
 
-/// What later stages need of 3-analytic.json.
+/// The entry of a sample in 3-analytic.json, as later stages read it.
 struct SampleAnalytic {
     std::string name;
     double separation_energy;  ///< W_s [J]

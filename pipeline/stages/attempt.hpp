@@ -9,8 +9,8 @@
 
 namespace ashimpact {
 
-/// What @p compute gives; data that do not allow it, or a computation that does not converge, leave a note
-/// instead.
+/// Returns the result of @p compute. If the data do not allow it or it does not converge, adds a note and
+/// returns none.
 template <class Compute>
 [[nodiscard]] auto attempt(const std::string& what, std::vector<std::string>& notes, Compute&& compute)
     -> std::optional<std::invoke_result_t<Compute&>> {

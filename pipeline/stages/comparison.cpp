@@ -22,7 +22,7 @@ namespace ashimpact {
 
 namespace {
 
-/// Everything the artifacts say of one sample.
+/// Results of one sample from the artifacts.
 struct SampleResults {
     const Sample& sample;
     const SampleModulus& modulus;
@@ -32,7 +32,7 @@ struct SampleResults {
     const std::vector<std::pair<std::string, double>>& volume_fractions;
 };
 
-/// How far apart analytic and dynamic velocities are, over all samples and laws.
+/// Range of the ratio of dynamic to analytic velocities, over all samples and laws.
 struct Gap {
     double least_ratio = std::numeric_limits<double>::infinity();
     double greatest_ratio = 0;
@@ -78,7 +78,7 @@ Json beside(double ours, const Quantity& published) {
             {"relative_difference", ours / published.value - 1}};
 }
 
-/// Ours beside the published, for every law that has both.
+/// Our values beside the published ones, for every law that has both.
 template <class Ours, class Value>
 Json beside_by_law(const LawMap<Quantity>& published, const LawMap<Ours>& ours, Value&& value) {
     Json json = Json::object();
@@ -132,7 +132,7 @@ std::vector<std::pair<std::string, double>> read_volume_fractions(const View& re
     return fractions;
 }
 
-/// The dynamic critical velocities with what belongs to each.
+/// Dynamic critical velocities with their intervals and verdicts, each by law.
 struct DynamicColumns {
     Json velocity = Json::object();
     Json extrapolated = Json::object();
@@ -171,7 +171,7 @@ Json measured_json(const Sample& sample, const Json& measured) {
     return json;
 }
 
-/// What the contact of a sample rests on that was not measured: {"quantity", "value", "why"}.
+/// Properties of the contact of a sample that were not measured: {"quantity", "value", "origin", "why"}.
 Json assumed_json(const Sample& sample, const SampleContact& contact) {
     Json list = Json::array();
     const auto add = [&](const char* name, const Quantity& value, const std::string& origin,

@@ -4,8 +4,8 @@
 
 namespace ashimpact {
 
-/// The critical velocities of every kind side by side, published values beside ours, and what their ratio
-/// says.
+/// Compares analytic, dynamic and measured critical velocities, and published values with ours, and states in
+/// words what the ratio of dynamic to analytic velocities means.
 [[nodiscard]] StageOutput comparison_stage(const Artifacts& before);
 
 }  // namespace ashimpact

@@ -11,7 +11,7 @@
 
 namespace ashimpact {
 
-/// What later stages need of 2-contact.json.
+/// The entry of a sample in 2-contact.json, as later stages read it.
 struct SampleContact {
     std::string name;
     ContactPair pair;

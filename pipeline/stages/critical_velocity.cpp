@@ -11,6 +11,7 @@
 #include "pipeline/stages/attempt.hpp"
 #include "pipeline/stages/contact.hpp"
 #include "pipeline/stages/fit.hpp"
+#include "pipeline/stages/for_each_law.hpp"
 #include "pipeline/stages/in_parallel.hpp"
 #include "pipeline/stages/json/regime_json.hpp"
 #include "pipeline/stages/json/uncertainty_json.hpp"
@@ -190,9 +191,7 @@ std::vector<SampleCriticalVelocity> read_critical_velocities(const View& result)
                 static_cast<void>(headline_velocity(*value));
             entry.measured = measured->json();
         }
-        for (const auto& [name, node] : sample.members()) {
-            if (name == "name" || name == "measured") continue;
-            const Law law = node.located([&, &key = name] { return Law::named(key); });
+        for_each_law(sample, {"name", "measured"}, [&](Law law, const View& node) {
             LawCriticalVelocity velocity{
                 .verdict = node.at("verdict").text(),
                 .value = {},
@@ -216,7 +215,7 @@ std::vector<SampleCriticalVelocity> read_critical_velocities(const View& result)
             if (const auto time = node.find("contact_time"))
                 velocity.contact_time = time->number(Dimension::time);
             entry.laws.set(law, std::move(velocity));
-        }
+        });
         samples.push_back(std::move(entry));
     }
     return samples;

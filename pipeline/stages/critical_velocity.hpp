@@ -18,14 +18,14 @@ struct LawCriticalVelocity {
     double dissipated;                   ///< work of damping at v_c [J]
     double plastic;                      ///< work spent in yielding at v_c [J]
     double detachment_energy;            ///< what the break itself costs [J]
-    Json interval;                       ///< of 95 %, null where nothing is known of it
+    Json interval;                       ///< of 95 %, null if unknown
     Json interval_note;                  ///< why there is none, null where there is one
-    Json check;                          ///< beside the measured one, null where there is none
+    Json check;                          ///< against the measured one, null if there is none
     Json headline = nullptr;             ///< the velocity with interval and method
     Json extrapolated = nullptr;         ///< the same by the paper's extrapolation, null where there is none
 };
 
-/// What later stages need of 7-critical-velocity.json.
+/// The entry of a sample in 7-critical-velocity.json, as later stages read it.
 struct SampleCriticalVelocity {
     std::string name;
     LawMap<LawCriticalVelocity> laws;

@@ -7,6 +7,7 @@
 #include "materials/base/error.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/contact.hpp"
+#include "pipeline/stages/for_each_law.hpp"
 #include "pipeline/stages/in_parallel.hpp"
 #include "pipeline/stages/json/inversion_json.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
@@ -19,32 +20,24 @@ namespace ashimpact {
 
 namespace {
 
-/// What one law reads from a series.
+/// The damping that one law gives for the impacts of a series.
 struct Reading {
     std::vector<InvertedImpact> impacts;
     DampingParts parts;
     Json rising;          ///< null where there is no rising branch
-    std::string note{};   ///< why
+    std::string note{};   ///< why there is none
     double accuracy = 0;  ///< of restitutions read from a map; 0: solved [1]
 };
 
 /// One impact by solving, for damping laws and contacts that have no map.
 InvertedImpact solved(const Measurement& point, std::size_t index, const DampingProblem& problem) {
-    InvertedImpact inverted{.index = index,
-                            .velocity = point.velocity,
-                            .restitution = problem.restitution,
-                            .greatest_restitution = 0,
-                            .damping = {},
-                            .standard_uncertainty = {},
-                            .by_restitution = 0,
-                            .by_velocity = 0,
-                            .contact_time = {}};
+    InvertedImpact inverted{.index = index, .velocity = point.velocity, .restitution = problem.restitution};
     try {
         const DampingInversion inversion = damping_from_restitution(problem);
         inverted.greatest_restitution = inversion.greatest_restitution;
         inverted.damping = inversion.damping.coefficient;
         inverted.contact_time = inversion.impact.contact_time;
-    } catch (const InputError&) {  // beyond reach: listed, with what is within
+    } catch (const InputError&) {  // no damping gives this restitution: listed with the greatest possible one
         inverted.greatest_restitution = restitution_of(
             {problem.law, problem.detachment, {problem.damping_law, 0}, problem.contact, problem.velocity});
     }
@@ -175,9 +168,7 @@ std::vector<SampleDamping> read_dampings(const View& result, Dimension dimension
     std::vector<SampleDamping> samples;
     for (const View& sample : result.at("samples").elements()) {
         SampleDamping entry{.name = sample.at("name").text(), .laws = {}};
-        for (const auto& [name, node] : sample.members()) {
-            if (name == "name") continue;
-            const Law law = node.located([&, &key = name] { return Law::named(key); });
+        for_each_law(sample, {"name"}, [&](Law law, const View& node) {
             DampingSeries series{.origin = node.at("origin").text(),
                                  .velocity = node.at("velocity").column(Dimension::velocity),
                                  .restitution = node.at("restitution").column(Dimension::fraction),
@@ -189,7 +180,7 @@ std::vector<SampleDamping> read_dampings(const View& result, Dimension dimension
             if (const auto rising = node.find("rising_branch"))
                 series.rising_to = rising->at("to").number(Dimension::velocity);
             entry.laws.set(law, std::move(series));
-        }
+        });
         samples.push_back(std::move(entry));
     }
     return samples;

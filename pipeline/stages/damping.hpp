@@ -20,7 +20,7 @@ struct DampingSeries {
         rising_to{};  ///< velocity at the end of the rising branch; none: there is none [m/s]
 };
 
-/// What later stages need of 5-damping.json.
+/// The entry of a sample in 5-damping.json, as later stages read it.
 struct SampleDamping {
     std::string name;
     LawMap<DampingSeries> laws;

@@ -12,6 +12,7 @@
 #include "pipeline/json/statistics_json.hpp"
 #include "pipeline/stages/contact.hpp"
 #include "pipeline/stages/damping.hpp"
+#include "pipeline/stages/for_each_law.hpp"
 #include "pipeline/stages/in_parallel.hpp"
 #include "pipeline/stages/json/damping_fit_json.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
@@ -35,7 +36,7 @@ struct FitTask {
     double rising_to;  ///< end of the rising branch [m/s]
 };
 
-/// What a fit leaves, or why there is none.
+/// The result of a fit, or the reasons why there is none.
 struct Fitted {
     Json json = nullptr;
     std::vector<std::string> notes{};
@@ -109,7 +110,7 @@ Json quadratic_part(const DampingCurveFit& fit) {
     return quadratic_fit_json(values, covariance, fit.critical_damping.standard_uncertainty, "kg/s");
 }
 
-/// Where nothing can be extrapolated: the critical damping of the estimate alone, as a constant.
+/// The critical damping of the estimate as a constant damping, for impacts that allow no extrapolation.
 Json constant_part(const Interval& critical_damping) {
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
     covariance(0, 0) = std::pow(critical_damping.standard_uncertainty, 2);
@@ -117,7 +118,7 @@ Json constant_part(const Interval& critical_damping) {
                               critical_damping.standard_uncertainty, "kg/s");
 }
 
-/// Through the dynamic model: all that analyse_impacts() says of the series.
+/// By analyse_impacts(), through the dynamic model.
 Fitted fit_through_model(const FitTask& task) {
     const FitChoices& choices = task.data.fit;
     MeasuredDampingOptions options;
@@ -207,10 +208,8 @@ std::vector<SampleFit> read_fits(const View& result, Dimension dimension) {
     std::vector<SampleFit> samples;
     for (const View& sample : result.at("samples").elements()) {
         SampleFit entry{.name = sample.at("name").text(), .laws = {}};
-        for (const auto& [name, node] : sample.members()) {
-            if (name == "name") continue;
-            const Law law = node.located([&, &key = name] { return Law::named(key); });
-            const auto value = [&, &node = node](const char* key) { return node.at(key).number(dimension); };
+        for_each_law(sample, {"name"}, [&](Law law, const View& node) {
+            const auto value = [&](const char* key) { return node.at(key).number(dimension); };
             LawFit fit{DampingPolynomial::quadratic(value("a"), value("b"), value("c")),
                        value("critical_damping")};
             node.at("critical_damping").located([&] {
@@ -221,7 +220,7 @@ std::vector<SampleFit> read_fits(const View& result, Dimension dimension) {
             if (const auto curve = node.find("extrapolated")) fit.extrapolated = read_damping_fit(*curve);
             if (const auto estimate = node.find("direct")) fit.estimate = read_critical_damping(*estimate);
             entry.laws.set(law, std::move(fit));
-        }
+        });
         samples.push_back(std::move(entry));
     }
     return samples;

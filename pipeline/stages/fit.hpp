@@ -11,16 +11,16 @@
 
 namespace ashimpact {
 
-/// The damping of one law that follows from its series.
+/// The damping that the fit of one law gives.
 struct LawFit {
     DampingPolynomial damping;                             ///< eta(e), up to the second power
     double critical_damping;                               ///< eta(0) [unit of the damping law]
     std::optional<double> critical_damping_uncertainty{};  ///< standard [unit of the damping law]
-    std::optional<DampingCurveFit> extrapolated{};         ///< of measured impacts, as far as v_c needs it
+    std::optional<DampingCurveFit> extrapolated{};         ///< of measured impacts; only what v_c needs
     std::optional<Interval> estimate{};                    ///< of the critical damping, from all impacts
 };
 
-/// What later stages need of 6-fit.json.
+/// The entry of a sample in 6-fit.json, as later stages read it.
 struct SampleFit {
     std::string name;
     LawMap<LawFit> laws;

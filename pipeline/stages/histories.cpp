@@ -7,6 +7,7 @@
 #include "pipeline/stages/critical_velocity.hpp"
 #include "pipeline/stages/damping.hpp"
 #include "pipeline/stages/fit.hpp"
+#include "pipeline/stages/for_each_law.hpp"
 #include "pipeline/stages/in_parallel.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
 #include "solver/calibration/reconstruction.hpp"
@@ -28,17 +29,15 @@ std::vector<CriticalDampings> read_critical_dampings(const View& result, Dimensi
     std::vector<CriticalDampings> samples;
     for (const View& sample : result.at("samples").elements()) {
         CriticalDampings entry{.name = sample.at("name").text(), .laws = {}};
-        for (const auto& [name, node] : sample.members()) {
-            if (name == "name" || name == "measured") continue;
-            const Law law = node.located([&, &key = name] { return Law::named(key); });
+        for_each_law(sample, {"name", "measured"}, [&](Law law, const View& node) {
             entry.laws.set(law, node.at("damping").number(dimension));
-        }
+        });
         samples.push_back(std::move(entry));
     }
     return samples;
 }
 
-/// What the artifacts say of one sample.
+/// Results of one sample from the artifacts.
 struct SampleInputs {
     const Sample& sample;
     const ContactPair& contact;

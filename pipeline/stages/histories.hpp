@@ -15,7 +15,7 @@ struct ContactTimeAt {
     double contact_time;  ///< [s]
 };
 
-/// What later stages need of 8-histories.json.
+/// The entry of a sample in 8-histories.json, as later stages read it.
 struct SampleHistories {
     std::string name;
     std::vector<ContactTimeAt> contact_times;

@@ -12,13 +12,12 @@
 
 namespace ashimpact {
 
-/// What @p work makes of each item, in their order, by as many threads as the machine has cores. The result
-/// does not depend on their number: each item is worked on alone. Of several errors the first item's is
-/// thrown.
+/// Results of @p work for each item, in the order of the items, computed by one thread for each core. They do
+/// not depend on the number of threads. If several items fail, the error of the first one is thrown.
 template <class Item, class Work>
 [[nodiscard]] auto in_parallel(const std::vector<Item>& items, Work&& work) {
     using Result = std::invoke_result_t<Work&, const Item&>;
-    std::vector<std::optional<Result>> results(items.size());  // a result need not exist before its work
+    std::vector<std::optional<Result>> results(items.size());  // a Result need not be default-constructible
     std::vector<std::exception_ptr> errors(items.size());
     const auto one = [&](std::size_t i) {
         try {
@@ -27,8 +26,8 @@ template <class Item, class Work>
             errors[i] = std::current_exception();
         }
     };
-    // Isolated: a thread that waits inside of one item's work must not begin another item, which could wait
-    // for what the first one holds.
+    // Isolated: a thread that waits within the work of one item must not begin another item, which might wait
+    // for something that the first one holds.
     const auto isolated = [&](std::size_t i) { tbb::this_task_arena::isolate([&] { one(i); }); };
     tbb::parallel_for(std::size_t{0}, items.size(), isolated, tbb::simple_partitioner{});
     for (const std::exception_ptr& error : errors)

@@ -9,7 +9,7 @@
 
 namespace ashimpact {
 
-/// What later stages need of 1-modulus.json.
+/// The entry of a sample in 1-modulus.json, as later stages read it.
 struct SampleModulus {
     std::string name;
     Quantity young_modulus;               ///< [Pa]

@@ -20,7 +20,7 @@ struct RestitutionSeries {
     std::optional<double> coefficient_uncertainty{};
 };
 
-/// What later stages need of 4-restitution.json.
+/// The entry of a sample in 4-restitution.json, as later stages read it.
 struct SampleRestitution {
     std::string name;
     std::vector<RestitutionSeries> series;

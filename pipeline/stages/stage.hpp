@@ -21,10 +21,10 @@ inline constexpr std::string_view histories_artifact = "8-histories.json";
 inline constexpr std::string_view comparison_artifact = "comparison.json";
 inline constexpr std::string_view manifest_artifact = "manifest.json";
 
-/// What a stage makes of the artifacts before it.
+/// Output of a stage.
 struct StageOutput {
     Json result = Json::object();
-    Json options = Json::object();  ///< that this stage worked with, defaults included
+    Json options = Json::object();  ///< used by this stage, defaults included
     std::vector<std::string> citations{};
     std::vector<std::string> warnings{};
 };
@@ -34,7 +34,8 @@ struct Artifact {
     std::string file;
     Json document;
     std::string bytes;
-    std::string place{};  ///< where it, or the case, was read from, for messages; empty: it was computed
+    /// The file it was read from, for 0-case.json also the case file; for messages. Empty: it was computed.
+    std::string place{};
 };
 
 /// The artifacts of earlier stages.
@@ -47,10 +48,10 @@ class Artifacts {
     /// Whether it was added.
     [[nodiscard]] bool has(std::string_view file) const;
 
-    /// What messages call an artifact.
+    /// The name of an artifact in messages.
     [[nodiscard]] const std::string& place_of(std::string_view file) const;
 
-    /// What @p read makes of the result of an artifact; errors name its file.
+    /// Returns what @p read returns for the result of an artifact; errors name its file.
     template <class Read>
     auto read(std::string_view file, Read&& read) const {
         const Artifact& artifact = at(file);
@@ -58,7 +59,7 @@ class Artifacts {
             if (!artifact.place.empty()) return read(View(artifact.document).at("result"));
             try {
                 return read(View(artifact.document).at("result"));
-            } catch (const InputError& error) {  // a pointer into what is nowhere to be seen says nothing
+            } catch (const InputError& error) {  // without its pointer: the artifact is in no file
                 throw InputError(error.problem(), error.allowed());
             }
         });

@@ -12,18 +12,18 @@
 
 namespace ashimpact {
 
-/// Bytes that are not what a ByteWriter of this program wrote.
+/// Thrown for bytes that no ByteWriter of this program wrote.
 class BrokenBytes : public std::runtime_error {
   public:
     BrokenBytes() : std::runtime_error("the bytes end too early or too late") {}
 };
 
-/// Numbers and enumerations go as they are: bytes are read by the program that wrote them, on machines of one
-/// kind.
+/// Numbers and enumerations are copied byte by byte, because the same program reads them on the same kind of
+/// machine.
 template <class Value>
 concept PlainValue = std::is_arithmetic_v<Value> || std::is_enum_v<Value>;
 
-/// Writes values one after another. What has a member transfer(archive) is written, and read, through it.
+/// Writes values one after another. A class is written, and read, through its member transfer(archive).
 class ByteWriter {
   public:
     template <class... Values>

@@ -10,7 +10,7 @@ namespace ashimpact {
 
 namespace {
 
-/// What must agree before a checkpoint is gone on with.
+/// Header of a checkpoint; it must agree before a sweep continues from it.
 struct Owner {
     std::string format = std::string(checkpoint_mark) + " 2";
     std::string version{program_version()};

@@ -9,10 +9,10 @@
 
 namespace ashimpact {
 
-/// What a checkpoint says it is, so that a sweep knows its own.
+/// Beginning of every checkpoint, by which a sweep recognises one.
 inline constexpr std::string_view checkpoint_mark = "ashimpact sweep checkpoint";
 
-/// What is finished of a sweep.
+/// The finished part of a sweep.
 struct Checkpoint {
     Tally tally;
     std::uint64_t row_bytes = 0;  ///< of the packed rows
@@ -23,11 +23,11 @@ struct Checkpoint {
     }
 };
 
-/// Replaces the checkpoint file at once. @throws InputError if it cannot be written
+/// Replaces the checkpoint file atomically. @throws InputError if it cannot be written
 void save_checkpoint(const std::filesystem::path& file, const SweepPlan& plan, Checkpoint checkpoint);
 
-/// The checkpoint of a sweep; nothing if there is no file.
-/// @throws InputError if it is one of another spec or program, or damaged
+/// The checkpoint of a sweep; none if there is no file.
+/// @throws InputError if it belongs to another spec or program, or is damaged
 [[nodiscard]] std::optional<Checkpoint> load_checkpoint(const std::filesystem::path& file,
                                                         const SweepPlan& plan);
 

@@ -29,8 +29,7 @@ namespace {
 
 volatile std::sig_atomic_t interrupting_signal = 0;
 
-/// Turns an interruption into a wish to stop, so that what is finished is saved; a second one ends the
-/// program.
+/// Makes SIGINT and SIGTERM request a stop, so that finished work is saved; a second signal ends the program.
 void heed_interruptions() {
     struct sigaction action {};
     action.sa_handler = [](int signal) { interrupting_signal = signal; };
@@ -38,14 +37,14 @@ void heed_interruptions() {
     for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
 }
 
-/// Ends the program by the signal that interrupted it, as if it had not been caught.
+/// Ends the program by the signal that interrupted it, so that the shell sees that signal.
 [[noreturn]] void end_by_signal() {
     std::signal(interrupting_signal, SIG_DFL);
     std::raise(interrupting_signal);
     std::abort();
 }
 
-/// Removes what a sweep keeps while it goes on, and what it was writing when it was killed.
+/// Removes checkpoint and rows of a sweep, and temporary files that it left when it was killed.
 void remove(const SweepFiles& files) {
     std::error_code ignored;
     for (const auto& file : {files.checkpoint, files.rows}) std::filesystem::remove(file, ignored);
@@ -59,7 +58,7 @@ void remove(const SweepFiles& files) {
     for (const auto& file : left) std::filesystem::remove(file, ignored);
 }
 
-/// Makes the full table of the packed rows, which no other sweep may write meanwhile.
+/// Writes the full table from the packed rows, which are locked against another sweep meanwhile.
 void make_table(const SweepFiles& files, const SweepPlan& plan, std::uint64_t row_bytes) {
     const RowLog held(files.rows, row_bytes);
     write_table(files.table, plan, files.rows);
@@ -70,7 +69,7 @@ Checkpoint begin(const SweepOptions& options, const SweepPlan& plan, const Sweep
     return load_checkpoint(files.checkpoint, plan).value_or(Checkpoint{});
 }
 
-/// One line a law: what was found.
+/// One line of results for each law, and the files written.
 std::string summary(const Json& artifact, const SweepFiles& files, const SweepPlan& plan) {
     std::string text;
     for (const Json& law : artifact.at("result").at("laws"))
@@ -83,9 +82,9 @@ std::string summary(const Json& artifact, const SweepFiles& files, const SweepPl
            fmt::format("; as tables:\n  {} inspect {}\n", program_word(), shell_word(files.result.string()));
 }
 
-/// The page beside the result; the one of an earlier sweep does not stay. What cannot be drawn costs no
-/// result.
-/// @returns whether there is one
+/// Writes the report beside the result, or removes that of an earlier sweep. A failure is only a warning, so
+/// that the result is kept.
+/// @returns whether there is a report
 bool write_report(const SweepOptions& options, const Json& artifact, const SweepFiles& files) {
     if (!options.no_report) {
         try {
@@ -136,7 +135,7 @@ void run_sweep_command(const SweepOptions& options, MpiSession& session, const I
     text = session.broadcast(text);
     const SweepPlan plan(text);
     const int threads = options.threads > 0 ? options.threads : default_threads(session.size_here());
-    const auto of_spec = [&](const ContactModel& model, const ImpactColumns& impacts,
+    const auto of_spec = [&](const ImpactModel& model, const ImpactColumns& impacts,
                              const WantedResults& wanted) {
         return in_file(options.spec, [&] { return solver(model, impacts, wanted); });
     };

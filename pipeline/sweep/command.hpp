@@ -9,8 +9,8 @@ namespace ashimpact {
 
 class MpiSession;
 
-/// `ashimpact sweep`, in the program that can do it: reads the spec, goes on from a checkpoint if there is
-/// one, has the threads of all processes compute what is left, writes the result.
+/// `ashimpact sweep`, as ashimpact-sweep runs it: reads the spec, continues from a checkpoint if there is
+/// one, computes the rest with the threads of all processes, and writes the result.
 void run_sweep_command(const SweepOptions& options, MpiSession& session, const ImpactSolver& solver,
                        std::ostream& out);
 

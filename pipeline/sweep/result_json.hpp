@@ -6,14 +6,14 @@
 
 namespace ashimpact {
 
-/// The spec as it was read, and the file it was read from.
+/// Name and hash of the file of the spec.
 struct SpecFile {
     std::string name;
     std::string sha256;
 };
 
-/// The artifact of a finished sweep. Nothing in it depends on who did the work, when, or how often it was
-/// stopped.
+/// The artifact of a finished sweep. It does not depend on the number of processes and threads, on time, or
+/// on interruptions.
 [[nodiscard]] Json sweep_artifact(const SweepPlan& plan, const Tally& tally, const SpecFile& spec);
 
 }  // namespace ashimpact

@@ -10,18 +10,18 @@
 
 namespace ashimpact {
 
-/// The files of a sweep, all beside each other.
+/// The files of a sweep, all in one folder.
 struct SweepFiles {
     std::filesystem::path result;
     std::filesystem::path table;       ///< the full table
-    std::filesystem::path checkpoint;  ///< gone when the sweep is done
-    std::filesystem::path rows;        ///< of the table, packed; gone when the sweep is done
+    std::filesystem::path checkpoint;  ///< removed when the sweep is done
+    std::filesystem::path rows;        ///< of the table, packed; removed when the sweep is done
     std::filesystem::path report;      ///< the page that shows the result
 
     [[nodiscard]] static SweepFiles beside(const std::filesystem::path& result);
 };
 
-/// How a sweep is watched over.
+/// How often a sweep is saved, and how it is watched and interrupted.
 struct SweepCare {
     double checkpoint_interval = 10;  ///< [s]
     bool show_progress = false;
@@ -31,10 +31,10 @@ struct SweepCare {
 /// The work of one block, as a team does it.
 [[nodiscard]] Work work_of(const SweepPlan& plan, ImpactSolver solver);
 
-/// Has the team compute every chunk that the checkpoint lacks, and merges what it returns in the order of the
-/// chunks. The finished part is saved as it grows, and also if an error ends the work or it is interrupted.
+/// Makes the team compute every chunk that the checkpoint lacks, and merges the results in the order of the
+/// chunks. The finished part is saved regularly, and also if an error or an interruption ends the work.
 /// @returns whether all is done; false if it was interrupted
-/// @throws InputError if a file cannot be written, and whatever the work throws
+/// @throws InputError if a file cannot be written; whatever the work throws
 [[nodiscard]] bool complete(Checkpoint& state, const SweepPlan& plan, const SweepFiles& files, Team& team,
                             const SweepCare& care);
 

@@ -9,8 +9,8 @@
 
 namespace ashimpact::batch {
 
-/// Checks that a contact of this law may end there. As refusal(), which is asked once for each law and
-/// detachment: a batch of one impact takes less time than that. @throws InputError
+/// Checks that a law admits a detachment, as refusal() does. The answers are computed once per process,
+/// because refusal() takes longer than a batch of one impact. @throws InputError
 inline void require_admissible(Law law, Detachment detachment) {
     constexpr std::size_t ends = all_values<Detachment>.size();
     static const auto reasons = [] {

@@ -15,7 +15,7 @@ namespace ashimpact {
 /// copies refer to it.
 using Column = Eigen::Ref<const Eigen::ArrayXd>;
 
-/// The yield pressure of contacts that stay elastic [Pa].
+/// Column of an infinite yield pressure, for contacts that stay elastic [Pa].
 inline const Eigen::ArrayXd never_yields =
     Eigen::ArrayXd::Constant(1, std::numeric_limits<double>::infinity());
 
@@ -35,9 +35,10 @@ struct ContactColumns {
     Column contact_modulus;                     ///< E* [Pa]
     Column work_of_adhesion;                    ///< w [J/m2]
     Column yield_pressure = never_yields;       ///< p_y [Pa]
-    std::vector<ParameterColumn> parameters{};  ///< of laws that declare their own
+    std::vector<ParameterColumn> parameters{};  ///< of laws that declare parameters of their own
 };
 
+/// Name and length of a column, for messages.
 struct NamedColumn {
     std::string_view name;
     Eigen::Index size;

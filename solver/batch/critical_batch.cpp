@@ -23,8 +23,8 @@ Damping damping_at(const CriticalVelocityBatch& batch, const batch::Inputs& in, 
     return {batch.damping_law, in.damping.at(i)};
 }
 
-/// Verdict and v_c where they take no integration, or none.
-std::optional<CriticalVelocity> quick(const CriticalVelocityProblem& problem) {
+/// Verdict and v_c from the law, a table or a closed form; none if that takes an integration.
+std::optional<CriticalVelocity> without_integration(const CriticalVelocityProblem& problem) {
     const auto& [law, detachment, damping, contact] = problem;
     if (!is_self_similar(law, contact)) return std::nullopt;
     if (detachment == Detachment::zero_force)
@@ -47,7 +47,7 @@ std::optional<CriticalVelocity> quick(const CriticalVelocityProblem& problem) {
 
 CriticalVelocity tabulated_critical_velocity(const CriticalVelocityProblem& problem) {
     validate(Impact{problem.law, problem.detachment, problem.damping, problem.contact, 1.0});
-    if (auto critical = quick(problem)) return *critical;
+    if (auto critical = without_integration(problem)) return *critical;
     return critical_velocity(problem);
 }
 
@@ -63,20 +63,20 @@ CriticalVelocityBatchResult critical_velocities(const CriticalVelocityBatch& bat
     std::atomic<std::int64_t> scalar = 0;
     const auto chunk = [&](std::size_t first, std::size_t size) {
         if (!fault.check(inputs.from(first), first, size)) return;
-        std::int64_t alone = 0;
+        std::int64_t integrated = 0;
         for (std::size_t i = first; i < first + size; ++i) {
             const CriticalVelocityProblem problem{batch.law, batch.detachment, damping_at(batch, inputs, i),
                                                   batch::pair_at(inputs, i)};
-            auto critical = quick(problem);
+            auto critical = without_integration(problem);
             if (!critical) {
                 critical = critical_velocity(problem);
-                ++alone;
+                ++integrated;
             }
             const auto place = static_cast<Eigen::Index>(i);
             result.verdict[place] = critical->verdict;
             result.value[place] = critical->value.value_or(std::numeric_limits<double>::quiet_NaN());
         }
-        scalar += alone;
+        scalar += integrated;
     };
     batch::for_chunks(static_cast<std::size_t>(count), chunk_size, threads, chunk);
     result.scalar = scalar;

@@ -9,7 +9,7 @@
 
 namespace ashimpact {
 
-/// Contacts of one law, one damping law and one detachment, for their critical velocities.
+/// Contacts whose critical velocities are sought, of one law, one damping law and one detachment.
 struct CriticalVelocityBatch {
     Law law;
     Detachment detachment;
@@ -21,12 +21,13 @@ struct CriticalVelocityBatch {
 struct CriticalVelocityBatchResult {
     Eigen::Array<CaptureVerdict, Eigen::Dynamic, 1> verdict{};
     Eigen::ArrayXd value{};   ///< v_c; NaN unless the verdict is finite [m/s]
-    std::int64_t scalar = 0;  ///< left to critical_velocity(): beyond the tables, or plastic
+    std::int64_t scalar = 0;  ///< how many were left to critical_velocity(): beyond the tables, or plastic
 };
 
-/// Verdict and v_c alone, to 1e-10 of critical_velocity() in microseconds: with adhesion v_c depends on one
-/// number, which batch::CriticalTable tabulates; Hertz with constant damping has a closed form; the rest goes
-/// through critical_velocity(). Errors: as critical_velocity().
+/// Verdict and v_c [m/s] without the other results of critical_velocity(), in microseconds; relative
+/// difference below 1e-10. With adhesion v_c depends on one number, over which batch::CriticalTable tabulates
+/// it; Hertz with constant damping has a closed form; everything else goes through critical_velocity().
+/// Errors: as critical_velocity().
 [[nodiscard]] CriticalVelocity tabulated_critical_velocity(const CriticalVelocityProblem& problem);
 
 /// Critical velocities as tabulated_critical_velocity() gives them.

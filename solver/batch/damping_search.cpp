@@ -11,7 +11,7 @@ DampingSearch::DampingSearch(DampingLaw law, double restitution, double undamped
     found_ = !possible;
 }
 
-void DampingSearch::keep(Point point) {
+void DampingSearch::insert(Point point) {
     const auto nearer = [this](const Point& a, const Point& b) {
         return std::abs(a.loss - wanted_) < std::abs(b.loss - wanted_);
     };
@@ -40,9 +40,9 @@ void DampingSearch::observe(double restitution) {
     (loss < wanted_ ? too_little_ : too_much_) = number_;
     double next = -1.0;
     if (restitution > 0.0) {
-        keep({loss, number_});
+        insert({loss, number_});
         next = interpolated();
-        found_ = std::abs(next - number_) <= enough * number_;
+        found_ = std::abs(next - number_) <= converged * number_;
     }
     const double upper = too_much_ < 0.0 ? 2.0 * number_ : too_much_;
     const bool inside = next > too_little_ && next < upper;

@@ -26,13 +26,15 @@ class DampingSearch {
 
   private:
     static constexpr std::size_t most_points = 5;
-    static constexpr double enough = 1e-7;  ///< relative change after which the next one is below 1e-12
+    /// Relative change at which the search has converged; the next change would be below 1e-12.
+    static constexpr double converged = 1e-7;
     struct Point {
         double loss;  ///< 1 - e/e_0
         double number;
     };
 
-    void keep(Point point);
+    /// Inserts a point into point_, which drops the farthest one if it is full.
+    void insert(Point point);
     /// Neville's scheme through the points, at the wanted loss.
     [[nodiscard]] double interpolated() const;
 
@@ -40,7 +42,7 @@ class DampingSearch {
     double undamped_ = 1.0;
     double number_ = 0.0;
     double too_little_ = 0.0;
-    double too_much_ = -1.0;                  ///< unknown while negative
+    double too_much_ = -1.0;                  ///< negative while unknown
     std::array<Point, most_points> point_{};  ///< the nearest to the wanted loss first; at first e_0
     std::size_t count_ = 1;
     bool found_ = false;

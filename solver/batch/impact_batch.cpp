@@ -41,7 +41,7 @@ void take_turn(const ImpactResult& result, const ImpactTask& task, std::size_t i
     task.maximum_overlap[i] = result.maximum_overlap;
 }
 
-/// Whether what a kernel decided can be: 0 < e < 1 where damped, and a time that passes.
+/// Whether the end that a kernel found is possible: 0 < e < 1 if damped, and a positive contact time.
 bool is_possible_end(const ImpactTask& task, std::size_t i) {
     if (task.end[i] == LaneEnd::capture) return true;
     const double e = task.restitution[i];
@@ -50,7 +50,8 @@ bool is_possible_end(const ImpactTask& task, std::size_t i) {
     return e > 0.0 && (damped ? e < 1.0 : e <= 1.0) && time > 0.0 && std::isfinite(time);
 }
 
-/// Whether the turning point can be, and fits the end of the impact: what rebounds has turned before.
+/// Whether the turning point is possible and agrees with the end of the impact: a rebound turns before it
+/// ends.
 bool is_possible_turn(const ImpactTask& task, std::size_t i) {
     const double time = task.approach_time[i];
     const double overlap = task.maximum_overlap[i];
@@ -60,7 +61,7 @@ bool is_possible_turn(const ImpactTask& task, std::size_t i) {
     return time > 0.0 && std::isfinite(time) && (!rebounds || time < task.contact_time[i]);
 }
 
-/// Impacts that did not converge, from several threads.
+/// Collects impacts that did not converge, from several threads.
 class Failures {
   public:
     explicit Failures(bool keep) : keep_(keep) {}
@@ -86,11 +87,12 @@ class Failures {
     std::vector<FailedImpact> failed_;
 };
 
-/// Solves a task, and alone what its kernel could not decide or got impossibly. @return how many those were
+/// Solves a task. Impacts that its kernel left undecided or gave an impossible result go through the scalar
+/// solver. @return how many those were
 std::int64_t solve(const ImpactBatch& batch, const ImpactTask& task, std::size_t first, Outcome* outcome,
                    Failures& failures) {
     batch::kernels_of(batch.law).impacts(task);
-    std::int64_t alone = 0;
+    std::int64_t solved_alone = 0;
     for (std::size_t i = 0; i < task.count; ++i) {
         const bool end_known = task.end[i] != LaneEnd::undecided && is_possible_end(task, i);
         const bool turn_known = !task.turning_point || (end_known && is_possible_turn(task, i));
@@ -102,12 +104,12 @@ std::int64_t solve(const ImpactBatch& batch, const ImpactTask& task, std::size_t
             } catch (const ConvergenceError& error) {
                 failures.add(task, i, first, error);
             }
-            ++alone;
+            ++solved_alone;
         }
         if (!task.turning_point) task.approach_time[i] = task.maximum_overlap[i] = nothing;
         outcome[i] = task.end[i] == LaneEnd::rebound ? Outcome::rebound : Outcome::capture;
     }
-    return alone;
+    return solved_alone;
 }
 
 void resize(ImpactBatchResult& result, Eigen::Index count) {
@@ -140,15 +142,15 @@ void solve_impacts(const ImpactBatch& batch, ImpactBatchResult& result, const Ba
     std::atomic<std::int64_t> scalar = 0;
     Failures failures(options.keep_failures);
     const auto chunk = [&](std::size_t first, std::size_t size) {
-        const batch::Inputs own = inputs.from(first);
-        if (!fault.check(own, first, size)) return;
+        const batch::Inputs chunk_inputs = inputs.from(first);
+        if (!fault.check(chunk_inputs, first, size)) return;
         std::array<LaneEnd, batch::most_impacts> end;  // the kernel fills what is used
         const ImpactTask task{.damping_law = batch.damping_law,
                               .detachment = batch.detachment,
                               .turning_point = options.turning_point,
                               .table = table,
                               .count = size,
-                              .inputs = own,
+                              .inputs = chunk_inputs,
                               .end = end.data(),
                               .restitution = result.restitution.data() + first,
                               .contact_time = result.contact_time.data() + first,

@@ -36,7 +36,7 @@ struct FailedImpact {
     std::string reason;
 };
 
-/// What the impacts did. NaN stands for the contact time of a capture, for the approach time of an approach
+/// Results of the impacts. NaN stands for the contact time of a capture, for the approach time of an approach
 /// that never turns, and for both columns of the turning point if they were not asked for.
 struct ImpactBatchResult {
     Eigen::Array<Outcome, Eigen::Dynamic, 1> outcome{};
@@ -45,7 +45,8 @@ struct ImpactBatchResult {
     Eigen::ArrayXd approach_time{};      ///< first touch to greatest overlap [s]
     Eigen::ArrayXd maximum_overlap{};    ///< greatest overlap, or its supremum where it never turns [m]
     std::vector<FailedImpact> failed{};  ///< by place; all their numbers are NaN, and they count as captures
-    std::int64_t scalar = 0;  ///< left to solve_impact(): too near capture for double precision, or plastic
+    /// How many were left to solve_impact(): too near capture for double precision, or plastic.
+    std::int64_t scalar = 0;
 };
 
 /// Solves many impacts, several in each instruction, to |d(e^2)| <= 1e-12 (1 + |U_min|/(m v^2/2)) of

@@ -9,12 +9,12 @@ namespace ashimpact {
 /// "baseline".
 [[nodiscard]] std::vector<std::string_view> instruction_sets();
 
-/// Has every batch from now on use this instruction set; for measurements and tests, and no other thread may
-/// be in a batch. Empty: the best again. @throws InputError naming those there are
+/// Makes every later batch use this instruction set, for measurements and tests. No other thread may be in a
+/// batch meanwhile. @param name empty: the best one again @throws InputError naming the available ones
 void use_instruction_set(std::string_view name);
 
-/// Chooses the best instruction set if none has been chosen yet: from then on a law's kernels are the same
-/// functions.
+/// Chooses the best instruction set if none has been chosen yet. Afterwards kernels_of() returns the same
+/// functions every time.
 void settle_instruction_set();
 
 }  // namespace ashimpact

@@ -18,7 +18,7 @@ constexpr double out_of_reach = std::numeric_limits<double>::quiet_NaN();
 constexpr double no_damping_yet = 1.0;
 
 /// What a kernel fills for one chunk.
-struct Searched {
+struct SearchResults {
     std::array<double, batch::most_impacts> unit;
     std::array<double, batch::most_impacts> number;
     std::array<double, batch::most_impacts> undamped;
@@ -36,7 +36,7 @@ void invert_alone(const DampingProblem& problem, double& damping, double& greate
         const DampingInversion inversion = damping_from_restitution(problem);
         damping = inversion.damping.coefficient;
         greatest = inversion.greatest_restitution;
-    } catch (const InputError&) {  // out of reach: the numbers themselves have been checked
+    } catch (const InputError&) {  // the inputs have been checked, so no damping gives this restitution
         damping = out_of_reach;
         greatest = solve_impact({problem.law,
                                  problem.detachment,
@@ -47,10 +47,10 @@ void invert_alone(const DampingProblem& problem, double& damping, double& greate
     }
 }
 
-/// @return how many were left to the scalar solver
+/// Inverts one chunk. @return how many impacts were left to the scalar solver
 std::int64_t invert(const DampingBatch& batch, batch::RestitutionTable* table, const batch::Inputs& inputs,
                     std::size_t count, double* damping, double* greatest) {
-    Searched searched;
+    SearchResults searched;
     const batch::InversionTask task{.damping_law = batch.damping_law,
                                     .detachment = batch.detachment,
                                     .table = table,
@@ -61,7 +61,7 @@ std::int64_t invert(const DampingBatch& batch, batch::RestitutionTable* table, c
                                     .undamped = searched.undamped.data(),
                                     .found = searched.found.data()};
     batch::kernels_of(batch.law).inversions(task);
-    std::int64_t alone = 0;
+    std::int64_t solved_alone = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const double wanted = inputs.restitution.at(i);
         if (searched.found[i] != 0 && wanted > 0.0 && wanted < searched.undamped[i]) {
@@ -70,9 +70,9 @@ std::int64_t invert(const DampingBatch& batch, batch::RestitutionTable* table, c
             continue;
         }
         invert_alone(problem_at(batch, inputs, i), damping[i], greatest[i]);
-        ++alone;
+        ++solved_alone;
     }
-    return alone;
+    return solved_alone;
 }
 
 }  // namespace
@@ -95,9 +95,9 @@ DampingBatchResult dampings_from_restitutions(const DampingBatch& batch, int thr
     batch::FirstFault fault;
     std::atomic<std::int64_t> scalar = 0;
     const auto chunk = [&](std::size_t first, std::size_t size) {
-        const batch::Inputs own = inputs.from(first);
-        if (!fault.check(own, first, size)) return;
-        scalar += invert(batch, table, own, size, result.damping.data() + first,
+        const batch::Inputs chunk_inputs = inputs.from(first);
+        if (!fault.check(chunk_inputs, first, size)) return;
+        scalar += invert(batch, table, chunk_inputs, size, result.damping.data() + first,
                          result.greatest_restitution.data() + first);
     };
     batch::for_chunks(static_cast<std::size_t>(count), batch::most_impacts, threads, chunk);

@@ -10,7 +10,8 @@
 
 namespace ashimpact {
 
-/// Impacts of one law, one damping law and one detachment with measured restitutions, for their dampings.
+/// Impacts with measured restitutions whose dampings are sought, of one law, one damping law and one
+/// detachment.
 struct DampingBatch {
     Law law;
     Detachment detachment;
@@ -23,7 +24,7 @@ struct DampingBatch {
 struct DampingBatchResult {
     Eigen::ArrayXd damping{};  ///< coefficient; NaN where no damping gives the restitution [unit of the law]
     Eigen::ArrayXd greatest_restitution{};  ///< reachable without damping [1]
-    std::int64_t scalar = 0;                ///< left to damping_from_restitution()
+    std::int64_t scalar = 0;                ///< how many were left to damping_from_restitution()
 };
 
 /// Dampings from restitutions by the batch solver. A result reproduces its restitution within the batch

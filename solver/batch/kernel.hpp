@@ -58,11 +58,11 @@ struct Inputs {
     }
 };
 
-/// What became of one lane.
+/// How the impact of one lane ended.
 enum class LaneEnd : std::uint8_t {
     rebound,
     capture,
-    undecided,  ///< for the scalar solver
+    undecided,  ///< left to the scalar solver
 };
 
 class RestitutionTable;
@@ -82,7 +82,7 @@ struct ImpactTask {
     double* maximum_overlap;  ///< NaN where the turn is in doubt; untouched without turning_point [m]
 };
 
-/// A chunk of impacts given by their two numbers, for one thread; results are scaled.
+/// A chunk of scaled impacts for one thread, given by adhesion and damping number; results are scaled.
 struct NumberTask {
     DampingLaw damping_law;
     Detachment detachment;
@@ -94,7 +94,7 @@ struct NumberTask {
     double* time;   ///< of contact, where it is a rebound
 };
 
-/// A chunk of restitutions whose damping one thread searches.
+/// A chunk of impacts for one thread: searches the dampings that give their restitutions.
 struct InversionTask {
     DampingLaw damping_law;
     Detachment detachment;
@@ -104,17 +104,17 @@ struct InversionTask {
     double* number_unit;  ///< damping coefficient of damping number 1 [unit of the law]
     double* number;       ///< damping number found [1]
     double* undamped;     ///< e_0, restitution without damping [1]
-    std::uint8_t* found;  ///< 1 where the number is good
+    std::uint8_t* found;  ///< 1 if the search converged
 };
 
-/// Most impacts of a task.
+/// Greatest number of impacts in a task.
 inline constexpr std::size_t most_impacts = 2048;
 
 using ImpactKernel = void (*)(const ImpactTask&);
 using NumberKernel = void (*)(const NumberTask&);
 using InversionKernel = void (*)(const InversionTask&);
 
-/// The kernels of one contact law for the present instruction set.
+/// The kernels of one contact law for the chosen instruction set.
 struct Kernels {
     ImpactKernel impacts;
     NumberKernel numbers;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
 
 namespace ashimpact::batch {
 
@@ -10,7 +11,7 @@ namespace {
 constexpr unsigned damping_bins = 32;
 constexpr unsigned adhesion_bins = 8;
 
-/// The adhesion number by powers of two, from 1/32 to 2: below and above them little changes.
+/// Bin of the adhesion number: powers of two from 1/32 to 2, as impacts change little below and above.
 unsigned adhesion_bin(double number) {
     const auto exponent = static_cast<int>(std::bit_cast<std::uint64_t>(number) >> 52U) - 1023;
     return static_cast<unsigned>(std::clamp(exponent + 6, 0, static_cast<int>(adhesion_bins) - 1));
@@ -21,8 +22,9 @@ unsigned damping_bin(double number) {
     return static_cast<unsigned>(std::clamp(number / width, 0.0, damping_bins - 1.0));
 }
 
-/// Position of an impact in a walk to and fro through the bins, so that neighbours in it are neighbours.
-unsigned key(double adhesion, double damping) {
+/// Number of an impact's bin. Rows of bins are numbered in alternating directions, so that consecutive bins
+/// are neighbours.
+unsigned bin_of(double adhesion, double damping) {
     const unsigned row = damping_bin(damping);
     const unsigned column = adhesion_bin(adhesion);
     return row * adhesion_bins + (row % 2 == 0 ? column : adhesion_bins - 1 - column);
@@ -36,15 +38,13 @@ void Order::sort(const NumberColumns& numbers, std::span<const std::uint16_t> im
         return;
     }
     std::array<std::uint16_t, damping_bins * adhesion_bins + 1> start{};
-    std::array<std::uint16_t, most_impacts> keys;  // those of the impacts are filled here
+    std::array<std::uint16_t, most_impacts> bin;  // by impact; filled only for those to be sorted
     for (const std::size_t i : impacts) {
-        keys[i] = static_cast<std::uint16_t>(key(numbers.adhesion[i], numbers.damping[i]));
-        ++start[keys[i] + 1U];
+        bin[i] = static_cast<std::uint16_t>(bin_of(numbers.adhesion[i], numbers.damping[i]));
+        ++start[bin[i] + 1U];
     }
-    for (std::size_t bin = 1; bin < start.size(); ++bin) {
-        start[bin] = static_cast<std::uint16_t>(start[bin] + start[bin - 1]);
-    }
-    for (const std::uint16_t i : impacts) place_[start[keys[i]]++] = i;
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    for (const std::uint16_t i : impacts) place_[start[bin[i]]++] = i;
 }
 
 }  // namespace ashimpact::batch

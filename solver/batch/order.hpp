@@ -9,14 +9,14 @@
 
 namespace ashimpact::batch {
 
-/// The two numbers of scaled impacts, a column each.
+/// Adhesion and damping numbers of scaled impacts.
 struct NumberColumns {
     const double* adhesion;
     const double* damping;
 };
 
-/// An order of the impacts of a task that puts similar ones side by side. It changes no result, only how long
-/// the lanes of a block wait for each other.
+/// An order of the impacts of a task in which similar ones are neighbours. It changes no result, only how
+/// long the lanes of a block wait for each other.
 class Order {
   public:
     /// @param impacts their places in the columns

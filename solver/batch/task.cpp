@@ -20,12 +20,12 @@ bool not_negative(const Input& column, std::size_t i) {
     return column.values == nullptr || column.at(i) == 0.0 || is_computable(column.at(i));
 }
 
-/// The only one of no dimension: every number from 0 on can be computed with.
-bool ratio(const Input& column, std::size_t i) {
+/// A restitution has no dimension, so it needs no range against overflow.
+bool finite_ratio(const Input& column, std::size_t i) {
     return column.values == nullptr || (column.at(i) >= 0.0 && std::isfinite(column.at(i)));
 }
 
-/// Infinite where it never yields.
+/// A yield pressure is infinite if the contact never yields.
 bool positive_or_infinite(const Input& column, std::size_t i) {
     return column.values == nullptr || column.at(i) > 0.0;
 }
@@ -76,7 +76,7 @@ ParameterInputs parameter_inputs(Law law, const ContactColumns& contact) {
 bool admissible(const Inputs& in, std::size_t i) {
     return positive(in.mass, i) && positive(in.effective_radius, i) && positive(in.contact_modulus, i) &&
            not_negative(in.work_of_adhesion, i) && positive_or_infinite(in.yield_pressure, i) &&
-           not_negative(in.damping, i) && positive(in.velocity, i) && ratio(in.restitution, i) &&
+           not_negative(in.damping, i) && positive(in.velocity, i) && finite_ratio(in.restitution, i) &&
            allowed(in.parameters, i);
 }
 
@@ -86,6 +86,7 @@ bool FirstFault::check(const Inputs& chunk, std::size_t first, std::size_t count
     if (i == count) return true;
     std::size_t known = place_;
     while (first + i < known && !place_.compare_exchange_weak(known, first + i)) {
+        // another thread changed place_: compare with its new value
     }
     return false;
 }

@@ -40,11 +40,10 @@ namespace ashimpact::batch {
     return pair;
 }
 
-/// Whether all inputs that are given pass validate() of an Impact, and a restitution is finite and not
-/// negative.
+/// Whether all inputs given pass validate() of an Impact, and the restitution is finite and not negative.
 [[nodiscard]] bool admissible(const Inputs& in, std::size_t i);
 
-/// Finds the first problem of a batch that is not admissible; several threads may check chunks.
+/// Finds the first inadmissible problem of a batch. Several threads may check chunks at once.
 class FirstFault {
   public:
     /// Checks a chunk. @return whether all of it is admissible

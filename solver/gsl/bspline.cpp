@@ -1,6 +1,7 @@
 #include "solver/gsl/bspline.hpp"
 
 #include "solver/gsl/status.hpp"
+#include "solver/gsl/views.hpp"
 
 #include <gsl/gsl_bspline.h>
 #include <gsl/gsl_errno.h>
@@ -22,12 +23,9 @@ struct BSpline::Workspace {
         if (!state) check(GSL_EINVAL, "B-spline");
         derivatives.reset(gsl_matrix_alloc(gsl_bspline_ncoeffs(state.get()), 2));
     }
-    [[nodiscard]] Eigen::VectorXd column(double x, std::size_t derivative) const {
+    [[nodiscard]] Eigen::VectorXd column(double x, Eigen::Index derivative) const {
         check(gsl_bspline_deriv_eval(x, 1, derivatives.get(), state.get()), "B-spline");
-        Eigen::VectorXd result(static_cast<Eigen::Index>(derivatives->size1));
-        for (Eigen::Index i = 0; i < result.size(); ++i)
-            result[i] = gsl_matrix_get(derivatives.get(), static_cast<std::size_t>(i), derivative);
-        return result;
+        return view_of(derivatives.get()).col(derivative);
     }
 };
 

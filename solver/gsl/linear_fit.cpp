@@ -1,6 +1,7 @@
 #include "solver/gsl/linear_fit.hpp"
 
 #include "solver/gsl/status.hpp"
+#include "solver/gsl/views.hpp"
 
 #include <gsl/gsl_multifit.h>
 
@@ -13,7 +14,6 @@ LinearFit fit_linear(const Eigen::MatrixXd& design, const Eigen::VectorXd& obser
     quiet();
     const auto rows = static_cast<std::size_t>(design.rows());
     const auto columns = static_cast<std::size_t>(design.cols());
-    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     const RowMajor x = design;
     RowMajor covariance(design.cols(), design.cols());
     LinearFit fit{Eigen::VectorXd(design.cols()), {}, 0.0};

@@ -6,7 +6,7 @@ namespace ashimpact::gsl {
 
 struct LinearFit {
     Eigen::VectorXd parameters;
-    Eigen::MatrixXd covariance;  ///< for weights 1/sigma^2; of unit weights where none are given
+    Eigen::MatrixXd covariance;  ///< for weights 1/sigma^2; if none are given, for unit weights
     double chi_squared;
 };
 

@@ -2,8 +2,8 @@
 
 #include "materials/base/error.hpp"
 #include "solver/gsl/status.hpp"
+#include "solver/gsl/views.hpp"
 
-#include <gsl/gsl_blas.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multifit_nlinear.h>
 
@@ -20,22 +20,6 @@ struct FitTarget {
     std::exception_ptr error;
 };
 
-Eigen::VectorXd from_gsl(const gsl_vector* v) {
-    Eigen::VectorXd result(static_cast<Eigen::Index>(v->size));
-    for (std::size_t i = 0; i < v->size; ++i) result[static_cast<Eigen::Index>(i)] = gsl_vector_get(v, i);
-    return result;
-}
-
-Eigen::MatrixXd from_gsl(const gsl_matrix* m) {
-    Eigen::MatrixXd result(static_cast<Eigen::Index>(m->size1), static_cast<Eigen::Index>(m->size2));
-    for (std::size_t i = 0; i < m->size1; ++i) {
-        for (std::size_t j = 0; j < m->size2; ++j) {
-            result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = gsl_matrix_get(m, i, j);
-        }
-    }
-    return result;
-}
-
 /// Calls @p action unless an earlier call threw; keeps what it throws.
 template <class Action>
 int guarded(FitTarget& target, Action&& action) {
@@ -49,17 +33,12 @@ int guarded(FitTarget& target, Action&& action) {
     }
 }
 
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
 /// Whether no step can lower chi^2 by more than rounding: the best linear one gains less than 1e-8 of it, or
 /// changes no parameter by more than 1e-6 of itself.
 bool is_stationary(const gsl_multifit_nlinear_workspace* workspace) {
-    const gsl_matrix* j = gsl_multifit_nlinear_jac(workspace);
-    const Eigen::Map<const RowMajor, 0, Eigen::OuterStride<>> jacobian(
-        j->data, static_cast<Eigen::Index>(j->size1), static_cast<Eigen::Index>(j->size2),
-        Eigen::OuterStride<>(static_cast<Eigen::Index>(j->tda)));
-    const Eigen::VectorXd residuals = from_gsl(gsl_multifit_nlinear_residual(workspace));
-    const Eigen::VectorXd parameters = from_gsl(gsl_multifit_nlinear_position(workspace));
+    const auto jacobian = view_of(gsl_multifit_nlinear_jac(workspace));
+    const Eigen::VectorXd residuals = view_of(gsl_multifit_nlinear_residual(workspace));
+    const Eigen::VectorXd parameters = view_of(gsl_multifit_nlinear_position(workspace));
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors(jacobian.rows(), jacobian.cols());
     factors.setThreshold(1e-6);  // directions that only the differences' noise tells apart do not count
     const Eigen::VectorXd step = factors.compute(jacobian).solve(residuals);
@@ -70,23 +49,12 @@ bool is_stationary(const gsl_multifit_nlinear_workspace* workspace) {
 
 int evaluate(const gsl_vector* x, void* parameters, gsl_vector* f) {
     auto& target = *static_cast<FitTarget*>(parameters);
-    return guarded(target, [&] {
-        const Eigen::VectorXd value = target.problem.residuals(from_gsl(x));
-        for (std::size_t i = 0; i < f->size; ++i) gsl_vector_set(f, i, value[static_cast<Eigen::Index>(i)]);
-    });
+    return guarded(target, [&] { view_of(f) = target.problem.residuals(view_of(x)); });
 }
 
 int differentiate(const gsl_vector* x, void* parameters, gsl_matrix* jacobian) {
     auto& target = *static_cast<FitTarget*>(parameters);
-    return guarded(target, [&] {
-        const Eigen::MatrixXd value = target.problem.jacobian(from_gsl(x));
-        for (std::size_t i = 0; i < jacobian->size1; ++i) {
-            for (std::size_t j = 0; j < jacobian->size2; ++j) {
-                gsl_matrix_set(jacobian, i, j,
-                               value(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
-            }
-        }
-    });
+    return guarded(target, [&] { view_of(jacobian) = target.problem.jacobian(view_of(x)); });
 }
 
 Eigen::MatrixXd covariance_of(const gsl_multifit_nlinear_workspace* workspace, std::size_t size) {
@@ -139,9 +107,9 @@ NonlinearFit fit_nonlinear(const NonlinearProblem& fitted, const Eigen::VectorXd
     }
 
     NonlinearFit fit;
-    fit.parameters = from_gsl(gsl_multifit_nlinear_position(workspace.get()));
-    fit.residuals = from_gsl(gsl_multifit_nlinear_residual(workspace.get()));
-    fit.jacobian = from_gsl(gsl_multifit_nlinear_jac(workspace.get()));
+    fit.parameters = view_of(gsl_multifit_nlinear_position(workspace.get()));
+    fit.residuals = view_of(gsl_multifit_nlinear_residual(workspace.get()));
+    fit.jacobian = view_of(gsl_multifit_nlinear_jac(workspace.get()));
     fit.covariance = covariance_of(workspace.get(), size);
     fit.chi_squared = fit.residuals.squaredNorm();
     fit.iterations = static_cast<int>(gsl_multifit_nlinear_niter(workspace.get()));

@@ -9,7 +9,7 @@ namespace ashimpact::gsl {
 struct NonlinearFitOptions {
     double parameter_tolerance = 1e-10;  ///< relative step at which a fit has converged
     double gradient_tolerance = 1e-12;
-    double residual_tolerance = 0.0;  ///< relative change of chi^2; 0 leaves it out
+    double residual_tolerance = 0.0;  ///< relative change of chi^2; 0: not tested
     double difference_step = 1e-6;    ///< relative step of the finite-difference Jacobian
     int most_iterations = 200;
 };

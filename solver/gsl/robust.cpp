@@ -1,6 +1,7 @@
 #include "solver/gsl/robust.hpp"
 
 #include "solver/gsl/status.hpp"
+#include "solver/gsl/views.hpp"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multifit.h>
@@ -11,7 +12,6 @@ namespace ashimpact::gsl {
 
 namespace {
 
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Workspace = std::unique_ptr<gsl_multifit_robust_workspace, decltype(&gsl_multifit_robust_free)>;
 
 Workspace workspace_for(Eigen::Index rows, Eigen::Index columns) {

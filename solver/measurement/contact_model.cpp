@@ -58,10 +58,11 @@ double ContactModel::greatest_restitution(double velocity) const {
 
 std::optional<VelocityAt> ContactModel::velocity(double restitution, double damping,
                                                  std::optional<double> guess) const {
-    // ln eta(v, e) rises with ln v: Newton, kept within a bracket that only shrinks.
+    // ln eta(v, e) rises with ln v: Newton's method, kept within a bracket that only shrinks.
     double lower = map_->range().lower;
     double upper = map_->range().upper;
-    if (restitution > 0.0 && restitution < 1.0) {  // below this even the undamped impact stays under it
+    if (restitution > 0.0 &&
+        restitution < 1.0) {  // below this velocity even an undamped impact has less restitution
         const double undamped = map_->impacts().lowest() - 0.5 * std::log1p(-restitution * restitution);
         lower = std::max(lower, undamped);
     }
@@ -73,7 +74,7 @@ std::optional<VelocityAt> ContactModel::velocity(double restitution, double damp
         const bool positive = number.value > 0.0;
         const double miss = positive ? 0.2 * x + std::log(number.value) - wanted : -1.0;
         const double slope = 0.2 + number.by_x / number.value;
-        if (std::abs(miss) < 1e-7) {  // the step leaves its square
+        if (std::abs(miss) < 1e-7) {  // one more Newton step leaves an error of its square
             const double value = velocity_unit_ * std::exp(x - miss / slope);
             return VelocityAt{value, value / (damping * slope)};
         }

@@ -30,9 +30,10 @@ struct VelocityAt {
     double by_damping;  ///< dv/d eta [m/kg], positive
 };
 
-/// One law, one contact, constant damping: any of velocity, restitution and damping from the other two, read
-/// from a map in microseconds with the stated accuracy(). For fits and Monte Carlo; published numbers come
-/// from solve_impact(), damping_from_restitution() and critical_velocity().
+/// Velocity, restitution and damping of one contact under one law with constant damping: each as a function
+/// of the other two. A look-up in a map takes microseconds; map().accuracy() states its error. Meant for fits
+/// and Monte Carlo; results to be published come from solve_impact(), damping_from_restitution() and
+/// critical_velocity().
 class ContactModel {
   public:
     /// @throws InputError for a contact that is not physical, or one whose law has a history (yield)
@@ -44,18 +45,20 @@ class ContactModel {
     [[nodiscard]] const RestitutionMap& map() const { return *map_; }
     [[nodiscard]] const std::shared_ptr<const RestitutionMap>& shared_map() const { return map_; }
 
-    /// The damping that gives a restitution; e = 0 gives the smallest that captures [kg/s].
+    /// The damping that gives a restitution; for e = 0 the smallest damping that captures.
     /// @param velocity within range() [m/s] @param restitution within [0, greatest_restitution(velocity)]
     [[nodiscard]] DampingAt damping(double velocity, double restitution) const;
     /// Restitution without damping, the greatest that can be reached [1].
     [[nodiscard]] double greatest_restitution(double velocity) const;
-    /// The velocity at which an impact with this damping has this restitution; none where it lies outside
-    /// range(). @param damping > 0 [kg/s] @param guess a velocity close by, where one is known [m/s]
+    /// The velocity at which an impact with this damping has this restitution; none if it lies outside
+    /// range().
+    /// @param damping > 0 [kg/s] @param guess start of the search, if one is known [m/s]
     [[nodiscard]] std::optional<VelocityAt> velocity(double restitution, double damping,
                                                      std::optional<double> guess = std::nullopt) const;
     /// The velocity up to which impacts are captured; none if it lies outside range() [m/s].
     [[nodiscard]] std::optional<double> critical_velocity(double damping) const;
-    /// The same, solved if outside range(); none if it is not finite or there is no damping [m/s].
+    /// Like critical_velocity(), but solved by integration if it lies outside range(); none if there is no
+    /// finite critical velocity, or the damping is not positive [m/s].
     [[nodiscard]] std::optional<double> critical_velocity_anywhere(double damping) const;
     /// Restitution of an impact, 0 for a capture [1]. @param velocity within range() [m/s]
     [[nodiscard]] double restitution(double velocity, double damping) const;
@@ -77,7 +80,7 @@ class ContactModel {
 [[nodiscard]] std::shared_ptr<const RestitutionMap> make_restitution_map(
     Law law, Detachment detachment, const std::vector<ContactPair>& contacts, VelocityRange velocities);
 
-/// The same for one contact, ready for use.
+/// The model of one contact, with a map of its own.
 [[nodiscard]] ContactModel make_contact_model(Law law, Detachment detachment, const ContactPair& contact,
                                               VelocityRange velocities);
 

@@ -11,9 +11,9 @@ namespace ashimpact {
 
 namespace {
 
-constexpr int steps = 400;
+constexpr int steps = 400;  ///< of the grid on which parts are looked for
 
-/// A grid of velocities, even in the logarithm.
+/// Velocities of the smoothed range, evenly spaced in their logarithm [m/s].
 std::vector<double> grid_of(const DampingSmoothing& smooth) {
     std::vector<double> velocities;
     for (int i = 0; i <= steps; ++i) {
@@ -30,7 +30,8 @@ std::size_t least_damping(const DampingSmoothing& smooth, const std::vector<doub
     return static_cast<std::size_t>(least - grid.begin());
 }
 
-/// The steep part beyond the boundary, outwards from the least damping: direction -1 falling, +1 rising.
+/// The boundary of the flat part, searched from the least damping on.
+/// @param direction -1: towards the falling part, +1: towards the rising part
 std::optional<PartBoundary> boundary_of(const DampingSmoothing& smooth, const std::vector<double>& grid,
                                         double flatness, int direction) {
     const auto last = direction > 0 ? grid.size() - 1 : std::size_t{0};
@@ -55,8 +56,8 @@ std::optional<PartBoundary> boundary_of(const DampingSmoothing& smooth, const st
         .in_file(set.source);
 }
 
-/// Whether the restitution of few rebounds falls with velocity: in every pair of three or more, or in so many
-/// that chance has a probability below 5 % (Kendall's rank test; Mann 1945).
+/// Whether the restitution of a few rebounds falls with velocity: with three or more it falls in every pair,
+/// or in so many pairs that the probability of chance is below 5 % (Kendall's rank test; Mann 1945).
 bool falls(const std::vector<Measurement>& rebounds) {
     const auto n = static_cast<double>(rebounds.size());
     if (n < 3.0) return false;
@@ -73,7 +74,7 @@ bool falls(const std::vector<Measurement>& rebounds) {
     return score + 1.0 < -one_sided * std::sqrt(n * (n - 1.0) * (2.0 * n + 5.0) / 18.0);
 }
 
-/// The rising branch of a series too short to be smoothed is all of it, unless it falls.
+/// Refuses a series too short for smoothing whose restitution falls. @throws InputError
 void refuse_short_falling(const MeasurementSet& set) {
     std::vector<Measurement> rebounds;
     for (const Measurement& point : set.points)

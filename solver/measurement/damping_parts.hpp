@@ -23,7 +23,7 @@ struct Names<DampingPart> {
     static constexpr std::array<std::string_view, 3> all{"falling", "flat", "rising"};
 };
 
-/// Between two parts.
+/// Boundary between two parts.
 struct PartBoundary {
     double velocity;              ///< [m/s]
     double standard_uncertainty;  ///< [m/s]
@@ -31,9 +31,9 @@ struct PartBoundary {
 
 struct DampingParts {
     std::vector<DampingPart> parts;        ///< from slow to fast
-    std::vector<PartBoundary> boundaries;  ///< one fewer
-    std::vector<std::size_t> outliers;     ///< indices in the set; flagged, not left out
-    std::string note;                      ///< why there are no parts; else empty
+    std::vector<PartBoundary> boundaries;  ///< between consecutive parts
+    std::vector<std::size_t> outliers;     ///< indices in the set; flagged, but used like the others
+    std::string note;                      ///< why there are no parts; empty if there are
 };
 
 struct PartOptions {
@@ -41,8 +41,9 @@ struct PartOptions {
     double outlier = 4.0;    ///< robust standard deviations beyond which a rebound is flagged
 };
 
-/// Finds the parts: from the least smoothed damping outwards, flat up to where |d ln eta/d ln v| first
-/// exceeds the flatness. A falling or rising part must change eta by more than two standard uncertainties.
+/// Finds the parts of a smoothed eta(v_in). The flat part reaches from the least damping in both directions
+/// up to where |d ln eta/d ln v| first exceeds the flatness. Beyond it eta must change by more than two
+/// standard uncertainties, otherwise there is no falling or rising part.
 [[nodiscard]] DampingParts find_parts(const std::optional<DampingSmoothing>& smoothing,
                                       const PartOptions& options = {});
 
@@ -51,12 +52,12 @@ struct RisingBranch {
     MeasurementSet set;
     std::vector<std::size_t> indices;  ///< of its points in the whole set
     double upper;                      ///< velocity at which e is greatest [m/s]
-    bool falls_beyond;                 ///< e falls beyond that; otherwise the series ends while it rises
+    bool falls_beyond;  ///< e falls above that velocity; otherwise the series ends while e rises
 };
 
-/// Everything up to the velocity of greatest smoothed restitution; the whole series if restitution never
-/// falls by more than two standard uncertainties. A series too short to be smoothed is taken whole, unless a
-/// rank test (Kendall) finds that restitution falls.
+/// The impacts up to the velocity of greatest smoothed restitution; all of them if restitution never falls by
+/// more than two standard uncertainties. A series too short for smoothing is taken whole unless a rank test
+/// (Kendall) shows that its restitution falls.
 /// @param smoothing of the damping that @p model gives for @p set
 /// @throws InputError if restitution falls with velocity from the slowest rebound on
 [[nodiscard]] RisingBranch rising_branch(const ContactModel& model, const MeasurementSet& set,

@@ -17,11 +17,11 @@ namespace ashimpact {
 namespace {
 
 constexpr std::size_t rows_per_interval = 8;
-constexpr std::size_t most_rows = 200;  ///< more rebounds are averaged in groups for the choice of the curve
+constexpr std::size_t most_rows = 200;  ///< more rebounds are averaged in groups before the curve is fitted
 
 }  // namespace
 
-/// What is smoothed, ordered by velocity.
+/// The data of the smoothing, ordered by velocity.
 struct DampingSmoothing::Rows {
     std::vector<double> position;  ///< ln v
     std::vector<double> damping;
@@ -122,7 +122,7 @@ std::optional<DampingSmoothing> DampingSmoothing::of(const std::vector<InvertedI
         const double smooth = best->splines_.values(x).dot(best->coefficients_);
         scaled.push_back((rows.damping[i] - smooth) * rows.weight[i]);
     }
-    // Data nearly without scatter differ from any spline by its own small misfit, which makes no outliers.
+    // The misfit of the spline itself must not make outliers of data that hardly scatter.
     const bool known = ordered.front()->standard_uncertainty.has_value();
     const double least = known ? 0.5 : 1e-3;  // in standard uncertainties, or of the damping
     const double deviation = std::max(gsl::robust_deviation(scaled), least);

@@ -13,12 +13,12 @@ namespace ashimpact {
 /// Fewest rebounds that can be smoothed.
 inline constexpr std::size_t least_smoothed = 8;
 
-/// Damping over the logarithm of velocity as a robust cubic spline, its knots at quantiles of the data, their
-/// number by the corrected Akaike criterion.
+/// Damping over the logarithm of velocity as a robust cubic spline. Its knots lie at quantiles of the data,
+/// and the corrected Akaike criterion chooses their number.
 class DampingSmoothing {
   public:
-    /// None for fewer than least_smoothed rebounds within reach, or fewer than four distinct velocities.
-    /// @param intervals between knots; none: chosen
+    /// The smoothing of inverted impacts; none if fewer than least_smoothed rebounds have a damping, or fewer
+    /// than four distinct velocities. @param intervals between knots; none: chosen by the criterion
     [[nodiscard]] static std::optional<DampingSmoothing> of(const std::vector<InvertedImpact>& inverted,
                                                             std::optional<int> intervals = std::nullopt);
 

@@ -22,16 +22,12 @@ std::optional<double> propagated(const Measurement& point, double by_restitution
     return std::sqrt(variance);
 }
 
-InvertedImpact unreached(std::size_t index, const Measurement& point, double greatest) {
+/// An impact for which no damping has been found yet.
+InvertedImpact without_damping(std::size_t index, const Measurement& point, double greatest) {
     return {.index = index,
             .velocity = point.velocity,
             .restitution = point.restitution(),
-            .greatest_restitution = greatest,
-            .damping = {},
-            .standard_uncertainty = {},
-            .by_restitution = 0.0,
-            .by_velocity = 0.0,
-            .contact_time = {}};
+            .greatest_restitution = greatest};
 }
 
 }  // namespace
@@ -42,7 +38,7 @@ std::vector<InvertedImpact> invert(const ContactModel& model, const MeasurementS
     for (std::size_t i = 0; i < set.points.size(); ++i) {
         const Measurement& point = set.points[i];
         const double e = point.restitution();
-        result.push_back(unreached(i, point, model.greatest_restitution(point.velocity)));
+        result.push_back(without_damping(i, point, model.greatest_restitution(point.velocity)));
         InvertedImpact& inverted = result.back();
         if (!model.range().contains(point.velocity) || e > inverted.greatest_restitution) continue;
         const DampingAt damping = model.damping(point.velocity, e);
@@ -57,7 +53,7 @@ std::vector<InvertedImpact> invert(const ContactModel& model, const MeasurementS
 
 std::vector<InvertedImpact> invert_by_solving(Law law, Detachment detachment, const ContactPair& contact,
                                               const MeasurementSet& set) {
-    constexpr double nudge = 1e-5;
+    constexpr double nudge = 1e-5;  // relative step of the differences
     const auto solved = [&](double velocity, double restitution) {
         return damping_from_restitution(
             {law, detachment, DampingLaw::constant, contact, velocity, restitution});
@@ -72,7 +68,7 @@ std::vector<InvertedImpact> invert_by_solving(Law law, Detachment detachment, co
         const double e = point.restitution();
         const Impact undamped{law, detachment, {DampingLaw::constant, 0.0}, contact, v};
         validate(undamped);
-        result.push_back(unreached(i, point, restitution_of(undamped)));
+        result.push_back(without_damping(i, point, restitution_of(undamped)));
         InvertedImpact& inverted = result.back();
         if (e >= inverted.greatest_restitution * (1.0 - nudge)) continue;
         const DampingInversion found = solved(v, e);

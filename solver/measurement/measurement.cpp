@@ -17,7 +17,7 @@ namespace {
     throw point.line == 0 ? error : error.at("line " + std::to_string(point.line));
 }
 
-/// Uncertainties above every velocity say that no rebound was measured.
+/// Refuses uncertainties above every velocity: nothing was measured then. @throws InputError
 void require_resolution(const MeasurementSet& set) {
     if (!set.has_noise() || set.rebounds() == 0) return;
     double least = std::numeric_limits<double>::infinity();
@@ -26,7 +26,7 @@ void require_resolution(const MeasurementSet& set) {
         least = std::min(least, std::sqrt(point.noise->incident));
         fastest = std::max(fastest, point.velocity);
     }
-    const bool comparable = fastest > 0.0;  // else the velocities are wrong, which is said of each
+    const bool comparable = fastest > 0.0;  // otherwise each velocity is refused on its own
     if (least < fastest || !comparable) return;
     throw InputError("the standard uncertainty of v_in is at least " + shortest(least) +
                          " m/s, but the fastest impact has " + shortest(fastest) + " m/s",

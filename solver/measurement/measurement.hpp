@@ -8,7 +8,7 @@
 
 namespace ashimpact {
 
-/// Uncertainty of one measured impact as variances of its two velocities [m2/s2].
+/// Uncertainty of one measured impact: variances and covariance of its two velocities [m2/s2].
 struct VelocityNoise {
     double incident;
     double rebound;
@@ -27,9 +27,9 @@ struct VelocityNoise {
     }
 };
 
-/// What a laboratory noted of an impact.
+/// The outcome of an impact as the laboratory noted it.
 enum class NotedOutcome {
-    from_reading,  ///< nothing: a reading of zero or below is no rebound that was seen
+    from_reading,  ///< not noted: a reading of zero or below means that no rebound was seen
     rebound,
     capture,
 };
@@ -40,14 +40,15 @@ struct Measurement {
     double velocity;                       ///< v_in [m/s]
     double rebound;                        ///< v_r, magnitude; 0 if no rebound was seen [m/s]
     std::optional<VelocityNoise> noise{};  ///< none: not known
-    std::size_t line = 0;                  ///< of the file it stands in; 0: none
-    std::size_t count = 1;                 ///< impacts it is the mean of
+    std::size_t line = 0;                  ///< of the file; 0: it comes from no file
+    std::size_t count = 1;                 ///< number of impacts of which this is the mean
     /// Rebound velocity from which on the camera always sees the particle move; 0: not known [m/s].
     double resolution = 0.0;
     NotedOutcome outcome = NotedOutcome::from_reading;
 
     [[nodiscard]] double restitution() const { return rebound / velocity; }
-    /// Whether no rebound was seen: a capture or, if not noted as such, a rebound too slow to be seen.
+    /// Whether no rebound was seen: a capture or, unless it was noted as one, perhaps a rebound too slow to
+    /// be seen.
     [[nodiscard]] bool captured() const { return outcome == NotedOutcome::capture || rebound == 0.0; }
 };
 
@@ -56,20 +57,20 @@ struct MeasurementSet {
     std::string source;  ///< file name, for messages
     std::vector<Measurement> points;
     std::vector<std::string> warnings{};
-    std::size_t unknown = 0;  ///< impacts of the file whose outcome is not known; not among the points
+    std::size_t unknown = 0;  ///< impacts of the file left out because their outcome is not known
 
     [[nodiscard]] std::size_t captures() const;
     [[nodiscard]] std::size_t rebounds() const { return points.size() - captures(); }
-    /// Whether the uncertainties are known, which they are for all points or for none.
+    /// Whether the uncertainties are known, which holds for all points or for none.
     [[nodiscard]] bool has_noise() const;
 };
 
-/// Checks what every use of measurements needs: at least one point, finite numbers, v_in > 0, v_r >= 0,
-/// uncertainties > 0, of all points or of none.
+/// Checks that there is at least one point, that numbers are finite, v_in > 0, v_r >= 0, and that
+/// uncertainties are positive and given for all points or for none.
 /// @throws InputError with source and line
 void validate(const MeasurementSet& set);
 
-/// A high-speed camera, which gives a velocity as the slope of positions in successive frames.
+/// A high-speed camera, whose velocities are slopes of positions in successive frames.
 struct Camera {
     double frame_rate;                     ///< [1/s]; Dong et al. 2013: 80,000
     double pixel_size;                     ///< in the object [m]
@@ -81,7 +82,7 @@ struct Camera {
     [[nodiscard]] double velocity_uncertainty() const;
 };
 
-/// The set with the camera's uncertainty in both velocities of every point, replacing what was known.
+/// The set with the camera's uncertainty in both velocities of every point, in place of any given before.
 /// @throws InputError for a camera that cannot resolve even the fastest impact
 [[nodiscard]] MeasurementSet with_camera(MeasurementSet set, const Camera& camera);
 

@@ -116,7 +116,7 @@ struct NameAndUnit {
     std::string_view unit;
 };
 
-/// "v_r (mm/s)" into name and unit; brackets that belong to the name, as in "u(v_r)", stay there.
+/// Splits "v_r (mm/s)" into name and unit. Brackets that belong to the name, as in "u(v_r)", stay there.
 NameAndUnit split(std::string_view cell) {
     for (const std::string_view pair : {"[]", "()"}) {
         if (!cell.ends_with(pair[1])) continue;
@@ -146,7 +146,9 @@ void require_columns(const MeasurementHeading& heading) {
                          "the uncertainty of a column of the table");
 }
 
-/// Columns that hold no velocity: the outcome, and the correlation of the errors of the two velocities.
+/// Enters a column that holds no velocity: the outcome, or the correlation of the errors of the two
+/// velocities.
+/// @return whether the column is one of these
 bool take_other(MeasurementHeading& heading, std::string_view name, std::size_t position) {
     const std::string key = key_of(name);
     const auto take = [&](std::optional<std::size_t>& column) {

@@ -9,12 +9,12 @@
 
 namespace ashimpact {
 
-/// What a column of a table of impacts holds.
+/// Quantity that a column of a table of impacts holds.
 enum class MeasuredQuantity { velocity, rebound, restitution };
 
 struct MeasuredColumn {
     std::size_t position;
-    std::string name;  ///< as the file has it, without unit
+    std::string name;  ///< as in the file, without its unit
     double to_si;      ///< factor
     bool unit_given;
 };

@@ -101,7 +101,7 @@ std::optional<VelocityNoise> noise_of_restitution(const Entry& velocity, const E
     if (restitution.standard_uncertainty && velocity.standard_uncertainty)
         return VelocityNoise::of_restitution(v, e, *velocity.standard_uncertainty,
                                              *restitution.standard_uncertainty);
-    // Of one only: the other follows from equal uncertainties of both velocities, u_e = u sqrt(1 + e^2)/v.
+    // If only one is given, both velocities are taken as equally uncertain: u_e = u sqrt(1 + e^2)/v.
     if (restitution.standard_uncertainty) {
         const double u = v * *restitution.standard_uncertainty / std::sqrt(1.0 + e * e);
         return VelocityNoise::of_velocities(u, u);
@@ -128,7 +128,7 @@ bool is_one_of(const Words& words, const std::string& text) {
     return std::find(words.begin(), words.end(), text) != words.end();
 }
 
-/// The outcome that a row's column of outcomes states; none where the row says that it is not known.
+/// The outcome that a row states; none if it states that the outcome is not known.
 std::optional<NotedOutcome> stated_outcome(const MeasurementHeading& heading, const TableRow& row) {
     if (!heading.outcome) return NotedOutcome::from_reading;
     const std::string text = lower_case(row.cells[*heading.outcome]);
@@ -140,7 +140,7 @@ std::optional<NotedOutcome> stated_outcome(const MeasurementHeading& heading, co
                      "rebound, capture, unknown, or an empty cell");
 }
 
-/// A reading of the rebound below zero: what noise makes of none, or a mistake.
+/// Refuses a reading of the rebound that is further below zero than noise explains. @throws InputError
 void require_near_zero(const Measurement& point) {
     if (point.rebound >= 0.0) return;
     const double reach = point.noise ? 6.0 * std::sqrt(point.noise->rebound) : 0.1 * point.velocity;
@@ -196,7 +196,7 @@ std::optional<Measurement> measurement_of(const MeasurementHeading& heading, con
     point.outcome = *outcome;
     require_near_zero(point);
     if (outcome == NotedOutcome::capture) point.rebound = 0.0;
-    // A slow rebound that reads zero or less counts as one, as slow as can be.
+    // A noted rebound that reads zero or less counts as a very slow one.
     constexpr double slow = 1e-6;
     point.rebound = std::max(point.rebound, outcome == NotedOutcome::rebound ? slow * point.velocity : 0.0);
     return point;
@@ -215,7 +215,7 @@ std::vector<std::string> warnings_of(const MeasurementHeading& heading) {
     return warnings;
 }
 
-/// Place of the heading among the lines: titles may stand above it. The first line where there is none.
+/// Index of the heading among the lines, which may follow titles; 0 if there is none.
 std::size_t heading_place(const std::vector<TextLine>& lines) {
     constexpr std::size_t most_titles = 20;
     for (std::size_t i = 0; i < std::min(lines.size(), most_titles + 1); ++i)

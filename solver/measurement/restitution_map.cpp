@@ -26,8 +26,8 @@ double cube(double x) {
     return x * x * x;
 }
 
-/// The places of a table's nodes with the roots from @p first_root up to before @p end_root, one x after
-/// the other.
+/// Nodes of a table with the roots from @p first_root to @p end_root, the latter excluded; all roots of one x
+/// stand together.
 struct NodePlaces {
     Eigen::ArrayXd root;
     Eigen::ArrayXd x;
@@ -78,7 +78,7 @@ void RestitutionMap::tabulate_damping() {
     numbers.middleRows(weak, root.degree - weak) = impacts_.damping_numbers(restitution, places.x)
                                                        .reshaped(root.degree - weak, along.degree + 1)
                                                        .matrix();
-    // From strong to weak impacts and towards e = 0, so that the last solutions tell where the next one is.
+    // From fast to slow impacts and towards e = 0, so that the last solutions predict the next one.
     for (int j = along.degree; j >= 0; --j) {
         const double x = along.node(j);
         for (int i = weak - 1; i >= 0; --i) {
@@ -125,7 +125,8 @@ double RestitutionMap::root_of_share(double restitution, double x) const {
 DampingNumber RestitutionMap::damping_number(double restitution, double x) const {
     const double root = root_of_share(restitution, x);
     const SurfacePoint at = damping_(root, x);
-    // d(root)/de = root/(3 e); at e = 0 the slope is that of a place close by, where the same power rules.
+    // d(root)/de = root/(3 e). Near e = 0 the slope is taken at a small e, where the same power of e
+    // dominates.
     const double safe = std::max(root, 1e-2);
     const double slope = root < safe ? damping_(safe, x).by_x : at.by_x;
     const double greatest = impacts_.greatest_restitution(x);

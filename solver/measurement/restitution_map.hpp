@@ -15,24 +15,23 @@ struct ScaledVelocityRange {
     [[nodiscard]] bool contains(double x) const { return x >= lower && x <= upper; }
 };
 
-/// Damping number and its slopes at one place of a map.
+/// Damping number with its derivatives, at one (e, x).
 struct DampingNumber {
     double value;           ///< beta = eta m^(-3/5) k^(-2/5) v^(-1/5) [1]
     double by_restitution;  ///< d beta/de
     double by_x;            ///< d beta/dx
 };
 
-/// beta(e, x), the damping number that gives restitution e at x, for one law and all materials. A look-up
-/// takes a microsecond, solving an impact milliseconds.
+/// beta(e, x), the damping number that gives a restitution, for one law and all materials. It takes a
+/// microsecond, where solving the impact takes milliseconds.
 ///
-/// beta is interpolated in the cube root of e over its greatest value. Near capture its expansion has powers
-/// of e in thirds, from e to e^(7/3), for adhesive laws; these are whole powers of the cube root. Hertz has e
-/// and e^(3/2), the power 4.5 of the cube root, which is smooth enough. The map is checked against solved
-/// impacts when it is made, see accuracy().
+/// beta is interpolated over the cube root of e/e_greatest. Near capture beta of an adhesive law expands in
+/// powers of e^(1/3), which are whole powers of the cube root. Hertz has e and e^(3/2), the power 4.5 of the
+/// cube root, which is smooth enough. The constructor compares the map with solved impacts, see accuracy().
 class RestitutionMap {
   public:
-    /// Solves the impacts (some hundredths of a second). Velocities at which every impact is captured are cut
-    /// off the range.
+    /// Solves the impacts, in some hundredths of a second. The range is cut off where every impact is
+    /// captured.
     /// @throws InputError for a detachment that does not capture or a range that is empty
     RestitutionMap(Law law, Detachment detachment, ScaledVelocityRange range);
 

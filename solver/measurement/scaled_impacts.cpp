@@ -20,7 +20,7 @@ namespace ashimpact {
 
 namespace {
 
-/// The pair that stands for all others: mass, radius, stiffness and work of adhesion one.
+/// The pair that stands for all others: mass, radius, stiffness and work of adhesion are 1.
 constexpr ContactPair unit_pair{
     .mass = 1.0, .effective_radius = 1.0, .contact_modulus = 0.75, .work_of_adhesion = 1.0};
 
@@ -41,7 +41,7 @@ Impact impact_at(const ScaledImpacts& impacts, double damping_number, double vel
             .velocity = velocity};
 }
 
-/// The unit pair, for any number of impacts.
+/// Columns that hold the unit pair once, for any number of impacts.
 class UnitPairColumns {
   public:
     explicit UnitPairColumns(Law law) : parameters_(typical_parameters(law)) {}
@@ -72,7 +72,7 @@ CriticalVelocity critical_of(const Impact& impact) {
     return critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact});
 }
 
-/// Root of a falling function near a guess: the bracket is widened until the sign changes.
+/// Root of a decreasing function near a guess. The bracket is widened until the sign changes.
 double falling_root(const std::function<double(double)>& function, const ScaledImpacts::Search& search) {
     double lower = std::max(0.0, search.guess - search.width);
     double upper = search.guess + search.width;

@@ -8,9 +8,9 @@
 
 namespace ashimpact {
 
-/// The impacts of one law with constant damping, reduced to their two numbers: x = ln(v/V_a), with the
-/// velocity V_a at which the adhesion number is one (Hertz has none, and x no effect), and the damping number
-/// beta = eta m^(-3/5) k^(-2/5) v^(-1/5). An impact in any material is one of these.
+/// The impacts of one law with constant damping. Scaled, an impact of any material depends on two numbers:
+/// the logarithm x = ln(v/V_a) of the velocity over the law's adhesion velocity (without effect for Hertz,
+/// which has none), and the damping number beta = eta m^(-3/5) k^(-2/5) v^(-1/5).
 class ScaledImpacts {
   public:
     /// @throws InputError for a detachment that the law does not admit, or that never captures
@@ -18,7 +18,7 @@ class ScaledImpacts {
 
     [[nodiscard]] Law law() const { return law_; }
     [[nodiscard]] Detachment detachment() const { return detachment_; }
-    /// Whether the law attracts; without attraction x has no effect.
+    /// Whether the law has adhesion; otherwise x has no effect.
     [[nodiscard]] bool adhesive() const { return adhesion_velocity_ > 0.0; }
 
     /// Restitution [1].
@@ -30,13 +30,13 @@ class ScaledImpacts {
     /// Contact time in units of the scale's time L/v; the impact must rebound [1].
     [[nodiscard]] double contact_time(double damping_number, double x) const;
 
-    /// Damping number that gives @p restitution back, found from a guess; the accuracy is @p tolerance.
-    /// Restitution 0 gives the smallest damping that captures.
+    /// Where and how accurately a damping number is searched.
     struct Search {
         double guess;
-        double width;
-        double tolerance = 1e-10;
+        double width;              ///< of the first bracket about the guess, to either side
+        double tolerance = 1e-10;  ///< absolute error of the damping number
     };
+    /// Damping number that gives a restitution; for restitution 0 the smallest that captures [1].
     [[nodiscard]] double damping_number(double restitution, double x, const Search& search) const;
 
     /// Damping numbers of many impacts by the batch solver, to its accuracy: all digits at e above about

@@ -10,10 +10,10 @@ namespace ashimpact {
 
 namespace {
 
-/// Groups of random points; more would tell their errors no better than the few points in each.
+/// Groups of random points, for estimates of errors.
 constexpr std::uint32_t random_groups = 16;
 
-const std::vector<double>& values_of(const Distribution& variable) {
+const std::vector<double>& choices_of(const Distribution& variable) {
     const auto* choice = std::get_if<Choice>(&variable);
     if (choice == nullptr)
         throw InputError("a variable of a grid is a distribution",
@@ -24,7 +24,7 @@ const std::vector<double>& values_of(const Distribution& variable) {
 std::uint64_t grid_points(const std::vector<Distribution>& variables) {
     std::uint64_t points = 1;
     for (const Distribution& variable : variables) {
-        const std::uint64_t count = values_of(variable).size();
+        const std::uint64_t count = choices_of(variable).size();
         if (points > std::numeric_limits<std::uint64_t>::max() / count)
             throw InputError("the grid has more points than can be counted", "fewer points");
         points *= count;
@@ -76,8 +76,8 @@ void Design::fill(std::size_t sample, std::size_t variable, std::uint64_t first,
 void Design::fill_grid(std::size_t variable, std::uint64_t first, std::span<double> values) const {
     std::uint64_t stride = 1;  // points between two values of this variable
     for (std::size_t later = variable + 1; later < variables_.size(); ++later)
-        stride *= values_of(variables_[later]).size();
-    const auto& grid = values_of(variables_[variable]);
+        stride *= choices_of(variables_[later]).size();
+    const auto& grid = choices_of(variables_[variable]);
     for (double& value : values) value = grid[first++ / stride % grid.size()];
 }
 

@@ -21,12 +21,12 @@ struct Sampling {
     std::uint32_t shifts = 16;  ///< independently shifted copies of a quasi-random sequence
 };
 
-/// Where the variables are evaluated. Every point follows from its number alone.
+/// The points at which variables are evaluated. Each point follows from its number alone.
 ///
 /// A grid is the full product of the variables' values, the last variable running fastest. Random points come
 /// from a counter-based generator, the point's number being the counter. Quasi-random points are those of a
 /// digital sequence, taken in turn by copies of it whose digits are shifted at random (exclusive or), so that
-/// the spread of the copies gives the error of the whole.
+/// the spread of the copies estimates the error.
 class Design {
   public:
     /// @param samples independent values of each variable in one point: 1, or 2 for sensitivity indices
@@ -37,7 +37,7 @@ class Design {
     [[nodiscard]] std::size_t variables() const { return variables_.size(); }
     [[nodiscard]] std::size_t samples() const { return samples_; }
 
-    /// Points n with equal n % groups() make one group; the spread of the groups gives the errors.
+    /// Number of groups by whose spread errors are estimated: points n with equal n % groups() form a group.
     [[nodiscard]] std::uint32_t groups() const { return groups_; }
 
     /// Values of a variable in the points first, first + 1, ... [SI].

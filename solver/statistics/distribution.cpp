@@ -9,11 +9,11 @@ namespace ashimpact {
 
 namespace {
 
-/// The standard normal distribution cut off at both ends.
+/// The standard normal distribution truncated at both ends.
 class CutNormal {
   public:
     CutNormal(double lower, double upper) : lower_(gsl::normal_probability(lower)) {
-        // In the far upper tail probabilities round to 1: there the mirror image keeps its digits.
+        // Probabilities round to 1 in the upper tail, so a range there is mirrored, which keeps its digits.
         mirrored_ = lower > 0;
         if (mirrored_) lower_ = gsl::normal_probability(-upper);
         width_ = gsl::normal_probability(mirrored_ ? -lower : upper) - lower_;

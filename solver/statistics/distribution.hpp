@@ -60,7 +60,7 @@ using Distribution = std::variant<Choice, Uniform, LogUniform, Normal, LogNormal
 /// Replaces probabilities in (0, 1) by the quantiles of the distribution.
 void to_quantiles(const Distribution& distribution, std::span<double> probabilities);
 
-/// The least and the greatest value of a distribution, infinite if it has none.
+/// The least and the greatest value of a distribution; infinite if it is not bounded.
 struct Support {
     double lowest;
     double highest;

@@ -6,9 +6,9 @@
 
 namespace ashimpact {
 
-/// Bins for values that are not negative, all of one width (absolute) or of one width relative to the value
-/// (relative). A relative width is 2^-k, so that a bin is an exponent and k binary digits of the number, and
-/// bins cover every positive number. Zero is in no bin: it is counted apart.
+/// Bins for values that are not negative, of constant width (absolute) or of constant relative width 2^-k
+/// (relative). A relative bin is the exponent and the first k binary digits of a number; such bins cover
+/// every positive number. Zero falls into no bin and is counted separately.
 class Bins {
   public:
     /// [0, 1] in @p count equal bins.
@@ -37,8 +37,7 @@ struct QuantileBounds {
     double upper;
 };
 
-/// How many values are in each bin. Integers, so the same in whatever order values are counted and parts
-/// added.
+/// Counts of values by bin. They are integers, so no order of counting or merging changes them.
 class Histogram {
   public:
     /// Counts values; those that are not a number are left out.

@@ -6,7 +6,7 @@
 
 namespace ashimpact {
 
-/// Merges the chunks of a long sum in the order of a fixed binary tree, holding one node for each level.
+/// Merges the sums of chunks in the order of a fixed binary tree, keeping at most one node of each level.
 ///
 /// Floating-point sums depend on their order. Here the order depends on the number of chunks alone: chunks 2i
 /// and 2i + 1 merge, then pairs of such pairs, and so on, whoever computed them. A part of 2^level chunks

@@ -11,8 +11,8 @@ void add(std::vector<double>& sums, const std::vector<double>& other) {
     for (std::size_t i = 0; i < other.size(); ++i) sums[i] += other[i];
 }
 
-/// Estimates without errors. The mean of f(b) is taken off each product: it does not change what is
-/// estimated, and takes away the noise that a mean far from zero makes.
+/// Estimates without errors. The mean of f(b) is subtracted from each product: that does not change the
+/// expectation, and removes the noise that a mean far from zero adds.
 std::vector<SobolIndices> estimates(const SobolSums& sums) {
     const auto values = static_cast<double>(sums.values.count);
     const double points = values / 2;

@@ -1,13 +1,15 @@
 #pragma once
 
+#include "solver/gsl/distribution.hpp"
+
 #include <optional>
 
 namespace ashimpact {
 
-/// The level of every interval.
+/// Probability with which every interval contains its result.
 inline constexpr double confidence = 0.95;
 
-/// A result with its standard uncertainty and 95 % interval; an end that the data do not bound is missing.
+/// A result with its standard uncertainty and 95 % interval. An end is missing if the data do not bound it.
 struct Interval {
     double value;
     double standard_uncertainty;
@@ -17,9 +19,9 @@ struct Interval {
     [[nodiscard]] bool contains(double x) const { return !(lower && x < *lower) && !(upper && x > *upper); }
 };
 
-/// Whether two results exclude one another: their intervals do not overlap.
-[[nodiscard]] inline bool disjoint(const Interval& a, const Interval& b) {
-    return (a.upper && b.lower && *a.upper < *b.lower) || (b.upper && a.lower && *b.upper < *a.lower);
+/// Half width of the interval of a normally distributed result, in standard uncertainties: 1.96.
+[[nodiscard]] inline double confidence_quantile() {
+    return gsl::normal_quantile(0.5 + 0.5 * confidence);
 }
 
 }  // namespace ashimpact

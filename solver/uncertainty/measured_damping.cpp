@@ -14,7 +14,7 @@ namespace ashimpact {
 
 namespace {
 
-/// Calls @p step; input that does not allow it becomes a note.
+/// Calls @p step. If the input does not allow it or it does not converge, a note says so instead.
 template <class Step>
 void attempt(std::vector<std::string>& notes, const std::string& what, Step&& step) {
     try {
@@ -60,23 +60,14 @@ void extrapolate(MeasuredDamping& result, const ContactModel& model, const Rando
     result.extrapolated = std::move(extrapolated);
 }
 
-MeasuredDamping nothing_yet(Law law, Detachment detachment, const ContactPair& pair, const MeasurementSet& set,
-                            const MeasuredDampingOptions& options) {
+/// The analysis before any step of it: the contact, and the measured critical velocity.
+MeasuredDamping begun(Law law, Detachment detachment, const ContactPair& pair, const MeasurementSet& set,
+                      const MeasuredDampingOptions& options) {
     validate(set);
     MeasuredDamping result{.law = law,
                            .detachment = detachment,
                            .contact = pair,
-                           .impacts = {},
-                           .smoothing = {},
-                           .parts = {},
-                           .rising = {},
-                           .extrapolated = {},
-                           .estimate = {},
-                           .check = {},
-                           .comparison = {},
-                           .measured = options.reported.value_or(MeasuredCriticalVelocity{}),
-                           .accuracy = 0.0,
-                           .notes = {}};
+                           .measured = options.reported.value_or(MeasuredCriticalVelocity{})};
     if (!options.reported)
         attempt(result.notes, "measured v_c", [&] { result.measured = measured_critical_velocity(set); });
     return result;
@@ -88,7 +79,7 @@ void note_parts(MeasuredDamping& result, const MeasurementSet& set, const PartOp
     note_impacts(result, set);
 }
 
-/// The impacts up to a velocity.
+/// The impacts up to a known end of the rising branch.
 RisingBranch branch_to(const MeasurementSet& set, double upper) {
     RisingBranch branch{{set.source, {}, {}}, {}, upper, false};
     for (std::size_t i = 0; i < set.points.size(); ++i) {
@@ -108,8 +99,7 @@ VelocityRange velocities_for_fits(Law law, Detachment detachment, const ContactP
                                   const MeasurementSet& set) {
     constexpr double below = 0.02;
     constexpr double above = 10.0;
-    const auto slower = [](const Measurement& a, const Measurement& b) { return a.velocity < b.velocity; };
-    const auto [slowest, fastest] = std::minmax_element(set.points.begin(), set.points.end(), slower);
+    const auto [slowest, fastest] = std::ranges::minmax_element(set.points, {}, &Measurement::velocity);
     const CriticalVelocity undamped =
         critical_velocity({law, detachment, {DampingLaw::constant, 0.0}, contact});
     return {below * slowest->velocity, above * std::max(fastest->velocity, undamped.value.value_or(0.0))};
@@ -119,7 +109,7 @@ MeasuredDamping analyse_impacts(Law law, Detachment detachment, const RandomCont
                                 const MeasurementSet& set, const MeasuredDampingOptions& options) {
     const ContactPair pair = contact.nominal();
     if (can_yield(law, pair)) {
-        MeasuredDamping result = nothing_yet(law, detachment, pair, set, options);
+        MeasuredDamping result = begun(law, detachment, pair, set, options);
         result.impacts = invert_by_solving(law, detachment, pair, set);
         note_parts(result, set, options.parts);
         result.notes.push_back("no fit: a contact that yields has a history");
@@ -137,8 +127,7 @@ MeasuredDamping analyse_impacts(Law law, Detachment detachment, const RandomCont
 MeasuredDamping analyse_impacts(const ContactModel& model, const RandomContact* contact,
                                 const MeasurementSet& set, const MeasuredDampingOptions& options) {
     const ScaledImpacts& scaled = model.map().impacts();
-    MeasuredDamping result =
-        nothing_yet(scaled.law(), scaled.detachment(), model.contact(), set, options);
+    MeasuredDamping result = begun(scaled.law(), scaled.detachment(), model.contact(), set, options);
     result.accuracy = model.map().accuracy();
     if (!options.rising_to) {
         result.impacts = invert(model, set);

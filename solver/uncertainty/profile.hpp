@@ -13,8 +13,8 @@ struct ProfileSearch {
     double deviation;  ///< standard uncertainty there, the first guess of the width
     double rise;       ///< of the profile at the ends of the interval
     double quantile;   ///< half width of the interval in standard uncertainties
-    double least;      ///< the parameter cannot be below this
-    double greatest;   ///< or above this
+    double least;      ///< lower bound of the parameter
+    double greatest;   ///< upper bound of the parameter
 };
 
 /// Interval of a parameter from its profile: where -2 ln L, minimised over all other parameters, has risen by

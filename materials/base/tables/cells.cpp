@@ -9,8 +9,8 @@ namespace ashimpact {
 
 namespace {
 
-/// The content of a cell in quotes, from behind the opening one; `text` is shortened to behind the closing
-/// one.
+/// Removes a cell in quotes from the front of `text`, which begins behind the opening quote, and returns its
+/// content.
 std::string take_quoted(std::string_view& text, std::size_t line) {
     std::string cell;
     while (true) {

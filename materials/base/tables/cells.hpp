@@ -8,7 +8,7 @@
 
 namespace ashimpact {
 
-/// One line of a table, cut into cells: quotes taken away, blanks at the ends too.
+/// One line of a table, cut into cells without their quotes and the blanks at their ends.
 struct TableRow {
     std::size_t line = 0;
     std::vector<std::string> cells;
@@ -20,7 +20,7 @@ struct TableRow {
 /// Cuts a line at the separators. Errors: InputError at the line for a quote that is not closed.
 [[nodiscard]] TableRow cut_row(const TextLine& line, char separator);
 
-/// Lines that hold something: not blank, no comment (#), no `sep=` line of a spreadsheet.
+/// Lines other than blank ones, comments (#) and the `sep=` line of a spreadsheet.
 [[nodiscard]] std::vector<TextLine> lines_with_content(const TextLines& file);
 
 }  // namespace ashimpact

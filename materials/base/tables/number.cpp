@@ -12,7 +12,7 @@ namespace ashimpact {
 
 namespace {
 
-/// A plain number at the front of `text`, which is shortened by it.
+/// Removes a plain number from the front of `text`; none if there is no finite one.
 std::optional<double> take_number(std::string_view& text) {
     if (text.starts_with('+') && text.size() > 1 && text[1] != '-' && text[1] != '+') text.remove_prefix(1);
     double value = 0;

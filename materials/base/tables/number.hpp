@@ -5,18 +5,18 @@
 
 namespace ashimpact {
 
-/// A number as refinement programs and spreadsheets print it.
+/// A number in the notations of refinement programs and spreadsheets.
 struct PrintedNumber {
     double value = 0;
     std::optional<double> standard_uncertainty{};
-    bool per_cent = false;  ///< a "%" stands behind it; the value is not divided
+    bool per_cent = false;  ///< a "%" follows the number; the value is not divided by 100
 };
 
-/// Reads "0.2548+-0.0029", "12.3 ± 0.4", "12.3 +/- 0.4", "12.3(4)", "12,3 %". An uncertainty of zero is none.
-/// Returns nothing if the text is anything else, or a number that is not finite.
+/// Reads "0.2548+-0.0029", "12.3 ± 0.4", "12.3 +/- 0.4", "12.3(4)", "12,3 %". An uncertainty of zero counts
+/// as none. Returns nothing for any other text, or a number that is not finite.
 [[nodiscard]] std::optional<PrintedNumber> read_number(std::string_view text, bool decimal_comma = false);
 
-/// Whether a cell or value says that there is no number: "", "-", "n.d.", "n/a", "UNDEF", "ERROR", "< 0.5".
+/// Whether a cell states that there is no number: "", "-", "n.d.", "n/a", "UNDEF", "ERROR", "< 0.5".
 [[nodiscard]] bool says_no_number(std::string_view text);
 
 }  // namespace ashimpact

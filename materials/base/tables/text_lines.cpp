@@ -15,7 +15,7 @@ unsigned char byte(char c) {
     return static_cast<unsigned char>(c);
 }
 
-/// Refuses what cannot be a result before anything is copied.
+/// Refuses a file that cannot be a text, before anything is copied.
 void check_bytes(std::string_view bytes, const TextLimits& limits) {
     if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
         throw InputError("this is UTF-16", "UTF-8, ASCII or Latin-1 text").at(at_line(1));
@@ -41,21 +41,6 @@ void check_bytes(std::string_view bytes, const TextLimits& limits) {
     }
     if (trimmed(bytes).empty())
         throw InputError("the file is empty", std::string(limits.content)).at(at_line(1));
-}
-
-/// Length of the UTF-8 sequence at the front, or zero.
-std::size_t utf8_length(std::string_view text) {
-    const unsigned char first = byte(text.front());
-    const std::size_t length = first < 0x80   ? 1
-                               : first < 0xc2 ? 0
-                               : first < 0xe0 ? 2
-                               : first < 0xf0 ? 3
-                               : first < 0xf5 ? 4
-                                              : 0;
-    if (length == 0 || length > text.size()) return 0;
-    for (std::size_t i = 1; i < length; ++i)
-        if ((byte(text[i]) & 0xc0) != 0x80) return 0;
-    return length;
 }
 
 bool is_utf8(std::string_view text) {

@@ -13,14 +13,14 @@ struct TextLine {
     std::string_view text;
 };
 
-/// What a text file is expected to hold, and how long it may be.
+/// The expected content of a text file, and its greatest length.
 struct TextLimits {
     std::string_view content = "a table";       ///< named in messages, such as "an XRD result"
     std::size_t bytes = std::size_t{16} << 20;  ///< greatest length of the file [byte]
     std::size_t lines = 100'000;                ///< greatest number of lines
 };
 
-/// A text file made uniform: UTF-8 without byte-order mark, lines without CR.
+/// A text file in uniform encoding: UTF-8 without byte-order mark, lines without CR.
 class TextLines {
   public:
     /// Errors: InputError with a line number for an empty, blank or binary file, for UTF-16, for a line of
@@ -34,7 +34,7 @@ class TextLines {
     [[nodiscard]] const std::vector<TextLine>& lines() const { return lines_; }
     [[nodiscard]] std::size_t last_line() const { return lines_.back().number; }
 
-    /// Whether the bytes were no UTF-8 and were read as Latin-1.
+    /// Whether the bytes were not valid UTF-8 and were read as Latin-1.
     [[nodiscard]] bool was_latin1() const { return was_latin1_; }
 
   private:

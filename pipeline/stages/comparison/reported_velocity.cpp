@@ -14,7 +14,7 @@ namespace ashimpact {
 
 namespace {
 
-/// A law that gives a finite velocity, and what is to be said of it.
+/// A law that gives a finite velocity, with its rank.
 struct Candidate {
     Law law;
     const LawCriticalVelocity* velocity = nullptr;
@@ -87,7 +87,7 @@ std::string measured_words(const Json& measured) {
                        measured.at("critical_velocity").at("value").get<double>());
 }
 
-/// What the impacts alone say where no law gives a velocity.
+/// The measured velocity or bounds, if no law gives a velocity.
 Json bounds_json(const LawEvidence& evidence) {
     Json json{{"law", nullptr}, {"critical_velocity", nullptr}, {"interval", nullptr}};
     std::string verdict = "no damping data";

@@ -67,7 +67,7 @@ Json damping_fit_json(const DampingCurveFit& fit, const std::vector<std::size_t>
     for (const ExcludedRebound& rebound : fit.excluded) excluded.push_back(numbers.at(rebound.index));
     return {{"order", fit.options.order},
             {"robust", fit.options.robust},
-            {"coefficients", column_json(values_of(fit.damping.coefficients), Dimension::damping)},
+            {"coefficients", column_json(to_std_vector(fit.damping.coefficients), Dimension::damping)},
             {"covariance", {{"values", matrix_json(fit.covariance)}, {"unit", "(kg/s)2"}}},
             {"critical_damping", estimate_json(fit.critical_damping, damping_unit)},
             {"critical_damping_interval", interval_json(fit.critical_damping, damping_unit)},
@@ -88,8 +88,7 @@ Json damping_fit_json(const DampingCurveFit& fit, const std::vector<std::size_t>
 
 DampingCurveFit read_damping_fit(const View& node) {
     DampingCurveFit fit{};
-    fit.options = {.order = node.at("order").integer(),
-                   .robust = node.at("robust").truth()};
+    fit.options = {.order = node.at("order").integer(), .robust = node.at("robust").truth()};
     const auto coefficients = node.at("coefficients").column(Dimension::damping);
     const auto size = static_cast<Eigen::Index>(coefficients.size());
     fit.damping.coefficients = Eigen::Map<const Eigen::VectorXd>(coefficients.data(), size);

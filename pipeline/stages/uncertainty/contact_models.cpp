@@ -17,7 +17,7 @@ bool has_contact_model(const LawChoice& choice, DampingLaw damping_law, const Co
 
 ContactModel contact_model_for(const LawChoice& choice, const ContactPair& contact,
                                const MeasurementSet& impacts) {
-    // Only a map made for exactly the same question is used again: results do not depend on what ran before.
+    // A map is reused only for exactly the same inputs, so that results do not depend on what ran before.
     using Key = std::tuple<std::string, Detachment, std::array<double, 6>>;
     using Map = std::shared_ptr<const RestitutionMap>;
     static std::map<Key, std::shared_future<Map>> maps;

@@ -12,7 +12,7 @@
 
 namespace ashimpact {
 
-/// Everything that v_c of one law of one sample rests on.
+/// Inputs of the interval of v_c, for one law of one sample.
 struct VelocityTask {
     const Case& data;
     const LawChoice& choice;
@@ -29,13 +29,14 @@ struct VelocityTask {
         return fit.estimate ? fit.estimate->value : fit.critical_damping;
     }
     [[nodiscard]] double critical_damping_uncertainty() const {
-        return fit.estimate ? fit.estimate->standard_uncertainty : fit.critical_damping_uncertainty.value_or(0);
+        return fit.estimate ? fit.estimate->standard_uncertainty
+                            : fit.critical_damping_uncertainty.value_or(0);
     }
 };
 
 /// The interval of v_c by propagation of everything that is uncertain, with the ranking of what dominates,
-/// the check against the measured one, and the same of the paper's extrapolation; keys that are added to those of the
-/// critical velocity. What cannot be had becomes a note.
+/// the check against the measured one, and the same of the paper's extrapolation; keys that are added to
+/// those of the critical velocity. What cannot be had becomes a note.
 /// @param velocity v_c at the critical damping [m/s]
 [[nodiscard]] Json velocity_uncertainty_json(const VelocityTask& task, double velocity,
                                              std::vector<std::string>& notes);

@@ -31,7 +31,7 @@ class Chunk {
         into.counts.laws.resize(spec.laws.size());
         into.failed.counts.resize(spec.laws.size());
         for (std::size_t i = 0; i < spec.laws.size(); ++i) {
-            const ContactModel model{spec.laws[i].law, spec.laws[i].detachment, spec.damping_law};
+            const ImpactModel model{spec.laws[i].law, spec.laws[i].detachment, spec.damping_law};
             const ResultColumns results = solver(model, impacts, plan_.wanted());
             add_statistics(results, impacts, into.sums.laws[i], into.counts.laws[i]);
             add_failures(results, i, into.failed);
@@ -137,7 +137,7 @@ class Chunk {
         return picked;
     }
 
-    /// Leaves out the points of which an impact is not known: its part of the variance is not either.
+    /// Removes points with an impact that did not converge, as their part of the variance is unknown.
     static void remove_unknown(Columns& blocks) {
         std::vector<std::size_t> known;
         for (std::size_t i = 0; i < blocks[0].size(); ++i)

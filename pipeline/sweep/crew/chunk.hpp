@@ -8,8 +8,8 @@
 
 namespace ashimpact {
 
-/// 2^level chunks, the first of them a multiple of that: a node of the tree in which chunks are merged, and
-/// what one thread computes at a time.
+/// 2^level consecutive chunks, the first of which is a multiple of 2^level: a node of the tree in which
+/// chunks are merged, and the work that one thread does at a time.
 struct Block {
     std::uint64_t first = 0;
     unsigned level = 0;
@@ -22,7 +22,7 @@ struct Block {
     }
 };
 
-/// What came of a block.
+/// Results of a block.
 struct BlockResult {
     SweepSums sums;
     SweepCounts counts;
@@ -35,7 +35,7 @@ struct BlockResult {
     }
 };
 
-/// Computes a block. The result depends on plan and block alone.
+/// Computes a block. The result depends only on the plan and the block.
 [[nodiscard]] BlockResult compute_block(const SweepPlan& plan, const ImpactSolver& solver,
                                         const Block& block);
 

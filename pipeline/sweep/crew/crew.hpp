@@ -13,7 +13,7 @@
 
 namespace ashimpact {
 
-/// The threads of this process. Each has one block in work and one waiting.
+/// The threads of this process. Each computes one block while another one waits for it.
 class Crew : public Team {
   public:
     Crew(int threads, Work work);
@@ -33,7 +33,7 @@ class Crew : public Team {
 
     std::size_t threads_;
     Work work_;
-    std::size_t assigned_ = 0;  ///< and not yet handed over by finished()
+    std::size_t assigned_ = 0;  ///< blocks not yet returned by finished()
 
     std::mutex mutex_;  ///< guards the members below it
     std::condition_variable changed_;
@@ -45,7 +45,7 @@ class Crew : public Team {
     tbb::task_group tasks_;
 };
 
-/// Threads this process should have: the cores it may use, shared with the other processes of the job on this
+/// Number of threads for this process: its share of the cores that the processes of the job may use on this
 /// machine.
 [[nodiscard]] int default_threads(int processes_here);
 

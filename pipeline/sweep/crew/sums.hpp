@@ -34,15 +34,15 @@ struct SweepSums {
     }
 };
 
-/// Impacts of a sweep that did not converge: how many of each law, and the first of them.
+/// Impacts of a sweep that did not converge: their number for each law, and the first of them in detail.
 struct FailedImpacts {
     static constexpr std::size_t most_listed = 100;
 
     struct Listed {
-        std::uint64_t law;  ///< its place among those of the sweep
+        std::uint64_t law;  ///< index among the laws of the sweep
         std::uint64_t row;  ///< of the full table
         std::string reason;
-        std::string command;  ///< that computes this impact alone
+        std::string command;  ///< shell command that computes this impact alone
 
         template <class Archive>
         void transfer(Archive& archive) {

@@ -4,10 +4,10 @@
 
 namespace ashimpact {
 
-/// All chunks up to some number, merged. Its size does not depend on how many they are.
+/// Merged results of all chunks before some chunk. Its size does not depend on their number.
 class Tally {
   public:
-    /// Adds the block that begins where the tally ends.
+    /// Adds the next block, which begins at chunk chunks().
     void add(const Block& block, BlockResult result) {
         sums_.add(std::move(result.sums), block.level);
         counts_.merge(result.counts);

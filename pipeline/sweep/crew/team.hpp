@@ -10,11 +10,11 @@
 
 namespace ashimpact {
 
-/// A block that was computed.
+/// A computed block.
 struct FinishedBlock {
     Block block;
-    double seconds = 0;  ///< that a thread took for it
-    std::string bytes;   ///< what the work returned
+    double seconds = 0;  ///< computing time of its thread [s]
+    std::string bytes;   ///< result of the work
 
     template <class Archive>
     void transfer(Archive& archive) {
@@ -25,7 +25,7 @@ struct FinishedBlock {
 /// Computes a block and returns its result in bytes.
 using Work = std::function<std::string(const Block&)>;
 
-/// Those who do the work: threads of this process, or those of all processes of an MPI job.
+/// The workers of a sweep: threads of this process, or those of all processes of an MPI job.
 class Team {
   public:
     Team() = default;
@@ -35,13 +35,13 @@ class Team {
     Team(Team&&) = delete;
     Team& operator=(Team&&) = delete;
 
-    /// How many blocks keep everyone busy.
+    /// Number of blocks that keep all workers busy.
     [[nodiscard]] virtual std::size_t capacity() const = 0;
     /// How many more blocks may be assigned now.
     [[nodiscard]] virtual std::size_t vacancies() const = 0;
-    /// Has a block computed by someone; needs a vacancy.
+    /// Gives a block to a worker; requires vacancies() > 0.
     virtual void assign(const Block& block) = 0;
-    /// A block that is finished, waiting for one at most that long. Rethrows what the work threw.
+    /// A finished block; none if none is finished within @p patience. Rethrows what the work threw.
     [[nodiscard]] virtual std::optional<FinishedBlock> finished(std::chrono::microseconds patience) = 0;
 };
 

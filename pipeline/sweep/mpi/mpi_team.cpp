@@ -11,8 +11,8 @@ namespace {
 
 enum Tag : int { greeting, assignment, result, dismissal };
 
-/// Between looks for messages. Everyone has a block waiting, so none is urgent; each look takes a core from a
-/// thread that computes.
+/// Time between polls for messages. Every worker has a block waiting, so no message is urgent, and each poll
+/// takes time from a computing thread.
 constexpr std::chrono::milliseconds pause{2};
 
 template <class Value>

@@ -30,10 +30,10 @@ class MpiTeam : public Team {
 
     Team& own_;
     const MpiSession& session_;
-    std::vector<Member> others_;  ///< by rank; that of rank 0 has no capacity
+    std::vector<Member> others_;  ///< by rank; the entry of rank 0 is unused
 };
 
-/// What a rank other than 0 does: computes blocks until it is dismissed.
+/// Work of every rank other than 0: computes blocks until it is dismissed.
 void serve(Team& own, const MpiSession& session);
 
 }  // namespace ashimpact

@@ -26,7 +26,7 @@ class MpiSession {
     /// Starts MPI if this process was started by mpirun or the like.
     /// @throws InputError if that belongs to an MPI other than the one this program is linked with
     void join();
-    /// Leaves the job. With a status that is not zero the job ends here and now, with that status, for all.
+    /// Leaves the job. A status other than 0 aborts the job with that status on all ranks.
     /// @returns the status
     int leave(int status);
 
@@ -36,10 +36,10 @@ class MpiSession {
     /// Processes of the job on this machine.
     [[nodiscard]] int size_here() const { return size_here_; }
 
-    /// Text of rank 0, for all.
+    /// The text of rank 0, on every rank.
     [[nodiscard]] std::string broadcast(const std::string& text) const;
     void send(int rank, int tag, const std::string& bytes) const;
-    /// A message that has arrived, from any rank; does not wait for one.
+    /// A message from any rank, if one has arrived; does not wait.
     [[nodiscard]] std::optional<Message> receive() const;
 
   private:

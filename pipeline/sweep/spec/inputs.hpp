@@ -10,8 +10,8 @@
 
 namespace ashimpact {
 
-/// What a sweep may vary of an impact of a sphere on a flat wall: these, and the parameters of contact laws,
-/// which follow them in the order of law_parameters().
+/// Inputs of an impact of a sphere on a flat wall that a sweep may vary. The values after the last one named
+/// here stand for the parameters of contact laws, in the order of law_parameters().
 enum class ImpactInput {
     radius,
     density,
@@ -25,7 +25,7 @@ enum class ImpactInput {
 
 /// Number of inputs, parameters of contact laws among them.
 [[nodiscard]] std::size_t impact_input_count();
-/// The input that a parameter of contact laws is.
+/// The input that stands for a parameter of contact laws.
 [[nodiscard]] ImpactInput input_of(const LawParameter& parameter);
 /// Checks a value of an input [SI]. @throws InputError naming it and what is allowed
 void require_allowed(ImpactInput input, double value, Dimension dimension);
@@ -33,12 +33,12 @@ void require_allowed(ImpactInput input, double value, Dimension dimension);
 [[nodiscard]] std::string_view name_of(ImpactInput input);
 /// The input of that name, which the schema has checked.
 [[nodiscard]] ImpactInput impact_input_named(std::string_view name);
-/// What an input measures; that of a damping goes with its law.
+/// Dimension of an input; that of a damping coefficient depends on its law.
 [[nodiscard]] Dimension dimension_of(ImpactInput input, DampingLaw law);
 /// Whether zero is a value an input may have.
 [[nodiscard]] bool may_be_zero(ImpactInput input);
 
-/// What a sweep may look at.
+/// Results of an impact that a sweep may evaluate.
 enum class Observable {
     captured,          ///< 1 for a capture, 0 for a rebound
     restitution,       ///< 0 for a capture

@@ -16,8 +16,8 @@ struct TableColumn {
     std::string description;
 };
 
-/// A spec with what follows from it for the work: points come in chunks of a fixed number, each point makes
-/// one impact, or for sensitivity indices one at a, one at b and one for each variable taken from b; each
+/// A spec with its division into work. Points come in chunks of a fixed number. Each point gives one impact;
+/// for sensitivity indices it gives one at a, one at b and one at a for each variable taken from b. Each
 /// impact is solved with every law.
 class SweepPlan {
   public:

@@ -18,14 +18,14 @@ struct SweepVariable {
     Distribution distribution;  ///< [SI]
 };
 
-/// What is counted of an observable.
+/// Statistics of an observable.
 struct ObservableStatistics {
     Observable observable;
     Bins bins;
     std::vector<double> quantiles;  ///< probabilities
 };
 
-/// What a sweep is to do.
+/// What a sweep computes.
 struct SweepSpec {
     std::vector<LawChoice> laws;
     DampingLaw damping_law = DampingLaw::constant;
@@ -39,7 +39,7 @@ struct SweepSpec {
     std::vector<std::string> warnings;
 };
 
-/// A spec that was read, with the text that tells it from any other: comments and layout do not.
+/// A spec with its canonical text, which identifies it whatever its comments and layout.
 struct LoadedSpec {
     SweepSpec spec;
     std::string canonical;

@@ -28,17 +28,7 @@ std::vector<LawChoice> read_laws(const View& impact) {
         const Law law = Law::named(name.text());
         laws.push_back({law, law.default_detachment()});
     }
-    const auto detachments = impact.find("detachments");
-    if (!detachments) return laws;
-    for (const auto& [name, value] : detachments->members()) {
-        const Law law = value.located([&] { return Law::named(name); });
-        const Detachment detachment = named<Detachment>(value.text());
-        if (const auto reason = refusal(law, detachment)) value.fail(*reason, admissible_detachments(law));
-        const auto chosen =
-            std::find_if(laws.begin(), laws.end(), [&](const LawChoice& c) { return c.law == law; });
-        if (chosen == laws.end()) value.fail("the law is not among \"laws\"", "a law of the sweep");
-        chosen->detachment = detachment;
-    }
+    read_detachments(impact.find("detachments"), laws, "a law of the sweep");
     return laws;
 }
 
@@ -76,7 +66,7 @@ void require_input(const View& document, const SweepSpec& spec, ImpactInput inpu
         with_article(dimension_name(dimension_of(input, spec.damping_law))) + " here or in /variables");
 }
 
-/// An input that no law of the sweep looks at changes nothing: said, not refused.
+/// Warns of an input that no law of the sweep uses.
 void warn_unused(SweepSpec& spec, ImpactInput input, bool used) {
     if (!used && is_given(spec, input))
         spec.warnings.push_back(std::string(name_of(input)) +

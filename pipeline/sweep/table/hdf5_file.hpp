@@ -8,7 +8,7 @@
 
 namespace ashimpact::hdf5 {
 
-/// What HDF5 refuses to do; its own messages are long and go to standard error unless asked not to.
+/// A failed call of HDF5. Its own messages are long and would go to standard error, see silence().
 class Hdf5Error : public std::runtime_error {
   public:
     explicit Hdf5Error(const char* what) : std::runtime_error(std::string("HDF5: ") + what + " failed") {}
@@ -17,7 +17,7 @@ class Hdf5Error : public std::runtime_error {
 /// @throws Hdf5Error for a negative status
 void check(herr_t status, const char* what);
 
-/// An HDF5 identifier, closed in the end.
+/// Owns an HDF5 identifier.
 class Handle {
   public:
     using Close = herr_t (*)(hid_t);
@@ -33,7 +33,7 @@ class Handle {
         if (id_ >= 0) close_(id_);
     }
     [[nodiscard]] hid_t id() const { return id_; }
-    /// Closes it now and says whether all was written.
+    /// Closes it now. @throws Hdf5Error if not all was written
     void close(const char* what) { check(close_(std::exchange(id_, -1)), what); }
 
   private:
@@ -41,9 +41,9 @@ class Handle {
     Close close_;
 };
 
-/// Keeps HDF5 from writing its messages to standard error. Before anything else is asked of HDF5: its clean-up
-/// at exit writes what a full disk refused before, and crashes over it; whatever is to be written is closed
-/// before, so nothing is left for it to do.
+/// Stops HDF5 from writing messages to standard error, and from its clean-up at exit, which would crash when
+/// it writes again what a full disk refused before. Every file is closed explicitly, so no clean-up is
+/// needed. To be called before anything else of HDF5.
 void silence();
 /// A property list without time stamps.
 [[nodiscard]] Handle timeless(hid_t kind);

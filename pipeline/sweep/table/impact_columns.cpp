@@ -11,7 +11,7 @@ namespace ashimpact {
 
 namespace {
 
-Impact impact_at(const ContactModel& model, const ImpactColumns& impacts, std::size_t i) {
+Impact impact_at(const ImpactModel& model, const ImpactColumns& impacts, std::size_t i) {
     ParameterValues<double> parameters;
     for (const auto& [name, values] : impacts.parameters) parameters.set(name, values[i]);
     return {.law = model.law,
@@ -48,7 +48,7 @@ std::string command_of(const Impact& impact) {
     return command;
 }
 
-ImpactBatch batch_of(const ContactModel& model, const ImpactColumns& impacts) {
+ImpactBatch batch_of(const ImpactModel& model, const ImpactColumns& impacts) {
     const auto column = [](const std::vector<double>& values) {
         return Eigen::Map<const Eigen::ArrayXd>(values.data(), std::ssize(values));
     };
@@ -64,7 +64,7 @@ ImpactBatch batch_of(const ContactModel& model, const ImpactColumns& impacts) {
 }
 
 /// The first impact that is no valid one, as an error of the variables that make it.
-[[noreturn]] void refuse_first(const ContactModel& model, const ImpactColumns& impacts,
+[[noreturn]] void refuse_first(const ImpactModel& model, const ImpactColumns& impacts,
                                const InputError& error) {
     for (std::size_t i = 0; i < impacts.velocity.size(); ++i) {
         try {
@@ -78,7 +78,7 @@ ImpactBatch batch_of(const ContactModel& model, const ImpactColumns& impacts) {
 
 }  // namespace
 
-ResultColumns solve_in_batch(const ContactModel& model, const ImpactColumns& impacts,
+ResultColumns solve_in_batch(const ImpactModel& model, const ImpactColumns& impacts,
                              const WantedResults& wanted) {
     const auto values = [](const Eigen::ArrayXd& column) {
         return std::vector<double>(column.begin(), column.end());

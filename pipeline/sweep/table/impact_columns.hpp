@@ -25,14 +25,14 @@ struct ImpactColumns {
     std::vector<std::pair<std::string_view, std::vector<double>>> parameters;  ///< of contact laws, by name
 };
 
-/// What is the same for all of them.
-struct ContactModel {
+/// Contact law, detachment and damping law of many impacts.
+struct ImpactModel {
     Law law;
     Detachment detachment;
     DampingLaw damping_law;
 };
 
-/// Which results are wanted beside the restitution, others are left empty; and how they are to be had.
+/// Results wanted in addition to the restitution (others stay empty), and the method to compute them.
 struct WantedResults {
     bool contact_time = false;
     bool maximum_overlap = false;
@@ -43,24 +43,24 @@ struct WantedResults {
 struct FailedSolution {
     std::uint64_t place;  ///< among the impacts
     std::string reason;
-    std::string command;  ///< that computes this impact alone
+    std::string command;  ///< shell command that computes this impact alone
 };
 
-/// What the impacts did, one entry each; not a number where an impact did not converge.
+/// Results of the impacts, one entry each; NaN if an impact did not converge.
 struct ResultColumns {
     std::vector<double> restitution;      ///< 0 for a capture
-    std::vector<double> contact_time;     ///< not a number for a capture [s]
+    std::vector<double> contact_time;     ///< NaN for a capture [s]
     std::vector<double> maximum_overlap;  ///< [m]
     std::vector<FailedSolution> failed{};
 };
 
-/// Solves many impacts. The result of an impact may not depend on the others beside it.
+/// Solves many impacts. The result of an impact must not depend on the other impacts.
 using ImpactSolver =
-    std::function<ResultColumns(const ContactModel&, const ImpactColumns&, const WantedResults&)>;
+    std::function<ResultColumns(const ImpactModel&, const ImpactColumns&, const WantedResults&)>;
 
 /// The batch solver, on the calling thread. Impacts that do not converge are listed. @throws InputError
 /// naming what a variable may not be
-[[nodiscard]] ResultColumns solve_in_batch(const ContactModel& model, const ImpactColumns& impacts,
+[[nodiscard]] ResultColumns solve_in_batch(const ImpactModel& model, const ImpactColumns& impacts,
                                            const WantedResults& wanted);
 
 }  // namespace ashimpact

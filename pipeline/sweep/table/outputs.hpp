@@ -5,9 +5,9 @@
 
 namespace ashimpact {
 
-/// Refuses, before anything is computed, an output that would take the place of something that is not this
-/// sweep's: of its spec, of a table that no sweep or another one wrote, of rows or a checkpoint that no sweep
-/// wrote; of a page that is no report of ours; and one that cannot be written.
+/// Checks before a computation that its outputs can be written and would replace only files of this sweep.
+/// Refuses to replace the spec, a table that no sweep or another sweep wrote, rows or a checkpoint that no
+/// sweep wrote, and a page that is no report of this program.
 /// @param with_report whether the report will be written
 /// @throws InputError naming the file
 void check_outputs(const SweepFiles& files, const std::filesystem::path& spec, const SweepPlan& plan,

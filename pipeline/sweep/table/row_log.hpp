@@ -6,15 +6,15 @@
 
 namespace ashimpact {
 
-/// What the file of the rows begins with, so that a sweep knows its own.
+/// Beginning of every file of rows, by which a sweep recognises one.
 inline constexpr std::string_view row_log_mark = "ashimpact sweep rows\n";
 
-/// The packed rows of the full table in order, in a file of their own until all are there: unlike an HDF5
-/// file, it can be cut back to what a checkpoint knows of, whenever the program was stopped. Locked against a
-/// second sweep.
+/// The packed rows of the full table, in order, in a file of their own until the table is complete. Unlike an
+/// HDF5 file it can be truncated to what a checkpoint contains, whenever the program was stopped. Locked
+/// against a second sweep.
 class RowLog {
   public:
-    /// Opens the file, or makes it, and cuts it to @p size bytes; 0: to its mark alone.
+    /// Opens the file, or makes it, and truncates it to @p size bytes; 0: to its mark alone.
     /// @throws InputError if that cannot be done, the file is shorter, or another sweep has it
     RowLog(std::filesystem::path path, std::uint64_t size);
     ~RowLog();

@@ -9,19 +9,19 @@
 
 namespace ashimpact {
 
-/// Packs the columns of one chunk of the table, each as HDF5's filters shuffle and deflate would: so threads
-/// do the work, and the file takes the bytes as they are. A short last chunk is filled up with zeros to @p
-/// rows, as HDF5 stores it.
+/// Packs the columns of one chunk of the table as the filters shuffle and deflate of HDF5 would. So threads
+/// can do this work, and the file takes the bytes unchanged. A short last chunk is padded with zeros to @p
+/// rows, as in HDF5.
 [[nodiscard]] std::string pack_rows(const std::vector<std::vector<double>>& columns, std::size_t rows);
 
-/// How hard the table is deflated: numbers at full precision shrink little however hard one tries.
+/// Level of compression: higher levels hardly shrink numbers of full precision.
 inline constexpr int deflate_level = 1;
 
-/// The packed rows of a chunk with what proves them whole: a hash of them and of the chunk's number, and
-/// their length, before them.
+/// The packed rows of a chunk behind a hash of them and of the chunk's number, and their length, by which
+/// damage is detected.
 [[nodiscard]] std::string sealed_rows(std::uint64_t chunk, const std::string& packed);
 
-/// Rows that are not those that were sealed.
+/// Thrown for rows that differ from those that were sealed.
 class DamagedRows : public std::runtime_error {
   public:
     explicit DamagedRows(std::uint64_t chunk) : std::runtime_error("damaged rows"), chunk_(chunk) {}

@@ -14,7 +14,7 @@ namespace ashimpact {
 /// @throws InputError if the file cannot be written
 void write_table(const std::filesystem::path& file, const SweepPlan& plan, const std::filesystem::path& rows);
 
-/// The hash of the spec (SweepPlan::hash) whose table a file is; nothing where no sweep wrote it.
+/// Hash (SweepPlan::hash) of the spec to which a table belongs; none if no sweep wrote the file.
 [[nodiscard]] std::optional<std::string> spec_of_table(const std::filesystem::path& file);
 
 }  // namespace ashimpact

@@ -22,14 +22,14 @@ struct LaneTurn {
 struct LaneArrival {
     Lanes speed;
     Lanes time;
-    Mask found;  ///< not where the end is next to a turn
+    Mask found;  ///< whether Newton's method converged; not if the end is next to a turn
 };
 
 inline constexpr int landing_order = 10;  ///< of the Taylor series about a state next to an event
 inline constexpr int newton_steps = 4;
 
-/// Greatest overlap and when it is reached, from a state next to the turn; for a lane that never @p turned
-/// its supremum, and no time.
+/// Greatest overlap and its time, from a state next to the turn. A lane that never @p turned gets the
+/// supremum of the overlap, and NaN for the time.
 template <class F>
 [[nodiscard]] HWY_INLINE LaneTurn turning_point(const Equation<F>& equation, const Places& places,
                                                 const LaneState& near, Mask turned) {
@@ -42,7 +42,7 @@ template <class F>
     return turn;
 }
 
-/// Speed at the end of contact and when it is reached, from a state next to that end.
+/// Speed and time at the end of contact, from a state next to it.
 template <class F>
 [[nodiscard]] HWY_INLINE LaneArrival end_point(const Equation<F>& equation, const Places& places,
                                                const LaneState& near) {

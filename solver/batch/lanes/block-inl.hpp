@@ -16,9 +16,9 @@ HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
 
 inline constexpr std::size_t block_size = group_count * lane_count;
-inline constexpr int most_passes = 64;  ///< steps after which an impact is left to the scalar solver
+inline constexpr int most_passes = 64;  ///< steps; an impact that needs more is left to the scalar solver
 
-/// Scaled impacts of one block, and what became of them.
+/// Scaled impacts of one block with their results.
 struct Block {
     HWY_ALIGN double adhesion[block_size];
     HWY_ALIGN double damping[block_size];
@@ -26,8 +26,8 @@ struct Block {
     HWY_ALIGN double time[block_size];          ///< of contact
     HWY_ALIGN double turn_time[block_size];     ///< NaN where it never turns
     HWY_ALIGN double turn_overlap[block_size];  ///< or its supremum
-    std::uint64_t rebound;                      ///< one bit a lane; sure
-    std::uint64_t capture;                      ///< one bit a lane; sure
+    std::uint64_t rebound;                      ///< one bit a lane; set only if certain
+    std::uint64_t capture;                      ///< one bit a lane; set only if certain
     std::uint64_t turn;                         ///< one bit a lane; turning point known
 
     [[nodiscard]] bool rebounds(std::size_t lane) const { return ((rebound >> lane) & 1U) != 0; }
@@ -45,7 +45,7 @@ struct Block {
     return bytes[0];
 }
 
-/// Follows the impacts of a block to their ends, or only to their turning points.
+/// Integrates the impacts of a block to their ends, or only to their turning points.
 template <class F>
 HWY_NOINLINE void follow(Block& block, Detachment detachment, bool to_turn) {
     using Orbit = LaneOrbit<F>;

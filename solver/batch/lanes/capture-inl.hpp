@@ -14,11 +14,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
 
-/// Places of a contact law for the adhesion numbers of the lanes, and the depth of its well.
+/// Values of q at which a contact law begins, rests and ends, for the adhesion numbers of the lanes, and the
+/// depth of its potential well.
 struct Places {
     Lanes touch;
     Lanes equilibrium;
-    Lanes end;  ///< where the contact ends, but where it ends by force
+    Lanes end;  ///< of contact, except in lanes of by_force
     Lanes end_potential;
     Lanes speed_squared;  ///< v^2 in the bottom of the well, undamped: 1 + 2 (U_touch - U_min)
     Mask by_force;        ///< the contact ends where the total force vanishes
@@ -40,10 +41,10 @@ template <class F>
     return p;
 }
 
-/// Energy, over that in the well, too near capture to tell here.
+/// Share of the energy in the well below which double precision does not tell capture from rebound.
 inline constexpr double energy_doubt = 1e-9;
 
-/// Lanes that are captured, and those where double precision leaves a doubt of it.
+/// Lanes that are captured, and those of them that double precision leaves in doubt.
 struct LaneVerdict {
     Mask captured;
     Mask doubtful;
@@ -71,7 +72,7 @@ class LaneCapture {
     }
 
   private:
-    /// v^2/2 + U(q) - U_end, after the turn: below zero the end is out of reach.
+    /// v^2/2 + U(q) - U_end: if negative after the turn, the end of contact cannot be reached.
     [[nodiscard]] HWY_INLINE Lanes energy_left(Lanes q, Lanes v) const {
         return multiply_add(v * Lanes(0.5), v, equation_.potential(q) - places_.end_potential);
     }
@@ -95,7 +96,7 @@ class LaneCapture {
         return both(q < at, both(damped, v <= damping * way * Lanes(0.5)));
     }
 
-    /// Some damping laws capture whatever touches at q = 0 from a limit on.
+    /// Some damping laws capture every impact that touches at q = 0, from a limit of the damping number on.
     [[nodiscard]] HWY_INLINE Mask overdamped() const {
         constexpr double limit = F::Damping::overdamped_squared;
         if constexpr (limit == std::numeric_limits<double>::infinity()) return none();

@@ -20,7 +20,7 @@ template <const Symbol& symbol>
     return Lanes(Polynomial::Pattern::leading) * Polynomial(adhesion)(powers);
 }
 
-/// State of an impact on its way, scaled.
+/// State of an impact, scaled.
 struct LaneState {
     Lanes position;  ///< q
     Lanes momentum;  ///< y = v + beta g(q)
@@ -45,7 +45,7 @@ struct Equation {
     Stiffness stiffness;
     Impulse impulse;
     Slope slope;
-    Lanes slope_constant;  ///< what slope leaves out: delta'(0)
+    Lanes slope_constant;  ///< delta'(0), which slope leaves out
 
     Equation() = default;
     HWY_INLINE Equation(Lanes adhesion_number, Lanes damping_number)

@@ -31,17 +31,17 @@ template <class F>
     return r;
 }
 
-/// Where the next event of each lane is: the turning point for a lane that still approaches, for any other
-/// the end of contact.
+/// Predicts the next event of each lane: the turning point for a lane that still approaches, else the end of
+/// contact.
 class NextEvent {
   public:
-    static constexpr double out_of_sight = 1e300;  ///< pseudo-time to what is not in sight
+    static constexpr double out_of_sight = 1e300;  ///< pseudo-time to an event that is not predicted yet
 
     HWY_INLINE NextEvent(const Places& places, Mask approaching)
         : places_(places), approaching_(approaching) {}
 
-    /// Pseudo-time to the event, from the expansion to third order; negative once gone past it, beyond any
-    /// step where none is in sight.
+    /// Pseudo-time to the event, from the expansion to third order: negative once the lane has passed it,
+    /// out_of_sight if none is predicted.
     [[nodiscard]] HWY_INLINE Lanes time(Lanes q, Lanes v, const Rates& r) const {
         const Lanes third = r.jerk * Lanes(1.0 / 6.0);
         const Lanes half = r.acceleration * Lanes(0.5);
@@ -57,14 +57,14 @@ class NextEvent {
         const Lanes better = multiply_add(bend, h / subtract_product(root, bend, 3.0), h);
         const Mask mild = abs(bend) < Lanes(0.2) * root;
         const Mask real = square > Lanes(0.0);
-        // Gone past it, the way back is known at least to first order.
+        // Once the event is passed, the way back is known at least to first order.
         const Mask passed = both(p0 < Lanes(0.0), p1 < Lanes(0.0));
         const Lanes back = select(passed, -p0 / p1, out_of_sight);
         return select(both(p1 < Lanes(0.0), real), select(mild, better, h), back);
     }
 
-    /// How far from the event the Taylor series of its arrival is used: for an end by force also a small part
-    /// of the way to zero overlap, where other roots are.
+    /// Pseudo-time before the event from which on its Taylor series is used. For an end by force it is also
+    /// at most a small part of the way to zero overlap, where other roots lie.
     [[nodiscard]] HWY_INLINE Lanes reach(Lanes q, Lanes v, Lanes usual) const {
         const Lanes usual_reach = usual * Lanes(landing);
         if (!any(places_.by_force)) return usual_reach;

@@ -14,12 +14,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
 
-/// Registers of lanes advanced together: the next one's arithmetic hides the latency of this one's.
+/// Number of registers advanced together, so that the arithmetic of one hides the latency of another.
 inline constexpr std::size_t group_count = 4;
 template <class T>
 using Groups = std::array<T, group_count>;
 
-/// What one step did to a state, and an estimate of its error.
+/// The change of a state in one step, with an estimate of its error.
 struct LaneStep {
     LaneState change;
     Lanes position_error;

@@ -17,7 +17,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
 
-/// Notes what became of an impact.
+/// Writes the end of an impact into the results of its task.
 inline void write_end(const batch::ImpactTask& task, const ScaledTask& scaled, std::size_t i,
                       const Block& block, std::size_t lane) {
     constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
@@ -27,7 +27,7 @@ inline void write_end(const batch::ImpactTask& task, const ScaledTask& scaled, s
     task.contact_time[i] = rebounds ? block.time[lane] * scaled.time[i] : nothing;
 }
 
-/// Notes the turning point of an impact, or a greatest overlap of NaN where it is in doubt.
+/// Writes the turning point of an impact; a greatest overlap of NaN if it is in doubt.
 inline void write_turn(const batch::ImpactTask& task, const ScaledTask& scaled, std::size_t i,
                        const Block& block, std::size_t lane) {
     constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
@@ -35,9 +35,9 @@ inline void write_turn(const batch::ImpactTask& task, const ScaledTask& scaled, 
     task.maximum_overlap[i] = block.turns(lane) ? block.turn_overlap[lane] * scaled.length[i] : nothing;
 }
 
-/// Follows impacts, given by their numbers, in blocks of like ones, so that the lanes of a block end
+/// Integrates impacts, given by their numbers, in blocks of similar ones, so that the lanes of a block end
 /// together.
-/// @param write takes (place of the impact, block, lane) of what has been followed
+/// @param write called with (place of the impact, block, lane) for each impact integrated
 template <class F, class Write>
 HWY_INLINE void follow_all(const batch::NumberColumns& numbers, std::span<const std::uint16_t> impacts,
                            Detachment detachment, bool to_turn, const Write& write) {
@@ -56,8 +56,8 @@ HWY_INLINE void follow_all(const batch::NumberColumns& numbers, std::span<const 
     }
 }
 
-/// Solves the impacts of a task: scales them, reads what a table tells, and follows the others. Turning
-/// points are looked for in a second pass, so that asking for them changes nothing else.
+/// Solves the impacts of a task: scales them, reads results from the table if there is one, and integrates
+/// the others. Turning points are found in a second pass, so that asking for them changes no other result.
 template <class F>
 HWY_NOINLINE void solve_task(const batch::ImpactTask& task) {
     ScaledTask scaled;
@@ -73,7 +73,7 @@ HWY_NOINLINE void solve_task(const batch::ImpactTask& task) {
                       HWY_ATTR { write_turn(task, scaled, i, block, lane); });
 }
 
-/// Solves the impacts of a task that gives their numbers.
+/// Solves impacts given by their numbers.
 template <class F>
 HWY_NOINLINE void solve_numbers(const batch::NumberTask& task) {
     const PlaceList all = PlaceList::all(task.count);

@@ -14,7 +14,8 @@ namespace ashimpact::HWY_NAMESPACE {
 
 inline constexpr int most_trials = 16;  ///< impacts after which a search is left to the scalar solver
 
-/// e_0: without damping all of the energy comes back but what the break costs; 0 where the break costs more.
+/// e_0, the restitution without damping: only the energy spent at detachment is lost. 0 if that exceeds the
+/// kinetic energy.
 template <class F>
 HWY_INLINE void undamped_restitutions(const ScaledTask& scaled, Detachment detachment, std::size_t count,
                                       double* out) {
@@ -28,7 +29,7 @@ HWY_INLINE void undamped_restitutions(const ScaledTask& scaled, Detachment detac
     }
 }
 
-/// Searches the dampings of the impacts of one block; each lane goes its own way.
+/// Searches the dampings of the impacts of one block, each lane independently.
 template <class F>
 HWY_INLINE void search(Block& block, Detachment detachment, batch::DampingSearch* searches) {
     for (int trial = 0; trial < most_trials; ++trial) {
@@ -46,18 +47,18 @@ HWY_INLINE void search(Block& block, Detachment detachment, batch::DampingSearch
     }
 }
 
-/// Searches the damping of one impact in a table. @return whether the table told all that was asked
+/// Searches the damping of one impact in a table. @return whether it was found there
 HWY_INLINE bool search(batch::RestitutionTable& table, double x, batch::DampingSearch& search) {
     for (int trial = 0; trial < most_trials && !search.found(); ++trial) {
         const double y = search.number() / (1.0 + search.number());
-        const Told impact = told<false>(table.at(x, y), x, y);
+        const TableEntry impact = entry_at<false>(table.at(x, y), x, y);
         if (impact.end == batch::LaneEnd::undecided) return false;
         search.observe(impact.speed);
     }
     return search.found();
 }
 
-/// Searches that a table does not tell.
+/// Searches, by integration, the dampings of the impacts that a table left open. @param start first guesses
 template <class F>
 HWY_INLINE void search_all(const batch::InversionTask& task, const ScaledTask& scaled, const double* start,
                            const PlaceList& open) {
@@ -89,7 +90,7 @@ HWY_NOINLINE void invert_task(const batch::InversionTask& task) {
     undamped_restitutions<F>(scaled, task.detachment, task.count, task.undamped);
     HWY_ALIGN double x[ScaledTask::capacity];
     place_all(scaled.adhesion, task.count, x);
-    double start[batch::most_impacts];  // of those that stay open
+    double start[batch::most_impacts];  // first damping number of each search
     PlaceList open;
     for (std::size_t i = 0; i < task.count; ++i) {
         batch::DampingSearch own(task.damping_law, task.inputs.restitution.at(i), task.undamped[i]);

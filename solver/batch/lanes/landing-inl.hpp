@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
 
-/// The motion about a state as Taylor series in pseudo-time, for the last bit of the way to an event.
+/// The motion about a state as Taylor series in pseudo-time, for the last part of the way to an event.
 template <class F, int order>
 class LaneSeries {
   public:
@@ -33,7 +33,6 @@ class LaneSeries {
         }
     }
 
-    [[nodiscard]] HWY_INLINE const Coefficients& position() const { return position_; }
     /// v = dq/dtheta
     [[nodiscard]] HWY_INLINE Lanes velocity_at(Lanes h) const { return value<1>(position_, h); }
     [[nodiscard]] HWY_INLINE Lanes acceleration_at(Lanes h) const { return value<2>(position_, h); }

@@ -46,7 +46,7 @@ class ExtrapolatedLeapfrog {
     static constexpr double kick_unit = Equation<F>::Stiffness::Pattern::leading;
     using At = Powers<Equation<F>::powers>;
 
-    /// Relative to the state at the start, so that rounding is of what changes.
+    /// Relative to the state at the start, so that rounding scales with the change.
     struct Chain {
         Lanes previous;  ///< q_(m-1)
         Lanes position;  ///< q_m
@@ -61,11 +61,11 @@ class ExtrapolatedLeapfrog {
         Lanes drift;       ///< kick_unit H^2
         Lanes damping;     ///< 2 H beta (leading coefficient of g)
     };
-    /// The substep's share of H, and of Start.
+    /// What Start and the step H give for one substep.
     struct Substep {
         Lanes drift;
         Lanes damping;
-        Lanes free;  ///< twice the way without any force
+        Lanes free;  ///< twice the displacement without any force
     };
 
     [[nodiscard]] HWY_INLINE static Start started(const Orbit& orbit) {

@@ -11,8 +11,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
 
-/// Lanes in memory: the number type with which a contact law is evaluated outside the integration. The law's
-/// own functions are compiled for the baseline; vector registers cannot go through them, memory can.
+/// Lanes in memory: the number type with which a contact law is evaluated outside the integration. The
+/// functions of a law are compiled for the baseline, so wider registers cannot be passed to them; memory can.
 struct LaneNumber {
     HWY_ALIGN double value[lane_count];
 

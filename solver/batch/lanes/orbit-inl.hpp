@@ -14,8 +14,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
 
-/// Follows the impacts of one register of lanes independently. A lane that has ended does not change any
-/// more.
+/// Integrates the impacts of one register of lanes independently. A lane that has ended no longer changes.
 template <class F>
 class LaneOrbit {
   public:
@@ -23,7 +22,7 @@ class LaneOrbit {
     static constexpr int late = 5;  ///< creeping is tested only from this step on; it is rare and slow
 
     LaneOrbit() = default;
-    /// @param to_turn whether to follow the impacts only to their turning points, where a step then ends
+    /// @param to_turn whether to stop at the turning points, where a step then ends
     HWY_INLINE LaneOrbit(const Equation<F>& equation, Detachment detachment, bool to_turn)
         : equation_(equation),
           places_(places_of(equation, detachment)),
@@ -43,7 +42,7 @@ class LaneOrbit {
     [[nodiscard]] HWY_INLINE Lanes step() const { return step_; }
     [[nodiscard]] HWY_INLINE Mask active() const { return active_; }
 
-    /// What has happened at the present state, and how far to go next.
+    /// Detects events at the present state and chooses the next step.
     HWY_INLINE void observe(int pass) {
         const Lanes q = state_.position;
         const Lanes v = equation_.velocity(state_);
@@ -70,7 +69,7 @@ class LaneOrbit {
         stiffness_ = abs(r.stiffness);
     }
 
-    /// Takes the step if it is good enough.
+    /// Accepts the step if its error is small enough.
     HWY_INLINE void take(const LaneStep& step) {
         LaneState next;
         next.position = state_.position + step.change.position;
@@ -79,7 +78,7 @@ class LaneOrbit {
         const Lanes v = equation_.velocity(next);
         const Lanes error = multiply_add(max(speed_, abs(v)), abs(step.momentum_error),
                                          max(stiffness_, abs(step.end_stiffness)) * abs(step.position_error));
-        // A step that leaves and comes back may have been at the end of contact in between.
+        // A step after which the overlap grows again may have passed the end of contact.
         const Mask returned = without(v > Lanes(0.0), approaching_);
         const Lanes judged = select(returned, returned_error, error * error_scale_);
         const Mask good =
@@ -88,25 +87,25 @@ class LaneOrbit {
         state_ = select(taken, next, state_);
     }
 
-    /// Greatest overlap and when it is reached; for a lane that never turns its supremum, and no time.
+    /// Greatest overlap and its time; for a lane that never turns the supremum, and NaN for the time.
     [[nodiscard]] HWY_INLINE LaneTurn turning_point() const {
         return HWY_NAMESPACE::turning_point(equation_, places_, turn_, turned_);
     }
-    /// Speed at the end of contact and when it is reached.
+    /// Speed and time at the end of contact.
     [[nodiscard]] HWY_INLINE LaneArrival end_point() const {
         return HWY_NAMESPACE::end_point(equation_, places_, end_);
     }
 
-    /// Lanes that have ended with a speed that is not in doubt.
+    /// Lanes that have certainly ended, with a reliable speed.
     [[nodiscard]] HWY_INLINE Mask surely_ended(const LaneArrival& end) const {
         return both(both(ended_, end.found),
                     end.speed * end.speed > places_.speed_squared * Lanes(energy_doubt));
     }
-    /// Lanes whose turning point, or its absence, is not in doubt.
+    /// Lanes whose turning point, or its absence, is certain.
     [[nodiscard]] HWY_INLINE Mask surely_turned(Lanes time) const {
         return either(without(turned_, turns_in_doubt(time)), surely_captured());
     }
-    /// Captured lanes that the double precision of the energy leaves no doubt of.
+    /// Captured lanes, except those in doubt for lack of digits in the energy.
     [[nodiscard]] HWY_INLINE Mask surely_captured() const { return without(captured_, doubtful_); }
 
   private:
@@ -116,7 +115,7 @@ class LaneOrbit {
         return both(turned_, pull * pull < places_.speed_squared * Lanes(1e-3));
     }
 
-    static constexpr double returned_error = 1.0;  ///< has the pilot shorten the step as far as it ever does
+    static constexpr double returned_error = 1.0;  ///< so large that the pilot shortens the step most
 
     HWY_INLINE void detect_capture(Lanes q, Lanes v, int pass) {
         const LaneVerdict verdict =
@@ -129,7 +128,7 @@ class LaneOrbit {
     Equation<F> equation_;
     Places places_;
     Pilot pilot_;
-    Lanes error_scale_;  ///< 1/v^2 in the well; thrice for Tsuji, where estimates at times are low
+    Lanes error_scale_;  ///< error_weight (3 for Tsuji, whose estimates can be too low) over v^2 in the well
     LaneState state_;
     LaneState turn_;  ///< next to the turning point
     LaneState end_;   ///< next to the end of contact

@@ -14,9 +14,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
 
-/// Step for the way in: a part of the period of the motion about the estimated greatest q, where it is
-/// shortest. Potential and the impulse of damping, at some part of the incident speed, make up the incident
-/// energy there.
+/// Step for the approach: a part of the period of the motion about the estimated greatest q, where the period
+/// is shortest. The estimate balances the incident energy with the potential and the work of damping at a
+/// mean speed.
 template <class F>
 [[nodiscard]] HWY_INLINE Lanes inward_step(const Equation<F>& equation, const Places& places) {
     constexpr double part = 1.3;         // of a radian
@@ -40,9 +40,9 @@ template <class F>
     return Lanes(part) / sqrt(multiply_add(drag, drag, value_of<F::stiffness_slope>(a, q)));
 }
 
-/// Chooses steps. On the way in they stay as they are, unless the error says that they are far from ideal. On
-/// the way out the ideal step grows from step to step by a factor that itself changes little (a predictive
-/// controller: Gustafsson 1994). So hardly a step has to be repeated.
+/// Chooses steps. During the approach they stay constant unless the error is far from the tolerance. During
+/// the rebound the ideal step grows by a factor that changes little from step to step, so it is extrapolated
+/// (predictive controller, Gustafsson 1994). Hardly any step has to be repeated.
 class Pilot {
   public:
     static constexpr double tolerance = 0.8e-12;  ///< of the estimate, which is far above the error
@@ -52,12 +52,12 @@ class Pilot {
     HWY_INLINE explicit Pilot(Lanes first) : log_step_(rough_log2(first)) {}
 
     [[nodiscard]] HWY_INLINE Lanes step() const { return rough_exp2(log_step_); }
-    /// Longest step, in usual ones, to land on an event; no stretching where a step has just failed.
+    /// Longest step to an event, as a multiple of step(); 1 after a step that failed.
     [[nodiscard]] HWY_INLINE Lanes reach() const { return reach_; }
 
-    /// Takes note of a step of size @p taken with the estimate @p error.
-    /// @param inward whether the overlap still grows
-    /// @return lanes whose step is good
+    /// Chooses the next step from the size @p taken of the last one and its error estimate @p error.
+    /// @param inward lanes whose overlap still grows
+    /// @return lanes whose step is accurate enough to be kept
     template <int order>
     HWY_INLINE Mask judge(Lanes taken, Lanes error, Mask inward, Mask active) {
         constexpr double floor = 1e-6 * tolerance;
@@ -72,7 +72,7 @@ class Pilot {
             min(ideal + select(left, trend, first_trend), log_taken + select(left, Lanes(0.45), Lanes(0.25)));
         const Lanes steady = log_taken + min(max(gain - Lanes(0.35), 0.0), 0.3) * touched_;
         const Lanes next = select(good, select(inward, steady, outward), ideal - Lanes(0.1));
-        // A step cut short for an event, and good, says nothing of the next.
+        // An accurate step that was shortened for an event says nothing about the next one.
         const Mask telling = without(active, both(good, log_taken < log_step_ - Lanes(0.2)));
         log_step_ = select(telling, next, log_step_);
         last_ideal_ = select(telling, ideal, last_ideal_);
@@ -87,8 +87,8 @@ class Pilot {
     static constexpr double longest_reach = 1.1;
     Lanes log_step_;
     Lanes last_ideal_{0.0};
-    Lanes leaving_{0.0};  ///< 1 where the last ideal step is one of the way out
-    Lanes touched_{0.0};  ///< 0 during the first step, in which too little happens to tell
+    Lanes leaving_{0.0};  ///< 1 if the last ideal step was one of the rebound
+    Lanes touched_{0.0};  ///< 0 during the first step, in which too little happens to judge the step
     Lanes reach_{longest_reach};
 };
 

@@ -14,7 +14,7 @@ namespace {
 constexpr int degree = 16;
 constexpr double tolerance = 1e-12;  ///< of ln(work/beta), in its last coefficients
 
-/// Any adhesive pair: the function sought does not depend on it.
+/// An adhesive pair. Its values do not matter: scaled, v_c is the same for every pair.
 ContactPair sample_pair(Law law) {
     return {.mass = 1e-9,
             .effective_radius = 44e-6,
@@ -80,7 +80,7 @@ std::optional<CriticalTable::Entry> CriticalTable::at(double beta) {
         (right ? lower : upper) = middle;
         piece = piece->half[right ? 1 : 0].get();
     }
-    if (piece->state == State::untold) return std::nullopt;
+    if (piece->state == State::undecided) return std::nullopt;
     if (piece->state == State::always_captured) return Entry{CaptureVerdict::always_captured, 0.0};
     const double t = (2.0 * within - lower - upper) / (upper - lower);
     const double work = beta * std::exp(chebyshev_sum(piece->coefficients, t));
@@ -100,7 +100,7 @@ void CriticalTable::compute(double lower, double upper, bool may_halve, Piece& p
     for (int i = 0; i <= degree; ++i) {
         const double beta = axis.node(i);
         const CriticalVelocity critical = solved(beta);
-        // More damping captures more: the first verdict tells of all when it is not finite.
+        // Capture only grows with damping: if v_c is not finite here, it is not at the later nodes either.
         if (!critical.value) break;
         values[i] = std::log(critical.dissipated / unit / beta);
         piece.detachment_energy = critical.detachment_energy / unit;

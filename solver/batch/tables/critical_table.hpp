@@ -35,10 +35,10 @@ class CriticalTable {
     static constexpr int octaves = 64;
     static constexpr int most_halvings = 16;
 
-    enum class State { finite, always_captured, halved, untold };
+    enum class State { finite, always_captured, halved, undecided };
     struct Piece {
         std::once_flag computed;
-        State state = State::untold;
+        State state = State::undecided;
         std::vector<double> coefficients{};            ///< of ln(work/beta), where finite
         double detachment_energy = 0.0;                ///< in units of m V_a^2
         std::array<std::unique_ptr<Piece>, 2> half{};  ///< where halved

@@ -16,13 +16,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
 
-/// The place of a number in a table: n/(1 + n).
+/// Coordinate x or y of an adhesion or damping number n in a table: n/(1 + n).
 [[nodiscard]] HWY_INLINE Lanes place_of(Lanes number) {
     const Lanes n = min(number, 1e300);
     return n / (n + Lanes(1.0));
 }
 
-/// A place in a piece of a table, at which its polynomials are evaluated; a register holds powers of u.
+/// Evaluates the polynomials of a piece at one place. A register holds consecutive powers of u.
 class PlaceInPiece {
   public:
     HWY_INLINE PlaceInPiece(double t, double u) : t_(t), powers_(1.0), next_(u) {
@@ -57,20 +57,20 @@ class PlaceInPiece {
     Lanes next_;    ///< u to the number of lanes
 };
 
-/// What a table tells of an impact.
-struct Told {
-    batch::LaneEnd end;  ///< undecided: integrate
+/// The result of an impact as a table holds it, scaled.
+struct TableEntry {
+    batch::LaneEnd end;  ///< undecided: the table has no result, and the impact has to be integrated
     double speed;        ///< at the end of contact; 0 for a capture
     double time;         ///< of contact; NaN for a capture
 };
 
-/// The impact at a place of a piece; none where the place is not a number.
+/// The entry at a place of a piece; undecided if @p piece is null, as it is where the place is not a number.
 template <bool with_time>
-[[nodiscard]] HWY_INLINE Told told(const batch::RestitutionPiece* piece, double x, double y) {
+[[nodiscard]] HWY_INLINE TableEntry entry_at(const batch::RestitutionPiece* piece, double x, double y) {
     using State = batch::RestitutionPiece::State;
-    constexpr double least_square = 1e-6;  ///< e^2 below which the error of a table weighs
+    constexpr double least_square = 1e-6;  // of e^2; below it the error of the table is relatively too large
     constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-    const State state = piece == nullptr ? State::untold : piece->state();
+    const State state = piece == nullptr ? State::undecided : piece->state();
     if (state == State::capture) return {batch::LaneEnd::capture, 0.0, nothing};
     if (state != State::rebound) return {batch::LaneEnd::undecided, 0.0, nothing};
     const PlaceInPiece place(piece->t(x), piece->u(y));
@@ -80,14 +80,14 @@ template <bool with_time>
     return {batch::LaneEnd::rebound, std::sqrt(std::min(square, 1.0)), time};
 }
 
-/// Places of a column of numbers in a table.
+/// Coordinates in a table for a column of numbers.
 inline void place_all(const double* numbers, std::size_t count, double* places) {
     for (std::size_t i = 0; i < count; i += lane_count) {
         place_of(Lanes::load(numbers + i)).store(places + i);
     }
 }
 
-/// Reads the impacts of a task from its table. @return those that it does not tell
+/// Reads the results of a task from its table. @return impacts that have to be integrated
 HWY_NOINLINE inline PlaceList look_up(const batch::ImpactTask& task, const ScaledTask& scaled) {
     HWY_ALIGN double x[ScaledTask::capacity];
     HWY_ALIGN double y[ScaledTask::capacity];
@@ -97,7 +97,7 @@ HWY_NOINLINE inline PlaceList look_up(const batch::ImpactTask& task, const Scale
     for (std::size_t i = 0; i < task.count; ++i) pieces[i] = task.table->at(x[i], y[i]);
     PlaceList open;
     for (std::size_t i = 0; i < task.count; ++i) {
-        const Told impact = told<true>(pieces[i], x[i], y[i]);
+        const TableEntry impact = entry_at<true>(pieces[i], x[i], y[i]);
         if (impact.end == batch::LaneEnd::undecided) open.add(i);
         task.end[i] = impact.end;
         task.restitution[i] = impact.speed;

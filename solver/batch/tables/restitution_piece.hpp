@@ -29,7 +29,7 @@ class RestitutionPiece {
         rebound,  ///< every impact of the square rebounds, and the polynomials give its result
         capture,  ///< every impact of the square is captured
         quartered,
-        untold,  ///< undecided, at the edge of capture: integrate
+        undecided,  ///< undecided, at the edge of capture: integrate
     };
 
     /// The whole table: 0 <= x, y <= 1.
@@ -44,15 +44,15 @@ class RestitutionPiece {
     [[nodiscard]] double t(double x) const { return (x - middle_x_) * stretch_; }
     [[nodiscard]] double u(double y) const { return (y - middle_y_) * stretch_; }
 
-    /// Where it rebounds.
+    /// The polynomials; only in state rebound.
     [[nodiscard]] const RestitutionPolynomials& polynomials() const { return *polynomials_; }
-    /// Where it is quartered: the quarter in which a place is.
+    /// The quarter that contains a place; only in state quartered.
     [[nodiscard]] RestitutionPiece& quarter(double x, double y) const {
         return (*quarters_)[(x >= middle_x_ ? 1U : 0U) + (y >= middle_y_ ? 2U : 0U)];
     }
 
-    /// Settles the state unless it has been; waits for a thread that is at it.
-    /// @param compute has the state found, after set() where it rebounds
+    /// Computes the state once; other threads wait for the first.
+    /// @param compute returns the state; it calls set() before it returns rebound
     template <class Compute>
     void settle(const Compute& compute) {
         std::call_once(settled_, [&] {

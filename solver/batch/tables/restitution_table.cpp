@@ -17,12 +17,12 @@ namespace {
 constexpr double square_tolerance = 2e-13;  ///< of e^2, in its last coefficients
 constexpr double time_tolerance = 1e-12;    ///< of the contact time, relative
 
-/// A or beta where x or y is @p place; infinite at 1.
+/// Adhesion or damping number at a coordinate x or y of the table; infinite at 1.
 double number_at(double place) {
     return place / (1.0 - place);
 }
 
-/// Impacts by their numbers, and what became of them.
+/// Impacts given by their numbers, with their results, scaled.
 struct NumberedImpacts {
     std::vector<double> adhesion{};
     std::vector<double> damping{};
@@ -50,7 +50,7 @@ struct NumberedImpacts {
     }
 };
 
-/// One coordinate of a piece: @p terms nodes, Chebyshev polynomials, powers.
+/// Transforms along one coordinate of a piece, from values at Chebyshev nodes to coefficients of powers.
 template <int terms>
 struct Coordinate {
     using Matrix = Eigen::Matrix<double, terms, terms>;
@@ -92,11 +92,11 @@ bool fit(const Values& values, double allowed, RestitutionPolynomials::Coefficie
 }  // namespace
 
 RestitutionTable& RestitutionTable::of(Law law, Detachment detachment, DampingLaw damping_law) {
-    // A law's kernels differ between instruction sets, and between laws.
+    // The kernel stands for the law and the instruction set: no two of them share one.
     using Key = std::tuple<NumberKernel, Detachment, DampingLaw>;
     static std::mutex access;
     static std::map<Key, RestitutionTable> tables;
-    // The one asked for last: threads that solve impacts one by one do not wait for each other.
+    // Each thread remembers the last table, so that threads that solve single impacts need no lock.
     thread_local Key last{nullptr, detachment, damping_law};
     thread_local RestitutionTable* found = nullptr;
     settle_instruction_set();
@@ -124,7 +124,7 @@ void RestitutionTable::compute(RestitutionPiece& piece, int depth) const {
     piece.settle([&] {
         const State state = judged(piece, depth);
         if (state != State::unknown) return state;
-        return depth < most_depth ? State::quartered : State::untold;
+        return depth < most_depth ? State::quartered : State::undecided;
     });
 }
 

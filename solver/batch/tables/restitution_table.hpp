@@ -28,7 +28,7 @@ class RestitutionTable {
     RestitutionTable(Kernels kernels, Detachment detachment, DampingLaw damping_law)
         : kernels_(kernels), detachment_(detachment), damping_law_(damping_law) {}
 
-    /// The piece that holds a place 0 <= x, y <= 1: its state is rebound, capture or untold. None if the
+    /// The piece that holds a place 0 <= x, y <= 1: its state is rebound, capture or undecided. None if the
     /// place is not a number.
     [[nodiscard]] const RestitutionPiece* at(double x, double y) {
         if (!(x + y <= 2.0)) return nullptr;
@@ -60,13 +60,13 @@ class RestitutionTable {
         return place < index_size ? place : index_size - 1;
     }
 
-    /// Enters the piece that holds a place of the index into it: one of index_depth, or a larger one that is
-    /// not quartered.
+    /// Finds the piece that contains a place, of index_depth or larger, and enters it into the index.
+    /// @param place of the index
     RestitutionPiece& entered(double x, double y, std::size_t place);
     void compute(RestitutionPiece& piece, int depth) const;
-    /// As far as its corners and its fit tell; else unknown.
+    /// The state if corners and fit decide it, else unknown.
     [[nodiscard]] State judged(RestitutionPiece& piece, int depth) const;
-    /// Fits the polynomials. @return whether they tell the piece
+    /// Fits the polynomials. @return whether they represent the piece within the tolerances
     [[nodiscard]] bool fitted(RestitutionPiece& piece) const;
 
     Kernels kernels_;

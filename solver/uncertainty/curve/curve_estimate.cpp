@@ -18,21 +18,22 @@ namespace {
 using Vector = CurvePosterior::Vector;
 using Matrix = CurvePosterior::Matrix;
 
-constexpr double least_effective = 50.0;  ///< draws below which an interval is not given
+constexpr double least_effective = 50.0;  ///< independent draws; fewer give no reliable ends of an interval
 
 /// A normal density from which curves are drawn.
-struct Normal {
+struct NormalDensity {
     Vector mean;
     Matrix covariance;
 };
 
 struct Mode {
-    Normal normal;
+    NormalDensity normal;
     double value = 0.0;       ///< -ln posterior
     double log_weight = 0.0;  ///< ln of the posterior's integral around it
 };
 
-/// The covariance by a Hessian; flat and falling directions get the width of a prior.
+/// Adds the covariance, the inverse of a Hessian. Directions of small or negative curvature get the width of
+/// a prior.
 Mode with_covariance(Mode mode, const Matrix& hessian) {
     const Eigen::SelfAdjointEigenSolver<Matrix> solver(hessian);
     const Vector values = solver.eigenvalues().cwiseAbs().cwiseMax(0.5);
@@ -42,7 +43,8 @@ Mode with_covariance(Mode mode, const Matrix& hessian) {
     return mode;
 }
 
-/// Newton's method; the Hessian is made positive by its eigenvalues. The draws correct what is inexact.
+/// Newton's method with a Hessian made positive definite. The mode need not be exact: the weights of the
+/// draws correct for it.
 Mode find_mode(const CurvePosterior& posterior, const Vector& start) {
     Mode mode;
     mode.normal.mean = start;
@@ -50,8 +52,8 @@ Mode find_mode(const CurvePosterior& posterior, const Vector& start) {
     Vector differences = Vector::Constant(0.03);
     differences[CurvePosterior::critical] = 2e-3;
     for (int i = 0; i < 25; ++i) {
-        Vector& place = mode.normal.mean;
-        const auto curvature = posterior.curvature(place, mode.value, differences);
+        Vector& point = mode.normal.mean;
+        const auto curvature = posterior.curvature(point, mode.value, differences);
         mode = with_covariance(mode, curvature.hessian);
         const Vector deviations = mode.normal.covariance.diagonal().cwiseSqrt();
         differences = (0.2 * deviations).cwiseMin(0.03).cwiseMax(1e-7);
@@ -62,10 +64,10 @@ Mode find_mode(const CurvePosterior& posterior, const Vector& start) {
         constexpr double enough = 0.02;
         const double before = mode.value;
         for (double length = 1.0; length > 1e-4; length *= 0.35) {
-            const double there = posterior(place + length * step);
-            if (there >= mode.value) continue;
-            place += length * step;
-            mode.value = there;
+            const double value = posterior(point + length * step);
+            if (value >= mode.value) continue;
+            point += length * step;
+            mode.value = value;
             break;
         }
         if (before - mode.value < enough) break;
@@ -73,57 +75,58 @@ Mode find_mode(const CurvePosterior& posterior, const Vector& start) {
     return mode;
 }
 
-/// Draws from normal densities, each a quasi-random sequence of its own, with their weights.
+/// Weighted draws from normal densities, by a quasi-random sequence.
 class Draws {
   public:
     explicit Draws(const CurvePosterior& posterior) : posterior_(posterior) {}
 
-    void add(const Normal& normal, std::size_t count) {
+    void add(const NormalDensity& normal, std::size_t count) {
         proposals_.push_back({normal, normal.covariance.llt().matrixL(), static_cast<double>(count)});
         const Proposal& proposal = proposals_.back();
         static const DigitalSequence sequence(QuasiRandomSequence::sobol, CurvePosterior::size);
         std::vector<std::uint64_t> digits(count);
-        const std::size_t first = place_.size();
-        place_.resize(first + count, Vector::Zero());
+        const std::size_t first = point_.size();
+        point_.resize(first + count, Vector::Zero());
         for (int axis = 0; axis < CurvePosterior::size; ++axis) {
             sequence.fill(static_cast<std::size_t>(axis), first + 1, digits);
             for (std::size_t i = 0; i < count; ++i)
-                place_[first + i][axis] = gsl::normal_quantile(unit_interval(digits[i]));
+                point_[first + i][axis] = gsl::normal_quantile(unit_interval(digits[i]));
         }
         for (std::size_t i = 0; i < count; ++i) {
             const double scale = scales[i % scales.size()];
-            place_[first + i] = normal.mean + scale * (proposal.factor * place_[first + i]);
-            value_.push_back(posterior_(place_[first + i]));
+            point_[first + i] = normal.mean + scale * (proposal.factor * point_[first + i]);
+            value_.push_back(posterior_(point_[first + i]));
         }
         weigh();
     }
 
-    /// Mean and covariance of the posterior. Where few draws count, of a power of it that more draws fit.
-    [[nodiscard]] Normal moments() const {
+    /// Mean and covariance of the posterior; while it has few effective draws, those of a power of it below
+    /// 1, which is wider.
+    [[nodiscard]] NormalDensity moments() const {
         constexpr double enough = 60.0;
         std::vector<double> weight = weights(1.0);
         for (double power = 1.0; effective(weight) < enough; weight = weights(power)) power *= 0.7;
-        Normal normal{Vector::Zero(), Matrix::Zero()};
-        for (std::size_t i = 0; i < place_.size(); ++i) normal.mean += weight[i] * place_[i];
-        for (std::size_t i = 0; i < place_.size(); ++i)
+        NormalDensity normal{Vector::Zero(), Matrix::Zero()};
+        for (std::size_t i = 0; i < point_.size(); ++i) normal.mean += weight[i] * point_[i];
+        for (std::size_t i = 0; i < point_.size(); ++i)
             normal.covariance +=
-                weight[i] * (place_[i] - normal.mean) * (place_[i] - normal.mean).transpose();
+                weight[i] * (point_[i] - normal.mean) * (point_[i] - normal.mean).transpose();
         return normal;
     }
 
-    /// Number of independent draws that the weighted ones are worth.
+    /// Effective sample size: the number of independent draws that would be as accurate.
     [[nodiscard]] double effective() const { return effective(weights(1.0)); }
 
     [[nodiscard]] const Vector& likeliest() const {
-        return place_[static_cast<std::size_t>(std::min_element(value_.begin(), value_.end()) -
+        return point_[static_cast<std::size_t>(std::min_element(value_.begin(), value_.end()) -
                                                value_.begin())];
     }
 
     [[nodiscard]] Interval critical_velocity() const {
         std::vector<std::pair<double, double>> sorted;
         const std::vector<double> weight = weights(1.0);
-        for (std::size_t i = 0; i < place_.size(); ++i)
-            sorted.emplace_back(place_[i][CurvePosterior::critical], weight[i]);
+        for (std::size_t i = 0; i < point_.size(); ++i)
+            sorted.emplace_back(point_[i][CurvePosterior::critical], weight[i]);
         std::sort(sorted.begin(), sorted.end());
         const auto quantile = [&](double probability) {
             double sum = 0.0;
@@ -151,17 +154,17 @@ class Draws {
         return 1.0 / std::inner_product(weight.begin(), weight.end(), weight.begin(), 0.0);
     }
 
-    /// Some draws are wider than the density, for a posterior with longer tails.
+    /// Factors on the width of consecutive draws: some are wider, in case the posterior has longer tails.
     static constexpr std::array scales{1.0, 1.0, 1.5, 1.0, 2.2};
 
     struct Proposal {
-        Normal normal;
+        NormalDensity normal;
         Matrix factor;
         double count;
 
-        [[nodiscard]] double density(const Vector& place) const {
+        [[nodiscard]] double density(const Vector& point) const {
             const double distance =
-                factor.template triangularView<Eigen::Lower>().solve(place - normal.mean).squaredNorm();
+                factor.template triangularView<Eigen::Lower>().solve(point - normal.mean).squaredNorm();
             double sum = 0.0;
             for (const double scale : scales)
                 sum += std::exp(-0.5 * distance / (scale * scale)) / std::pow(scale, CurvePosterior::size);
@@ -169,17 +172,17 @@ class Draws {
         }
     };
 
-    /// Posterior over the mixture of everything that was drawn from (Owen & Zhou 2000).
+    /// Weights: posterior over the mixture of all densities drawn from (Owen & Zhou 2000).
     void weigh() {
-        log_weight_.resize(place_.size());
-        for (std::size_t i = 0; i < place_.size(); ++i) {
+        log_weight_.resize(point_.size());
+        for (std::size_t i = 0; i < point_.size(); ++i) {
             double density = 0.0;
-            for (const Proposal& proposal : proposals_) density += proposal.density(place_[i]);
+            for (const Proposal& proposal : proposals_) density += proposal.density(point_[i]);
             log_weight_[i] = -value_[i] - std::log(std::max(density, 1e-300));
         }
     }
 
-    /// Their powers, with a sum of 1.
+    /// The weights to a power, normalised to a sum of 1.
     [[nodiscard]] std::vector<double> weights(double power) const {
         const double best = *std::max_element(log_weight_.begin(), log_weight_.end());
         std::vector<double> result;
@@ -192,18 +195,18 @@ class Draws {
 
     const CurvePosterior& posterior_;
     std::vector<Proposal> proposals_;
-    std::vector<Vector> place_;
+    std::vector<Vector> point_;
     std::vector<double> value_;
     std::vector<double> log_weight_;
 };
 
-/// The modes that are found from the two best of @p velocities, the better one first.
+/// The modes found from the two best starting velocities, the one of greater weight first.
 std::vector<Mode> modes_of(const CurvePosterior& posterior, const std::vector<double>& velocities) {
     std::vector<std::pair<double, Vector>> starts;
     for (const double v : velocities) {
-        Vector place = Vector::Zero();
-        place[CurvePosterior::critical] = std::log(v);
-        starts.emplace_back(posterior(place), place);
+        Vector point = Vector::Zero();
+        point[CurvePosterior::critical] = std::log(v);
+        starts.emplace_back(posterior(point), point);
     }
     std::sort(starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<Mode> modes{find_mode(posterior, starts[0].second), find_mode(posterior, starts[1].second)};

@@ -9,14 +9,14 @@
 
 namespace ashimpact {
 
-/// v_c and the smooth curve of damping estimated from impacts.
+/// v_c and the curve of damping, estimated from all impacts without assuming a form of eta.
 struct CurveEstimate {
     Interval critical_velocity;         ///< median and 95 % interval [m/s]
     Interval critical_damping;          ///< eta_capture at those [kg/s]
     CurvePosterior::Vector parameters;  ///< of the likeliest curve
-    double effective;                   ///< number of independent draws that the weighted ones are worth
+    double effective;                   ///< effective number of independent draws from the posterior
     Scatter scatter;
-    double fastest;  ///< ln v
+    double fastest;  ///< ln v_in of the fastest impact
 };
 
 /// Samples the posterior of the curve by adaptive importance sampling (Cornuet et al. 2012, Scand. J. Stat.

@@ -32,7 +32,8 @@ CurvePosterior::CurvePosterior(const RestitutionTable& table, const std::vector<
 SmoothDamping CurvePosterior::curve(const Vector& parameters) const {
     std::array<double, SmoothDamping::terms> coefficients{};
     coefficients[0] = slope_mean + slope_deviation * parameters[first_term];
-    for (int k = 2; k <= SmoothDamping::terms; ++k)  // the fall of an integrated random walk
+    // Coefficients fall as those of an integrated random walk.
+    for (int k = 2; k <= SmoothDamping::terms; ++k)
         coefficients[static_cast<std::size_t>(k - 1)] =
             bend * square(2.0 / k) * parameters[first_term + k - 1];
     return {*table_, parameters[critical], fastest_, coefficients};
@@ -49,7 +50,7 @@ double CurvePosterior::prior_term(const Vector& parameters) const {
     double sum = 0.5 * (parameters.squaredNorm() - square(parameters[critical]) - square(parameters[noise]));
     sum += prior_.noise_known ? std::log1p(square(parameters[noise] / 0.1))
                               : 0.5 * square(parameters[noise] / 1.5);
-    // A laboratory aims where it finds v_c: far below its slowest impacts v_c is unlikely.
+    // Laboratories choose velocities around v_c, so v_c is unlikely to lie far below the slowest impact.
     constexpr double below = 1.2;
     constexpr double deviation = 0.4;
     return sum + 0.5 * square(std::max(0.0, slowest_ - below - parameters[critical]) / deviation);

@@ -9,11 +9,11 @@
 
 namespace ashimpact {
 
-/// What is known or assumed before the impacts are looked at.
+/// What is known before the impacts are used.
 struct CurvePrior {
     bool noise_known;
-    double noise;                   ///< expected noise, if it is not known [m/s]
-    std::optional<double> scatter;  ///< of ln eta between particles, if known [1]
+    double noise;                   ///< first estimate of an unknown noise [m/s]
+    std::optional<double> scatter;  ///< of ln eta between particles, if known
 };
 
 /// -ln of the posterior density of a curve of damping with its scatter.
@@ -25,6 +25,7 @@ class CurvePosterior {
     CurvePosterior(const RestitutionTable& table, const std::vector<RecordedImpact>& impacts,
                    const CurvePrior& prior);
 
+    // Indices of the parameters.
     static constexpr int critical = 0;
     static constexpr int first_term = 1;
     static constexpr int noise = first_term + SmoothDamping::terms;
@@ -33,6 +34,7 @@ class CurvePosterior {
     using Vector = Eigen::Matrix<double, size, 1>;
     using Matrix = Eigen::Matrix<double, size, size>;
 
+    /// -ln of the posterior density; 1e10 if the curve is impossible.
     [[nodiscard]] double operator()(const Vector& parameters) const;
     [[nodiscard]] SmoothDamping curve(const Vector& parameters) const;
     [[nodiscard]] Scatter scatter_of(const Vector& parameters) const;
@@ -41,7 +43,8 @@ class CurvePosterior {
         Vector gradient;
         Matrix hessian;
     };
-    /// By differences. @param steps about the standard deviations of the parameters, or less
+    /// Gradient and Hessian by differences. @param value that at @p parameters
+    /// @param steps of the differences, at most about the standard deviations of the parameters
     [[nodiscard]] Curvature curvature(const Vector& parameters, double value, const Vector& steps) const;
 
   private:

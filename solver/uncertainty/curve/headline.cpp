@@ -12,7 +12,7 @@ namespace ashimpact {
 
 namespace {
 
-/// Velocities that v_c may be close to: between the outcomes.
+/// Starting values of v_c, around the slowest rebounds and the fastest captures [m/s].
 std::vector<double> starts_of(const std::vector<RecordedImpact>& impacts) {
     std::vector<double> rebounds;
     std::vector<double> captures;
@@ -26,7 +26,7 @@ std::vector<double> starts_of(const std::vector<RecordedImpact>& impacts) {
     return starts;
 }
 
-/// Why the rebounds are too few for a curve.
+/// Refuses rebounds that are too few for a curve. @throws InputError
 void require_enough(const std::vector<RecordedImpact>& impacts, bool noise_known) {
     std::set<double> distinct;
     for (const RecordedImpact& impact : impacts)
@@ -38,7 +38,7 @@ void require_enough(const std::vector<RecordedImpact>& impacts, bool noise_known
                      "at least " + std::to_string(needed));
 }
 
-/// Recorded captures that may be slow rebounds: where the curve rebounds by no more than the noise.
+/// Note on recorded captures that may be slow rebounds, as the curve gives them a rebound within the noise.
 std::optional<std::string> slow_rebound_note(const CurveEstimate& estimate, const SmoothDamping& curve,
                                              const std::vector<RecordedImpact>& impacts) {
     double doubtful = 0.0;
@@ -56,7 +56,7 @@ std::optional<std::string> slow_rebound_note(const CurveEstimate& estimate, cons
            shortest(std::round(1e3 * end) / 1e3) + " m/s that can be told from rest";
 }
 
-/// Lack of fit: noise that had to be enlarged, and its size.
+/// Note on a noise that had to be enlarged to fit, with its factor.
 std::optional<std::string> misfit_note(const Scatter& scatter, bool noise_known) {
     if (!noise_known || scatter.noise < 1.25) return std::nullopt;
     return "the impacts scatter " + shortest(std::round(100.0 * scatter.noise) / 100.0) +

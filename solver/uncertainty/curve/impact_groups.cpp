@@ -13,7 +13,7 @@ bool slower(const RecordedImpact& a, const RecordedImpact& b) {
     return a.velocity < b.velocity;
 }
 
-/// Sums over impacts that become one.
+/// Sums over impacts that are merged into one.
 struct Sums {
     double count = 0.0;
     double velocity = 0.0;
@@ -30,7 +30,8 @@ struct Sums {
         rebound_variance += impact.count * impact.rebound_u * impact.rebound_u;
         covariance += impact.count * impact.correlation * impact.incident_u * impact.rebound_u;
     }
-    /// @param share of the variance that is left: 1, or that of a mean
+    /// The merged impact. @param share of the variance that it has: 1, or 1/n for a mean @param counts its
+    /// weight
     [[nodiscard]] RecordedImpact impact(RecordedImpact like, double share, double counts) const {
         like.velocity = velocity / count;
         like.log_velocity = std::log(like.velocity);
@@ -43,7 +44,7 @@ struct Sums {
     }
 };
 
-/// Cells half as wide as the noise; without any, cells of a thousandth.
+/// Merges impacts in cells half as wide as the noise, but at least a thousandth of the velocity.
 std::vector<RecordedImpact> in_cells(const std::vector<RecordedImpact>& impacts) {
     std::map<std::tuple<Recorded, long, long>, std::pair<RecordedImpact, Sums>> cells;
     for (const RecordedImpact& impact : impacts) {
@@ -85,7 +86,7 @@ std::vector<RecordedImpact> recorded_impacts(const MeasurementSet& set) {
                            .resolution = point.resolution,
                            .count = recorded == Recorded::rebound ? 1.0 : count});
     }
-    // Independent of the order of the file, so that sums round alike.
+    // Sorted, so that sums round alike whatever the order of the file.
     std::sort(impacts.begin(), impacts.end(), [](const RecordedImpact& a, const RecordedImpact& b) {
         return std::tie(a.velocity, a.rebound, a.incident_u, a.rebound_u, a.count) <
                std::tie(b.velocity, b.rebound, b.incident_u, b.rebound_u, b.count);
@@ -98,7 +99,7 @@ double noise_of_neighbours(const std::vector<RecordedImpact>& impacts) {
     for (const RecordedImpact& impact : impacts)
         if (impact.recorded == Recorded::rebound) rebounds.push_back(impact);
     std::sort(rebounds.begin(), rebounds.end(), slower);
-    // Of three neighbours the middle one's distance from the line through the others.
+    // Squared distance of each middle rebound from the line through its two neighbours.
     std::vector<double> squares;
     for (std::size_t i = 1; i + 1 < rebounds.size(); ++i) {
         const RecordedImpact& a = rebounds[i - 1];
@@ -123,7 +124,7 @@ std::vector<RecordedImpact> grouped(std::vector<RecordedImpact> impacts) {
     for (const RecordedImpact& impact : impacts)
         (impact.recorded == Recorded::rebound ? rebounds : captures).push_back(impact.velocity);
     if (rebounds.empty()) return in_cells(impacts);
-    // Velocities at which captures are to be expected, leaving out stray ones.
+    // Below this velocity captures occur, apart from half a per cent of outliers.
     const double slowest = rebounds[rebounds.size() / 200];
     const double fastest_capture =
         captures.empty() ? 0.0 : captures[captures.size() - 1 - captures.size() / 200];

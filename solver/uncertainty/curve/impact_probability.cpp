@@ -22,7 +22,7 @@ double normal_density(double difference, double variance) {
 
 constexpr int quadrature_nodes = 16;
 
-/// Nodes of [0, 1].
+/// Quadrature nodes on [0, 1].
 const auto& unit_nodes() {
     static const auto nodes = gsl::gauss_legendre<quadrature_nodes>(0.0, 1.0);
     return nodes;
@@ -39,7 +39,8 @@ class Probability {
                      std::sqrt(1.0 - impact.correlation * impact.correlation)),
           along_(impact.correlation * impact.rebound_u / impact.incident_u),
           damping_(scatter.damping) {
-        // A particle with more damping is one at a lower velocity: both noises shift the impact along ln v.
+        // More damping acts like a lower velocity, so noise and scatter of the damping both shift an impact
+        // along ln v.
         const double from_critical = x_ - curve.log_critical_velocity();
         const double least = velocity_share_ + 0.02;
         const double away =
@@ -54,30 +55,28 @@ class Probability {
 
     [[nodiscard]] double captured() const { return normal_below(below_); }
 
-    /// Density of the reading, of rebounds.
+    /// Probability density of a rebound with this reading [s/m]. Far from v_c the curve is linearised, and
+    /// between both regimes the results are blended.
     [[nodiscard]] double rebounds() const {
-        if (below_ < -far_end) return far();
-        if (below_ > -far_begin)
-            return near([this](double y, double r, double extra) { return reading(y, r, extra); }, true);
-        const double t = (-below_ - far_begin) / (far_end - far_begin);
+        if (below_ < -linear_to) return linearised();
+        if (below_ > -linear_from) return integrated_reading();
+        const double t = (-below_ - linear_from) / (linear_to - linear_from);
         const double blend = t * t * (3.0 - 2.0 * t);
-        return (1.0 - blend) *
-                   near([this](double y, double r, double extra) { return reading(y, r, extra); }, true) +
-               blend * far();
+        return (1.0 - blend) * integrated_reading() + blend * linearised();
     }
 
-    /// Probability of a rebound that was taken for a capture.
+    /// Probability of a rebound that was recorded as a capture.
     [[nodiscard]] double unseen() const {
-        if (below_ < -far_end &&
+        if (below_ < -linear_to &&
             curve_.at(x_).restitution * impact_.velocity > 8.0 * rebound_u_ + impact_.resolution)
             return 0.0;
-        return near([this](double, double r, double) { return at_rest(r); }, false);
+        return integrated([this](double, double r, double) { return at_rest(r); }, false);
     }
 
   private:
     static constexpr double reach = 6.0;
-    static constexpr double far_begin = 5.0;
-    static constexpr double far_end = 7.0;
+    static constexpr double linear_from = 5.0;
+    static constexpr double linear_to = 7.0;
 
     /// Probability that a rebound is recorded as zero.
     [[nodiscard]] double at_rest(double r) const {
@@ -85,7 +84,7 @@ class Probability {
         return normal_below(-r / rebound_u_);
     }
 
-    /// Density of the reading at a shift. An error of v_in brings its share of v_r's error along.
+    /// Probability density of the reading at a shift [s/m].
     [[nodiscard]] double reading(double y, double r, double extra) const {
         const double seen = impact_.resolution > 0.0 ? 1.0 - at_rest(r) : 1.0;
         return seen * normal_density(impact_.rebound - expected(y, r), rebound_u_ * rebound_u_ + extra);
@@ -98,9 +97,12 @@ class Probability {
         return curve_.at(x_ + y).restitution * impact_.velocity * std::exp(share_ * y);
     }
 
+    [[nodiscard]] double integrated_reading() const {
+        return integrated([this](double y, double r, double extra) { return reading(y, r, extra); }, true);
+    }
     /// Integral over the shifts y that rebound, e being about a root or a power of the distance from v_c.
     template <class Function>
-    [[nodiscard]] double near(const Function& function, bool narrow) const {
+    [[nodiscard]] double integrated(const Function& function, bool narrow) const {
         const double from = std::max(below_ * width_, -reach * width_);
         const double to = std::max(from, 0.0) + reach * width_;
         double low = 0.0;
@@ -118,7 +120,7 @@ class Probability {
         return sum * (high - low);
     }
 
-    /// Leaves out shifts whose rebound is further from the reading than the noise reaches.
+    /// Restricts the integral to shifts whose rebound is within the noise of the reading.
     void narrow_down(double from, double& low, double& high) const {
         const double band = reach * rebound_u_;
         const auto r_at = [&](double q) { return expected(from + q * q, rebound_at(from + q * q)); };
@@ -141,8 +143,9 @@ class Probability {
         high = std::max(new_high, low + 1e-9);
     }
 
-    /// Far from v_c the curve is nearly straight over the noise: three places give mean and variance.
-    [[nodiscard]] double far() const {
+    /// Density from mean and variance of the reading, for impacts so far from v_c that the curve is nearly
+    /// straight over the noise. Three points of the curve give both.
+    [[nodiscard]] double linearised() const {
         const auto here = curve_.at(x_);
         const double r = impact_.velocity * here.restitution;
         const double by_damping = impact_.velocity * here.by_distance * damping_;
@@ -169,11 +172,11 @@ class Probability {
     double x_;
     double velocity_share_;  ///< u(v_in)/v_in
     double rebound_u_;       ///< of v_r where v_in is known
-    double along_;           ///< error of v_r that one of v_in brings along
+    double along_;           ///< d(error of v_r)/d(error of v_in), by their correlation
     double damping_;
-    double width_ = 0.0;  ///< of all shifts along ln v
-    double share_ = 0.0;  ///< of the variance of the shift that v_in has
-    double below_ = 0.0;  ///< v_c over the impact, in widths
+    double width_ = 0.0;  ///< standard deviation of the shift along ln v
+    double share_ = 0.0;  ///< of v_in in the variance of the shift
+    double below_ = 0.0;  ///< (ln v_c - ln v_in)/width
 };
 
 }  // namespace
@@ -196,11 +199,6 @@ double log_probability(const SmoothDamping& curve, const Scatter& scatter, const
             regular = probability.captured() + probability.unseen();
             outlier = at_rest;
             break;
-        case Recorded::unknown: {
-            const double u = scatter.noise * impact.rebound_u;
-            regular = probability.rebounds() + probability.captured() * normal_density(impact.rebound, u * u);
-            break;
-        }
     }
     return std::log((1.0 - scatter.outliers) * regular + scatter.outliers * outlier);
 }

@@ -4,12 +4,11 @@
 
 namespace ashimpact {
 
-/// What was recorded of an impact.
+/// The recorded outcome of an impact.
 enum class Recorded {
     rebound,  ///< with a velocity above zero
     zero,     ///< no rebound was seen: a capture, or a rebound too slow for the camera
     capture,  ///< seen to stick
-    unknown,  ///< a reading that does not say which
 };
 
 /// One impact as the likelihood needs it.
@@ -29,11 +28,11 @@ struct RecordedImpact {
 struct Scatter {
     double noise;     ///< factor on the uncertainties of both velocities
     double damping;   ///< standard deviation of ln eta between particles, or of what acts like it (size)
-    double outliers;  ///< share of impacts that are not informative [1]
+    double outliers;  ///< share of impacts whose record does not depend on the curve
 };
 
-/// ln of the probability (density) of the record, integrated over the true velocities and the scatter between
-/// particles.
+/// ln of the probability of a recorded capture, or of the probability density of a reading [s/m], integrated
+/// over the true velocity and over the scatter between particles.
 [[nodiscard]] double log_probability(const SmoothDamping& curve, const Scatter& scatter,
                                      const RecordedImpact& impact);
 

@@ -1,5 +1,7 @@
 #include "solver/uncertainty/curve/restitution_table.hpp"
 
+#include "solver/uncertainty/curve/cubic_weights.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,22 +9,11 @@ namespace ashimpact {
 
 namespace {
 
-constexpr int intervals_of_s = 160;  ///< places along s, less one
+constexpr int intervals_of_s = 160;  ///< rows of the table, less one
 constexpr double columns_per_x = 8;  ///< the dependence on ln v at fixed phi is weak
 
-/// Weights of four neighbours, and their slopes per step.
-void cubic_weights(double t, double* value, double* slope) {
-    value[0] = ((-0.5 * t + 1.0) * t - 0.5) * t;
-    value[1] = (1.5 * t - 2.5) * t * t + 1.0;
-    value[2] = ((-1.5 * t + 2.0) * t + 0.5) * t;
-    value[3] = (0.5 * t - 0.5) * t * t;
-    if (slope == nullptr) return;
-    slope[0] = (-1.5 * t + 2.0) * t - 0.5;
-    slope[1] = (4.5 * t - 5.0) * t;
-    slope[2] = (-4.5 * t + 4.0) * t + 0.5;
-    slope[3] = (1.5 * t - 1.0) * t;
-}
-
+/// Restitution of an impact by Newton's method, kept within a bracket that only shrinks. Faster than
+/// ContactModel::restitution(), because neighbouring entries of the table give the guess; error below 1e-10.
 double restitution_at(const ContactModel& model, double velocity, double damping, double guess) {
     const double most = model.greatest_restitution(velocity);
     double lower = 0.0;
@@ -79,7 +70,7 @@ RestitutionTable::Column RestitutionTable::column(double x) const {
     const double cell = std::clamp(std::floor(place), 1.0, last);
     Column column{};
     column.first = static_cast<Eigen::Index>(cell) - 1;
-    cubic_weights(place - cell, column.weight, nullptr);
+    column.weight = cubic_weights(place - cell);
     return column;
 }
 
@@ -96,16 +87,15 @@ RestitutionTable::Value RestitutionTable::at(double distance, double x) const {
     const double s = std::sqrt(1.0 - rest);
     const double place = s * intervals_of_s;
     const double cell = std::min(std::floor(place), static_cast<double>(intervals_of_s - 1));
-    double value[4];
-    double slope[4];
-    cubic_weights(place - cell, value, slope);
+    const std::array value = cubic_weights(place - cell);
+    const std::array slope = cubic_weight_slopes(place - cell);
     const Column c = column(x);
     const auto low = static_cast<Eigen::Index>(cell) - 1;
     double e = 0.0;
     double by_s = 0.0;
     for (Eigen::Index j = 0; j < 4; ++j) {
         const double* values = restitution_.data() + (c.first + j) * restitution_.rows();
-        // Beyond the ends a parabola goes on: e(-s) by the first three places, e(1 + s) by the last.
+        // Beyond the ends the values are extrapolated by a parabola through the last three.
         const double first = low < 0 ? 3.0 * values[0] - 3.0 * values[1] + values[2] : values[low];
         const double fourth =
             low + 3 > intervals_of_s

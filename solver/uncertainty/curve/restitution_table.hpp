@@ -6,7 +6,7 @@
 
 namespace ashimpact {
 
-/// The restitution of a contact model as a table of two numbers: x = ln v, and phi = ln(eta_capture(v)/eta),
+/// The restitution of one contact, tabulated over two numbers: x = ln v, and phi = ln(eta_capture(v)/eta),
 /// the distance of the damping from the least that captures at this velocity. A look-up takes 50 ns, where
 /// the model's own inversion takes microseconds.
 ///
@@ -26,19 +26,20 @@ class RestitutionTable {
     [[nodiscard]] Value at(double distance, double x) const;
     /// ln eta_capture, eta in kg/s. @param x ln v
     [[nodiscard]] double log_capture_damping(double x) const;
-    [[nodiscard]] double lower() const { return first_; }  ///< ln v
+    /// Ends of the table, in ln v.
+    [[nodiscard]] double lower() const { return first_; }
     [[nodiscard]] double upper() const { return first_ + step_ * static_cast<double>(capture_.size() - 1); }
 
   private:
     struct Column {
         Eigen::Index first;
-        double weight[4];
+        std::array<double, 4> weight;
     };
     [[nodiscard]] Column column(double x) const;
 
-    double first_;
-    double step_;
-    Eigen::VectorXd capture_;
+    double first_;                 ///< least ln v
+    double step_;                  ///< of ln v between columns
+    Eigen::VectorXd capture_;      ///< ln eta_capture by x
     Eigen::MatrixXd restitution_;  ///< by s, then by x
 };
 

@@ -1,5 +1,7 @@
 #include "solver/uncertainty/curve/smooth_damping.hpp"
 
+#include "solver/uncertainty/curve/cubic_weights.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -36,8 +38,7 @@ SmoothDamping::Place SmoothDamping::at(double x) const {
     const double cell = std::floor(place);
     const double t = place - cell;
     const Place* p = places_.data() + static_cast<std::size_t>(cell);
-    const std::array w{((-0.5 * t + 1.0) * t - 0.5) * t, (1.5 * t - 2.5) * t * t + 1.0,
-                       ((-1.5 * t + 2.0) * t + 0.5) * t, (0.5 * t - 0.5) * t * t};
+    const std::array w = cubic_weights(t);
     const auto sum = [&](double Place::*member) {
         return w[0] * p[0].*member + w[1] * p[1].*member + w[2] * p[2].*member + w[3] * p[3].*member;
     };
@@ -63,7 +64,8 @@ double SmoothDamping::deviation(double t) const {
 SmoothDamping::Place SmoothDamping::computed(double x) const {
     const double reference = std::max(1e-12, table_->log_capture_damping(x) - critical_damping_);
     const double t = std::min(1.0, table_->at(reference, x).restitution / span_);
-    // Above v_c a rebound stays one: where g would exceed the reference the distance tends to a small share.
+    // Every impact above v_c must rebound: where g would exceed the reference, the distance tends to a small
+    // positive share of it.
     constexpr double share = 0.05;
     const double difference = reference - deviation(t);
     const double distance =

@@ -29,27 +29,23 @@ class SmoothDamping {
     };
     /// @param x ln v
     [[nodiscard]] Place at(double x) const;
-    /// ln eta. @param x ln v, above v_c
-    [[nodiscard]] double log_damping(double x) const {
-        return table_->log_capture_damping(x) - at(x).distance;
-    }
     [[nodiscard]] double log_critical_velocity() const { return critical_; }
-    /// How much the curve lingers at e = 0 above v_c, where the distance is less than 0.6 of what constant
-    /// damping gives: there v_c would say nothing. -ln of a prior density.
+    /// Penalty, -ln of a prior density, on curves whose restitution stays near 0 above v_c: those whose
+    /// distance is less than 0.6 of what constant damping gives. For such a curve v_c would have no meaning.
     [[nodiscard]] double lingering() const { return lingering_; }
 
   private:
     [[nodiscard]] double deviation(double t) const;
     [[nodiscard]] Place computed(double x) const;
 
-    // Places are tabulated along the root of ln(v/v_c), in which e begins smoothly.
+    // The curve is tabulated over the square root of ln(v/v_c), in which e begins smoothly.
     static constexpr int cells = 56;
 
     const RestitutionTable* table_;
     double critical_;
     double critical_damping_;
-    double span_;  ///< of the reference's restitution
-    double step_;  ///< of the root
+    double span_;  ///< restitution of constant damping at the fastest impact
+    double step_;  ///< of the square root of ln(v/v_c)
     double lingering_ = 0.0;
     std::array<double, terms> coefficients_;
     std::array<Place, cells + 3> places_;  ///< from one step before v_c on

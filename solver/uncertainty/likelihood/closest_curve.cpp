@@ -11,8 +11,8 @@ namespace ashimpact {
 
 namespace {
 
-/// Turns values of eta at restitutions spread over the curve, the first at e = 0, into coefficients. The
-/// values are all of one size, the coefficients of high powers are not.
+/// Matrix from values of eta at evenly spaced restitutions, the first at e = 0, to coefficients. A fit of the
+/// values is better conditioned, because coefficients of different powers differ in size.
 Eigen::MatrixXd coefficients_from_values(double greatest_restitution, Eigen::Index count) {
     Eigen::MatrixXd powers(count, count);
     for (Eigen::Index i = 0; i < count; ++i) {

@@ -4,11 +4,12 @@
 
 namespace ashimpact {
 
-/// Coefficients whose curve passes closest to the rebounds, from a start close by. @throws ConvergenceError
+/// Coefficients of the curve closest to the rebounds, by least squares of their distances.
+/// @param start coefficients of a similar curve @throws ConvergenceError
 [[nodiscard]] Eigen::VectorXd closest(const ContactModel& model, const RestitutionData& data,
                                       const Eigen::VectorXd& start);
 
-/// The same with bisquare weights, which are left in @p data.
+/// Like closest(), with bisquare weights, which are stored in @p data.
 [[nodiscard]] Eigen::VectorXd closest_robustly(const ContactModel& model, RestitutionData& data,
                                                Eigen::VectorXd start);
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double least_probability = 0.01;  ///< of the scatter, below which the noise is enlarged
 
-/// How well the rebounds are fitted, with the noise as given.
+/// Goodness of a fit, with the noise as given.
 struct Goodness {
     double chi_squared;
     int degrees_of_freedom;
@@ -51,7 +51,7 @@ double critical_velocity_at(const ContactModel& model, double damping) {
     return model.critical_velocity_anywhere(damping).value_or(0.0);
 }
 
-/// v_c rises with eta_c, so its interval has the same ends.
+/// The interval of v_c from that of eta_c. v_c rises with eta_c, so the ends correspond.
 Interval critical_velocity_of(const ContactModel& model, const Interval& damping) {
     const double value = critical_velocity_at(model, damping.value);
     const double nudge = 1e-4 * damping.value;

@@ -20,7 +20,7 @@ namespace ashimpact {
 /// How eta(e_n) is fitted to the rebounds of a rising branch.
 struct DampingCurveOptions {
     int order = 2;        ///< of the polynomial; the paper's is 2
-    bool robust = false;  ///< bisquare weights for rebounds far from the curve
+    bool robust = false;  ///< whether bisquare weights reduce the influence of points far from the curve
 };
 
 /// One rebound in a fit.
@@ -45,9 +45,9 @@ struct DampingCurveFit {
     std::vector<ExcludedRebound> excluded;
     double chi_squared;  ///< of the rebounds
     int degrees_of_freedom;
-    double probability;  ///< of a chi^2 at least this large; 1 where the noise is not known
+    double probability;  ///< of a chi^2 at least this large; 1 if the noise is not known
     double scatter;    ///< factor by which the noise was enlarged (or, unknown, estimated) to fit [1 or m/s]
-    bool noise_known;  ///< from the measurements
+    bool noise_known;  ///< whether the measurements state it
     double prediction_error;             ///< root mean square of the deleted distances
     std::array<double, 2> restitutions;  ///< least and greatest measured
     double extrapolation;                ///< distance of e = 0 from the data over their width [1]
@@ -65,7 +65,7 @@ struct DampingCurveFit {
 [[nodiscard]] DampingCurveFit fit_damping_curve(const ContactModel& model, const MeasurementSet& set,
                                                 const DampingCurveOptions& options = {});
 
-/// By how much measured uncertainties were enlarged to fit, in words; none if they were not.
+/// Note on uncertainties that were enlarged to fit, with their factor; none if they were not.
 [[nodiscard]] std::optional<std::string> enlargement_note(const DampingCurveFit& fit);
 
 }  // namespace ashimpact

@@ -20,7 +20,7 @@ struct ExcludedRebound {
     Exclusion reason;
 };
 
-/// The rebounds of a set that a fit can use, and where they stand in it.
+/// The rebounds of a set that a fit can use, with their indices in the set.
 struct ReboundSelection {
     RestitutionData data;  ///< without captures; noise that is not known is 1 m/s
     std::vector<std::size_t> indices;
@@ -33,8 +33,9 @@ struct ReboundSelection {
 /// @throws InputError unless there are enough distinct rebounds for a curve of this order
 void require_enough(const ReboundSelection& selection, const MeasurementSet& set, int order);
 
-/// Starting coefficients by least squares of the inverted damping on the restitution, biased by the noise in
-/// both, but close. A lower order is taken if @p order gives no curve. @throws ConvergenceError if none does
+/// First coefficients, by least squares of the inverted damping on the restitution: biased by the noise in
+/// both, but close. A lower order is used if @p order gives no curve. @throws ConvergenceError if no order
+/// does
 [[nodiscard]] Eigen::VectorXd starting_coefficients(const ContactModel& model, const RestitutionData& data,
                                                     int order);
 

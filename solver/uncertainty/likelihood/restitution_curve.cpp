@@ -24,16 +24,17 @@ struct Weighted {
 
 constexpr int most_walk_steps = 60;
 
-/// Walks along a curve to where the distance from a point is least. By the slope of the squared distance:
-/// the first step as if the curve were straight, then by secants, within what the signs leave. Near v_c the
-/// curve bends within the noise of a point, where steps along tangents alone would go to and fro.
+/// Searches the point of a curve with the least distance from a measurement, as a root of the derivative of
+/// the squared distance. The first step takes the curve as straight, later ones are secants within the
+/// bracket. Steps along tangents alone would oscillate near v_c, where the curve bends within the noise of a
+/// point.
 class ClosestPlace {
   public:
     explicit ClosestPlace(double start) : place_(start) {}
 
     [[nodiscard]] double place() const { return place_; }
-    /// @param pull half the slope of the squared distance, negative @param stiffness its change were the
-    /// curve straight; whether there is a step left to take
+    /// @param pull half the negative derivative of the squared distance
+    /// @param stiffness its derivative if the curve were straight @return false if the search has converged
     bool step(double pull, double stiffness) {
         constexpr double least = 1e-12;
         (pull > 0.0 ? lower_ : upper_) = place_;

@@ -12,12 +12,13 @@
 namespace ashimpact {
 
 /// The curve of rebounds that a damping eta(e_n) implies through the dynamic model: the velocity v(e) at
-/// which an impact with eta(e) gives e back. In the plane (v_in, v_r) it is (v, e v); it begins at (v_c, 0),
-/// where e(v) rises vertically for adhesive laws while v(e) is smooth, hence the parameter e.
+/// which an impact with damping eta(e) has restitution e. In the plane (v_in, v_r) it is (v, e v); it begins
+/// at (v_c, 0), where e(v) rises vertically for adhesive laws while v(e) is smooth, hence the parameter e.
 class RestitutionCurve {
   public:
-    /// None where the damping is not positive, or v leaves the model's range, for some e in
-    /// [0, greatest_restitution]. @param near a curve close by up to the same restitution, to start from
+    /// The curve of a damping; none if the damping is not positive, or v leaves the model's range, for some e
+    /// in [0, greatest_restitution]. @param near a similar curve up to the same restitution, for first
+    /// guesses; or null
     [[nodiscard]] static std::optional<RestitutionCurve> of(const ContactModel& model,
                                                             DampingPolynomial damping,
                                                             double greatest_restitution,
@@ -28,7 +29,7 @@ class RestitutionCurve {
         double slope;       ///< dv/de along the curve [m/s]
         double by_damping;  ///< dv/d(eta) at fixed e [m/kg]
     };
-    /// Place at @p e; beyond the ends of the curve its tangent.
+    /// Point of the curve at @p e; beyond the ends it is continued by its tangent.
     [[nodiscard]] Place at(double e) const;
     [[nodiscard]] const DampingPolynomial& damping() const { return damping_; }
     [[nodiscard]] double greatest_restitution() const { return greatest_; }

@@ -6,7 +6,7 @@
 
 namespace ashimpact {
 
-/// The data of a fit of eta(e_n). Weights below one reduce the influence of a rebound (robust fits).
+/// Data of a fit of eta(e_n). Robust fits give rebounds weights below one.
 struct RestitutionData {
     std::vector<Measurement> rebounds;  ///< each with its noise
     std::vector<double> weights;

@@ -7,7 +7,7 @@ namespace ashimpact {
 
 namespace {
 
-constexpr double nowhere = 1e4;  ///< residual of every row where the curve does not exist
+constexpr double no_curve = 1e4;  ///< residual of every row if the curve does not exist
 
 }  // namespace
 
@@ -25,7 +25,7 @@ const RestitutionDistances::Rows& RestitutionDistances::rows(const Eigen::Vector
 RestitutionDistances::Rows RestitutionDistances::computed(const Eigen::VectorXd& coefficients) const {
     const auto count = static_cast<Eigen::Index>(data_->rebounds.size());
     const int order = static_cast<int>(coefficients.size()) - 1;
-    Rows rows{Eigen::VectorXd::Constant(count, nowhere), Eigen::MatrixXd::Zero(count, order + 1), {}};
+    Rows rows{Eigen::VectorXd::Constant(count, no_curve), Eigen::MatrixXd::Zero(count, order + 1), {}};
     const auto curve = RestitutionCurve::of(*model_, {coefficients}, data_->greatest_restitution,
                                             curve_ ? &*curve_ : nullptr);
     if (!curve) return rows;

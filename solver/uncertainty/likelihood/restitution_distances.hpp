@@ -23,7 +23,8 @@ class RestitutionDistances {
         Eigen::MatrixXd jacobian;
         std::vector<double> restitutions;  ///< of the nearest points of the curve
     };
-    /// Residuals for coefficients; for those without a curve, residuals that drive any fit away.
+    /// Rows for coefficients. If the curve does not exist, the residuals are so large that a fit rejects the
+    /// step.
     [[nodiscard]] const Rows& rows(const Eigen::VectorXd& coefficients) const;
 
   private:
@@ -32,14 +33,14 @@ class RestitutionDistances {
 
     const ContactModel* model_;
     const RestitutionData* data_;
-    // What the last coefficients gave: a fit asks for residuals and slopes one after the other, and the next
-    // coefficients are close by.
+    // Cache of the last evaluation: a fit asks for residuals and jacobian one after the other, and the last
+    // curve gives first guesses for the next one.
     mutable Eigen::VectorXd last_;
     mutable Rows rows_;
     mutable std::optional<RestitutionCurve> curve_;
 };
 
-/// Covariance of coefficients from the slopes of normalised residuals.
+/// Covariance of coefficients, (J^T J)^-1 of the jacobian of normalised residuals.
 [[nodiscard]] Eigen::MatrixXd covariance_from(const Eigen::MatrixXd& jacobian);
 
 }  // namespace ashimpact

@@ -14,8 +14,7 @@ namespace ashimpact {
 namespace {
 
 std::array<double, 2> velocity_range(const MeasurementSet& set) {
-    const auto slower = [](const Measurement& a, const Measurement& b) { return a.velocity < b.velocity; };
-    const auto [slowest, fastest] = std::minmax_element(set.points.begin(), set.points.end(), slower);
+    const auto [slowest, fastest] = std::ranges::minmax_element(set.points, {}, &Measurement::velocity);
     return {slowest->velocity, fastest->velocity};
 }
 
@@ -131,7 +130,7 @@ CaptureTransition OutcomeLikelihood::at_best_width() const {
 std::optional<CaptureTransition> OutcomeLikelihood::best() const {
     const auto [slowest, fastest] = velocity_range(*set_);
     const CaptureTransition sharp{best_center(0.0), 0.0};
-    const double allowed = std::pow(gsl::normal_quantile(0.5 + 0.5 * confidence), 2);
+    const double allowed = std::pow(confidence_quantile(), 2);
     const bool noise_explains = at(sharp) <= without_threshold() + allowed;
     std::optional<CaptureTransition> found;
     if (fastest > slowest && reversed_share(*set_) < 0.5) {

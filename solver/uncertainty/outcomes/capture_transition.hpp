@@ -6,32 +6,32 @@
 
 namespace ashimpact {
 
-/// Where captures turn into rebounds: P(capture at v) = Phi((center - v)/width), width^2 the variance of the
-/// noise of v_in plus extra_variance.
+/// The transition from captures to rebounds: P(capture at v) = Phi((center - v)/width), where width^2 is the
+/// variance of v_in plus an extra variance.
 struct CaptureTransition {
     double center;          ///< [m/s]
-    double extra_variance;  ///< 0 if the noise explains how outcomes mix [m2/s2]
+    double extra_variance;  ///< in addition to the noise; 0 if the noise explains the mixing [m2/s2]
 };
 
 /// -2 ln L of the outcomes of a series with captures and rebounds.
 class OutcomeLikelihood {
   public:
     /// @param set with captures and rebounds, validated
-    /// @param least width at which outcomes without known noise are told apart [m/s]
+    /// @param least standard deviation of v_in in place of an unknown noise [m/s]
     OutcomeLikelihood(const MeasurementSet& set, double least) : set_(&set), least_(least) {}
 
     [[nodiscard]] double at(const CaptureTransition& transition) const;
 
-    /// The most likely centre at this extra variance; there is one, as -2 ln L is convex in it. If outcomes
-    /// are so far apart that any centre between them is as likely, it is their middle. Can be negative.
+    /// The most likely centre at an extra variance. It is unique because -2 ln L is convex in the centre;
+    /// between outcomes far apart, where -2 ln L is flat, it is their middle. Can be negative [m/s].
     [[nodiscard]] double best_center(double extra_variance) const;
 
     /// -2 ln L at a centre with the extra variance that is likeliest there, up to the range of v_in squared.
     [[nodiscard]] double profile(double center) const;
 
-    /// The most likely transition; it has an extra variance only if that makes the outcomes likelier.
-    /// @return none if no width up to the range of v_in explains the outcomes better than chance that does
-    /// not depend on the velocity, or if the centre is not positive
+    /// The most likely transition, with an extra variance only if that makes the outcomes more likely.
+    /// @return none where no extra width up to the range of v_in explains them better than outcomes that do
+    /// not depend on the velocity, or the centre is not positive
     [[nodiscard]] std::optional<CaptureTransition> best() const;
 
   private:

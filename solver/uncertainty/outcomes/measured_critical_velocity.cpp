@@ -14,8 +14,7 @@ namespace ashimpact {
 
 namespace {
 
-/// The set with the noise estimated from the scatter of its rebounds, if it states none and has enough of
-/// them.
+/// The set; if it states no noise and has enough rebounds, with the noise estimated from their scatter.
 MeasurementSet with_noise(const MeasurementSet& set) {
     constexpr std::size_t enough = 6;
     MeasurementSet result = set;
@@ -40,9 +39,10 @@ void note_range(const MeasurementSet& set, MeasuredCriticalVelocity& result) {
     }
 }
 
-/// One outcome only: v_c is bounded on one side. Each impact bounds it by its velocity and error, and the
-/// tightest bound is taken; it holds if all do. So each of n bounds may fail in (1 - confidence)/n of cases:
-/// the fastest of many captures is likely to be the one with the largest error.
+/// If only one outcome was seen, v_c is bounded on one side. Each of n impacts gives a bound from its
+/// velocity and error, and the tightest is taken. It holds if all of them hold, so each may fail with
+/// probability (1 - confidence)/n: the fastest of many captures is likely to be the one with the largest
+/// error.
 void bound_one_side(const MeasurementSet& set, MeasuredCriticalVelocity& result) {
     const double share = (1.0 - confidence) / static_cast<double>(set.points.size());
     const double quantile = -gsl::normal_quantile(share);
@@ -70,7 +70,7 @@ void take_gap(MeasuredCriticalVelocity& result) {
     result.note = "between the fastest capture and the slowest rebound";
 }
 
-/// One velocity with both outcomes, of unknown uncertainty: v_c is there, with no interval.
+/// Both outcomes at one velocity of unknown uncertainty: this is v_c, without an interval.
 void take_common_velocity(MeasuredCriticalVelocity& result) {
     result.value = result.fastest_capture;
     result.note = "captures end and rebounds begin at one velocity, whose uncertainty is not known";
@@ -88,7 +88,7 @@ void take_transition(const MeasurementSet& set, double noise, bool mixed, Measur
     }
     const double width = std::sqrt(noise * noise + found->extra_variance);
     const double least = likelihood.at(*found);
-    const double quantile = gsl::normal_quantile(0.5 + 0.5 * confidence);
+    const double quantile = confidence_quantile();
     const Interval interval =
         profile_interval([&](double center) { return likelihood.profile(center) - least; },
                          {.best = found->center,
@@ -142,7 +142,7 @@ CriticalVelocityCheck check(const Interval& model, const MeasuredCriticalVelocit
                                       : std::hypot(model.standard_uncertainty, own);
     if (!(joint > 0.0)) return {CriticalVelocityVerdict::not_comparable, {}};
     const double deviation = (model.value - *measured.value) / joint;
-    const double limit = gsl::normal_quantile(0.5 + 0.5 * confidence);
+    const double limit = confidence_quantile();
     if (std::abs(deviation) <= limit) return {CriticalVelocityVerdict::agrees, deviation};
     return {
         deviation < 0.0 ? CriticalVelocityVerdict::model_too_low : CriticalVelocityVerdict::model_too_high,

@@ -3,7 +3,6 @@
 #include "materials/base/error.hpp"
 #include "materials/base/text.hpp"
 #include "solver/gsl/distribution.hpp"
-#include "solver/statistics/moments.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +12,7 @@ namespace ashimpact {
 
 namespace {
 
-/// Standard uncertainties of an impact's velocities as the fit takes them.
+/// Standard uncertainties of the velocities of an impact in a fit [m/s].
 struct FittedNoise {
     double incident;
     double rebound;
@@ -39,8 +38,8 @@ void require_rebounds_above(const DampingCurveFit& fit, const MeasurementSet& se
         if (!bound || most < *bound) bound = most;
     }
     const Interval& fitted = fit.critical_velocity;
-    const double least = fitted.lower.value_or(fitted.value - gsl::normal_quantile(0.5 + 0.5 * confidence) *
-                                                                  fitted.standard_uncertainty);
+    const double least =
+        fitted.lower.value_or(fitted.value - confidence_quantile() * fitted.standard_uncertainty);
     if (!bound || least <= *bound) return;
     throw InputError("the fitted v_c of " + shortest(fitted.value) +
                          " m/s lies above clear rebounds, the slowest at " + shortest(*slowest) + " m/s",

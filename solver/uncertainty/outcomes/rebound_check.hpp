@@ -4,11 +4,12 @@
 
 namespace ashimpact {
 
-/// Checks a fitted v_c against the impacts it was fitted to: below v_c nothing rebounds.
+/// Checks that a fitted v_c does not lie above clear rebounds among the impacts it was fitted to.
 ///
-/// A rebound is clear if v_r exceeds three standard uncertainties (those of the fit, if it enlarged or
-/// estimated the noise). The v_in of the slowest clear rebound is allowed the noise that the slowest of so
-/// many has. @throws InputError if v_c, less its uncertainty, lies above that
+/// A rebound is clear if v_r exceeds three standard uncertainties of the fit, which may have enlarged or
+/// estimated them. For the slowest rebound the error of v_in is allowed for that the slowest of so many may
+/// have.
+/// @throws InputError if the lower end of the interval of v_c lies above that
 void require_rebounds_above(const DampingCurveFit& fit, const MeasurementSet& set);
 
 }  // namespace ashimpact

@@ -16,13 +16,13 @@ namespace ashimpact {
 
 namespace {
 
-/// Coefficients of the damping curve from standard normal numbers: the first by the two halves of its
-/// interval, the others as they go with it, and their own scatter.
+/// Draws coefficients of the damping curve from standard normal numbers: the first one with the asymmetry of
+/// its interval, the others by their correlation with it and their remaining scatter.
 class CurveSampler {
   public:
     explicit CurveSampler(const DampingCurveFit& fit) : best_(fit.damping.coefficients) {
         const Eigen::Index others = best_.size() - 1;
-        const double quantile = gsl::normal_quantile(0.5 + 0.5 * confidence);
+        const double quantile = confidence_quantile();
         const double deviation = std::sqrt(fit.covariance(0, 0));
         const Interval& interval = fit.critical_damping;
         below_ = interval.lower ? (interval.value - *interval.lower) / quantile : deviation;
@@ -53,7 +53,7 @@ class CurveSampler {
     double above_ = 0.0;
 };
 
-/// Reads the damping again from places of a curve, for another contact.
+/// Inverts a measured curve v_r(v_in) again for another contact.
 class Rereading {
   public:
     Rereading(const DampingCurveFit& fit, const ContactModel& model)
@@ -94,7 +94,7 @@ class Rereading {
     Eigen::MatrixXd to_coefficients_;
 };
 
-/// The last curves, by what they were computed from: a row of the propagation uses two of them many times.
+/// Cache of the last two curves, because each row of the propagation uses two of them many times.
 struct CurveMemory {
     struct Entry {
         std::vector<double> key;

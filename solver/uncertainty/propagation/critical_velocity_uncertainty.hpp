@@ -10,7 +10,7 @@ namespace ashimpact {
 /// Name of the factor under which the scatter of a fit is ranked.
 inline constexpr const char* fit_factor = "damping fit";
 
-/// What happens to the damping if the contact is not quite what was assumed.
+/// How the damping changes if the contact differs from its nominal values.
 enum class DampingUnderChange {
     /// The measured curve v_r(v_in) is known: the damping is read from it again with the other contact. Its
     /// errors and those of the contact cancel to a large part in v_c.
@@ -19,8 +19,8 @@ enum class DampingUnderChange {
     held,
 };
 
-/// v_c with an interval from everything: the fit's covariance (with the asymmetry of its interval), size,
-/// density, moduli, fractions, w; and the ranking of what dominates.
+/// v_c with an interval from all uncertainties: the covariance of the fit (with the asymmetry of its
+/// interval), size, density, moduli, fractions and w, ranked by their influence.
 /// @param contact whose values are those of @p model 's contact
 /// @throws InputError if the two contacts differ
 [[nodiscard]] Propagation propagate_critical_velocity(const DampingCurveFit& fit, const ContactModel& model,

@@ -40,7 +40,7 @@ struct SensitivityIndex {
 struct Influence {
     std::string factor;
     SensitivityIndex first;  ///< share of the variance that this factor explains alone
-    SensitivityIndex total;  ///< share that it has a part in
+    SensitivityIndex total;  ///< share that it explains together with others
 };
 
 /// A result with its distribution under uncertain inputs.
@@ -50,7 +50,7 @@ struct Propagation {
     double median;
     std::vector<Influence> influences;  ///< largest total first
     std::size_t evaluations;
-    std::size_t undefined;  ///< samples without a result: they are in no other number here
+    std::size_t undefined;  ///< samples without a result, which no other number includes
 };
 
 /// A computation whose result may not exist.

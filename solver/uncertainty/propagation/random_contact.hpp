@@ -29,8 +29,8 @@ struct PhaseMixture {
     ModulusOptions options{};
 };
 
-/// A sphere of one sieve size on a flat wall, as far as it is known. Exactly one of the three ways to a
-/// modulus is given.
+/// A sphere of one sieve size on a flat wall. Exactly one of mixture, young_modulus and contact_modulus is
+/// given.
 struct SphereOnWall {
     RandomInput diameter;                                             ///< [m]
     RandomInput density;                                              ///< of the particle [kg/m3]

@@ -11,7 +11,7 @@ using namespace ashimpact;
 namespace {
 
 /// Restitutions with digits down to the last, so that any change of order shows.
-ResultColumns formula(const ContactModel& model, const ImpactColumns& impacts, const WantedResults& wanted) {
+ResultColumns formula(const ImpactModel& model, const ImpactColumns& impacts, const WantedResults& wanted) {
     ResultColumns results;
     for (std::size_t i = 0; i < impacts.velocity.size(); ++i) {
         const double x = impacts.velocity[i] * impacts.effective_radius[i] * 1e4 /

@@ -28,7 +28,7 @@ Json artifact_of(const Json& spec, const ImpactSolver& solver) {
 }
 
 /// Ishigami's function, put between 0 and 1, of inputs uniform on [1, 2] in the unit of each.
-ResultColumns ishigami(const ContactModel&, const ImpactColumns& impacts, const WantedResults&) {
+ResultColumns ishigami(const ImpactModel&, const ImpactColumns& impacts, const WantedResults&) {
     const auto angle = [](double value) { return 2 * std::numbers::pi * (value - 1.5); };
     ResultColumns results;
     for (std::size_t i = 0; i < impacts.velocity.size(); ++i) {
@@ -73,7 +73,7 @@ TEST_CASE("a sweep finds the known Sobol indices of the Ishigami function, with 
 }
 
 TEST_CASE("moments, capture fraction and quantiles of a uniform restitution") {
-    const auto uniform = [](const ContactModel&, const ImpactColumns& impacts, const WantedResults&) {
+    const auto uniform = [](const ImpactModel&, const ImpactColumns& impacts, const WantedResults&) {
         ResultColumns results;
         for (const double v : impacts.velocity) results.restitution.push_back(std::max(0.0, v - 1));
         return results;
@@ -105,7 +105,7 @@ TEST_CASE("moments, capture fraction and quantiles of a uniform restitution") {
 }
 
 TEST_CASE("what there is nothing of is null") {
-    const auto captured = [](const ContactModel&, const ImpactColumns& impacts, const WantedResults&) {
+    const auto captured = [](const ImpactModel&, const ImpactColumns& impacts, const WantedResults&) {
         const std::vector<double> none(impacts.velocity.size(), std::nan(""));
         return ResultColumns{std::vector<double>(impacts.velocity.size(), 0.0), none, {}};
     };

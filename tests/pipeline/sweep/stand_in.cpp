@@ -38,7 +38,7 @@ void die_if_told_to() {
     std::raise(SIGKILL);
 }
 
-ResultColumns stand_in(const ContactModel& model, const ImpactColumns& impacts, const WantedResults& wanted) {
+ResultColumns stand_in(const ImpactModel& model, const ImpactColumns& impacts, const WantedResults& wanted) {
     static const double pause = number_from("ASHIMPACT_PAUSE", 0);
     static const double failure = number_from("ASHIMPACT_FAIL", std::numeric_limits<double>::infinity());
     die_if_told_to();

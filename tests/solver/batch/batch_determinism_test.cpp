@@ -141,7 +141,7 @@ TEST_CASE("a piece of a table is the same, in every bit, whoever asked for it fi
     first.join();
     int rebounds = 0;
     int captures = 0;
-    int untold = 0;
+    int undecided = 0;
     Places places(4);
     for (int i = 0; i < 2 * places_asked; ++i) {
         const double x = places.next();
@@ -158,12 +158,12 @@ TEST_CASE("a piece of a table is the same, in every bit, whoever asked for it fi
         }
         rebounds += a.state() == batch::RestitutionPiece::State::rebound ? 1 : 0;
         captures += a.state() == batch::RestitutionPiece::State::capture ? 1 : 0;
-        untold += a.state() == batch::RestitutionPiece::State::untold ? 1 : 0;
+        undecided += a.state() == batch::RestitutionPiece::State::undecided ? 1 : 0;
     }
     CHECK(rebounds > places_asked / 2);
     CHECK(captures > places_asked / 2);
-    CHECK(untold > places_asked / 200);
-    CHECK(untold < places_asked / 10);
+    CHECK(undecided > places_asked / 200);
+    CHECK(undecided < places_asked / 10);
     CHECK(one->at(std::numeric_limits<double>::quiet_NaN(), 0.5) == nullptr);
 }
 
