@@ -41,7 +41,7 @@ Column one_by_one(const std::string& name, ImpactResult (*compute)(const ImpactC
 
 Impact posed(const ImpactCase& impact) {
     return {.law = ashimpact::Law::named(name(impact.law)),
-            .detachment = named<Detachment>(name(impact.detachment)),
+            .detachment = named<ashimpact::Detachment>(name(impact.detachment)),
             .damping = {.law = DampingLaw::constant, .coefficient = impact.damping},
             .contact = {.mass = impact.mass,
                         .effective_radius = impact.radius,

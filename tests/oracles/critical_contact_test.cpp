@@ -72,7 +72,7 @@ CriticalContact backward_from_the_end(const ImpactCase& impact) {
 
 CriticalVelocity solved(const ImpactCase& impact) {
     return critical_velocity({ashimpact::Law::named(name(impact.law)),
-                              named<Detachment>(name(impact.detachment)),
+                              named<ashimpact::Detachment>(name(impact.detachment)),
                               {DampingLaw::constant, impact.damping},
                               {.mass = impact.mass,
                                .effective_radius = impact.radius,
