@@ -145,7 +145,7 @@ SampleEstimate estimated(const XrdSample& sample, const PhaseCatalogue& catalogu
 void run_modulus_command(const ModulusCommandOptions& options, std::ostream& out) {
     const MixtureRule rule = at_place("--rule", [&] { return named<MixtureRule>(options.rule); });
     const PhaseCatalogue catalogue = catalogue_of(options);
-    const XrdResult result = read_xrd(read_start(options.file, longest_xrd_file + 1), options.file);
+    const XrdResult result = read_xrd(read_start(options.file, longest_xrd_file + 1), options.file, options.sheet);
     for (const std::string& warning : result.warnings) spdlog::warn("warning: {}: {}", options.file, warning);
 
     std::vector<SampleEstimate> estimates;
