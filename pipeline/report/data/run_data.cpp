@@ -45,6 +45,19 @@ Eigen::MatrixXd covariance_of(const LawData& law) {
     return Eigen::MatrixXd::Zero(count, count);
 }
 
+/// Impacts near the rising model curve: where it begins, and the points up to the greatest restitution.
+std::vector<CurveKnot> knots_of(const LawData& law) {
+    std::vector<CurveKnot> knots;
+    if (law.curve_start && *law.curve_start > 0) knots.push_back({0, *law.curve_start});
+    const std::vector<double>& e = law.damping->restitution;
+    const std::vector<double>& v = law.damping->velocity;
+    if (e.empty()) return knots;
+    const auto greatest = static_cast<std::size_t>(std::max_element(e.begin(), e.end()) - e.begin());
+    for (std::size_t i = 0; i < v.size(); ++i)
+        if (v[i] <= v[greatest]) knots.push_back({e[i], v[i]});
+    return knots;
+}
+
 }  // namespace
 
 std::string display_name(std::string_view law) {
@@ -94,7 +107,8 @@ RunData::RunData(Artifacts artifacts, std::string label)
                             .contact = owners[i]->contact->pair,
                             .damping_fit = *law.damping_fit,
                             .covariance = covariance_of(law),
-                            .greatest_restitution = greatest});
+                            .greatest_restitution = greatest,
+                            .knots = knots_of(law)});
     });
     for (std::size_t i = 0; i < laws.size(); ++i) laws[i]->curve = curves[i];
 }

@@ -6,6 +6,7 @@
 #include "pipeline/report/drawing/markup.hpp"
 #include "pipeline/report/figures/figures.hpp"
 #include "pipeline/report/page/html.hpp"
+#include "pipeline/stages/in_parallel.hpp"
 
 namespace ashimpact::report {
 
@@ -52,12 +53,16 @@ std::string per_run(const std::vector<RunData>& runs, const std::string& title, 
 
 std::string figures_html(const std::vector<RunData>& runs) {
     std::string html = "<section><h2 id=\"figures\">Figures</h2>\n" + sketch_html("impact");
+    std::vector<std::pair<const FigureMaker*, std::size_t>> wanted;
     for (const FigureMaker& maker : figure_makers())
-        for (std::size_t i = 0; i < runs.size(); ++i) {
-            Figure figure = maker.make(runs[i]);
-            if (runs.size() > 1) figure.title += " (" + runs[i].label() + ")";
-            html += html_of(figure, std::string(maker.id) + suffix(i));
-        }
+        for (std::size_t i = 0; i < runs.size(); ++i) wanted.emplace_back(&maker, i);
+    const auto drawn = in_parallel(wanted, [&](const auto& each) {
+        const auto& [maker, i] = each;
+        Figure figure = maker->make(runs[i]);
+        if (runs.size() > 1) figure.title += " (" + runs[i].label() + ")";
+        return html_of(figure, std::string(maker->id) + suffix(i));
+    });
+    for (const std::string& figure : drawn) html += figure;
     return html + "</section>\n";
 }
 
