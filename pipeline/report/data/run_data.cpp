@@ -11,11 +11,12 @@ namespace ashimpact::report {
 namespace {
 
 /// The entry of a sample in an artifact's result.
-Json entry_of(const Artifacts& artifacts, std::string_view file, const std::string& name) {
+const Json& entry_of(const Artifacts& artifacts, std::string_view file, const std::string& name) {
+    static const Json none = Json::object();
     const Json& result = artifacts.at(file).document.at("result");
     for (const Json& sample : result.at("samples"))
         if (sample.at("name") == name) return sample;
-    return Json::object();
+    return none;
 }
 
 Json member(const Json& object, const std::string& key) {
@@ -114,10 +115,10 @@ RunData::RunData(Artifacts artifacts, std::string label)
 }
 
 void RunData::read_sample(const Sample& sample) {
-    const Json dampings = entry_of(artifacts_, "5-damping.json", sample.name);
-    const Json fits = entry_of(artifacts_, "6-fit.json", sample.name);
-    const Json velocities = entry_of(artifacts_, "7-critical-velocity.json", sample.name);
-    const Json histories = entry_of(artifacts_, "8-histories.json", sample.name);
+    const Json& dampings = entry_of(artifacts_, "5-damping.json", sample.name);
+    const Json& fits = entry_of(artifacts_, "6-fit.json", sample.name);
+    const Json& velocities = entry_of(artifacts_, "7-critical-velocity.json", sample.name);
+    const Json& histories = entry_of(artifacts_, "8-histories.json", sample.name);
     SampleData entry{.name = sample.name,
                      .sample = &sample,
                      .contact = &entry_named(contacts_, sample.name, artifacts_, "2-contact.json"),

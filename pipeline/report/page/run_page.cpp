@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <functional>
+
 #include "data/version.hpp"
 #include "pipeline/report/drawing/markup.hpp"
 #include "pipeline/report/figures/figures.hpp"
@@ -66,6 +68,12 @@ std::string figures_html(const std::vector<RunData>& runs) {
     return html + "</section>\n";
 }
 
+std::string notes(const std::vector<RunData>& runs) {
+    return per_run(runs, "What was assumed, inferred or reconstructed", "assumptions", assumptions_html) +
+           per_run(runs, "What the model holds for", "validity", validity_html) +
+           per_run(runs, "Warnings", "warnings", warnings_html);
+}
+
 }  // namespace
 
 std::string region_label(const std::string& label, const RunData& run) {
@@ -79,12 +87,13 @@ std::string run_page(const std::vector<RunData>& runs) {
         body += per_run(runs, "Answers", "answers", answers_html);
     }
     body += contents();
-    body += per_run(runs, "Critical velocities", "comparison", comparison_html);
-    body += figures_html(runs);
-    body += per_run(runs, "What was assumed, inferred or reconstructed", "assumptions", assumptions_html);
-    body += per_run(runs, "What the model holds for", "validity", validity_html);
-    body += per_run(runs, "Warnings", "warnings", warnings_html);
-    body += per_run(runs, "Provenance", "provenance", provenance_html);
+    const std::vector<std::function<std::string()>> parts{
+        [&] { return figures_html(runs); },
+        [&] { return per_run(runs, "Provenance", "provenance", provenance_html); },
+        [&] { return notes(runs); },
+        [&] { return per_run(runs, "Critical velocities", "comparison", comparison_html); }};
+    const auto made = in_parallel(parts, [](const auto& part) { return part(); });  // the longest first
+    body += made[3] + made[0] + made[2] + made[1];
     body += "</main>\n<footer><p>Made by ashimpact " + escaped(program_version()) +
             ". Curves are read off with the mouse, by touch or with the arrow keys; without scripts "
             "everything else stays.</p></footer>\n";

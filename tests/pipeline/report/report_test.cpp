@@ -196,7 +196,7 @@ TEST_CASE("each impact on a model's curve is that of the solver, by every law, w
             CHECK(result.energy.dissipated / whole == doctest::Approx(impact.dissipated).epsilon(1e-8));
             CHECK(result.energy.plastic / whole == doctest::Approx(impact.plastic).epsilon(1e-8));
             CHECK(impact.lower < impact.velocity);
-            CHECK(impact.upper > impact.velocity);
+            if (!yields || std::isfinite(impact.upper)) CHECK(impact.upper > impact.velocity);
         }
         CHECK((curve.back().plastic > 0.01) == yields);
         if (yields) continue;
