@@ -33,8 +33,8 @@ namespace ashimpact::xrd {
 
 /// What read_xrd says where no reader feels addressed.
 inline constexpr const char* known_formats =
-    "a BGMN/Profex .lst, a GSAS-II .lst, a FullProf .sum, a TOPAS .out, a CSV or TSV table with a header, or "
-    "the "
-    "project's JSON";
+    "a BGMN/Profex .lst, a GSAS-II .lst, a FullProf .sum, a TOPAS .out, a table with a header as CSV, TSV, "
+    ".xlsx "
+    "or .ods, or the project's JSON";
 
 }  // namespace ashimpact::xrd

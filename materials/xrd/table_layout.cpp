@@ -78,7 +78,8 @@ TableRow checked_row(const TextLine& line, const Table& table) {
 }
 
 /// The number of a cell; nothing if the cell says that there is none.
-std::optional<PrintedNumber> number_in(const std::string& cell, std::size_t line, const Table& table) {
+std::optional<PrintedNumber> number_in(const TableRow& row, std::size_t column, const Table& table) {
+    const std::string& cell = row.cells[column];
     if (says_no_number(cell)) return std::nullopt;
     const bool decimal_comma = cell.find('.') == std::string::npos && cell.find(',') != std::string::npos &&
                                std::count(cell.begin(), cell.end(), ',') <= 2;
@@ -86,24 +87,25 @@ std::optional<PrintedNumber> number_in(const std::string& cell, std::size_t line
     if (!number)
         throw InputError("cannot read " + in_quotes(cell),
                          table.separator == ',' ? "a number with a decimal point" : "a number")
-            .at(at_line(line));
+            .at(at_cell(row.line, column));
     return number;
 }
 
-std::optional<double> density_in(const std::string& cell, const Heading& heading, std::size_t line,
-                                 const Table& table) {
+std::optional<double> density_in(const TableRow& row, std::size_t column, const Table& table) {
+    const std::string& cell = row.cells[column];
+    const Heading& heading = table.headings[column];
     if (says_no_number(cell)) return std::nullopt;
     try {
         if (heading.unit.empty() && read_number(cell))
             throw InputError("the density has no unit",
                              "density [g/cm3] as the heading, or a unit in each cell");
-        const auto number = heading.unit.empty() ? std::nullopt : number_in(cell, line, table);
+        const auto number = heading.unit.empty() ? std::nullopt : number_in(row, column, table);
         const double density = number ? to_si(number->value, heading.unit, Dimension::density)
                                       : parse_quantity(cell, Dimension::density);
         if (!(density > 0)) throw InputError("the density is not positive", "a positive density");
         return density;
     } catch (const InputError& error) {
-        throw error.place().empty() ? error.at(at_line(line)) : error;
+        throw error.place().empty() ? error.at(at_cell(row.line, column)) : error;
     }
 }
 
@@ -115,7 +117,10 @@ std::vector<Entry> long_entries(const Table& table) {
             const auto column = table.column(role);
             return column ? row.cells[*column] : std::string();
         };
-        const auto number = [&](Role role) { return number_in(cell(role), row.line, table); };
+        const auto number = [&](Role role) -> std::optional<PrintedNumber> {
+            const auto column = table.column(role);
+            return column ? number_in(row, *column, table) : std::nullopt;
+        };
         const auto plain = [&](Role role) -> std::optional<double> {
             const auto found = number(role);
             return found ? std::optional(found->value) : std::nullopt;
@@ -132,8 +137,7 @@ std::vector<Entry> long_entries(const Table& table) {
         entry.ratio = number(Role::ratio);
         entry.ratio_uncertainty = plain(Role::ratio_uncertainty);
         entry.standard = number(Role::standard);
-        if (const auto column = table.column(Role::density))
-            entry.density = density_in(row.cells[*column], table.headings[*column], row.line, table);
+        if (const auto column = table.column(Role::density)) entry.density = density_in(row, *column, table);
         entries.push_back(std::move(entry));
     }
     return entries;
@@ -147,11 +151,11 @@ std::vector<Entry> wide_entries(const Table& table, Role row_role) {
         if (row.cells[label].empty())
             throw InputError("the first cell is empty", "a name").at(at_line(row.line));
         for (std::size_t i = 0; i < row.cells.size(); ++i) {
-            if (i == label) continue;
             const std::string& name = table.headings[i].text;
+            if (i == label || name.empty()) continue;  // a column without a heading is none of the table
             const bool uncertainty =
                 table.headings[i].role == Role::uncertainty || phase_of_uncertainty(name);
-            const auto number = number_in(row.cells[i], row.line, table);
+            const auto number = number_in(row, i, table);
             if (uncertainty && !entries.empty() && entries.back().line == row.line) {
                 if (number) entries.back().uncertainty = number->value;
                 continue;

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "materials/base/error.hpp"
+#include "materials/base/tables/workbook/workbook.hpp"
 #include "materials/xrd/readers.hpp"
 
 namespace ashimpact {
@@ -21,8 +22,32 @@ constexpr std::array readers{
     Reader{xrd::looks_like_topas, xrd::read_topas}, Reader{xrd::looks_like_table, xrd::read_table},
 };
 
-XrdResult read(std::string_view text) {
-    const TextLines file(text, {.content = "an XRD result", .bytes = longest_xrd_file});
+constexpr TextLimits xrd_limits{.content = "an XRD result", .bytes = longest_xrd_file};
+
+/// A table in a spreadsheet, with all that is said of it in the words of the sheet.
+XrdResult read_from_workbook(std::string_view bytes, std::string_view sheet) {
+    const ChosenSheet chosen(bytes, {.name = std::string(sheet),
+                                     .option = "the name of a sheet (--sheet, in a case \"xrd_sheet\")",
+                                     .limits = xrd_limits,
+                                     .holds_table = xrd::looks_like_table});
+    try {
+        XrdResult result = xrd::read_table(chosen.lines());
+        result.warnings.insert(result.warnings.begin(), chosen.warnings().begin(), chosen.warnings().end());
+        for (XrdSample& sample : result.samples) {
+            for (std::string& warning : sample.warnings) warning = in_rows(warning);
+            for (PhaseFraction& phase : sample.analysis.phases) phase.place = chosen.place(phase.place);
+        }
+        return result;
+    } catch (const InputError& error) {
+        throw chosen.located(error);
+    }
+}
+
+XrdResult read(std::string_view text, std::string_view sheet) {
+    if (is_workbook(text)) return read_from_workbook(text, sheet);
+    if (!sheet.empty())
+        throw InputError("a sheet is named, and the file is no spreadsheet", "an .xlsx or .ods");
+    const TextLines file(text, xrd_limits);
     for (const Reader& reader : readers) {
         if (!reader.recognises(file)) continue;
         XrdResult result = reader.read(file);
@@ -41,9 +66,9 @@ std::string stem(std::string_view name) {
 
 }  // namespace
 
-XrdResult read_xrd(std::string_view text, std::string_view name) {
+XrdResult read_xrd(std::string_view text, std::string_view name, std::string_view sheet) {
     try {
-        XrdResult result = read(text);
+        XrdResult result = read(text, sheet);
         for (XrdSample& sample : result.samples)
             if (sample.name.empty()) sample.name = stem(name);
         return result;

@@ -43,7 +43,10 @@ struct XrdResult {
 /// docs/materials.md describes them. A byte-order mark, CRLF and Latin-1 are accepted. Errors: InputError
 /// "NAME: line N: problem; allowed: ..." (for JSON with its pointer behind the line) for anything that is
 /// empty, binary, cut off, malformed, has a phase twice or more than 100 %.
-[[nodiscard]] XrdResult read_xrd(std::string_view text, std::string_view name);
+///
+/// A table may be a sheet of a spreadsheet (.xlsx, .ods): the one of that name, else the only one that holds
+/// a table; places in messages are then `sheet "XRD", cell B7`.
+[[nodiscard]] XrdResult read_xrd(std::string_view text, std::string_view name, std::string_view sheet = {});
 
 /// Rescales a sample to which a known weight of a standard was added before the measurement: w_i = w_s
 /// c_i/c_s in the mixture, divided by 1 - w_s in the sample; the rest is amorphous. The standard is taken out

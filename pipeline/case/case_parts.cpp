@@ -112,7 +112,9 @@ XrdSample chosen_sample(const View& node, const XrdResult& result) {
 ReadAnalysis read_xrd_analysis(const View& node, InputFiles& files) {
     const View file = node.at("xrd");
     const std::string name = file.text();
-    const XrdResult result = file.located([&] { return read_xrd(files.read(name), files.shown(name)); });
+    const auto sheet = node.find("xrd_sheet");
+    const XrdResult result = file.located(
+        [&] { return read_xrd(files.read(name), files.shown(name), sheet ? sheet->text() : std::string()); });
     XrdSample sample = chosen_sample(node, result);
     for (PhaseFraction& phase : sample.analysis.phases)
         if (!phase.place.empty()) phase.place.insert(0, files.shown(name) + ": ");
@@ -278,7 +280,7 @@ ReadAnalysis read_analysis(const View& node, InputFiles& files) {
         read.analysis.basis = by_weight ? FractionBasis::weight : FractionBasis::volume;
         read.analysis.phases = read_fractions(node.at(by_weight ? "weight_fractions" : "volume_fractions"),
                                               node.find("densities"));
-        for (const auto* key : {"xrd_sample", "internal_standard"})
+        for (const auto* key : {"xrd_sample", "xrd_sheet", "internal_standard"})
             if (const auto stray = node.find(key)) stray->fail("belongs to an XRD file", "xrd beside it");
     }
     if (const auto source = node.find("source")) read.source = source->text();
@@ -296,6 +298,8 @@ RestitutionSource read_restitution(const View& node, const std::optional<Publish
     const bool columns = count_of(node, {"velocity", "restitution", "rebound_velocity"}) > 0;
     if (others + (columns ? 1 : 0) != 1 || (columns && !points))
         node.fail("the restitution data are incomplete or given in more than one way", allowed);
+    if (const auto sheet = node.find("sheet"); sheet && !node.has("file"))
+        sheet->fail("belongs to a file of impacts", "file beside it");
     if (!columns)
         for (const auto* key : {"velocity_uncertainty", "rebound_uncertainty", "restitution_uncertainty",
                                 "velocity_correlation", "impacts"})

@@ -47,7 +47,11 @@ MeasuredRestitution read_measured(const View& node, InputFiles& files, const std
     if (const auto file = node.find("file")) {
         const std::string name = file->text();
         data.source = name;
-        data.impacts = file->located([&] { return read_measurements(files.read(name), files.shown(name)); });
+        const auto sheet = node.find("sheet");
+        data.impacts = file->located([&] {
+            return read_measurements(files.read(name), files.shown(name),
+                                     sheet ? sheet->text() : std::string());
+        });
     } else {
         data.impacts = read_measurement_columns(node);
     }

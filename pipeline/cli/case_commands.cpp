@@ -51,8 +51,9 @@ void add_modulus(CLI::App& program, Action& action) {
                     "  (ash.csv is among what `ashimpact init my-case` writes)");
     const auto options = std::make_shared<ModulusCommandOptions>();
     command
-        ->add_option("file", options->file,
-                     "XRD result: BGMN/Profex or GSAS-II .lst, FullProf .sum, TOPAS .out, CSV, TSV or JSON")
+        ->add_option(
+            "file", options->file,
+            "XRD result: BGMN/Profex or GSAS-II .lst, FullProf .sum, TOPAS .out, CSV, .xlsx, .ods or JSON")
         ->required()
         ->type_name("FILE");
     const auto add = [&](const char* name, std::string& value, const char* type, const char* purpose) {
@@ -66,6 +67,7 @@ void add_modulus(CLI::App& program, Action& action) {
         "standard that was added and refined; the amorphous part follows");
     add("--added-fraction", options->added_fraction, "X", "its weight over that of the mixture");
     add("--sample", options->sample, "NAME", "of a file with several; default: all");
+    add("--sheet", options->sheet, "NAME", "of a spreadsheet with several tables");
     add("--phase-set", options->phase_set, "NAME", "phase set to look in first: literature, dong2013");
     add("--phases", options->phases, "CASE.json", "case file whose own phases come before all others");
     add("--rule", options->rule, "NAME", "mixture rule of the modulus")->capture_default_str();

@@ -97,9 +97,11 @@ void add_damping(CLI::App& program, Action& action) {
         ->type_name("X");
     command
         ->add_option("--impacts", options->impacts,
-                     "instead of one impact a CSV table of many, with a heading such as \"v_in [m/s], v_r "
+                     "instead of one impact a table of many (CSV, .xlsx, .ods), with a heading such as "
+                     "\"v_in [m/s], v_r "
                      "[m/s]\": damping of each, fits, critical velocity with its interval")
         ->type_name("FILE");
+    command->add_option("--sheet", options->sheet, "of a spreadsheet with several tables")->type_name("NAME");
     command->add_option("--frame-rate", options->frame_rate, "of the camera, frames per second")
         ->type_name("X");
     command->add_option("--pixel-size", options->pixel_size, "of the camera, in the object, \"2 um\"")

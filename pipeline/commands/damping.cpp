@@ -30,9 +30,9 @@ void run_damping_command(const DampingOptions& options, std::ostream& out) {
         return;
     }
     if (!options.frame_rate.empty() || !options.pixel_size.empty() || options.bin > 0 || options.frames > 0 ||
-        !options.size_scatter.empty())
+        !options.size_scatter.empty() || !options.sheet.empty())
         throw InputError("belong to a table of impacts", "--impacts FILE")
-            .at("--frame-rate, --pixel-size, --frames, --size-scatter, --bin");
+            .at("--frame-rate, --pixel-size, --frames, --size-scatter, --bin, --sheet");
     const ContactChoice choice = read_contact(options.contact);
     const DampingProblem problem{
         .law = choice.law,

@@ -11,6 +11,7 @@ struct DampingOptions {
     std::string velocity;
     std::string restitution;
     std::string impacts;     ///< table of measured impacts, instead of one velocity and restitution
+    std::string sheet;       ///< of a spreadsheet; empty: the only one with such a table
     std::string frame_rate;  ///< of the camera they were seen with [frames/s]
     std::string pixel_size;
     int frames = 0;            ///< positions to a velocity; 0: not given

@@ -45,7 +45,7 @@ double read_size_scatter(const std::string& text) {
 
 /// The impacts of the file, with camera and bins where they are asked for.
 MeasurementSet read_impacts(const DampingOptions& options) {
-    MeasurementSet set = read_measurements(read_file(options.impacts), options.impacts);
+    MeasurementSet set = read_measurements(read_file(options.impacts), options.impacts, options.sheet);
     for (const std::string& warning : set.warnings) spdlog::warn("warning: {}: {}", options.impacts, warning);
     if (options.frame_rate.empty() != options.pixel_size.empty())
         throw InputError("one of the two is missing", "both or neither").at("--frame-rate, --pixel-size");
@@ -154,8 +154,11 @@ std::string parts_text(const DampingParts& parts) {
     std::string text(name_of(parts.parts.front()));
     for (std::size_t i = 0; i < parts.boundaries.size(); ++i) {
         const PartBoundary& boundary = parts.boundaries[i];
-        text += fmt::format(" to {} +- {}, {}", readable(boundary.velocity, "m/s"),
-                            readable(boundary.standard_uncertainty, "m/s"), name_of(parts.parts[i + 1]));
+        text += fmt::format(" to {}, {}",
+                            readable(Quantity{.value = boundary.velocity,
+                                              .unit = "m/s",
+                                              .standard_uncertainty = boundary.standard_uncertainty}),
+                            name_of(parts.parts[i + 1]));
     }
     return text;
 }
@@ -197,7 +200,8 @@ std::string result_text(const MeasuredDamping& result, const MeasurementSet& set
     list.add("measured v_c", measured_text(result.measured));
     const std::string rows =
         stride > 1 ? fmt::format("every {} of {} rows\n", stride, result.impacts.size()) : std::string{};
-    return impacts.text() + rows + "\n" + list.text(0) +
+    const std::string text = list.text(0);
+    return impacts.text() + rows + "\n" + text + uncertainty_legend(text) +
            "Intervals are of 95 % and hold for the contact as given; a case propagates its uncertainty.\n";
 }
 

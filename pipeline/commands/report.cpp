@@ -41,7 +41,8 @@ void require_known(const std::vector<std::string>& given) {
             files.end())
             continue;
         const std::vector<std::string> allowed(files.begin(), files.end());
-        throw InputError("is no artifact of a run", "the folder of a run, or " + joined(allowed)).in_file(name);
+        throw InputError("is no artifact of a run", "the folder of a run, or " + joined(allowed))
+            .in_file(name);
     }
 }
 

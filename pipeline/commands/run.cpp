@@ -23,9 +23,9 @@ void tell(const RunSummary& summary) {
         return;
     }
     if (summary.remarks.empty()) return;
-    const auto lines = remark_lines(summary.remarks, summary.samples, output_width() - 2);
-    spdlog::warn("warning: {} {} on these results, {} {}; -v shows them whole", summary.remarks.size(),
-                 summary.remarks.size() == 1 ? "remark" : "remarks", lines.size(),
+    const auto lines = remark_lines(summary.remarks, summary.samples);
+    spdlog::warn("warning: {} {} on these results, {} {}; -v shows each of them whole",
+                 summary.remarks.size(), summary.remarks.size() == 1 ? "remark" : "remarks", lines.size(),
                  lines.size() == 1 ? "kind" : "kinds");
     for (const std::string& line : lines) spdlog::warn("  {}", line);
 }

@@ -35,7 +35,7 @@ std::string artifact_text(const Json& artifact, const ArtifactView& view) {
     std::string result;
     if (!is_comparison || view.result.all) result = result_text(artifact.at("result"), view.result);
     text += (is_comparison && !result.empty() ? "\n" : "") + result;
-    if (text.find("+-") != std::string::npos) text += "\n+-: standard uncertainty.\n";
+    if (const std::string legend = uncertainty_legend(text); !legend.empty()) text += "\n" + legend;
     if (!artifact.at("warnings").empty()) text += "\n";
     for (const Json& warning : artifact.at("warnings"))
         text += wrapped("warning: " + warning.get<std::string>(), width, 2) + "\n";

@@ -162,7 +162,11 @@ std::string assumptions_text(const View& result, std::size_t width) {
                     exact.push_back(name.text());
     }
     std::string text;
-    if (!assumptions.empty()) text = "Not measured:\n";
+    const bool uncertain = std::any_of(assumptions.begin(), assumptions.end(), [](const Assumption& each) {
+        return each.text.find("+-") != std::string::npos;
+    });
+    if (!assumptions.empty())
+        text = uncertain ? "Not measured (+-: standard uncertainty):\n" : "Not measured:\n";
     for (const Assumption& assumption : assumptions)
         text += wrapped_line(
             fmt::format(

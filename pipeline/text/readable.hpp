@@ -16,6 +16,9 @@ namespace ashimpact {
 /// without it where it is below a ten-thousandth of the value.
 [[nodiscard]] std::string readable(const Quantity& quantity);
 
+/// What "+-" means, as a line, for a text that has one; else nothing.
+[[nodiscard]] std::string uncertainty_legend(std::string_view text);
+
 /// A quantity as an artifact has it, {"value", "unit"} and perhaps "standard_uncertainty".
 [[nodiscard]] Quantity shown_quantity(const Json& quantity);
 

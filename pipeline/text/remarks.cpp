@@ -6,7 +6,6 @@
 #include <cctype>
 
 #include "materials/base/text.hpp"
-#include "pipeline/text/layout.hpp"
 #include "solver/contact/registry.hpp"
 
 namespace ashimpact {
@@ -55,6 +54,16 @@ std::string kind_of(std::string text) {
     return kind;
 }
 
+/// What a remark says, without reasons and consequences: up to a semicolon, or a colon before words.
+std::string statement_of(const std::string& text) {
+    for (std::size_t i = 0; i + 2 < text.size(); ++i) {
+        if (text[i + 1] != ' ') continue;
+        const bool words = std::isalpha(static_cast<unsigned char>(text[i + 2])) != 0;
+        if (text[i] == ';' || (text[i] == ':' && words)) return text.substr(0, i);
+    }
+    return text;
+}
+
 struct Kind {
     std::string file;
     std::string kind;
@@ -66,7 +75,7 @@ struct Kind {
 }  // namespace
 
 std::vector<std::string> remark_lines(const std::vector<Remark>& remarks,
-                                      const std::vector<std::string>& samples, std::size_t width) {
+                                      const std::vector<std::string>& samples) {
     std::vector<Kind> kinds;
     for (const Remark& remark : remarks) {
         const Parted parts = parted(remark.text, samples);
@@ -87,7 +96,7 @@ std::vector<std::string> remark_lines(const std::vector<Remark>& remarks,
         const std::string of = kind.samples.empty() ? ""
                                : all                ? " (all samples)"
                                                     : " (" + joined(kind.samples) + ")";
-        lines.push_back(cut_to(fmt::format("{} x {}{}: {}", kind.count, kind.file, of, kind.first), width));
+        lines.push_back(fmt::format("{} x {}{}: {}", kind.count, kind.file, of, statement_of(kind.first)));
     }
     return lines;
 }

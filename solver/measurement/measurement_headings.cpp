@@ -182,7 +182,7 @@ MeasurementHeading read_measurement_heading(const std::vector<std::string>& cell
         if (take_other(heading, name, i)) continue;
         const auto meaning = meaning_of(name);
         if (!meaning) {
-            heading.unused.emplace_back(cells[i]);
+            if (!cells[i].empty()) heading.unused.emplace_back(cells[i]);
             continue;
         }
         const bool is_ratio = meaning->quantity == MeasuredQuantity::restitution;

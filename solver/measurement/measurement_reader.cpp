@@ -4,6 +4,7 @@
 #include "materials/base/tables/cells.hpp"
 #include "materials/base/tables/number.hpp"
 #include "materials/base/tables/text_lines.hpp"
+#include "materials/base/tables/workbook/workbook.hpp"
 #include "materials/base/text.hpp"
 #include "solver/measurement/measurement_headings.hpp"
 
@@ -54,7 +55,8 @@ class TableCells {
         if (!number)
             throw InputError(
                 in_quotes(row.cells[position]) + " in column " + in_quotes(name) + " is not a number",
-                "a finite number");
+                "a finite number")
+                .at(at_cell(row.line, position));
         return number->value;
     }
 
@@ -63,7 +65,8 @@ class TableCells {
                                   const std::string& problem, const std::string& allowed) {
         throw InputError(
             in_quotes(row.cells[column.position]) + " in column " + in_quotes(column.name) + " " + problem,
-            allowed);
+            allowed)
+            .at(at_cell(row.line, column.position));
     }
 
     [[nodiscard]] Entry read(const TableRow& row, const MeasuredColumn& column) const {
@@ -137,7 +140,8 @@ std::optional<NotedOutcome> stated_outcome(const MeasurementHeading& heading, co
     if (is_one_of(rebound_words, text)) return NotedOutcome::rebound;
     if (is_one_of(unknown_words, text)) return std::nullopt;
     throw InputError(in_quotes(row.cells[*heading.outcome]) + " in the column of outcomes is none",
-                     "rebound, capture, unknown, or an empty cell");
+                     "rebound, capture, unknown, or an empty cell")
+        .at(at_cell(row.line, *heading.outcome));
 }
 
 /// A reading of the rebound below zero: what noise makes of none, or a mistake.
@@ -261,14 +265,44 @@ MeasurementSet read_table(const TextLines& file, std::string_view name) {
     return set;
 }
 
-}  // namespace
+bool holds_impacts(const TextLines& file) {
+    const auto lines = lines_with_content(file);
+    if (lines.empty()) return false;
+    const TextLine& line = lines[heading_place(lines)];
+    return names_incident_velocity(cut_row(line, separator_of(line.text)).cells);
+}
 
-MeasurementSet read_measurements(std::string_view text, std::string_view name) {
+/// A table in a spreadsheet, with all that is said of it in the words of the sheet.
+MeasurementSet read_from_workbook(std::string_view bytes, std::string_view name, std::string_view sheet) {
+    const ChosenSheet chosen(bytes, {.name = std::string(sheet),
+                                     .option = "the name of a sheet (--sheet, in a case \"sheet\")",
+                                     .limits = impact_table,
+                                     .holds_table = holds_impacts});
     try {
-        if (trimmed(text).empty()) throw InputError("the file is empty", "a table of impacts").at("line 1");
-        MeasurementSet set = read_table(TextLines(text, impact_table), name);
+        MeasurementSet set = read_table(chosen.lines(), name);
+        set.warnings.insert(set.warnings.begin(), chosen.warnings().begin(), chosen.warnings().end());
         validate(set);
         return set;
+    } catch (const InputError& error) {
+        throw chosen.located(error);
+    }
+}
+
+MeasurementSet read(std::string_view text, std::string_view name, std::string_view sheet) {
+    if (is_workbook(text)) return read_from_workbook(text, name, sheet);
+    if (!sheet.empty())
+        throw InputError("a sheet is named, and the file is no spreadsheet", "an .xlsx or .ods");
+    if (trimmed(text).empty()) throw InputError("the file is empty", "a table of impacts").at("line 1");
+    MeasurementSet set = read_table(TextLines(text, impact_table), name);
+    validate(set);
+    return set;
+}
+
+}  // namespace
+
+MeasurementSet read_measurements(std::string_view text, std::string_view name, std::string_view sheet) {
+    try {
+        return read(text, name, sheet);
     } catch (const InputError& error) {
         throw error.in_file(std::string(name));
     }

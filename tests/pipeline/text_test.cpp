@@ -103,13 +103,16 @@ TEST_CASE("a histogram is shown as bars") {
 }
 
 TEST_CASE("remarks that differ in sample, law and numbers alone are one line") {
-    const std::vector<Remark> remarks{{"5-damping.json", "fine, dmt: 1 outliers of 20 impacts"},
-                                      {"5-damping.json", "coarse, jkr: 3 outliers of 9 impacts"},
-                                      {"6-fit.json", "fine: 1 outliers of 20 impacts"}};
-    const auto lines = remark_lines(remarks, {"fine", "coarse"}, 80);
-    REQUIRE(lines.size() == 2);
+    const std::vector<Remark> remarks{
+        {"5-damping.json", "fine, dmt: 1 outliers of 20 impacts"},
+        {"5-damping.json", "coarse, jkr: 3 outliers of 9 impacts"},
+        {"6-fit.json", "fine: v_c over that of the other: 1.21; they disagree: why"},
+        {"6-fit.json", "Tabor parameter 2 is between both: neither holds"}};
+    const auto lines = remark_lines(remarks, {"fine", "coarse"});
+    REQUIRE(lines.size() == 3);
     CHECK(lines[0] == "2 x 5-damping.json (all samples): 1 outliers of 20 impacts");
-    CHECK(lines[1] == "1 x 6-fit.json (fine): 1 outliers of 20 impacts");
+    CHECK(lines[1] == "1 x 6-fit.json (fine): v_c over that of the other: 1.21");
+    CHECK(lines[2] == "1 x 6-fit.json: Tabor parameter 2 is between both");
 }
 
 TEST_CASE("an empty text, an empty list and a list of mixed values are shown as they are") {

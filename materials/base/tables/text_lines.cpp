@@ -86,6 +86,10 @@ std::string at_line(std::size_t number) {
     return "line " + std::to_string(number);
 }
 
+std::string at_cell(std::size_t line, std::size_t column) {
+    return at_line(line) + ", cell " + std::to_string(column + 1);
+}
+
 TextLines::TextLines(std::string_view bytes, const TextLimits& limits) {
     if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
     check_bytes(bytes, limits);

@@ -46,4 +46,7 @@ class TextLines {
 /// "line N" for the place of an error.
 [[nodiscard]] std::string at_line(std::size_t number);
 
+/// "line N, cell M" for the place of an error; the column is counted from zero.
+[[nodiscard]] std::string at_cell(std::size_t line, std::size_t column);
+
 }  // namespace ashimpact

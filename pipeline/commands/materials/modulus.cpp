@@ -105,7 +105,8 @@ std::string estimate_text(const SampleEstimate& sample, const ModulusCommandOpti
                                         (estimate.poisson_ratio_assumed ? " (of some phases assumed)" : ""));
     list_density(sample, options, list);
     const std::string title = sample.name.empty() ? "" : sample.name + "\n";
-    return title + phases_text(sample.composition) + "\n" + list.text(0);
+    const std::string text = list.text(0);
+    return title + phases_text(sample.composition) + "\n" + text + uncertainty_legend(text);
 }
 
 Json sample_json(const SampleEstimate& sample, MixtureRule rule) {
@@ -145,7 +146,8 @@ SampleEstimate estimated(const XrdSample& sample, const PhaseCatalogue& catalogu
 void run_modulus_command(const ModulusCommandOptions& options, std::ostream& out) {
     const MixtureRule rule = at_place("--rule", [&] { return named<MixtureRule>(options.rule); });
     const PhaseCatalogue catalogue = catalogue_of(options);
-    const XrdResult result = read_xrd(read_start(options.file, longest_xrd_file + 1), options.file);
+    const XrdResult result =
+        read_xrd(read_start(options.file, longest_xrd_file + 1), options.file, options.sheet);
     for (const std::string& warning : result.warnings) spdlog::warn("warning: {}: {}", options.file, warning);
 
     std::vector<SampleEstimate> estimates;

@@ -13,6 +13,7 @@ struct ModulusCommandOptions {
     std::string internal_standard;   ///< its phase
     std::string added_fraction;      ///< its weight over that of the mixture
     std::string sample;              ///< of a file with several; empty: all
+    std::string sheet;               ///< of a spreadsheet; empty: the only one with a table
     std::string phase_set;           ///< looked in first
     std::string phases;              ///< a case file whose own phases come first
     std::string rule = "parallel";

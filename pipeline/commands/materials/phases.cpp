@@ -18,8 +18,8 @@ std::string property_text(const PhaseProperty& property, std::string_view unit) 
     const auto number = [&](double value) {
         return unit == "1" ? readable_number(value) : readable(value, unit);
     };
-    std::string text = number(property.value);
-    if (const auto uncertainty = property.uncertainty()) text += " +- " + number(*uncertainty);
+    std::string text = readable(Quantity{
+        .value = property.value, .unit = std::string(unit), .standard_uncertainty = property.uncertainty()});
     if (property.range)
         text += fmt::format(", {} to {}", number(property.range->first), number(property.range->second));
     if (property.assumed) text += ", assumed";
@@ -39,6 +39,7 @@ std::string phase_text(const ResolvedPhase& resolved) {
     names.insert(names.end(), phase.bgmn.begin(), phase.bgmn.end());
     if (!names.empty()) list.add("other names", joined(names));
     std::string text = list.text(0);
+    text += uncertainty_legend(text);
     for (const std::string& note : {phase.remark, resolved.note})
         if (!note.empty()) text += note + "\n";
     return text;

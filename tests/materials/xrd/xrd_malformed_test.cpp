@@ -152,11 +152,11 @@ TEST_CASE("malformed tables") {
                 "line 3: the fractions of the sample add up to 110 % or more"));
     CHECK(holds(refused("phase,wt%\nQuartz,160\n"), "line 2: the amount of \"Quartz\" is 160 %"));
     CHECK(holds(refused("phase,wt%\nQuartz,-3\n"), "line 2: the amount of \"Quartz\" is -3 %"));
-    CHECK(holds(refused("phase,wt%\nQuartz,much\n"), "line 2: cannot read \"much\""));
+    CHECK(holds(refused("phase,wt%\nQuartz,much\n"), "line 2, cell 2: cannot read \"much\""));
     CHECK(holds(refused("phase,wt%\nQuartz,60\nMullite,"), "line 3: the last line stops before its amount"));
     CHECK(
         holds(refused("sample,phase,wt%\na,Quartz,60\na,Quartz,4\n"), "is there twice in the sample \"a\""));
-    CHECK(holds(refused("phase,wt%\nQuartz,inf\n"), "line 2: cannot read \"inf\""));
+    CHECK(holds(refused("phase,wt%\nQuartz,inf\n"), "line 2, cell 2: cannot read \"inf\""));
     CHECK(holds(refused("phase,wt%\nQuartz\n"), "line 2: the line has 1 cells, the heading has 2"));
     CHECK(holds(refused("phase,wt%\nQuartz,12,5\n"), "line 2: the line has 3 cells, the heading has 2"));
     CHECK(holds(refused("phase,wt%\n\"Quartz,12\n"), "line 2: a quote is not closed"));
@@ -169,11 +169,11 @@ TEST_CASE("malformed tables") {
     CHECK(holds(refused("phase,wt%,content\nQuartz,60,50\n"),
                 "line 1: the columns \"wt%\" and \"content\" hold the same"));
     CHECK(holds(refused("phase,wt%,esd\nQuartz,60,-1\n"), "line 2: the uncertainty is below zero"));
-    CHECK(holds(refused("phase,wt%,density\nQuartz,60,2.65\n"), "line 2: the density has no unit"));
+    CHECK(holds(refused("phase,wt%,density\nQuartz,60,2.65\n"), "line 2, cell 3: the density has no unit"));
     CHECK(holds(refused("phase,wt%,density [GPa]\nQuartz,60,2.65\n"),
-                "line 2: the unit \"GPa\" is not one of density"));
+                "line 2, cell 3: the unit \"GPa\" is not one of density"));
     CHECK(holds(refused("phase,wt%,density [g/cm3]\nQuartz,60,-2.65\n"),
-                "line 2: the density is not positive"));
+                "line 2, cell 3: the density is not positive"));
     CHECK(holds(refused("phase,intensity\nQuartz,60\n"),
                 "line 1: there are intensities without reference intensity ratios"));
     CHECK(holds(refused("phase,intensity,rir\nQuartz,60,\n"),

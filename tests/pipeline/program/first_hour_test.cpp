@@ -101,3 +101,47 @@ TEST_CASE("the first hour: all impacts captured give a bound, in the table") {
     CHECK_MESSAGE(run.out.find("> 1.") != std::string::npos, run.out);
     CHECK_MESSAGE(run.out.find("No sample has both a dynamic") != std::string::npos, run.out);
 }
+
+TEST_CASE(
+    "the first hour: spreadsheets give what the same tables as CSV give, and name the cell that is wrong") {
+    const Sandbox sandbox;
+    const std::string folder = ASHIMPACT_TEST_DATA "/workbooks/";
+    sandbox.write("impacts.csv",
+                  "v_ein [m/s];v_aus "
+                  "[m/s]\n0,4;haftet\n0,4;haftet\n0,9;haftet\n1,5;0,21\n2,1;0,62\n2,8;1,02\n3,3;1,33\n"
+                  "4,1;1,81\n1,2;\n");
+    const std::string contact =
+        "damping --law jkr --diameter '80 um' --density '2300 kg/m3' --contact-modulus '85 GPa' "
+        "--work-of-adhesion '0.3 J/m2' --json --impacts ";
+    const auto text = ashimpact_program(sandbox, contact + "impacts.csv");
+    REQUIRE_MESSAGE(text.status == 0, text.err);
+    for (const char* file : {"openpyxl.xlsx", "opendocument.ods"}) {
+        const auto sheet = ashimpact_program(sandbox, contact + folder + file);
+        CHECK_MESSAGE(sheet.status == 0, sheet.err);
+        Json ours = parse_json(sheet.out);
+        Json theirs = parse_json(text.out);
+        CHECK(ours.at("critical_velocity") == theirs.at("critical_velocity"));
+        CHECK_MESSAGE(sheet.err.find("the sheet \"Stöße\" is read, not") != std::string::npos, sheet.err);
+        CHECK(ashimpact_program(sandbox, contact + folder + file + " --sheet 'Stöße'").out == sheet.out);
+    }
+    const auto wrong = ashimpact_program(sandbox, contact + folder + "shared-strings.xlsx");
+    CHECK(wrong.status == 2);
+    CHECK_MESSAGE(wrong.err.find("sheet \"XRD\", row ") != std::string::npos, wrong.err);
+    const auto none = ashimpact_program(sandbox, contact + folder + "openpyxl.xlsx --sheet Tabelle1");
+    CHECK_MESSAGE(none.err.find("there is no sheet \"Tabelle1\"") != std::string::npos, none.err);
+
+    // A case takes them by name, and a sheet where there are several.
+    REQUIRE(ashimpact_program(sandbox, "init mine").status == 0);
+    Json document = own_case(sandbox.json("mine/case.json"));
+    document["samples"][0]["composition"] = Json{{"xrd", folder + "openpyxl.xlsx"}, {"xrd_sheet", "Phasen"}};
+    document["samples"][0]["restitution"]["file"] = folder + "opendocument.ods";
+    document["samples"][0]["restitution"]["sheet"] = "Stöße";
+    sandbox.write("mine/case.json", document.dump(1));
+    const auto run = ashimpact_program(sandbox, "run mine/case.json -o r --no-report --allow-outside");
+    CHECK_MESSAGE(run.status == 0, run.err);
+    document["samples"][0]["restitution"]["sheet"] = "Phasen";
+    sandbox.write("mine/case.json", document.dump(1));
+    const auto refused = ashimpact_program(sandbox, "run mine/case.json -o s --no-report --allow-outside");
+    CHECK(refused.status == 2);
+    CHECK_MESSAGE(refused.err.find("sheet \"Phasen\"") != std::string::npos, refused.err);
+}
