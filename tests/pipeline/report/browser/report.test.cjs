@@ -156,13 +156,20 @@ const pointed = async (page, where, by) => {
 };
 const mouse = (page, where) => pointed(page, where, (x, y) => page.mouse.move(x, y));
 
-// A telephone, and a browser that runs no scripts.
+// A telephone, paper, and a browser that runs no scripts.
 const others = async (browser, file) => {
   const telephone = await browser.newContext({ viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true });
   const page = await telephone.newPage();
   await page.goto(pathToFileURL(file).href);
   await pointed(page, 'by touch', (x, y) => page.touchscreen.tap(x, y));
   await telephone.close();
+  const paper = await browser.newContext({ viewport: { width: 700, height: 1000 } });
+  const sheet = await paper.newPage();
+  await sheet.goto(pathToFileURL(file).href);
+  await sheet.emulateMedia({ media: 'print' });
+  const ends = await sheet.evaluate(() => [...document.querySelectorAll('table')].map((table) => table.getBoundingClientRect().right));
+  check(ends.length > 2 && Math.max(...ends) <= 700, `on paper: a table ends at ${Math.max(...ends)} of 700 px`);
+  await paper.close();
   const without = await browser.newContext({ viewport: { width: 768, height: 900 }, javaScriptEnabled: false });
   const still = await without.newPage();
   await still.goto(pathToFileURL(file).href);
