@@ -15,7 +15,8 @@ namespace ashimpact {
 [[nodiscard]] TemplateValues dem_values(const ExportSubject& subject);
 
 /// Commands of ash_wall.in that add what the wall of the code does not have, as forces of atom-style
-/// variables: attraction if @p attraction, damping if @p damping.
+/// variables: attraction if @p attraction, damping if @p damping. With damping, whosever it is, a last force
+/// makes it second order in the time step.
 [[nodiscard]] std::string added_forces(const ExportSubject& subject, bool attraction, bool damping);
 
 /// Whether the law attracts: by a work of adhesion or by a parameter of its own.
@@ -28,9 +29,15 @@ namespace ashimpact {
 [[nodiscard]] std::vector<std::string> added_force_conversions(const ExportSubject& subject, bool attraction,
                                                                bool damping);
 
+/// How the runs of a code are compared.
+struct DemCheck {
+    std::string_view code;
+    double tolerance;           ///< of the restitution, extrapolated to time step zero [1]
+    bool damping_lags = false;  ///< it sees the velocity half a step back: first order in the time step
+};
+
 /// expected.json with the powers of the time step in the error of the restitution.
-[[nodiscard]] ExportFile dem_expected(const ExportSubject& subject, std::string_view code,
-                                      std::string_view log, double tolerance);
+[[nodiscard]] ExportFile dem_expected(const ExportSubject& subject, const DemCheck& check);
 
 [[nodiscard]] ExportFolder lammps_folder(const ExportSubject& subject);
 [[nodiscard]] ExportFolder liggghts_folder(const ExportSubject& subject);

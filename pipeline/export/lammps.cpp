@@ -63,26 +63,6 @@ std::string lammps_wall_file(const ExportSubject& subject) {
            wall(subject, own) + added_forces(subject, attraction, damping);
 }
 
-/// Commands of in.cloud that take the first order of the time step out of the damping. Velocity Verlet gives
-/// it the velocity half a step back: a sphere moves as if its mass were m - eta dt/2.
-std::string lag_correction(const ExportSubject& subject) {
-    if (subject.damping.is_zero()) return "";
-    const bool own = own_forces(subject).damping;
-    const std::string touching =
-        own ? "(c_ash_size - z + v_ash_wall_z >= 0)*" + exact(subject.damping.nodes.front().coefficient)
-            : std::string("(v_ash_overlap>=0)*v_ash_damping");
-    return std::string(own ? "compute          ash_size all property/atom radius\n" : "") +
-           fmt::format(
-               "# Velocity Verlet gives the damping the velocity half a step back, as if the mass were m - "
-               "eta "
-               "dt/2. This takes the\n# error out, which else moves v_c by some per cent at 200 steps a "
-               "contact.\n"
-               "variable         ash_share atom \"{}*dt/(2*mass)\"\n"
-               "variable         ash_lag atom \"-fz*v_ash_share/(1 + v_ash_share)\"\n"
-               "fix              ash_lag all addforce 0 0 v_ash_lag\n",
-               touching);
-}
-
 std::vector<std::string> lammps_conversions(const ExportSubject& subject) {
     const OwnForces own = own_forces(subject);
     std::vector<std::string> lines{
@@ -107,7 +87,6 @@ ExportFolder lammps_folder(const ExportSubject& subject) {
     values["code"] = "LAMMPS";
     values["command"] = "lmp -in in.impacts -log log.impacts -screen none -nocite";
     values["tried"] = lammps_tried;
-    values["lag"] = lag_correction(subject);
     return {{"README.md", filled("common/README_dem.md", values)},
             {"ash_wall.in", lammps_wall_file(subject)},
             impact_variables(subject),
@@ -116,7 +95,7 @@ ExportFolder lammps_folder(const ExportSubject& subject) {
             {"run.sh", filled("common/run_dem.sh", values)},
             unchanged("common/compare.py"),
             assumptions(subject, lammps_conversions(subject)),
-            dem_expected(subject, "lammps", "log.impacts", lammps_tolerance)};
+            dem_expected(subject, {.code = "lammps", .tolerance = lammps_tolerance})};
 }
 
 }  // namespace ashimpact

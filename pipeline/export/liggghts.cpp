@@ -59,7 +59,7 @@ ExportFolder liggghts_folder(const ExportSubject& subject) {
             {"run.sh", filled("common/run_dem.sh", values)},
             unchanged("common/compare.py"),
             assumptions(subject, liggghts_conversions(subject)),
-            dem_expected(subject, "liggghts", "log.impacts", liggghts_tolerance)};
+            dem_expected(subject, {.code = "liggghts", .tolerance = liggghts_tolerance})};
 }
 
 }  // namespace ashimpact

@@ -20,15 +20,16 @@ std::string foam_list(std::string_view name, const Values& values) {
     return text + ");\n";
 }
 
-ExportFile foam_table(const ImpactTable& table) {
+ExportFile foam_table(const ImpactTable& table, double density) {
     const Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows = table.restitution;
     const std::string text =
         fmt::format(
             "// Table of ashImpact: e over ln(diameter) and t = asinh(sqrt(v/startVelocity - 1)); SI units.\n"
-            "nodes           {};\nstep            {};\nfromVelocity    {};\ntoVelocity      {};\n"
+            "density         {};\nnodes           {};\nstep            {};\nfromVelocity    {};\ntoVelocity  "
+            "    {};\n"
             "captures        {};\n",
-            table.t.size(), exact(table.t[1]), exact(table.from_velocity), exact(table.to_velocity),
-            table.captures ? "yes" : "no") +
+            exact(density), table.t.size(), exact(table.t[1]), exact(table.from_velocity),
+            exact(table.to_velocity), table.captures ? "yes" : "no") +
         foam_list("diameter", table.diameter) + foam_list("startVelocity", table.start_velocity) +
         foam_list("slope", table.slope) + foam_list("restitution", rows.reshaped<Eigen::RowMajor>());
     return {"ashTable", text};
@@ -120,7 +121,7 @@ ExportFolder openfoam_folder(const ExportSubject& subject) {
     for (const char* file : {"g", "transportProperties", "turbulenceProperties", "kinematicCloudProperties"})
         add(std::string("check/constant/") + file, std::string("openfoam/check/") + file);
     add("check/0/U", "openfoam/check/U");
-    folder.push_back(foam_table(table));
+    folder.push_back(foam_table(table, subject.density));
     folder.push_back({"check/constant/ashTable", folder.back().content});
     folder.push_back(solver_file(subject));
     folder.push_back({"check/constant/ashSolver", folder.back().content});

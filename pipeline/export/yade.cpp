@@ -70,7 +70,7 @@ ExportFolder yade_folder(const ExportSubject& subject) {
                      ? "damping: YADE's `betan` = c/sqrt(6), which is Tsuji's damping cut at zero total force"
                      : "attraction and damping: own forces by O.forces.setPermF before each step while in "
                        "contact, up to zero overlap"}),
-            dem_expected(subject, "yade", "log.impacts", yade_tolerance)};
+            dem_expected(subject, {.code = "yade", .tolerance = yade_tolerance, .damping_lags = true})};
 }
 
 }  // namespace ashimpact

@@ -96,6 +96,39 @@ def kinematic_case(work, exported):
     return case
 
 
+def bed_case(work, exported):
+    """The fluidised bed of Goldschmidt, 24,750 beads of 2.5 mm, with the three lines of the docs and a shorter time."""
+    case = os.path.join(work, "bed")
+    shutil.rmtree(case, ignore_errors=True)
+    shutil.copytree(os.path.join(EXAMPLES, "MPPICFoam/Goldschmidt"), case)
+    unpacked(case)
+    shutil.copy(os.path.join(exported, "ashTable"), os.path.join(case, "constant"))
+    replaced(os.path.join(case, "system/controlDict"),
+             (r"\nendTime\s[^;]*;", '\nendTime 0.02;\nlibs ("%s/src/libashImpact.so");' % exported))
+    replaced(os.path.join(case, "constant/kinematicCloudProperties"),
+             (r"patchInteractionModel\s+\w+;",
+              "patchInteractionModel ashImpact;\nashImpactCoeffs { record stuck; patches (bottom walls); }"))
+    return case
+
+
+def check_bed(work, exported, fail):
+    """Beads that fall on the bottom, a patch that is no wall, stay there, each below the critical velocity; none leaves."""
+    case = bed_case(work, exported)
+    problem = run(case, ("blockMesh", "MPPICFoam"))
+    with open(os.path.join(exported, "expected.json")) as file:
+        captures = [i["velocity"]["value"] for i in json.load(file)["impacts"] if i["outcome"] == "capture"]
+    rows = impacts_of(case)
+    print("openfoam  Goldschmidt's bed: %d beads stuck" % len(rows), flush=True)
+    if problem or not rows:
+        fail("Goldschmidt's bed: %s" % (problem or "nothing stuck"))
+    for row in rows:
+        if row["patch"] not in ("bottom", "walls") or not float(row["velocity [m/s]"]) < 1.02 * max(captures):
+            fail("Goldschmidt's bed: %s" % row)
+    kept = [int(n) for n in re.findall(r"Current number of parcels\s+= (\d+)", output_of(case, "MPPICFoam"))]
+    if not kept or kept[-1] != max(kept):
+        fail("Goldschmidt's bed: of %d beads %d are left" % (max(kept, default=0), kept[-1] if kept else 0))
+
+
 def impacts_of(case):
     rows = []
     for path in glob.glob(os.path.join(case, "postProcessing/ashImpact/*/impacts_*.csv")):
@@ -104,9 +137,16 @@ def impacts_of(case):
     return rows
 
 
+def output_of(case, program):
+    with open(os.path.join(case, "log." + program)) as file:
+        return file.read()
+
+
 def run(case, programs):
     for program in programs:
         ran = subprocess.run([program], cwd=case, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
+        with open(os.path.join(case, "log." + program), "w") as file:
+            file.write(ran.stdout)
         if ran.returncode != 0:
             return "%s: %s" % (program, ran.stdout[-1500:])
     return None

@@ -18,6 +18,7 @@ void Foam::AshImpact<CloudType>::readTable(const fileName& file)
     dict.readEntry("startVelocity", startVelocity_);
     dict.readEntry("slope", slope_);
     dict.readEntry("restitution", restitution_);
+    density_ = dict.get<scalar>("density");
     table_.step = dict.get<scalar>("step");
     table_.from_velocity = dict.get<scalar>("fromVelocity");
     table_.to_velocity = dict.get<scalar>("toVelocity");
@@ -60,6 +61,7 @@ void Foam::AshImpact<CloudType>::openSolver(const fileName& file)
         ash[i].name = names[i].c_str();
         ash[i].value = numbers.get<scalar>(names[i]);
     }
+    density_ = numbers.get<scalar>("density");
     dict.readEntry("velocity", dampingVelocity_);
     dict.readEntry("damping", damping_);
     referenceDiameter_ = dict.get<scalar>("referenceDiameter");
@@ -123,10 +125,12 @@ Foam::AshImpact<CloudType>::AshImpact(const dictionary& dict, CloudType& cloud)
 :
     PatchInteractionModel<CloudType>(dict, cloud, typeName),
     table_(),
+    density_(0),
     mu_(this->coeffDict().template lookupOrDefault<scalar>("mu", 0)),
-    patches_(this->coeffDict().template lookupOrDefault<wordRes>("patches", wordRes(1, wordRe(".*", wordRe::REGEX)))),
+    patches_(this->coeffDict().template lookupOrDefault<wordRes>("patches", wordRes())),
     remove_(this->coeffDict().template lookupOrDefault<bool>("remove", false)),
     record_(recordNone),
+    warned_(false),
     nStuck_(cloud.mesh().boundaryMesh().nNonProcessor(), Zero),
     massStuck_(nStuck_.size(), Zero),
     nRebound_(nStuck_.size(), Zero),
@@ -160,6 +164,7 @@ Foam::AshImpact<CloudType>::AshImpact(const AshImpact<CloudType>& model)
     slope_(model.slope_),
     restitution_(model.restitution_),
     table_(model.table_),
+    density_(model.density_),
     #ifdef ASHIMPACT_C_INTERFACE
     model_(model.model_),
     dampingVelocity_(model.dampingVelocity_),
@@ -171,6 +176,7 @@ Foam::AshImpact<CloudType>::AshImpact(const AshImpact<CloudType>& model)
     patches_(model.patches_),
     remove_(model.remove_),
     record_(model.record_),
+    warned_(model.warned_),
     nStuck_(model.nStuck_),
     massStuck_(model.massStuck_),
     nRebound_(model.nRebound_),
@@ -271,6 +277,25 @@ Foam::scalar Foam::AshImpact<CloudType>::restitution(const scalar diameter, cons
 
 
 template<class CloudType>
+bool Foam::AshImpact<CloudType>::takes(const polyPatch& pp) const
+{
+    if (patches_.empty()) return isA<wallPolyPatch>(pp);
+    return patches_.match(pp.name());
+}
+
+
+template<class CloudType>
+void Foam::AshImpact<CloudType>::compareDensity(const scalar density)
+{
+    if (warned_ || mag(density - density_) <= 0.01*density_) return;
+    warned_ = true;
+    WarningInFunction
+        << "A parcel of " << density << " kg/m3 hit a wall; v_c and e are those of ash of " << density_ << " kg/m3."
+        << nl << "Give the cloud that density (rho0), or export for the density of the cloud." << endl;
+}
+
+
+template<class CloudType>
 bool Foam::AshImpact<CloudType>::correct
 (
     typename CloudType::parcelType& p,
@@ -278,10 +303,7 @@ bool Foam::AshImpact<CloudType>::correct
     bool& keepParticle
 )
 {
-    if (!isA<wallPolyPatch>(pp) || !patches_.match(pp.name()))
-    {
-        return false;
-    }
+    if (!takes(pp)) return false;
     keepParticle = true;
     p.active(true);
 
@@ -298,6 +320,7 @@ bool Foam::AshImpact<CloudType>::correct
         return true;
     }
 
+    compareDensity(p.rho());
     const scalar e = restitution(p.d(), Un);
     const scalar mass = p.nParticle()*p.mass();
     const label patchi = pp.index();
@@ -359,7 +382,7 @@ void Foam::AshImpact<CloudType>::info(Ostream& os)
     forAll(nStuck, patchi)
     {
         const polyPatch& pp = this->owner().mesh().boundaryMesh()[patchi];
-        if (isA<wallPolyPatch>(pp) && patches_.match(pp.name()))
+        if (takes(pp))
         {
             os  << "    Ash on patch " << pp.name() << " (impacts, mass)" << nl
                 << "      - stuck                       = " << nStuck[patchi] << ", " << massStuck[patchi] << nl
