@@ -193,6 +193,26 @@ void replace_without_report(const std::filesystem::path& folder, const std::vect
     spdlog::debug("{}: of the run before, removed", page.string());
 }
 
+/// Takes the figures of an earlier run away that this run does not make again: they would show other results
+/// than the folder has.
+void remove_old_figures(const std::filesystem::path& folder, const std::vector<FileContent>& made) {
+    std::size_t removed = 0;
+    for (const std::filesystem::path& old : report::own_figures(folder)) {
+        if (std::any_of(made.begin(), made.end(), [&](const FileContent& file) { return file.path == old; }))
+            continue;
+        std::error_code failure;
+        if (!std::filesystem::remove(old, failure))
+            throw InputError("cannot be removed: " + failure.message(), "a folder you may write to")
+                .in_file(old.string());
+        ++removed;
+    }
+    if (removed == 0) return;
+    std::error_code not_empty;
+    std::filesystem::remove(folder, not_empty);
+    spdlog::warn("warning: {}: {} figures of an earlier run removed; --figures makes them again",
+                 folder.string(), removed);
+}
+
 /// The folder of a run, for this run alone; where it is not there yet, from the time it is made.
 class RunFolder {
   public:
@@ -211,22 +231,19 @@ class RunFolder {
         std::vector<NamedContent> files;
         std::vector<FileContent> figures;
         for (FileContent& file : presentation) {
-            if (file.path.parent_path().filename() == "figures")
+            if (file.path.parent_path().filename() == report::figures_folder)
                 figures.push_back(std::move(file));
             else
                 files.push_back({file.path.filename().string(), std::move(file.content)});
         }
+        remove_old_figures(folder_ / report::figures_folder, figures);
         for (const Artifact& artifact : artifacts) files.push_back({artifact.file, artifact.bytes});
         const auto is_report = [](const NamedContent& file) { return file.name == report::report_file; };
         if (std::any_of(files.begin(), files.end(), is_report))
             replace_files(folder_, files);
         else
             replace_without_report(folder_, files);
-        if (!figures.empty())
-            write_files(figures);
-        else if (std::filesystem::exists(folder_ / "figures" / "critical-velocity.svg"))
-            spdlog::warn("warning: {}: is of an earlier run; --figures makes it again",
-                         (folder_ / "figures").string());
+        if (!figures.empty()) write_files(figures);
     }
 
   private:

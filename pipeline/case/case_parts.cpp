@@ -102,7 +102,9 @@ XrdSample chosen_sample(const View& node, const XrdResult& result) {
         if (name && sample.name == name->text()) return sample;
         names.push_back(sample.name);
     }
-    if (name) name->fail("the XRD file has no such sample", joined(names));
+    if (name)
+        name->fail("the XRD file has no such sample",
+                   joined(names) + (names.size() == 1 ? ", or no xrd_sample" : ""));
     if (result.samples.size() != 1)
         node.at("xrd").fail("the file holds " + std::to_string(names.size()) + " samples",
                             "xrd_sample, one of " + joined(names));

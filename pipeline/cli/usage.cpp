@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "materials/base/text.hpp"
+#include "pipeline/files/program_word.hpp"
 
 namespace ashimpact {
 
@@ -90,19 +91,19 @@ std::string what_is_wrong(const CLI::App& command, const CLI::Error& error) {
 std::string usage_error(const CLI::App& program, const CLI::Error& error) {
     const auto chosen = program.get_subcommands();
     if (!chosen.empty()) {
-        const std::string command = "ashimpact " + chosen.front()->get_name();
-        return on_one_line(
-            fmt::format("{}: {}; see `{} --help`", command, what_is_wrong(*chosen.front(), error), command));
+        const std::string command = chosen.front()->get_name();
+        return on_one_line(fmt::format("ashimpact {}: {}; see `{} {} --help`", command,
+                                       what_is_wrong(*chosen.front(), error), program_word(), command));
     }
     std::vector<std::string> commands;
     for (const CLI::App* each : program.get_subcommands([](const CLI::App*) { return true; }))
         commands.push_back(each->get_name());
     const auto unknown = program.remaining();
-    return on_one_line(fmt::format("ashimpact: {}; allowed: {}; see `ashimpact --help`",
+    return on_one_line(fmt::format("ashimpact: {}; allowed: {}; see `{} --help`",
                                    unknown.empty() ? "a command is missing"
                                                    : "unknown command " + in_quotes(unknown.front()) +
                                                          did_you_mean(unknown.front(), commands),
-                                   joined(commands)));
+                                   joined(commands), program_word()));
 }
 
 }  // namespace ashimpact

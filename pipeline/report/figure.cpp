@@ -15,6 +15,7 @@ namespace {
 constexpr double wide_pixels = 840;
 constexpr double narrow_pixels = 340;
 constexpr double legend_row = 20;
+constexpr std::string_view own_mark = "<metadata>ashimpact</metadata>";
 
 struct LegendEntry {
     std::string text;
@@ -100,7 +101,7 @@ double height_of(const Panel& panel, double of_xy) {
 
 std::string cell_text(const Cell& cell) {
     if (const auto* number = std::get_if<double>(&cell))
-        return std::isfinite(*number) ? fmt::format("{:.10g}", *number) : "";
+        return std::isfinite(*number) ? fmt::format("{:.7g}", *number) : "";
     return std::get<std::string>(cell);
 }
 
@@ -141,14 +142,18 @@ std::string svg_of(const Figure& figure, Width form, const std::string& style) {
     return fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{2}mm\" height=\"{3}mm\" "
         "role=\"img\">"
-        "<title>{4}</title><style>{5}</style><defs>{6}</defs><rect class=\"paper\" width=\"{0}\" "
+        "<title>{4}</title>{8}<style>{5}</style><defs>{6}</defs><rect class=\"paper\" width=\"{0}\" "
         "height=\"{1}\"/>{7}</svg>\n",
         pixels(width), pixels(top), pixels(millimetres), pixels(millimetres * top / width), label, style,
-        marker_definitions(), body);
+        marker_definitions(), body, own_mark);
 }
 
 std::string svg_file(const Figure& figure, Width width) {
     return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + svg_of(figure, width, drawing_style());
+}
+
+bool is_own_svg(std::string_view svg) {
+    return svg.find(own_mark) != std::string_view::npos;
 }
 
 std::string csv_of(const NumberTable& table) {

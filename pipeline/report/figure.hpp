@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -38,10 +39,13 @@ enum class Width { wide, narrow };
 /// @param style "" in a page, whose style covers it; else the style and markers that make a file of its own
 [[nodiscard]] std::string svg_of(const Figure& figure, Width width, const std::string& style = {});
 
-/// A complete SVG file, 170 mm or 85 mm wide.
+/// A complete SVG file, 170 mm or 85 mm wide, marked as ours.
 [[nodiscard]] std::string svg_file(const Figure& figure, Width width);
 
-/// The numbers as CSV, with ten digits; the artifacts have all of them.
+/// Whether the text of an SVG file has our mark.
+[[nodiscard]] bool is_own_svg(std::string_view svg);
+
+/// The numbers as CSV, with seven digits; the artifacts have all of them.
 [[nodiscard]] std::string csv_of(const NumberTable& table);
 
 }  // namespace ashimpact::report

@@ -8,6 +8,10 @@ namespace ashimpact::report {
 
 namespace {
 
+std::string file_stem(std::string_view id, Width width) {
+    return std::string(id) + (width == Width::narrow ? "-single" : "");
+}
+
 /// Each figure for one column and for two, as SVG and as PDF.
 void add_figures(const RunData& run, const std::filesystem::path& folder, std::vector<FileContent>& files) {
     for (const FigureMaker& maker : figure_makers()) {
@@ -15,9 +19,9 @@ void add_figures(const RunData& run, const std::filesystem::path& folder, std::v
         if (figure.panels.empty()) continue;
         for (const Width width : {Width::wide, Width::narrow})
             for (const FigureFormat format : {FigureFormat::svg, FigureFormat::pdf}) {
-                const std::string name = figure.id + (width == Width::narrow ? "-single" : "") +
-                                         (format == FigureFormat::svg ? ".svg" : ".pdf");
-                files.push_back({folder / "figures" / name, figure_bytes(figure, width, format)});
+                const std::string name =
+                    file_stem(figure.id, width) + (format == FigureFormat::svg ? ".svg" : ".pdf");
+                files.push_back({folder / figures_folder / name, figure_bytes(figure, width, format)});
             }
     }
 }
@@ -30,6 +34,20 @@ const std::vector<std::string_view>& report_artifacts() {
         for (const Stage& stage : stages()) all.push_back(stage.file);
         return all;
     }();
+    return files;
+}
+
+std::vector<std::filesystem::path> own_figures(const std::filesystem::path& figures) {
+    std::vector<std::filesystem::path> files;
+    std::error_code ignored;
+    for (const FigureMaker& maker : figure_makers())
+        for (const Width width : {Width::wide, Width::narrow}) {
+            const auto svg = figures / (file_stem(maker.id, width) + ".svg");
+            if (!std::filesystem::is_regular_file(svg, ignored) || !is_own_svg(read_file(svg))) continue;
+            files.push_back(svg);
+            const auto pdf = std::filesystem::path(svg).replace_extension(".pdf");
+            if (std::filesystem::is_regular_file(pdf, ignored)) files.push_back(pdf);
+        }
     return files;
 }
 

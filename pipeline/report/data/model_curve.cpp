@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "materials/base/error.hpp"
-#include "solver/batch/critical_batch.hpp"
+#include "pipeline/report/data/velocity_search.hpp"
 #include "solver/batch/impact_batch.hpp"
 
 namespace ashimpact::report {
@@ -36,84 +36,118 @@ struct ContactValues {
     Values mass, radius, modulus, adhesion, yield;
 };
 
-Values restitutions(const CurveProblem& problem, const Values& damping, const Values& velocity) {
+ImpactBatchResult impacts(const CurveProblem& problem, const Values& damping, const Values& velocity) {
     const BatchOptions options{.threads = 1, .turning_point = false};
     const ContactValues contact(problem.contact);
-    return solve_impacts(
-               {.law = problem.choice.law,
-                .detachment = problem.choice.detachment,
-                .damping_law = problem.damping_law,
-                .contact = {contact.mass, contact.radius, contact.modulus, contact.adhesion, contact.yield},
-                .damping = damping,
-                .velocity = velocity},
-               options)
-        .restitution;
+    return solve_impacts({.law = problem.choice.law,
+                          .detachment = problem.choice.detachment,
+                          .damping_law = problem.damping_law,
+                          .contact = {contact.mass, contact.radius, contact.modulus, contact.adhesion,
+                                      contact.yield, single_columns(problem.contact.parameters)},
+                          .damping = damping,
+                          .velocity = velocity},
+                         options);
 }
 
-/// The velocities at which impacts of these dampings give these restitutions, all at once: the method of
-/// false position (Illinois) in the logarithm of the velocity, from v_c up. NaN where there is none within a
-/// factor 1000.
-Values velocities_of(const CurveProblem& problem, const Values& e, const Values& damping) {
-    const ContactValues contact(problem.contact);
-    const Values critical = critical_velocities({.law = problem.choice.law,
-                                                 .detachment = problem.choice.detachment,
-                                                 .damping_law = problem.damping_law,
-                                                 .contact = {contact.mass, contact.radius, contact.modulus,
-                                                             contact.adhesion, contact.yield},
-                                                 .damping = damping})
-                                .value;
-    Values low = critical.log();
-    Values below = -e;
-    Values high = low + std::log(1.3);
-    Values above = restitutions(problem, damping, high.exp()) - e;
-    for (int i = 0; i < 16 && (above < 0).any(); ++i) {
-        const auto short_of = (above < 0).eval();
-        low = short_of.select(high, low);
-        below = short_of.select(above, below);
-        high = short_of.select(high + std::log(1.6), high);
-        above = restitutions(problem, damping, high.exp()) - e;
+/// The velocities at which impacts of these dampings give these restitutions, all at once. NaN where none was
+/// found.
+/// @param guess of the velocities [m/s]
+Values velocities_of(const CurveProblem& problem, const Values& e, const Values& damping,
+                     const Values& guess) {
+    const Eigen::Index count = e.size();
+    const bool adhesive = problem.contact.work_of_adhesion > 0 && problem.choice.law != Law::of<Hertz>();
+    std::vector<VelocitySearch> searches;
+    std::vector<Eigen::Index> open;
+    for (Eigen::Index i = 0; i < count; ++i) {
+        searches.emplace_back(e[i], std::log(guess[i]), adhesive);
+        open.push_back(i);
     }
-    const auto unreached = (above < 0).eval();
-    Values middle = high;
-    for (int i = 0; i < 40; ++i) {
-        middle = (low * above - high * below) / (above - below);
-        const Values found = restitutions(problem, damping, middle.exp()) - e;
-        const auto over = (found >= 0).eval();
-        const Values left = over.select(low, middle);  // keeps the root between the two
-        const Values weight = over.select(below * 0.5, found);
-        above = over.select(found, above * 0.5);
-        high = over.select(middle, high);
-        low = left;
-        below = weight;
-        if ((found.abs() < 1e-9).all() || ((high - low).abs() < 1e-12).all()) break;
+    const auto search = [&](Eigen::Index i) -> VelocitySearch& {
+        return searches[static_cast<std::size_t>(i)];
+    };
+    while (!open.empty()) {
+        Values velocity(static_cast<Eigen::Index>(open.size()));
+        for (Eigen::Index k = 0; k < velocity.size(); ++k)
+            velocity[k] = std::exp(search(open[static_cast<std::size_t>(k)]).place());
+        const Values found = impacts(problem, damping(open), velocity).restitution;
+        for (Eigen::Index k = 0; k < found.size(); ++k)
+            search(open[static_cast<std::size_t>(k)]).observe(found[k]);
+        open.erase(
+            std::remove_if(open.begin(), open.end(), [&](Eigen::Index i) { return !search(i).is_open(); }),
+            open.end());
     }
-    return unreached.select(std::numeric_limits<double>::quiet_NaN(), middle.exp());
+    Values velocity(count);
+    for (Eigen::Index i = 0; i < count; ++i)
+        velocity[i] =
+            search(i).is_found() ? std::exp(search(i).place()) : std::numeric_limits<double>::quiet_NaN();
+    return velocity;
 }
 
-CurveImpact impact_at(const CurveProblem& problem, double e, double damping, double velocity, double lower,
-                      double upper) {
-    const ImpactResult result = solve_impact({problem.choice.law,
+/// Where the energy of an impact goes [J]; what surfaces lose that jump together and apart counts as
+/// adhesion.
+struct Losses {
+    double adhesion;
+    double plastic;
+};
+
+Losses losses_of(const CurveProblem& problem, double damping, double velocity) {
+    const EnergyLedger energy = solve_impact({problem.choice.law,
                                               problem.choice.detachment,
                                               {problem.damping_law, damping},
                                               problem.contact,
-                                              velocity});
-    const double whole = result.energy.incident;
-    return {.velocity = velocity,
-            .lower = lower,
-            .upper = upper,
-            .restitution = e,
-            .damping = damping,
-            .contact_time = result.contact_time.value_or(std::numeric_limits<double>::quiet_NaN()),
-            .dissipated = result.energy.dissipated / whole,
-            .adhesion = (result.energy.potential - result.energy.at_touch) / whole,
-            .plastic = result.energy.plastic / whole};
+                                              velocity})
+                                    .energy;
+    return {energy.potential - energy.at_touch + energy.jumps, energy.plastic};
+}
+
+/// Fills in the shares of the incident energy. Without yielding the adhesive loss is that of the static law,
+/// the same for all impacts.
+void add_shares(const CurveProblem& problem, ModelCurve& curve) {
+    if (curve.empty()) return;
+    const bool yields = std::isfinite(problem.contact.yield_pressure);
+    const CurveImpact& fastest = curve.back();
+    const Losses of_all = losses_of(problem, fastest.damping, fastest.velocity);
+    for (CurveImpact& impact : curve) {
+        const Losses losses = yields ? losses_of(problem, impact.damping, impact.velocity) : of_all;
+        const double whole = 0.5 * problem.contact.mass * impact.velocity * impact.velocity;
+        impact.adhesion = losses.adhesion / whole;
+        impact.plastic = losses.plastic / whole;
+        impact.dissipated = 1 - impact.restitution * impact.restitution - impact.adhesion - impact.plastic;
+    }
+}
+
+/// Velocity over restitution through the known impacts of the curve, for a first guess [m/s].
+Values guessed_velocities(const CurveProblem& problem, const Values& e) {
+    std::vector<CurveKnot> knots = problem.knots;
+    std::sort(knots.begin(), knots.end(),
+              [](const CurveKnot& a, const CurveKnot& b) { return a.restitution < b.restitution; });
+    Values guess(e.size());
+    for (Eigen::Index i = 0; i < e.size(); ++i) {
+        const auto after = std::find_if(knots.begin(), knots.end(),
+                                        [&](const CurveKnot& k) { return k.restitution >= e[i]; });
+        if (after == knots.begin() || after == knots.end()) {
+            guess[i] = (after == knots.end() ? knots.back() : knots.front()).velocity;
+            continue;
+        }
+        const CurveKnot& a = *std::prev(after);
+        const double share = (e[i] - a.restitution) / (after->restitution - a.restitution);
+        guess[i] = a.velocity * std::pow(after->velocity / a.velocity, share);
+    }
+    return guess;
+}
+
+/// Exponent of v over damping at equal restitution: 5 for Hertz, less with adhesion.
+double exponent_of_damping(const CurveProblem& problem) {
+    return problem.choice.law == Law::of<Hertz>() ? 5 : 1;
 }
 
 }  // namespace
 
 ModelCurve model_curve(const CurveProblem& problem) {
     ModelCurve curve;
-    if (problem.damping_law != DampingLaw::constant || !(problem.greatest_restitution > 0)) return curve;
+    if (problem.damping_law != DampingLaw::constant || !(problem.greatest_restitution > 0) ||
+        problem.knots.empty())
+        return curve;
     Values e(curve_points);
     Values eta(curve_points);
     Values half(curve_points);
@@ -124,16 +158,28 @@ ModelCurve model_curve(const CurveProblem& problem) {
     }
     if (!(eta > 0).all()) return curve;
     try {
-        const Values velocity = velocities_of(problem, e, eta);
-        const bool banded = (half > 0).any();
-        const double none = std::numeric_limits<double>::quiet_NaN();
-        const Values lower =
-            banded ? velocities_of(problem, e, eta - half) : Values::Constant(curve_points, none);
-        const Values upper =
-            banded ? velocities_of(problem, e, eta + half) : Values::Constant(curve_points, none);
+        const Values velocity = velocities_of(problem, e, eta, guessed_velocities(problem, e));
+        if (!velocity.isFinite().any()) return curve;
+        const Values solvable =
+            velocity.isFinite().select(velocity, velocity.maxCoeff<Eigen::PropagateNumbers>());
+        const Values contact_time = impacts(problem, eta, solvable).contact_time;
+        Values ends = Values::Constant(2 * curve_points, std::numeric_limits<double>::quiet_NaN());
+        if ((half > 0).any()) {
+            Values damping(2 * curve_points);
+            damping << eta - half, eta + half;
+            const Values guess =
+                solvable.replicate(2, 1) * (damping / eta.replicate(2, 1)).pow(exponent_of_damping(problem));
+            ends = velocities_of(problem, e.replicate(2, 1), damping, guess);
+        }
         for (int i = 0; i < curve_points; ++i)
             if (std::isfinite(velocity[i]))
-                curve.push_back(impact_at(problem, e[i], eta[i], velocity[i], lower[i], upper[i]));
+                curve.push_back({.velocity = velocity[i],
+                                 .lower = ends[i],
+                                 .upper = ends[curve_points + i],
+                                 .restitution = e[i],
+                                 .damping = eta[i],
+                                 .contact_time = contact_time[i]});
+        add_shares(problem, curve);
     } catch (const InputError&) {  // a damping or velocity that has no impact: no curve
         curve.clear();
     } catch (const ConvergenceError&) {

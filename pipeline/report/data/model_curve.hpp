@@ -8,6 +8,12 @@
 
 namespace ashimpact::report {
 
+/// A known impact near a curve, from which it is searched.
+struct CurveKnot {
+    double restitution;  ///< 0 for the critical velocity [1]
+    double velocity;     ///< [m/s]
+};
+
 /// A law, a contact and a damping eta(e) whose impacts are wanted.
 struct CurveProblem {
     LawChoice choice;
@@ -16,6 +22,7 @@ struct CurveProblem {
     DampingPolynomial damping_fit;  ///< eta(e) [unit of the damping law]
     Eigen::MatrixXd covariance;     ///< of its coefficients
     double greatest_restitution;    ///< where the curve ends [1]
+    std::vector<CurveKnot> knots;   ///< at least one; the curve does not depend on them
 };
 
 /// An impact on the model's curve e(v_in): its damping is eta(e) of the fit.
@@ -25,9 +32,9 @@ struct CurveImpact {
     double restitution;   ///< [1]
     double damping;       ///< [unit of the damping law]
     double contact_time;  ///< [s]
-    double dissipated;    ///< share of the incident energy that damping takes [1]
-    double adhesion;      ///< share that breaking the contact takes [1]
-    double plastic;       ///< share that yielding takes [1]
+    double dissipated = 0;  ///< share of the incident energy that damping takes [1]
+    double adhesion = 0;    ///< share that breaking the contact takes, jumps of the surfaces included [1]
+    double plastic = 0;     ///< share that yielding takes [1]
 };
 
 using ModelCurve = std::vector<CurveImpact>;

@@ -11,11 +11,12 @@ namespace ashimpact::report {
 namespace {
 
 /// The entry of a sample in an artifact's result.
-Json entry_of(const Artifacts& artifacts, std::string_view file, const std::string& name) {
+const Json& entry_of(const Artifacts& artifacts, std::string_view file, const std::string& name) {
+    static const Json none = Json::object();
     const Json& result = artifacts.at(file).document.at("result");
     for (const Json& sample : result.at("samples"))
         if (sample.at("name") == name) return sample;
-    return Json::object();
+    return none;
 }
 
 Json member(const Json& object, const std::string& key) {
@@ -43,6 +44,19 @@ Eigen::MatrixXd covariance_of(const LawData& law) {
     }
     if (law.fit->extrapolated) return law.fit->extrapolated->covariance;
     return Eigen::MatrixXd::Zero(count, count);
+}
+
+/// Impacts near the rising model curve: where it begins, and the points up to the greatest restitution.
+std::vector<CurveKnot> knots_of(const LawData& law) {
+    std::vector<CurveKnot> knots;
+    if (law.curve_start && *law.curve_start > 0) knots.push_back({0, *law.curve_start});
+    const std::vector<double>& e = law.damping->restitution;
+    const std::vector<double>& v = law.damping->velocity;
+    if (e.empty()) return knots;
+    const auto greatest = static_cast<std::size_t>(std::max_element(e.begin(), e.end()) - e.begin());
+    for (std::size_t i = 0; i < v.size(); ++i)
+        if (v[i] <= v[greatest]) knots.push_back({e[i], v[i]});
+    return knots;
 }
 
 }  // namespace
@@ -94,16 +108,17 @@ RunData::RunData(Artifacts artifacts, std::string label)
                             .contact = owners[i]->contact->pair,
                             .damping_fit = *law.damping_fit,
                             .covariance = covariance_of(law),
-                            .greatest_restitution = greatest});
+                            .greatest_restitution = greatest,
+                            .knots = knots_of(law)});
     });
     for (std::size_t i = 0; i < laws.size(); ++i) laws[i]->curve = curves[i];
 }
 
 void RunData::read_sample(const Sample& sample) {
-    const Json dampings = entry_of(artifacts_, "5-damping.json", sample.name);
-    const Json fits = entry_of(artifacts_, "6-fit.json", sample.name);
-    const Json velocities = entry_of(artifacts_, "7-critical-velocity.json", sample.name);
-    const Json histories = entry_of(artifacts_, "8-histories.json", sample.name);
+    const Json& dampings = entry_of(artifacts_, "5-damping.json", sample.name);
+    const Json& fits = entry_of(artifacts_, "6-fit.json", sample.name);
+    const Json& velocities = entry_of(artifacts_, "7-critical-velocity.json", sample.name);
+    const Json& histories = entry_of(artifacts_, "8-histories.json", sample.name);
     SampleData entry{.name = sample.name,
                      .sample = &sample,
                      .contact = &entry_named(contacts_, sample.name, artifacts_, "2-contact.json"),

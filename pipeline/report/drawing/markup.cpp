@@ -112,10 +112,16 @@ std::string subscripted(std::string_view label) {
 }
 
 std::string pixels(double value) {
-    std::string text = fmt::format("{:.2f}", value);
-    while (text.back() == '0') text.pop_back();
-    if (text.back() == '.') text.pop_back();
-    return text == "-0" ? "0" : text;
+    if (!std::isfinite(value)) return "0";
+    const long long hundredths = std::llround(value * 100);
+    const long long magnitude = std::abs(hundredths);
+    std::string text = (hundredths < 0 ? "-" : "") + std::to_string(magnitude / 100);
+    const auto digit = [](long long number) { return static_cast<char>('0' + number % 10); };
+    if (magnitude % 100 == 0) return text;
+    text += '.';
+    text += digit(magnitude / 10);
+    if (magnitude % 10 != 0) text += digit(magnitude);
+    return text;
 }
 
 double text_width(std::string_view text, double font_size) {
@@ -159,12 +165,15 @@ std::string base64(std::string_view bytes) {
 }
 
 std::string percent_encoded(std::string_view text) {
+    constexpr std::string_view hexadecimal = "0123456789ABCDEF";
     std::string out;
+    out.reserve(text.size() + text.size() / 4);
     for (const char c : text) {
         if (is_word(c) || std::string_view("-_.,:/ ").find(c) != std::string_view::npos)
             out += c == ' ' ? std::string("%20") : std::string(1, c);
         else
-            out += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+            out += {'%', hexadecimal[static_cast<unsigned char>(c) / 16],
+                    hexadecimal[static_cast<unsigned char>(c) % 16]};
     }
     return out;
 }

@@ -56,11 +56,16 @@ bool is_straight(const std::vector<Pixel>& all, std::size_t first, std::size_t l
     return true;
 }
 
+/// A pixel of a line: a tenth is finer than anyone sees.
+std::string tenths(double pixel) {
+    return pixels(std::round(10 * pixel) / 10);
+}
+
 /// One uninterrupted line, without the vertices that nobody would miss.
 std::string polyline(const std::vector<Pixel>& all) {
     std::string path;
     for (std::size_t i = 0; i < all.size();) {
-        path += fmt::format("{}{} {}", path.empty() ? "M" : "L", pixels(all[i].x), pixels(all[i].y));
+        path += fmt::format("{}{} {}", i == 0 ? "M" : "L", tenths(all[i].x), tenths(all[i].y));
         std::size_t next = i + 1;
         while (next + 1 < all.size() && is_straight(all, i, next + 1)) ++next;
         i = next;

@@ -121,18 +121,20 @@ NumberTable numbers(const RunData& run) {
 }  // namespace
 
 Figure composition_figure(const RunData& run) {
-    Figure figure{.id = "composition",
-                  .title = "What the ash is made of, and how stiff that makes it",
-                  .counterpart = "Table 1",
-                  .caption =
-                      "Left: the phases of each sample by weight, as the XRD result gives them, and by "
-                      "volume, as Eq. 1 needs them. "
-                      "Right: Young's modulus by the mixture rule of the case, between bounds that hold "
-                      "however the phases are arranged." +
-                      dominant(run),
-                  .panels = {},
-                  .numbers = numbers(run),
-                  .columns = 2};
+    Figure figure{
+        .id = "composition",
+        .title = "What the ash is made of, and how stiff that makes it",
+        .counterpart = "Table 1",
+        .caption =
+            "Left: the phases of each sample by weight, as the XRD result gives them, and by "
+            "volume, as Eq. 1 needs them. "
+            "Right: Young's modulus by the mixture rule of the case with its standard uncertainty u, "
+            "and the bounds between which it lies however the phases are arranged. The bounds "
+            "take the moduli of the phases as exact, u does not." +
+            dominant(run),
+        .panels = {},
+        .numbers = numbers(run),
+        .columns = 2};
     figure.panels.emplace_back(fractions_panel(run));
     figure.panels.emplace_back(modulus_panel(run));
     return figure;

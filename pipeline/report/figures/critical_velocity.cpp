@@ -118,6 +118,12 @@ const Json* influences_of(const Json& velocity) {
     return &uncertainty.at("influences");
 }
 
+/// An input beside its bar: "E of mullite".
+std::string short_label(const std::string& factor) {
+    constexpr std::string_view modulus = "Young's modulus";
+    return factor.starts_with(modulus) ? "E" + factor.substr(modulus.size()) : factor;
+}
+
 }  // namespace
 
 Figure sensitivity_figure(const RunData& run) {
@@ -160,7 +166,7 @@ Figure sensitivity_figure(const RunData& run) {
                 if (total < 0.005 && first < 0.005) continue;  // nothing to see; the table has it
                 Look bar = look_of(law);
                 panel.rows.push_back(
-                    {.label = factor,
+                    {.label = short_label(factor),
                      .items = {
                          {.kind = RowItem::Kind::bar,
                           .from = 0,

@@ -31,6 +31,12 @@ const std::array<std::string, 4>& parts() {
     return all;
 }
 
+/// A part in the table, which names it in every row.
+std::string short_name(const std::string& part) {
+    static const std::array<std::string, 4> names{"critical", "just-above", "rising", "falling"};
+    return names[static_cast<std::size_t>(std::find(parts().begin(), parts().end(), part) - parts().begin())];
+}
+
 History computed(const std::string& part, const Impact& impact, int count) {
     History history{.part = part, .velocity = impact.velocity};
     for (const TrajectoryPoint& point : trajectory(impact, count)) {
@@ -201,7 +207,7 @@ Figure histories_figure(const RunData& run) {
         for (std::size_t i = 0; i < laws.size(); ++i)
             for (const History& history : laws[i])
                 for (std::size_t k = 0; k < history.time.size(); ++k)
-                    figure.numbers.rows.push_back({sample.name, sample.laws[i].name, history.part,
+                    figure.numbers.rows.push_back({sample.name, sample.laws[i].name, short_name(history.part),
                                                    history.velocity, history.time[k], history.overlap[k],
                                                    history.force[k]});
     }

@@ -56,14 +56,16 @@ std::string answer(const SampleData& sample) {
     }
     if (velocities.empty())
         return fmt::format(
-            "<li>{}: no law gives a finite critical velocity.<span class=\"rest\">{}.</span></li>\n",
+            "<li><strong>{}</strong>: no law gives a finite critical velocity.<span "
+            "class=\"rest\">{}.</span></li>\n",
             html_name(sample.name), escaped(listed(by_law)));
     const auto [least, greatest] = std::minmax_element(velocities.begin(), velocities.end());
     const std::string range = velocities.size() == 1 || *greatest - *least < 5e-4 * *greatest
                                   ? fmt::format("{:#.3g} m/s", *greatest)
                                   : fmt::format("{:#.3g} to {:#.3g} m/s", *least, *greatest);
     return fmt::format(
-        "<li>A particle of {} stays on the wall when it is slower than <span class=\"value\">{}</span>{}"
+        "<li><strong>{}</strong>: a particle stays on the wall when it is slower than <span "
+        "class=\"value\">{}</span>{}"
         "<span class=\"rest\">{}.</span><span class=\"rest\">{}</span></li>\n",
         html_name(sample.name), range, velocities.size() > 1 ? ", depending on the contact law." : ".",
         escaped(listed(by_law)), escaped(measured_sentence(sample)));

@@ -22,6 +22,24 @@ std::string shown(const Json& value) {
     return text.size() > 60 ? fmt::format("{} values", value.size()) : text;
 }
 
+/// The values of a list, and how many they are where not all fit.
+std::string listed(const Json& list) {
+    std::string text;
+    for (const Json& value : list) {
+        if (text.size() > 50) return text + fmt::format(", … ({} values)", list.size());
+        text += (text.empty() ? "" : ", ") + shown(value);
+    }
+    return text.empty() ? "none" : text;
+}
+
+/// The beginning of a long text, whole characters.
+std::string shortened(const std::string& text) {
+    if (text.size() <= 200) return text;
+    std::size_t end = 180;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+    return text.substr(0, end) + "…";
+}
+
 /// An input by its path; entries of lists with names go by these.
 using Inputs = std::vector<std::pair<std::string, std::string>>;
 
@@ -35,11 +53,13 @@ void flatten(const Json& node, const std::string& path, Inputs& into) {
     }
     const bool named =
         node.is_array() && !node.empty() && node.front().is_object() && node.front().contains("name");
-    if (!named) {
-        into.emplace_back(path, node.is_array() ? node.dump() : shown(node));
+    const bool structured = node.is_array() && !node.empty() && node.front().is_structured();
+    if (!named && !structured) {
+        into.emplace_back(path, node.is_array() ? listed(node) : shown(node));
         return;
     }
-    for (const Json& element : node) flatten(element, path + ", " + element.value("name", "?"), into);
+    for (std::size_t i = 0; i < node.size(); ++i)
+        flatten(node[i], path + ", " + (named ? node[i].value("name", "?") : std::to_string(i + 1)), into);
 }
 
 std::string value_at(const Inputs& inputs, const std::string& path) {
@@ -69,7 +89,7 @@ std::string differences_html(const std::vector<RunData>& runs) {
         for (const Inputs& inputs : all) {
             std::string value = value_at(inputs, path);
             differs = differs || value != first;
-            row.emplace_back(value.size() > 80 ? value.substr(0, 60) + "…" : value);
+            row.emplace_back(shortened(value));
         }
         if (differs) table.rows.push_back(std::move(row));
     }

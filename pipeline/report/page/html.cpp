@@ -94,7 +94,7 @@ std::string html_of(const Figure& figure, const std::string& id) {
     const int every = figure.numbers.shown_every;
     html += fmt::format(
         "<details><summary>The numbers</summary><p><a download=\"{0}.csv\" "
-        "href=\"data:text/csv;charset=utf-8,{1}\">{0}.csv</a>, SI, ten digits{2}</p>{3}</details>",
+        "href=\"data:text/csv;charset=utf-8,{1}\">{0}.csv</a>, SI, seven digits{2}</p>{3}</details>",
         id, percent_encoded(csv_of(figure.numbers)),
         every > 1 ? fmt::format("; the table has every {}th row of it", every) : "",
         html_table(figure.numbers, "The numbers of: " + figure.title));

@@ -190,10 +190,10 @@ std::string validity_html(const RunData& run) {
                      "too elastic.</li>\n"
                    : "<li>Fits are taken over the rising branch of e<sub>n</sub>(v<sub>in</sub>), before "
                      "plastic deformation takes over.</li>\n";
-    html += fmt::format("<li>Damping law: {}. The contact of each law ends where the artifacts say:",
+    html += fmt::format("<li>Damping law: {}. A contact is over, by law:",
                         escaped(name_of(run.data().damping_law)));
     for (const LawChoice& choice : run.data().laws)
-        html += fmt::format(" {} at {};", escaped(display_name(choice.law.name())),
+        html += fmt::format(" {} at {},", escaped(display_name(choice.law.name())),
                             escaped(name_of(choice.detachment)));
     html.back() = '.';
     return html + "</li></ul>\n";

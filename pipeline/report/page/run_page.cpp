@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <functional>
+
 #include "data/version.hpp"
 #include "pipeline/report/drawing/markup.hpp"
 #include "pipeline/report/figures/figures.hpp"
 #include "pipeline/report/page/html.hpp"
+#include "pipeline/stages/in_parallel.hpp"
 
 namespace ashimpact::report {
 
@@ -52,13 +55,23 @@ std::string per_run(const std::vector<RunData>& runs, const std::string& title, 
 
 std::string figures_html(const std::vector<RunData>& runs) {
     std::string html = "<section><h2 id=\"figures\">Figures</h2>\n" + sketch_html("impact");
+    std::vector<std::pair<const FigureMaker*, std::size_t>> wanted;
     for (const FigureMaker& maker : figure_makers())
-        for (std::size_t i = 0; i < runs.size(); ++i) {
-            Figure figure = maker.make(runs[i]);
-            if (runs.size() > 1) figure.title += " (" + runs[i].label() + ")";
-            html += html_of(figure, std::string(maker.id) + suffix(i));
-        }
+        for (std::size_t i = 0; i < runs.size(); ++i) wanted.emplace_back(&maker, i);
+    const auto drawn = in_parallel(wanted, [&](const auto& each) {
+        const auto& [maker, i] = each;
+        Figure figure = maker->make(runs[i]);
+        if (runs.size() > 1) figure.title += " (" + runs[i].label() + ")";
+        return html_of(figure, std::string(maker->id) + suffix(i));
+    });
+    for (const std::string& figure : drawn) html += figure;
     return html + "</section>\n";
+}
+
+std::string notes(const std::vector<RunData>& runs) {
+    return per_run(runs, "What was assumed, inferred or reconstructed", "assumptions", assumptions_html) +
+           per_run(runs, "What the model holds for", "validity", validity_html) +
+           per_run(runs, "Warnings", "warnings", warnings_html);
 }
 
 }  // namespace
@@ -74,12 +87,13 @@ std::string run_page(const std::vector<RunData>& runs) {
         body += per_run(runs, "Answers", "answers", answers_html);
     }
     body += contents();
-    body += per_run(runs, "Critical velocities", "comparison", comparison_html);
-    body += figures_html(runs);
-    body += per_run(runs, "What was assumed, inferred or reconstructed", "assumptions", assumptions_html);
-    body += per_run(runs, "What the model holds for", "validity", validity_html);
-    body += per_run(runs, "Warnings", "warnings", warnings_html);
-    body += per_run(runs, "Provenance", "provenance", provenance_html);
+    const std::vector<std::function<std::string()>> parts{
+        [&] { return figures_html(runs); },
+        [&] { return per_run(runs, "Provenance", "provenance", provenance_html); },
+        [&] { return notes(runs); },
+        [&] { return per_run(runs, "Critical velocities", "comparison", comparison_html); }};
+    const auto made = in_parallel(parts, [](const auto& part) { return part(); });  // the longest first
+    body += made[3] + made[0] + made[2] + made[1];
     body += "</main>\n<footer><p>Made by ashimpact " + escaped(program_version()) +
             ". Curves are read off with the mouse, by touch or with the arrow keys; without scripts "
             "everything else stays.</p></footer>\n";

@@ -18,10 +18,10 @@ std::string answers(const Json& result) {
         const Json& fraction = law.at("capture_fraction");
         const auto u = number_in(fraction, "standard_uncertainty");
         html += fmt::format(
-            "<li>By {} <span class=\"value\">{:.4g} %</span>{} of {} impacts are captured.</li>\n",
+            "<li>By {} <span class=\"value\">{:#.4g} %</span>{} of {} impacts are captured.</li>\n",
             escaped(display_name(law.at("law").get<std::string>())),
             100 * number_in(law, "capture_fraction").value_or(0),
-            u ? fmt::format(" (± {:.2g} %)", 100 * *u) : "", law.at("impacts").get<std::uint64_t>());
+            u ? fmt::format(" (± {:#.2g} %)", 100 * *u) : "", law.at("impacts").get<std::uint64_t>());
     }
     return html + "</ul>\n";
 }

@@ -225,7 +225,7 @@ TEST_CASE("files that are no spreadsheet, or a damaged or huge one, are refused"
     CHECK(holds(refused("PK\x03\x04 and no more"), "begins as a spreadsheet and is damaged"));
     CHECK(
         holds(refused(xlsx("<row><c></row>")), "the part xl/worksheets/s.xml of the spreadsheet is damaged"));
-    CHECK(holds(refused(xlsx(std::string(20U << 20U, ' '))), "unpacks to more than 16 MB"));
+    CHECK(holds(refused(xlsx(std::string(20U << 20U, ' '))), "unpacks to more than 8 MB"));
     CHECK(holds(refused(xlsx("<row r='1'><c r='XFD1'><v>1</v></c></row>")),
                 "has a text in row 1, column 16384"));
     CHECK(holds(refused(ods("<table:table-row table:number-rows-repeated='1048576'><table:table-cell "

@@ -21,7 +21,7 @@ class Archive {
     [[nodiscard]] std::optional<std::string> read(const std::string& name) const;
 
     /// No member that is read may unpack to more [bytes]: a small archive can hold gigabytes.
-    static constexpr std::size_t longest_member = std::size_t{16} << 20;
+    static constexpr std::size_t longest_member = std::size_t{8} << 20;
 
   private:
     struct Bytes {
