@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <iostream>
 #include <sstream>
+#include <vector>
 
 #include "data/version.hpp"
 #include "materials/base/error.hpp"
@@ -67,16 +68,22 @@ void print(const std::string& text) {
     if (!std::cout) throw InputError("cannot be written", "a place with room").at("standard output");
 }
 
-/// The lines of a text no longer than the output is wide, those that call this program still to be typed as
-/// they stand; JSON, which is for programs, as it is.
+/// Whether a line is a command to be typed, as those that say what to do next are.
+bool is_command(const std::string& line) {
+    static const std::vector<std::string> beginnings{"  " + program_word() + ' ', "  sh ", "  python3 "};
+    return std::any_of(beginnings.begin(), beginnings.end(),
+                       [&](const std::string& beginning) { return line.starts_with(beginning); });
+}
+
+/// The lines of a text no longer than the output is wide, and commands such that they can be typed as they
+/// stand; JSON, which is for programs, as it is.
 std::string laid_out(const std::string& text) {
     if (text.starts_with('{') || text.starts_with('[')) return text;
-    const std::string command = "  " + program_word() + ' ';
     const std::size_t width = output_width();
     std::string out;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line); out += '\n')
-        out += line.starts_with(command) ? wrapped_command(line, width) : wrapped(line, width, 2);
+        out += is_command(line) ? wrapped_command(line, width) : wrapped(line, width, 2);
     return out;
 }
 

@@ -209,9 +209,11 @@ void run_export_command(const ExportOptions& options, const TableImage& image, s
     for (const ExportFile& file : files) contents.push_back({folder / file.name, file.content});
     write_files(contents);
     for (const FileContent& each : contents) out << each.path.string() << '\n';
-    const std::string place = shell_word(options.folder);
-    out << "README.md says how to use it; to run and compare: "
-        << (code.folder == nullptr ? "python3 " + place + "/compare.py" : "sh " + place + "/run.sh") << '\n';
+    const bool is_table = code.folder == nullptr;
+    std::string script = (folder / (is_table ? "compare.py" : "run.sh")).string();
+    if (script.starts_with('-')) script.insert(0, "./");
+    out << "README.md says how to use it. To run and compare:\n  " << (is_table ? "python3 " : "sh ")
+        << shell_word(script) << '\n';
 }
 
 }  // namespace ashimpact

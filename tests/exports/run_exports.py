@@ -3,8 +3,8 @@
 compare.py judge. Usage: run_exports.py PROGRAM WORK [CODE...]; with `table`, or without a CODE, also what is refused.
 
 Short form: the laws of each code once. ASHIMPACT_WHOLE=1: every law and damping. A code that is not installed is
-skipped, said aloud, and a failure where CI is set; 77 is the status of a test that skipped something. YADE, which is
-large, may be missing in CI, too: its folders are then exported and not run."""
+skipped, said aloud, and a failure where CI is set, unless `./dev` could not install it; 77 is the status of a test that
+skipped something. YADE, which is large, may be missing in CI, too: its folders are then exported and not run."""
 import hashlib
 import json
 import os
@@ -277,7 +277,7 @@ def main():
         if os.path.isdir(openfoam_clouds.EXAMPLES):
             openfoam_clouds.check_bed(WORK, beads(), fail)
     needed = [package for package in skipped if package not in MAY_BE_MISSING]
-    if needed and os.environ.get("CI"):
+    if needed and os.environ.get("CI") and not os.environ.get("ASHIMPACT_CANNOT_INSTALL"):
         fail("skipped, which CI may not: " + ", ".join(needed))
     print("%d failures, %d packages missing" % (len(failures), len(skipped)))
     return 1 if failures else 77 if skipped else 0
