@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "materials/base/checks.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/text.hpp"
 #include "materials/base/units.hpp"
@@ -133,6 +134,10 @@ std::vector<Entry> long_entries(const Table& table) {
         entry.uncertainty = plain(Role::uncertainty);
         if (entry.uncertainty && *entry.uncertainty < 0)
             throw InputError("the uncertainty is below zero", "zero or more").at(at_line(row.line));
+        if (entry.uncertainty && *entry.uncertainty > 0 && !is_computable(*entry.uncertainty))
+            throw InputError("the uncertainty is " + shortest(*entry.uncertainty),
+                             "0, or " + std::string(computable_range))
+                .at(at_line(row.line));
         entry.intensity = number(Role::intensity);
         entry.ratio = number(Role::ratio);
         entry.ratio_uncertainty = plain(Role::ratio_uncertainty);

@@ -1,6 +1,7 @@
 #include "pipeline/case/case_reader.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "data/embedded.hpp"
@@ -17,18 +18,22 @@ namespace ashimpact {
 
 namespace {
 
-/// Values of the case for samples that do not state their own.
-struct Defaults {
-    std::optional<View> particle;
-    std::optional<Adhesion> work_of_adhesion;
-    std::optional<PublishedSample> published;
-    std::optional<View> camera;
+/// What a sample may state of its particles, or "particle" of the case for all samples.
+struct ParticleValues {
+    std::optional<Stated> poisson_ratio{};
+    std::optional<Stated> density{};
+    std::optional<Stated> contact_modulus{};
+    std::optional<Stated> yield_pressure{};
+    std::map<std::string_view, Stated> parameters{};  ///< of contact laws, by name
 };
 
-std::optional<View> own_or_default(const View& sample, const Defaults& defaults, const char* key) {
-    if (auto own = sample.find(key)) return own;
-    return defaults.particle ? defaults.particle->find(key) : std::nullopt;
-}
+/// Values of the case for samples that do not state their own.
+struct Defaults {
+    ParticleValues particle{};
+    std::optional<Adhesion> work_of_adhesion{};
+    std::optional<PublishedSample> published{};
+    std::optional<View> camera{};
+};
 
 std::optional<Stated> read_optional(const std::optional<View>& node, std::string_view name,
                                     Dimension dimension) {
@@ -36,17 +41,38 @@ std::optional<Stated> read_optional(const std::optional<View>& node, std::string
     return read_positive(*node, name, dimension);
 }
 
-/// Parameters of contact laws that a sample states, or "particle" of the case.
-std::vector<std::pair<LawParameter, Stated>> read_parameters(const View& sample, const Defaults& defaults) {
-    std::vector<std::pair<LawParameter, Stated>> parameters;
+ParticleValues read_particle(const View& node) {
+    ParticleValues particle;
+    if (const auto nu = node.find("poisson_ratio")) particle.poisson_ratio = read_poisson_ratio(*nu);
+    particle.density = read_optional(node.find("density"), "density", Dimension::density);
+    particle.contact_modulus =
+        read_optional(node.find("contact_modulus"), "contact modulus", Dimension::pressure);
+    particle.yield_pressure =
+        read_optional(node.find("yield_pressure"), "yield pressure", Dimension::pressure);
     for (const LawParameter& parameter : law_parameters()) {
-        const auto node = own_or_default(sample, defaults, std::string(parameter.name).c_str());
-        if (!node) continue;
-        Stated stated = read_stated(*node, parameter.dimension);
-        node->located([&] { require_allowed(parameter, stated.value()); });
-        parameters.emplace_back(parameter, std::move(stated));
+        const auto stated = node.find(parameter.name);
+        if (!stated) continue;
+        Stated value = read_stated(*stated, parameter.dimension);
+        stated->located([&] { require_allowed(parameter, value.value()); });
+        particle.parameters.emplace(parameter.name, std::move(value));
     }
-    return parameters;
+    return particle;
+}
+
+/// Sets what a sample states, or else what the case states for all.
+void set_particle(Sample& sample, const ParticleValues& own, const ParticleValues& otherwise) {
+    const auto stated = [](const std::optional<Stated>& first, const std::optional<Stated>& second) {
+        return first ? first : second;
+    };
+    if (const auto nu = stated(own.poisson_ratio, otherwise.poisson_ratio)) sample.poisson_ratio = nu;
+    sample.density = stated(own.density, otherwise.density);
+    sample.contact_modulus = stated(own.contact_modulus, otherwise.contact_modulus);
+    sample.yield_pressure = stated(own.yield_pressure, otherwise.yield_pressure);
+    auto parameters = own.parameters;
+    parameters.insert(otherwise.parameters.begin(), otherwise.parameters.end());  // keeps those there are
+    for (const LawParameter& parameter : law_parameters())
+        if (const auto found = parameters.find(parameter.name); found != parameters.end())
+            sample.parameters.emplace_back(parameter, found->second);
 }
 
 Sample read_sample(const View& node, const Defaults& defaults, InputFiles& files,
@@ -58,18 +84,11 @@ Sample read_sample(const View& node, const Defaults& defaults, InputFiles& files
     sample.analysis = std::move(analysis.analysis);
     sample.analysis_source = std::move(analysis.source);
     if (const auto porosity = node.find("porosity")) sample.porosity = read_porosity(*porosity);
-    if (const auto nu = own_or_default(node, defaults, "poisson_ratio"))
-        sample.poisson_ratio = read_poisson_ratio(*nu);
-    sample.density = read_optional(own_or_default(node, defaults, "density"), "density", Dimension::density);
+    set_particle(sample, read_particle(node), defaults.particle);
     if (const auto porosity = node.find("porosity"); porosity && !porosity->has("value")) {
         if (!sample.density) porosity->fail("the porosity has no value", "value, or density of the sample");
         sample.porosity_from_density = true;
     }
-    sample.contact_modulus = read_optional(own_or_default(node, defaults, "contact_modulus"),
-                                           "contact modulus", Dimension::pressure);
-    sample.yield_pressure = read_optional(own_or_default(node, defaults, "yield_pressure"), "yield pressure",
-                                          Dimension::pressure);
-    sample.parameters = read_parameters(node, defaults);
     sample.work_of_adhesion = defaults.work_of_adhesion;
     if (const auto w = node.find("work_of_adhesion")) sample.work_of_adhesion = read_adhesion(*w);
     sample.measured_critical_velocity =
@@ -247,10 +266,9 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
     const PublishedSets published(document, files);
     if (const auto rule = document.find("mixture_rule")) data.mixture_rule = named<MixtureRule>(rule->text());
     if (const auto wall = document.find("wall")) data.wall = read_wall(*wall);
-    Defaults defaults{.particle = document.find("particle"),
-                      .work_of_adhesion = {},
-                      .published = {},
-                      .camera = document.find("camera")};
+    Defaults defaults;
+    if (const auto particle = document.find("particle")) defaults.particle = read_particle(*particle);
+    defaults.camera = document.find("camera");
     if (const auto w = document.find("work_of_adhesion")) defaults.work_of_adhesion = read_adhesion(*w);
     if (defaults.camera)
         static_cast<void>(read_camera(*defaults.camera));  // checked even if no sample uses it

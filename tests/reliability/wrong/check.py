@@ -42,7 +42,9 @@ class Corpus:
     def __init__(self, program, root):
         self.program, self.root = program, root
         data = root / "data" / "cases" / "example"
+        workbook = root / "tests" / "data" / "workbooks" / "openpyxl.xlsx"
         self.bystanders = {"ash.csv": (data / "ash.csv").read_bytes(), "impacts.csv": (data / "impacts.csv").read_bytes(),
+                           "ash.xlsx": workbook.read_bytes(),
                            "standard.csv": b"phase,weight %\nquartz,60\nmullite,20\ncorundum,20\n"}
 
     def inputs(self):

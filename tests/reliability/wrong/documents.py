@@ -124,6 +124,10 @@ def cases():
             sample(name="standard", cohesion_range="0.4 nm",
                    composition={"xrd": "standard.csv", "internal_standard": {"phase": "corundum", "added_fraction": "10 %"}}),
             particle={"cohesion_range": "0.4 nm"}),
+        "workbook": case(
+            sample(composition={"xrd": "ash.xlsx", "xrd_sheet": "Phasen"},
+                   restitution={"file": "ash.xlsx", "sheet": "Stöße"}, work_of_adhesion="0.3 J/m2"),
+            laws=["dmt"]),
         "reconstructed": case(
             sample(restitution={"reconstruct": {"from": 0.05, "to": 0.5, "points": 5, "reference_law": "dmt",
                                                 "damping_fits": {"dmt": {"a": "0.01 kg/s", "b": "-0.03 kg/s",
