@@ -22,6 +22,25 @@ double number_at(const Json& object, const char* key) {
     return object.at(key).at("value").get<double>();
 }
 
+/// Refuses an edited quantity in another form or unit than the one that was written, as the two are compared.
+void require_form_of(const Json& was, const Json& now, const std::string& pointer) {
+    for (const auto& [key, written] : was.items()) {
+        if (!written.is_object() || !now.contains(key)) continue;
+        const Json& edited = now.at(key);
+        const std::string place = child_pointer(pointer, key);
+        if (!written.contains("value")) {
+            if (edited.is_object()) require_form_of(written, edited, place);
+            continue;
+        }
+        const bool alike = edited.is_object() && edited.contains("value") && edited["value"].is_number() &&
+                           edited.value("unit", Json()) == written.value("unit", Json());
+        if (!alike)
+            throw InputError("is not in the form in which it was written",
+                             "an object with \"value\", a number, and the unit that was there")
+                .at(place);
+    }
+}
+
 bool differ(double x, double y) {
     return std::abs(x - y) > same_number * std::max(std::abs(x), std::abs(y));
 }
@@ -30,8 +49,14 @@ bool differ(double x, double y) {
 class Edited {
   public:
     Edited(Json& now, const Json& was, std::string pointer)
-        : now_(now), was_(was), pointer_(std::move(pointer)) {}
+        : now_(now), was_(was), pointer_(std::move(pointer)) {
+        require_form_of(was_, now_, pointer_);
+    }
 
+    /// Refuses a part whose quantities have another form than they had in @p was.
+    void require_form(const char* part, const Json& was) const {
+        require_form_of(was, now_.at(part), child_pointer(pointer_, part));
+    }
     [[nodiscard]] Json& now() { return now_; }
     [[nodiscard]] bool has(const char* key) const { return now_.contains(key) && was_.contains(key); }
     [[nodiscard]] double value(const char* key) const { return number_at(now_, key); }
@@ -119,6 +144,7 @@ std::vector<std::string> reconcile_fit(Edited fit, const Json& was) {
     }
     if (fit.now().contains("extrapolated") && fit.now().at("extrapolated").is_object()) {
         const Json& curve = fit.now().at("extrapolated");
+        fit.require_form("extrapolated", {{"critical_damping", was.at("critical_damping")}});
         if (differ(number_at(curve, "critical_damping"), fit.value("critical_damping")))
             fit.refuse("extrapolated", "its critical_damping is not that of the fit",
                        "an edited critical_damping of the fit itself, which the rest follows");

@@ -52,15 +52,20 @@ struct Gap {
 
     [[nodiscard]] bool known() const { return greatest_ratio > 0; }
 
+    /// "least to greatest", or the one number that both are.
+    [[nodiscard]] static std::string range(const std::string& least, const std::string& greatest) {
+        return least == greatest ? least : least + " to " + greatest;
+    }
+
     [[nodiscard]] std::string sentence() const {
         if (!known())
             return "No sample has both a dynamic critical velocity and one of adhesion alone (Eq. 30), so "
                    "there is none to compare.";
         const std::string ratios =
-            fmt::format("The dynamic critical velocities are {} to {} times the analytic ones of Eq. 30",
-                        readable_number(least_ratio, 3), readable_number(greatest_ratio, 3));
-        const std::string share = fmt::format("{} to {} %", readable_number(100 * least_share, 4),
-                                              readable_number(100 * greatest_share, 4));
+            fmt::format("The dynamic critical velocities are {} times the analytic ones of Eq. 30",
+                        range(readable_number(least_ratio, 3), readable_number(greatest_ratio, 3)));
+        const std::string share =
+            range(readable_number(100 * least_share, 4), readable_number(100 * greatest_share, 4)) + " %";
         if (least_ratio > 2)
             return fmt::format(
                 "{}: the first-contact adhesive loss W_s does not explain capture here, viscous "
