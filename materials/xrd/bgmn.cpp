@@ -165,11 +165,15 @@ void compare_with_goal(const PhaseFraction& phase, const Contents& contents,
         warnings.push_back("the goal Q" + phase.name + " could not be computed by the refinement");
         return;
     }
+    const double fraction = goal->second.number->value;
+    if (!(fraction >= 0 && fraction <= 1))
+        throw InputError("the goal Q" + phase.name + " is " + shortest(fraction), "a fraction, 0 to 1")
+            .at(at_line(goal->second.line));
     constexpr double largest_rounding = 0.002;
     const double u = phase.standard_uncertainty.value_or(0);
-    if (std::abs(goal->second.number->value - phase.fraction) > std::max(largest_rounding, 3 * u))
-        warnings.push_back("the goal Q" + phase.name + " is " + shortest(goal->second.number->value) +
-                           ", GEWICHT gives " + shortest(std::round(phase.fraction * 1e4) / 1e4) +
+    if (std::abs(fraction - phase.fraction) > std::max(largest_rounding, 3 * u))
+        warnings.push_back("the goal Q" + phase.name + " is " + shortest(fraction) + ", GEWICHT gives " +
+                           shortest(std::round(phase.fraction * 1e4) / 1e4) +
                            " (a correction for microabsorption is only in the goal)");
 }
 

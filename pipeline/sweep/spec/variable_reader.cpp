@@ -100,6 +100,9 @@ class VariableReader {
         allow("\"normal\"", {"distribution", "mean", "standard_deviation", "minimum", "maximum"});
         Normal normal{at("mean"), at("standard_deviation")};
         require_order(normal.standard_deviation > 0, "standard_deviation > 0");
+        if (!is_computable(normal.standard_deviation))
+            node_.at("standard_deviation")
+                .fail("is " + shortest(normal.standard_deviation), std::string(computable_range));
         normal.minimum = find("minimum").value_or(normal.minimum);
         normal.maximum = find("maximum").value_or(normal.maximum);
         require_order(normal.minimum < normal.maximum, "minimum < maximum");
