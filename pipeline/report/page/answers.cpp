@@ -71,28 +71,95 @@ std::string answer(const SampleData& sample) {
         escaped(listed(by_law)), escaped(measured_sentence(sample)));
 }
 
+/// What a cell says where there is nothing to say.
+constexpr std::string_view no_value = "–";
+
 std::string text_or_dash(const std::optional<double>& value, double unit = 1) {
-    return value ? fmt::format("{:.4g}", *value / unit) : std::string("–");
+    return value ? fmt::format("{:.4g}", *value / unit) : std::string(no_value);
 }
 
 std::string verdict_words(const LawData& law) {
     const std::string verdict = verdict_of(law);
     if (verdict == "model-too-low") return "too low";
     if (verdict == "model-too-high") return "too high";
-    return verdict == "agrees" ? "agrees" : "–";
+    return verdict == "agrees" ? verdict : std::string(no_value);
 }
 
 std::string velocity_cell(const LawData& law) {
     if (law.headline.value) return fmt::format("{:#.3g}", *law.headline.value);
-    return law.velocity != nullptr ? escaped(law.velocity->verdict) : "–";
+    return law.velocity != nullptr ? escaped(law.velocity->verdict) : std::string(no_value);
 }
 
 std::string interval_cell(const LawData& law) {
-    if (!law.headline.value || !law.headline.with_interval) return "–";
+    if (!law.headline.value || !law.headline.with_interval) return std::string(no_value);
     const auto end = [](const std::optional<double>& value) {
         return value ? fmt::format("{:#.3g}", *value) : std::string("open");
     };
     return end(law.headline.lower) + " to " + end(law.headline.upper);
+}
+
+struct Column {
+    std::string_view head;
+    std::string (*cell)(const SampleData&, const LawData&);
+    bool text = false;
+    bool of_sample = false;  ///< One cell over all laws of the sample.
+    bool always = true;      ///< False: left out where no law has a value in it.
+};
+
+constexpr Column columns[] = {
+    {.head = "E [GPa]",
+     .cell = [](const SampleData& sample,
+                const LawData&) { return text_or_dash(number_in(sample.modulus, "young_modulus"), 1e9); },
+     .of_sample = true},
+    {.head = "E* [GPa]",
+     .cell = [](const SampleData& sample,
+                const LawData&) { return text_or_dash(sample.contact->pair.contact_modulus, 1e9); },
+     .of_sample = true},
+    {.head = "W<sub>s</sub> [fJ]",
+     .cell = [](const SampleData& sample,
+                const LawData&) { return text_or_dash(sample.analytic->separation_energy, 1e-15); },
+     .of_sample = true},
+    {.head = "v<sub>c</sub>, Eq. 30 [m/s]",
+     .cell = [](const SampleData& sample,
+                const LawData&) { return text_or_dash(sample.analytic->critical_velocity); },
+     .of_sample = true},
+    {.head = "law",
+     .cell = [](const SampleData&, const LawData& law) { return escaped(law.name); },
+     .text = true},
+    {.head = "dynamic v<sub>c</sub> [m/s]",
+     .cell = [](const SampleData&, const LawData& law) { return velocity_cell(law); }},
+    {.head = "95 % interval",
+     .cell = [](const SampleData&, const LawData& law) { return interval_cell(law); }},
+    {.head = "published",
+     .cell =
+         [](const SampleData& sample, const LawData& law) {
+             const auto& published = sample.sample->published;
+             const Quantity* printed =
+                 published ? published->critical_velocity.find(law.choice.law) : nullptr;
+             return text_or_dash(printed != nullptr ? std::optional(printed->value) : std::nullopt);
+         },
+     .always = false},
+    {.head = "measured",
+     .cell = [](const SampleData& sample,
+                const LawData&) { return text_or_dash(number_in(sample.measured, "critical_velocity")); },
+     .always = false},
+    {.head = "verdict",
+     .cell = [](const SampleData&, const LawData& law) { return verdict_words(law); },
+     .text = true,
+     .always = false},
+};
+
+/// The columns that say something of this run.
+std::vector<Column> columns_of(const RunData& run) {
+    std::vector<Column> shown;
+    for (const Column& column : columns) {
+        const auto has_value = [&](const SampleData& sample) {
+            return std::ranges::any_of(
+                sample.laws, [&](const LawData& law) { return column.cell(sample, law) != no_value; });
+        };
+        if (column.always || std::ranges::any_of(run.samples(), has_value)) shown.push_back(column);
+    }
+    return shown;
 }
 
 }  // namespace
@@ -104,38 +171,27 @@ std::string answers_html(const RunData& run) {
 }
 
 std::string comparison_html(const RunData& run) {
+    const std::vector<Column> shown = columns_of(run);
     std::string html = fmt::format(
-        "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{}\"><table><thead><tr>",
+        "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{}\"><table><thead><tr><th "
+        "scope=\"col\">sample</th>",
         region_label("Critical velocities", run));
-    for (const std::string_view column :
-         {"sample", "E [GPa]", "E* [GPa]", "W<sub>s</sub> [fJ]", "v<sub>c</sub>, Eq. 30 [m/s]", "law",
-          "dynamic v<sub>c</sub> [m/s]", "95 % interval", "published", "measured", "verdict"})
-        html += fmt::format("<th scope=\"col\"{}>{}</th>",
-                            column == "law" || column == "verdict" ? " class=\"text\"" : "", column);
+    for (const Column& column : shown)
+        html += fmt::format("<th scope=\"col\"{}>{}</th>", column.text ? " class=\"text\"" : "", column.head);
     html += "</tr></thead><tbody>\n";
     for (const SampleData& sample : run.samples()) {
         bool first = true;
-        const auto measured = number_in(sample.measured, "critical_velocity");
         for (const LawData& law : sample.laws) {
-            html += first ? "<tr class=\"first\">" : "<tr>";
-            if (first)
-                html += fmt::format(
-                    "<th scope=\"rowgroup\" rowspan=\"{0}\">{1}</th><td rowspan=\"{0}\">{2}</td><td "
-                    "rowspan=\"{0}\">{3}</td><td rowspan=\"{0}\">{4}</td><td rowspan=\"{0}\">{5}</td>",
-                    sample.laws.size(), html_name(sample.name),
-                    text_or_dash(number_in(sample.modulus, "young_modulus"), 1e9),
-                    text_or_dash(sample.contact->pair.contact_modulus, 1e9),
-                    text_or_dash(sample.analytic->separation_energy, 1e-15),
-                    text_or_dash(sample.analytic->critical_velocity));
-            const Quantity* printed = sample.sample->published
-                                          ? sample.sample->published->critical_velocity.find(law.choice.law)
-                                          : nullptr;
-            html += fmt::format(
-                "<td class=\"text\">{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td "
-                "class=\"text\">{}</td></tr>\n",
-                escaped(law.name), velocity_cell(law), interval_cell(law),
-                printed != nullptr ? fmt::format("{:.4g}", printed->value) : "–", text_or_dash(measured),
-                verdict_words(law));
+            html += first ? fmt::format("<tr class=\"first\"><th scope=\"rowgroup\" rowspan=\"{}\">{}</th>",
+                                        sample.laws.size(), html_name(sample.name))
+                          : "<tr>";
+            for (const Column& column : shown)
+                if (first || !column.of_sample)
+                    html += fmt::format(
+                        "<td{}{}>{}</td>", column.text ? " class=\"text\"" : "",
+                        column.of_sample ? fmt::format(" rowspan=\"{}\"", sample.laws.size()) : "",
+                        column.cell(sample, law));
+            html += "</tr>\n";
             first = false;
         }
     }

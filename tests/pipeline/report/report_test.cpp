@@ -319,6 +319,13 @@ TEST_CASE("measured impacts: the history at capture has the damping of its criti
     CHECK(looked_at == 8);
     const std::string page = sandbox.read("results/report.html");
     CHECK(page.find("the indices are those of the extrapolated v<sub>c</sub>") != std::string::npos);
+
+    const auto columns = [](const std::string& html) {
+        return between(html, "<th scope=\"col\">sample</th>", "</tr>");
+    };
+    CHECK(columns(page).find("measured") != std::string::npos);
+    CHECK(columns(page).find("published") == std::string::npos);  // nothing was
+    CHECK(columns(paper().read("results/report.html")).find("published") != std::string::npos);
 }
 
 TEST_CASE("a sweep ends with its report, which `report` makes again") {
