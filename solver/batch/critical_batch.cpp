@@ -23,31 +23,36 @@ Damping damping_at(const CriticalVelocityBatch& batch, const batch::Inputs& in, 
     return {batch.damping_law, in.damping.at(i)};
 }
 
+struct Answer {
+    CaptureVerdict verdict = CaptureVerdict::finite;
+    std::optional<double> value{};  ///< v_c, where finite [m/s]
+};
+
 /// Verdict and v_c from the law, a table or a closed form; none if that takes an integration.
-std::optional<CriticalVelocity> without_integration(const CriticalVelocityProblem& problem) {
+std::optional<Answer> without_integration(const CriticalVelocityProblem& problem) {
     const auto& [law, detachment, damping, contact] = problem;
     if (!is_self_similar(law, contact)) return std::nullopt;
-    if (detachment == Detachment::zero_force)
-        return CriticalVelocity{.verdict = CaptureVerdict::never_captured};
+    if (detachment == Detachment::zero_force) return Answer{.verdict = CaptureVerdict::never_captured};
     if (damping.coefficient == 0.0) return std::nullopt;
     const double adhesion = velocity_of_adhesion(law, contact);
     if (adhesion > 0.0) {
         batch::CriticalTable& table = batch::CriticalTable::of(law, detachment, damping.law);
         const auto entry = table.at(Scale::of(contact, adhesion).damping_number(damping));
         if (!entry) return std::nullopt;
-        if (entry->verdict != CaptureVerdict::finite) return CriticalVelocity{.verdict = entry->verdict};
-        return CriticalVelocity{.value = entry->value * adhesion};
+        if (entry->verdict != CaptureVerdict::finite) return Answer{.verdict = entry->verdict};
+        return Answer{.value = entry->value * adhesion};
     }
     if (law != Law::of<Hertz>()) return std::nullopt;
-    if (const auto verdict = verdict_without_adhesion(damping)) return CriticalVelocity{.verdict = *verdict};
-    return CriticalVelocity{.value = hertz_critical_constant * velocity_of_damping(damping, contact)};
+    if (const auto verdict = verdict_without_adhesion(damping)) return Answer{.verdict = *verdict};
+    return Answer{.value = hertz_critical_constant * velocity_of_damping(damping, contact)};
 }
 
 }  // namespace
 
 CriticalVelocity tabulated_critical_velocity(const CriticalVelocityProblem& problem) {
     validate(Impact{problem.law, problem.detachment, problem.damping, problem.contact, 1.0});
-    if (auto critical = without_integration(problem)) return *critical;
+    if (const auto known = without_integration(problem))
+        return {.verdict = known->verdict, .value = known->value};
     return critical_velocity(problem);
 }
 
@@ -64,17 +69,19 @@ CriticalVelocityBatchResult critical_velocities(const CriticalVelocityBatch& bat
     const auto chunk = [&](std::size_t first, std::size_t size) {
         if (!fault.check(inputs.from(first), first, size)) return;
         std::int64_t integrated = 0;
+        CriticalVelocityProblem problem{batch.law, batch.detachment, {.law = batch.damping_law}, {}};
         for (std::size_t i = first; i < first + size; ++i) {
-            const CriticalVelocityProblem problem{batch.law, batch.detachment, damping_at(batch, inputs, i),
-                                                  batch::pair_at(inputs, i)};
-            auto critical = without_integration(problem);
-            if (!critical) {
-                critical = critical_velocity(problem);
+            problem.damping.coefficient = inputs.damping.at(i);
+            batch::set_pair(problem.contact, inputs, i);
+            auto answer = without_integration(problem);
+            if (!answer) {
+                const CriticalVelocity critical = critical_velocity(problem);
+                answer = {.verdict = critical.verdict, .value = critical.value};
                 ++integrated;
             }
             const auto place = static_cast<Eigen::Index>(i);
-            result.verdict[place] = critical->verdict;
-            result.value[place] = critical->value.value_or(std::numeric_limits<double>::quiet_NaN());
+            result.verdict[place] = answer->verdict;
+            result.value[place] = answer->value.value_or(std::numeric_limits<double>::quiet_NaN());
         }
         scalar += integrated;
     };

@@ -29,14 +29,19 @@ namespace ashimpact::batch {
             .parameters = parameter_inputs(law, contact)};
 }
 
-[[nodiscard]] inline ContactPair pair_at(const Inputs& in, std::size_t i) {
-    ContactPair pair{.mass = in.mass.at(i),
-                     .effective_radius = in.effective_radius.at(i),
-                     .contact_modulus = in.contact_modulus.at(i),
-                     .work_of_adhesion = in.work_of_adhesion.at(i),
-                     .yield_pressure = in.yield_pressure.at(i)};
+/// Makes @p pair that of problem @p i. The parameters it carries must be those of the same inputs, or none.
+inline void set_pair(ContactPair& pair, const Inputs& in, std::size_t i) {
+    pair.mass = in.mass.at(i);
+    pair.effective_radius = in.effective_radius.at(i);
+    pair.contact_modulus = in.contact_modulus.at(i);
+    pair.work_of_adhesion = in.work_of_adhesion.at(i);
+    pair.yield_pressure = in.yield_pressure.at(i);
     for (std::size_t k = 0; k < in.parameters.count; ++k)
         pair.parameters.set(in.parameters.parameter[k]->name, in.parameters.values[k].at(i));
+}
+[[nodiscard]] inline ContactPair pair_at(const Inputs& in, std::size_t i) {
+    ContactPair pair{};
+    set_pair(pair, in, i);
     return pair;
 }
 

@@ -64,7 +64,7 @@ class RestPoint {
   private:
     [[nodiscard]] int time_order() const { return 1 + 2 * lowest_power(slope_) - order_; }
 
-    /// Leading power of the speed w in z. In the energy equation U_end - U goes as z^(2 l), the work of
+    /// Leading power of the speed v in z. In the energy equation U_end - U goes as z^(2 l), the work of
     /// damping at a speed z^p as z^(p + 2 + 2 g), if U_end - U is led by q^l and delta' eta by q^g.
     [[nodiscard]] int leading_power() const {
         const int by_force = lowest_power(fall_);
@@ -72,7 +72,7 @@ class RestPoint {
         return damped ? std::min(by_force, 2 + 2 * lowest_power(drag_)) : by_force;
     }
 
-    /// w = z^order (c_0 + c_1 z + ...) from the energy equation, term by term. If damping is of the leading
+    /// v = z^order (c_0 + c_1 z + ...) from the energy equation, term by term. If damping is of the leading
     /// order too, c_0 solves c_0^2 = 2 f + 2 d c_0, and each c_n is on both sides.
     void expand_speed() {
         const Extended drag = coefficient(drag_, order_ - 2);
@@ -91,7 +91,7 @@ class RestPoint {
         }
     }
 
-    /// Work of damping and time over dz: 2 z delta' eta w and 2 z delta'/w, without their leading powers.
+    /// Work of damping and time over dz: 2 z delta' eta v and 2 z delta'/v, without their leading powers.
     void expand_time() {
         const int slope_power = 2 * lowest_power(slope_);
         const int drag_power = 2 * lowest_power(drag_);

@@ -1,21 +1,15 @@
 #include "solver/measurement/interpolation.hpp"
 
 #include "materials/base/error.hpp"
-#include "solver/gsl/status.hpp"
-
-#include <gsl/gsl_spline.h>
 
 #include <cmath>
 #include <string>
 
 namespace ashimpact {
 
-struct MeasuredCurve::Spline {
-    std::vector<double> x;
-    std::unique_ptr<gsl_spline, decltype(&gsl_spline_free)> handle;
-};
+namespace {
 
-MeasuredCurve::MeasuredCurve(std::span<const double> x, std::span<const double> y) {
+void require_curve(std::span<const double> x, std::span<const double> y) {
     if (x.size() != y.size() || x.size() < 3) {
         throw InputError("a measured curve has " + std::to_string(x.size()) + " abscissae and " +
                              std::to_string(y.size()) + " values",
@@ -29,31 +23,24 @@ MeasuredCurve::MeasuredCurve(std::span<const double> x, std::span<const double> 
                 "finite values, abscissae strictly increasing");
         }
     }
-    gsl::quiet();
-    spline_ = std::make_unique<Spline>(
-        Spline{{x.begin(), x.end()}, {gsl_spline_alloc(gsl_interp_steffen, x.size()), &gsl_spline_free}});
-    gsl::check(gsl_spline_init(spline_->handle.get(), x.data(), y.data(), x.size()), "interpolation");
 }
 
-MeasuredCurve::~MeasuredCurve() = default;
-MeasuredCurve::MeasuredCurve(MeasuredCurve&&) noexcept = default;
-MeasuredCurve& MeasuredCurve::operator=(MeasuredCurve&&) noexcept = default;
+gsl::MonotoneSpline spline_through(std::span<const double> x, std::span<const double> y) {
+    require_curve(x, y);
+    return {x, y};
+}
 
-double MeasuredCurve::lower() const {
-    return spline_->x.front();
-}
-double MeasuredCurve::upper() const {
-    return spline_->x.back();
-}
+}  // namespace
+
+MeasuredCurve::MeasuredCurve(std::span<const double> x, std::span<const double> y)
+    : spline_(spline_through(x, y)) {}
 
 double MeasuredCurve::operator()(double x) const {
     if (!(x >= lower() && x <= upper())) {
         throw InputError("a measured curve is asked for its value at " + std::to_string(x),
                          std::to_string(lower()) + " to " + std::to_string(upper()) + ", the measured range");
     }
-    double y = 0.0;
-    gsl::check(gsl_spline_eval_e(spline_->handle.get(), x, nullptr, &y), "interpolation");
-    return y;
+    return spline_(x);
 }
 
 }  // namespace ashimpact

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <memory>
+#include "solver/gsl/spline.hpp"
+
 #include <span>
-#include <vector>
 
 namespace ashimpact {
 
@@ -13,18 +13,14 @@ class MeasuredCurve {
     /// @param x strictly increasing; @param y as long as x, at least 3 points, all finite
     /// @throws InputError
     MeasuredCurve(std::span<const double> x, std::span<const double> y);
-    ~MeasuredCurve();
-    MeasuredCurve(MeasuredCurve&&) noexcept;
-    MeasuredCurve& operator=(MeasuredCurve&&) noexcept;
 
     /// Value at @p x [unit of y]. @throws InputError outside the measured range: nothing is extrapolated
     [[nodiscard]] double operator()(double x) const;
-    [[nodiscard]] double lower() const;
-    [[nodiscard]] double upper() const;
+    [[nodiscard]] double lower() const { return spline_.lower(); }
+    [[nodiscard]] double upper() const { return spline_.upper(); }
 
   private:
-    struct Spline;
-    std::unique_ptr<Spline> spline_;
+    gsl::MonotoneSpline spline_;
 };
 
 }  // namespace ashimpact

@@ -217,7 +217,7 @@ std::vector<Mode> modes_of(const CurvePosterior& posterior, const std::vector<do
 
 }  // namespace
 
-CurveEstimate estimate_curve(const RestitutionTable& table, const std::vector<RecordedImpact>& impacts,
+CurveEstimate estimate_curve(const CurveTable& table, const std::vector<RecordedImpact>& impacts,
                              const CurvePrior& prior, const std::vector<double>& starts) {
     const CurvePosterior posterior(table, impacts, prior);
     const std::vector<Mode> modes = modes_of(posterior, starts);

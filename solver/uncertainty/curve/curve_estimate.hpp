@@ -23,7 +23,7 @@ struct CurveEstimate {
 /// 39:798): draws come from normal densities, each fitted to the draws before. The first densities stand at
 /// the modes that are found from @p starts [m/s].
 /// @throws ConvergenceError
-[[nodiscard]] CurveEstimate estimate_curve(const RestitutionTable& table,
+[[nodiscard]] CurveEstimate estimate_curve(const CurveTable& table,
                                            const std::vector<RecordedImpact>& impacts,
                                            const CurvePrior& prior, const std::vector<double>& starts);
 

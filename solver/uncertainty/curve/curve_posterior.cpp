@@ -20,7 +20,7 @@ double square(double x) {
 
 }  // namespace
 
-CurvePosterior::CurvePosterior(const RestitutionTable& table, const std::vector<RecordedImpact>& impacts,
+CurvePosterior::CurvePosterior(const CurveTable& table, const std::vector<RecordedImpact>& impacts,
                                const CurvePrior& prior)
     : table_(&table), impacts_(&impacts), prior_(prior), fastest_(-1e300), slowest_(1e300) {
     for (const RecordedImpact& impact : impacts) {

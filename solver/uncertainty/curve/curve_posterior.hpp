@@ -22,7 +22,7 @@ struct CurvePrior {
 /// from the means of their normal priors; ln of the noise over its expected scale.
 class CurvePosterior {
   public:
-    CurvePosterior(const RestitutionTable& table, const std::vector<RecordedImpact>& impacts,
+    CurvePosterior(const CurveTable& table, const std::vector<RecordedImpact>& impacts,
                    const CurvePrior& prior);
 
     // Indices of the parameters.
@@ -50,7 +50,7 @@ class CurvePosterior {
   private:
     [[nodiscard]] double prior_term(const Vector& parameters) const;
 
-    const RestitutionTable* table_;
+    const CurveTable* table_;
     const std::vector<RecordedImpact>* impacts_;
     CurvePrior prior_;
     double fastest_;  ///< ln v

@@ -85,7 +85,7 @@ CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, c
     const auto [slowest, fastest] = std::minmax_element(
         impacts.begin(), impacts.end(),
         [](const RecordedImpact& a, const RecordedImpact& b) { return a.velocity < b.velocity; });
-    const RestitutionTable table(model, {0.1 * slowest->velocity, 2.0 * fastest->velocity});
+    const CurveTable table(model, {0.1 * slowest->velocity, 2.0 * fastest->velocity});
     CurvePrior prior{.noise_known = noise_known,
                      .noise = std::clamp(neighbours, 1e-6 * fastest->velocity, 0.2 * fastest->velocity),
                      .scatter = {}};

@@ -7,7 +7,7 @@
 
 namespace ashimpact {
 
-SmoothDamping::SmoothDamping(const RestitutionTable& table, double log_critical_velocity, double fastest,
+SmoothDamping::SmoothDamping(const CurveTable& table, double log_critical_velocity, double fastest,
                              const std::array<double, terms>& coefficients)
     : table_(&table),
       critical_(log_critical_velocity),
@@ -70,7 +70,7 @@ SmoothDamping::Place SmoothDamping::computed(double x) const {
     const double difference = reference - deviation(t);
     const double distance =
         0.5 * (difference + std::sqrt(difference * difference + 4.0 * share * share * reference * reference));
-    const RestitutionTable::Value value = table_->at(distance, x);
+    const CurveTable::Value value = table_->at(distance, x);
     return {distance, value.restitution, value.by_distance};
 }
 

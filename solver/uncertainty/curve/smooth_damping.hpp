@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/uncertainty/curve/restitution_table.hpp"
+#include "solver/uncertainty/curve/curve_table.hpp"
 
 #include <array>
 
@@ -19,7 +19,7 @@ class SmoothDamping {
     static constexpr int terms = 7;
 
     /// @param log_critical_velocity ln v_c @param fastest ln v of the fastest impact
-    SmoothDamping(const RestitutionTable& table, double log_critical_velocity, double fastest,
+    SmoothDamping(const CurveTable& table, double log_critical_velocity, double fastest,
                   const std::array<double, terms>& coefficients);
 
     struct Place {
@@ -41,7 +41,7 @@ class SmoothDamping {
     // The curve is tabulated over the square root of ln(v/v_c), in which e begins smoothly.
     static constexpr int cells = 56;
 
-    const RestitutionTable* table_;
+    const CurveTable* table_;
     double critical_;
     double critical_damping_;
     double span_;  ///< restitution of constant damping at the fastest impact

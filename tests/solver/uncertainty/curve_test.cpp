@@ -35,7 +35,7 @@ TEST_CASE("the table of restitutions is the model's, for laws with and without a
     for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()}) {
         CAPTURE(law.name());
         const ContactModel model = ash_model(law);
-        const RestitutionTable table(model, {0.1, 20.0});
+        const CurveTable table(model, {0.1, 20.0});
         for (const double v : {0.3, 1.1, 4.0, 15.0}) {
             const double capture = model.damping(v, 0.0).value;
             CHECK(std::abs(table.log_capture_damping(std::log(v)) - std::log(capture)) < 1e-4);
@@ -54,7 +54,7 @@ TEST_CASE("the table of restitutions is the model's, for laws with and without a
 
 TEST_CASE("what can be recorded of an impact has probability one in all") {
     const ContactModel model = ash_model(Law::of<Dmt>());
-    const RestitutionTable table(model, {0.1, 20.0});
+    const CurveTable table(model, {0.1, 20.0});
     const SmoothDamping curve(table, std::log(1.3), std::log(5.0), {-0.3, 0.02, 0, 0, 0, 0, 0});
     const Scatter scatter{.noise = 1.0, .damping = 0.02, .outliers = 0.0};
     for (const double v : {1.1, 1.28, 1.35, 1.6, 3.0}) {

@@ -1,4 +1,4 @@
-#include "solver/uncertainty/curve/restitution_table.hpp"
+#include "solver/uncertainty/curve/curve_table.hpp"
 
 #include "solver/uncertainty/curve/cubic_weights.hpp"
 
@@ -32,7 +32,7 @@ double restitution_at(const ContactModel& model, double velocity, double damping
 
 }  // namespace
 
-RestitutionTable::RestitutionTable(const ContactModel& model, VelocityRange velocities) {
+CurveTable::CurveTable(const ContactModel& model, VelocityRange velocities) {
     first_ = std::log(std::max(velocities.lower, model.range().lower));
     const double last = std::log(std::min(velocities.upper, model.range().upper));
     const bool adhesive = model.map().impacts().adhesive();
@@ -64,7 +64,7 @@ RestitutionTable::RestitutionTable(const ContactModel& model, VelocityRange velo
     }
 }
 
-RestitutionTable::Column RestitutionTable::column(double x) const {
+CurveTable::Column CurveTable::column(double x) const {
     const double place = (x - first_) / step_;
     const auto last = static_cast<double>(capture_.size() - 3);
     const double cell = std::clamp(std::floor(place), 1.0, last);
@@ -74,14 +74,14 @@ RestitutionTable::Column RestitutionTable::column(double x) const {
     return column;
 }
 
-double RestitutionTable::log_capture_damping(double x) const {
+double CurveTable::log_capture_damping(double x) const {
     const Column c = column(x);
     double sum = 0.0;
     for (Eigen::Index i = 0; i < 4; ++i) sum += c.weight[i] * capture_[c.first + i];
     return sum;
 }
 
-RestitutionTable::Value RestitutionTable::at(double distance, double x) const {
+CurveTable::Value CurveTable::at(double distance, double x) const {
     if (!(distance > 0.0)) return {0.0, 0.0};
     const double rest = std::exp(-distance);
     const double s = std::sqrt(1.0 - rest);

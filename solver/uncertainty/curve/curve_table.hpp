@@ -13,10 +13,10 @@ namespace ashimpact {
 /// The table's own variable is s = sqrt(1 - exp(-phi)), in which e is smooth from capture (s = 0) to no
 /// damping at all (s = 1) for adhesive laws and for Hertz alike. Interpolation is cubic (Catmull and Rom
 /// 1974); its error is below 1e-4 in e.
-class RestitutionTable {
+class CurveTable {
   public:
     /// @param velocities that impacts and v_c can have, within the model's range [m/s]
-    RestitutionTable(const ContactModel& model, VelocityRange velocities);
+    CurveTable(const ContactModel& model, VelocityRange velocities);
 
     struct Value {
         double restitution;
