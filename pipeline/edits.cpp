@@ -10,6 +10,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/json_input.hpp"
 #include "materials/base/text.hpp"
+#include "materials/contact_properties.hpp"
 
 namespace ashimpact {
 
@@ -159,22 +160,36 @@ std::vector<std::string> reconcile_fit(Edited fit, const Json& was) {
     return std::move(fit).told();
 }
 
-/// The mass is that of a sphere of that radius and density.
-std::vector<std::string> reconcile_mass(Edited contact) {
-    const auto volume = [&] {
-        return 4.0 / 3.0 * std::numbers::pi * std::pow(contact.value("effective_radius"), 3);
+/// R* and m* follow the two spheres.
+void reconcile_pair(Edited& contact) {
+    const Json& partner = contact.now().at("partner");
+    const auto follow = [&](const char* key, double value) {
+        if (!differ(value, contact.value(key))) return;
+        if (contact.changed(key))
+            contact.refuse(key, "is not that of the two spheres", "the value as it was, which follows them");
+        contact.set(key, value, "one of the spheres");
     };
-    for (const char* key : {"density", "effective_radius"}) contact.drop_uncertainty(key);
-    const bool size = contact.changed("density") || contact.changed("effective_radius");
+    follow("effective_radius", effective_radius(contact.value("radius"), number_at(partner, "radius")));
+    follow("effective_mass", effective_mass(contact.value("mass"), number_at(partner, "mass")));
+}
+
+/// The mass is that of a sphere of that radius and density; what two spheres have in common follows both.
+std::vector<std::string> reconcile_mass(Edited contact) {
+    const bool two = contact.has("partner");
+    const char* radius = two ? "radius" : "effective_radius";
+    const auto volume = [&] { return 4.0 / 3.0 * std::numbers::pi * std::pow(contact.value(radius), 3); };
+    for (const char* key : {"density", radius}) contact.drop_uncertainty(key);
+    const bool size = contact.changed("density") || contact.changed(radius);
     const double mass = volume() * contact.value("density");
-    if (!differ(mass, contact.value("mass"))) return std::move(contact).told();
-    if (size && contact.changed("mass"))
+    const bool follows = differ(mass, contact.value("mass"));
+    if (follows && size && contact.changed("mass"))
         contact.refuse("mass", "is not that of a sphere of this radius and density, and both were edited",
                        "the mass as it was, which follows radius and density");
-    if (size)
+    if (follows && size)
         contact.set("mass", mass, "radius and density");
-    else if (contact.changed("mass"))
+    else if (follows && contact.changed("mass"))
         contact.set("density", contact.value("mass") / volume(), "the mass");
+    if (two) reconcile_pair(contact);
     return std::move(contact).told();
 }
 
@@ -188,7 +203,9 @@ Json originals_of(const std::string& schema, const Json& result) {
         const std::string pointer = "/result/samples/" + std::to_string(i);
         if (schema == "2-contact") {
             Json value;
-            for (const char* key : {"effective_radius", "density", "mass"}) value[key] = sample.at(key);
+            for (const char* key :
+                 {"effective_radius", "density", "mass", "radius", "effective_mass", "partner"})
+                if (sample.contains(key)) value[key] = sample.at(key);
             originals.push_back({{"at", pointer}, {"value", value}});
             continue;
         }

@@ -30,12 +30,20 @@ struct Stated {
     [[nodiscard]] double value() const { return quantity.value; }
 };
 
-/// The wall: elastic, rigid, or known only through the contact modulus of the pair.
+/// The other body, a wall or a second sphere: elastic, rigid, or known only through the contact modulus of
+/// the pair.
 struct ElasticWall {
     Stated young_modulus;
     Stated poisson_ratio;
 };
 using Wall = std::variant<ElasticWall, RigidWall, Stated>;
+
+/// The second sphere of a case without a flat wall. Its elasticity is a Wall.
+struct PartnerSphere {
+    Stated diameter;
+    std::optional<Stated> density{};  ///< this or the mass
+    std::optional<Stated> mass{};     ///< this or the density
+};
 
 /// Work of adhesion from the surface energies of the two bodies.
 struct AdhesionFromSurfaces {
@@ -131,7 +139,8 @@ struct Case {
     std::string name;
     std::vector<Phase> phases{};  ///< every phase the samples need, with its properties
     MixtureRule mixture_rule = MixtureRule::parallel;
-    std::optional<Wall> wall{};
+    std::optional<Wall> wall{};              ///< elasticity of the other body
+    std::optional<PartnerSphere> partner{};  ///< the other body is this sphere; none: it is a flat wall
     std::vector<Sample> samples{};
     std::vector<LawChoice> laws{};
     DampingLaw damping_law = DampingLaw::constant;

@@ -55,6 +55,14 @@ Json wall_json(const Wall& wall) {
     return {{"rigid", true}};
 }
 
+Json partner_json(const PartnerSphere& partner, const std::optional<Wall>& elasticity) {
+    Json json = elasticity ? wall_json(*elasticity) : Json::object();
+    json["diameter"] = stated_json(partner.diameter);
+    if (partner.density) json["density"] = stated_json(*partner.density);
+    if (partner.mass) json["mass"] = stated_json(*partner.mass);
+    return json;
+}
+
 Json adhesion_json(const Adhesion& adhesion) {
     if (const auto* stated = std::get_if<Stated>(&adhesion)) return stated_json(*stated);
     const auto& from = std::get<AdhesionFromSurfaces>(adhesion);
@@ -190,7 +198,10 @@ Json published_json(const PublishedSample& published) {
 
 Json case_json(const Case& data) {
     Json json{{"name", data.name}, {"mixture_rule", name_of(data.mixture_rule)}};
-    if (data.wall) json["wall"] = wall_json(*data.wall);
+    if (data.partner)
+        json["partner"] = partner_json(*data.partner, data.wall);
+    else if (data.wall)
+        json["wall"] = wall_json(*data.wall);
     json["laws"] = Json::array();
     for (const LawChoice& choice : data.laws) {
         json["laws"].push_back(choice.law.name());

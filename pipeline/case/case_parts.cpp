@@ -223,7 +223,7 @@ Wall read_wall(const View& node) {
     constexpr auto allowed = "young_modulus and poisson_ratio, or \"rigid\": true, or contact_modulus";
     const bool elastic = count_of(node, {"young_modulus", "poisson_ratio"}) > 0;
     if (count_of(node, {"rigid", "contact_modulus"}) + (elastic ? 1 : 0) != 1)
-        node.fail("the wall is described in more than one way, or in none", allowed);
+        node.fail("its elasticity is given in more than one way, or in none", allowed);
     if (elastic) {
         if (count_of(node, {"young_modulus", "poisson_ratio"}) != 2)
             node.fail(
@@ -234,9 +234,18 @@ Wall read_wall(const View& node) {
     }
     if (node.has("contact_modulus"))
         return read_positive(node.at("contact_modulus"), "contact modulus", Dimension::pressure);
-    if (!node.at("rigid").truth())
-        node.at("rigid").fail("a wall that is not rigid needs its moduli", allowed);
+    if (!node.at("rigid").truth()) node.at("rigid").fail("what is not rigid needs its moduli", allowed);
     return RigidWall{};
+}
+
+PartnerSphere read_partner(const View& node) {
+    if (count_of(node, {"density", "mass"}) != 1)
+        node.fail("the density and the mass are both given, or neither", "one of the two");
+    PartnerSphere partner{.diameter = read_positive(node.at("diameter"), "diameter", Dimension::length)};
+    if (const auto density = node.find("density"))
+        partner.density = read_positive(*density, "density", Dimension::density);
+    if (const auto mass = node.find("mass")) partner.mass = read_positive(*mass, "mass", Dimension::mass);
+    return partner;
 }
 
 Adhesion read_adhesion(const View& node) {
@@ -250,7 +259,11 @@ Adhesion read_adhesion(const View& node) {
     }
     const View energies = node.at("surface_energies");
     const auto energy = [&](const char* key) { return energies.at(key).number(Dimension::energy_per_area); };
-    AdhesionFromSurfaces from{.energies = {.particle = energy("particle"), .wall = energy("wall")},
+    if (count_of(energies, {"wall", "partner"}) != 1)
+        energies.fail("the surface energy of the other body is given twice, or not at all",
+                      "\"wall\", or \"partner\" for a second sphere");
+    const double other = energy(energies.has("wall") ? "wall" : "partner");
+    AdhesionFromSurfaces from{.energies = {.particle = energy("particle"), .wall = other},
                               .rule = named<AdhesionRule>(node.at("rule").text())};
     if (energies.has("interfacial")) from.energies.interfacial = energy("interfacial");
     node.located([&] { static_cast<void>(work_of_adhesion(from.rule, from.energies)); });

@@ -17,6 +17,8 @@ namespace ashimpact {
 [[nodiscard]] Stated read_poisson_ratio(const View& node);
 
 [[nodiscard]] Wall read_wall(const View& node);
+/// Diameter, and density or mass, of a second sphere.
+[[nodiscard]] PartnerSphere read_partner(const View& node);
 [[nodiscard]] Adhesion read_adhesion(const View& node);
 [[nodiscard]] Porosity read_porosity(const View& node);
 

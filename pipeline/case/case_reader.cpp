@@ -247,8 +247,11 @@ void check_whole(const Case& data, const View& document) {
         if (!names.insert(sample.name).second)
             nodes[i].at("name").fail("two samples have this name", "another name");
         if (!data.wall && !sample.contact_modulus)
-            nodes[i].fail("neither a wall nor a contact modulus is given",
-                          "\"wall\" of the case, or contact_modulus here");
+            nodes[i].fail(data.partner ? "neither the partner's elasticity nor a contact modulus is given"
+                                       : "neither a wall nor a contact modulus is given",
+                          data.partner
+                              ? "young_modulus and poisson_ratio of \"partner\", or contact_modulus here"
+                              : "\"wall\" or \"partner\" of the case, or contact_modulus here");
         const bool adhesive = std::any_of(data.laws.begin(), data.laws.end(), [](const LawChoice& choice) {
             return choice.law.uses_work_of_adhesion();
         });
@@ -259,13 +262,26 @@ void check_whole(const Case& data, const View& document) {
     }
 }
 
+/// The wall, or the second sphere in its place.
+void read_other_body(const View& document, Case& data) {
+    const auto wall = document.find("wall");
+    const auto partner = document.find("partner");
+    if (wall && partner) partner->fail("a wall and a second sphere are both given", "one of the two");
+    if (wall) data.wall = read_wall(*wall);
+    if (!partner) return;
+    data.partner = read_partner(*partner);
+    const auto elasticity = {"young_modulus", "poisson_ratio", "rigid", "contact_modulus"};
+    if (std::ranges::any_of(elasticity, [&](const char* key) { return partner->has(key); }))
+        data.wall = read_wall(*partner);
+}
+
 Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputFiles& files,
                     std::vector<std::string>& warnings) {
     Case data{.name = document.at("name").text()};
     const PhaseCatalogue catalogue = catalogue_of(document, built_in);
     const PublishedSets published(document, files);
     if (const auto rule = document.find("mixture_rule")) data.mixture_rule = named<MixtureRule>(rule->text());
-    if (const auto wall = document.find("wall")) data.wall = read_wall(*wall);
+    read_other_body(document, data);
     Defaults defaults;
     if (const auto particle = document.find("particle")) defaults.particle = read_particle(*particle);
     defaults.camera = document.find("camera");

@@ -66,7 +66,7 @@ MeasurementSet read_impacts(const DampingOptions& options) {
 /// The contact with nothing uncertain in it.
 RandomContact exact(const ContactPair& contact) {
     const double r = contact.effective_radius;
-    SphereOnWall sphere{
+    SphereInContact sphere{
         .diameter = {.name = "diameter", .value = 2 * r},
         .density = {.name = "density", .value = 3 * contact.mass / (4 * std::numbers::pi * r * r * r)},
         .work_of_adhesion = {.name = "work of adhesion", .value = contact.work_of_adhesion},

@@ -141,6 +141,9 @@ ExportSubject subject_of_run(const RunChoice& choice) {
         artifacts.read("6-fit.json", [&](const View& result) { return read_fits(result, dimension); });
     const auto velocities = artifacts.read("7-critical-velocity.json", read_critical_velocities);
     const SampleContact& contact = sample_named(contacts, choice);
+    if (contact.partner)
+        throw InputError("the run is of two spheres, and an exported impact of one on a flat wall",
+                         "a run with \"wall\" in its case");
     const LawFit& fit = fit_of(sample_named(fits, choice), law);
     const LawCriticalVelocity* headline = sample_named(velocities, choice).laws.find(law.law);
     if (headline == nullptr)

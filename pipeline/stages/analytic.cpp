@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "materials/contact_properties.hpp"
 #include "materials/separation_energy.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/contact.hpp"
@@ -33,13 +34,15 @@ Json analytic_json(const SampleContact& sample) {
     const AdhesiveContact contact{.work_of_adhesion = sample.pair.work_of_adhesion,
                                   .effective_radius = sample.pair.effective_radius,
                                   .contact_modulus = sample.pair.contact_modulus};
+    // Of two spheres m* and R* are those of one sphere of this density on a wall.
+    const double density = sample.partner ? sphere_density(sample.pair.effective_radius, sample.pair.mass)
+                                          : sample.density.value;
     Json json{{"name", sample.name}};
-    json.update(pair_json(separation_energy(contact), separation_velocity(contact, sample.density.value)));
-    json["load_controlled"] =
-        pair_json(separation_energy(contact, Separation::load_controlled),
-                  separation_velocity(contact, sample.density.value, Separation::load_controlled));
-    json["with_printed_constants"] = pair_json(dong2013::separation_energy(contact),
-                                               dong2013::separation_velocity(contact, sample.density.value));
+    json.update(pair_json(separation_energy(contact), separation_velocity(contact, density)));
+    json["load_controlled"] = pair_json(separation_energy(contact, Separation::load_controlled),
+                                        separation_velocity(contact, density, Separation::load_controlled));
+    json["with_printed_constants"] =
+        pair_json(dong2013::separation_energy(contact), dong2013::separation_velocity(contact, density));
     json["maugis_dugdale"] = cohesive_json(sample.pair, separation_energy(contact));
     return json;
 }

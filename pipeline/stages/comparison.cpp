@@ -202,7 +202,7 @@ Json assumed_json(const Sample& sample, const SampleContact& contact) {
 /// Which of diameter, density and work of adhesion state no uncertainty, so that none goes into intervals.
 Json exact_json(const SampleContact& contact) {
     Json list = Json::array();
-    if (!contact.effective_radius.standard_uncertainty) list.push_back("diameter");
+    if (!contact.radius.standard_uncertainty) list.push_back("diameter");
     if (!contact.density.standard_uncertainty) list.push_back("density");
     if (contact.work_of_adhesion.value > 0 && !contact.work_of_adhesion.standard_uncertainty)
         list.push_back("work of adhesion");
@@ -243,7 +243,7 @@ StageOutput comparison_stage(const Artifacts& before) {
         Json json{
             {"name", sample.name},
             {"reported", reported_json({data.laws, of.velocities, contact.pair, measured})},
-            {"diameter", quantity_json(2 * contact.effective_radius.value, Dimension::length)},
+            {"diameter", quantity_json(2 * contact.radius.value, Dimension::length)},
             {"density", contact.density},
             {"work_of_adhesion", contact.work_of_adhesion},
             {"assumed", assumed_json(sample, contact)},

@@ -76,22 +76,53 @@ Stated adhesion_of(const Sample& sample) {
                     "surface energies, rule " + std::string(name_of(from.rule)));
 }
 
-Json contact_json(const Sample& sample, const std::optional<Wall>& wall, const SampleModulus& modulus,
-                  std::vector<std::string>& warnings) {
-    std::optional<Stated> poisson_ratio;
-    if (needs_poisson_ratio(sample, wall)) poisson_ratio = poisson_ratio_of(sample, modulus);
-    Quantity radius = sample.diameter.quantity;
+Quantity radius_of(const Stated& diameter) {
+    Quantity radius = diameter.quantity;
     radius.value /= 2;
     if (radius.standard_uncertainty) *radius.standard_uncertainty /= 2;
+    return radius;
+}
+
+/// R* of two spheres, with the uncertainty that both radii leave (Eq. 6).
+Quantity effective_radius_of(const Quantity& particle, const Quantity& partner) {
+    Quantity effective = make_quantity(effective_radius(particle.value, partner.value), Dimension::length);
+    const auto share = [&](const Quantity& radius) {
+        const double ratio = effective.value / radius.value;  // d R*/d r = (R*/r)^2
+        return ratio * ratio * radius.standard_uncertainty.value_or(0);
+    };
+    const double u = std::hypot(share(particle), share(partner));
+    if (u > 0) effective.standard_uncertainty = u;
+    return effective;
+}
+
+/// What stands of two spheres in place of R* and m of a sphere on a wall.
+Json two_spheres_json(const Quantity& radius, double mass, const PartnerSphere& partner) {
+    const Quantity other = radius_of(partner.diameter);
+    const double other_mass =
+        partner.mass ? partner.mass->value() : sphere_mass(other.value, partner.density->value());
+    return {{"effective_radius", effective_radius_of(radius, other)},
+            {"effective_mass", quantity_json(effective_mass(mass, other_mass), Dimension::mass)},
+            {"radius", radius},
+            {"partner", {{"radius", other}, {"mass", quantity_json(other_mass, Dimension::mass)}}}};
+}
+
+Json contact_json(const Sample& sample, const Case& data, const SampleModulus& modulus,
+                  std::vector<std::string>& warnings) {
+    const std::optional<Wall>& wall = data.wall;
+    std::optional<Stated> poisson_ratio;
+    if (needs_poisson_ratio(sample, wall)) poisson_ratio = poisson_ratio_of(sample, modulus);
+    const Quantity radius = radius_of(sample.diameter);
     const Stated density = density_of(sample, modulus, warnings);
+    const double mass = sphere_mass(radius.value, density.value());
     Json json{
         {"name", sample.name},
         {"contact_modulus", stated_json(contact_modulus_of(sample, wall, modulus, poisson_ratio))},
         {"effective_radius", radius},
-        {"mass", quantity_json(sphere_mass(radius.value, density.value()), Dimension::mass)},
+        {"mass", quantity_json(mass, Dimension::mass)},
         {"density", stated_json(density)},
         {"density_from_phases", quantity_json(density_from_phases(sample, modulus), Dimension::density)},
         {"work_of_adhesion", stated_json(adhesion_of(sample))}};
+    if (data.partner) json.update(two_spheres_json(radius, mass, *data.partner));
     if (poisson_ratio) json["poisson_ratio"] = stated_json(*poisson_ratio);
     if (sample.yield_pressure) json["yield_pressure"] = stated_json(*sample.yield_pressure);
     for (const auto& [parameter, stated] : sample.parameters)
@@ -105,14 +136,41 @@ StageOutput contact_stage(const Artifacts& before) {
     const Case data = read_case_artifact(before);
     const auto moduli = before.read(modulus_artifact, read_moduli);
     StageOutput output{.citations = {"dong2013, Eqs. 6, 7, 11"}};
-    output.options = {{"geometry", "sphere on a flat wall: R* = r, m* = m"}};
+    output.options = {{"geometry", data.partner ? "two spheres: 1/R* = 1/r1 + 1/r2, 1/m* = 1/m1 + 1/m2"
+                                                : "sphere on a flat wall: R* = r, m* = m"}};
     output.result["samples"] = Json::array();
     for (const Sample& sample : data.samples) {
         const SampleModulus& modulus = entry_named(moduli, sample.name, before, modulus_artifact);
-        output.result["samples"].push_back(contact_json(sample, data.wall, modulus, output.warnings));
+        output.result["samples"].push_back(contact_json(sample, data, modulus, output.warnings));
     }
     return output;
 }
+
+namespace {
+
+SecondSphere read_second_sphere(const View& node) {
+    return {positive_quantity(node.at("radius"), "radius", Dimension::length),
+            positive_quantity(node.at("mass"), "mass", Dimension::mass)};
+}
+
+/// R* and m* of two spheres. They stand in the artifact too, and have to be those of the spheres.
+void set_two_spheres(const View& sample, double mass, SampleContact& contact) {
+    const SecondSphere& partner = *contact.partner;
+    contact.pair.effective_radius = effective_radius(contact.radius.value, partner.radius.value);
+    contact.pair.mass = effective_mass(mass, partner.mass.value);
+    constexpr double rounding = 1e-9;
+    const auto check = [&](const char* key, Dimension dimension, double expected) {
+        const View node = sample.at(key);
+        if (std::abs(positive_quantity(node, key, dimension).value - expected) > rounding * expected)
+            node.fail("is not that of the two spheres", shortest(expected) + " " +
+                                                            std::string(si_unit(dimension)) +
+                                                            ", which follows radius, mass and partner");
+    };
+    check("effective_radius", Dimension::length, contact.pair.effective_radius);
+    check("effective_mass", Dimension::mass, contact.pair.mass);
+}
+
+}  // namespace
 
 std::vector<SampleContact> read_contacts(const View& result) {
     std::vector<SampleContact> samples;
@@ -123,18 +181,23 @@ std::vector<SampleContact> read_contacts(const View& result) {
         const auto positive = [&](const char* key, Dimension dimension) {
             return positive_quantity(sample.at(key), key, dimension);
         };
-        SampleContact contact{.name = sample.at("name").text(),
-                              .pair = {},
-                              .density = positive("density", Dimension::density),
-                              .effective_radius = positive("effective_radius", Dimension::length),
-                              .contact_modulus = positive("contact_modulus", Dimension::pressure),
-                              .work_of_adhesion = quantity("work_of_adhesion", Dimension::energy_per_area),
-                              .poisson_ratio = {},
-                              .parameters = {}};
+        SampleContact contact{
+            .name = sample.at("name").text(),
+            .pair = {},
+            .density = positive("density", Dimension::density),
+            .radius = positive(sample.has("partner") ? "radius" : "effective_radius", Dimension::length),
+            .contact_modulus = positive("contact_modulus", Dimension::pressure),
+            .work_of_adhesion = quantity("work_of_adhesion", Dimension::energy_per_area),
+            .poisson_ratio = {},
+            .parameters = {}};
         contact.pair = {.mass = positive("mass", Dimension::mass).value,
-                        .effective_radius = contact.effective_radius.value,
+                        .effective_radius = contact.radius.value,
                         .contact_modulus = contact.contact_modulus.value,
                         .work_of_adhesion = contact.work_of_adhesion.value};
+        if (const auto partner = sample.find("partner")) {
+            contact.partner = read_second_sphere(*partner);
+            set_two_spheres(sample, contact.pair.mass, contact);
+        }
         if (sample.has("poisson_ratio"))
             contact.poisson_ratio = quantity("poisson_ratio", Dimension::fraction);
         if (const auto pressure = sample.find("yield_pressure"))

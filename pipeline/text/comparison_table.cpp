@@ -124,7 +124,7 @@ std::string reported_text(const View& result, std::size_t width) {
                                 width);
     }
     table.drop_empty_columns();
-    return "Report this critical velocity; a slower particle stays on the wall.\n\n" + table.text(0, width) +
+    return "Report this critical velocity; a slower particle sticks.\n\n" + table.text(0, width) +
            "\nWhy:\n" + reasons + "\n";
 }
 

@@ -92,6 +92,9 @@ CalibrationProblem calibration_problem(const Case& data, const Artifacts& before
                              "a wall with young_modulus and "
                              "poisson_ratio, to start from")
                 .at("/wall");
+    if (data.partner)
+        throw InputError("a calibration is of particles on a flat wall, not of two spheres", "\"wall\"")
+            .at("/partner");
     require_wall_to_matter(data);
     for (std::size_t i = 0; i < data.samples.size(); ++i) {
         const Sample& sample = data.samples[i];

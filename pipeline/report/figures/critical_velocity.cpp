@@ -92,7 +92,7 @@ Figure critical_velocity_figure(const RunData& run) {
                   .title = "The critical velocity, every way there is",
                   .counterpart = "Table 4",
                   .caption =
-                      "A particle slower than its critical velocity stays on the wall. Analytic: the energy "
+                      "A particle slower than its critical velocity sticks. Analytic: the energy "
                       "to separate the surfaces alone (Eq. 30). Dynamic: by "
                       "each contact law with its damping, with the interval that holds it with 95 %.",
                   .panels = {},

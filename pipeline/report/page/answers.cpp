@@ -64,7 +64,7 @@ std::string answer(const SampleData& sample) {
                                   ? fmt::format("{:#.3g} m/s", *greatest)
                                   : fmt::format("{:#.3g} to {:#.3g} m/s", *least, *greatest);
     return fmt::format(
-        "<li><strong>{}</strong>: a particle stays on the wall when it is slower than <span "
+        "<li><strong>{}</strong>: a particle sticks when it is slower than <span "
         "class=\"value\">{}</span>{}"
         "<span class=\"rest\">{}.</span><span class=\"rest\">{}</span></li>\n",
         html_name(sample.name), range, velocities.size() > 1 ? ", depending on the contact law." : ".",

@@ -159,10 +159,11 @@ std::string assumptions_html(const RunData& run) {
 }
 
 std::string validity_html(const RunData& run) {
-    std::string html =
-        "<ul class=\"notes\"><li>Normal impact of one sphere on a flat, smooth wall; dry, at room "
-        "temperature. Rotation, roughness, charge, liquid and soft ash are not "
-        "in it.</li>\n";
+    const bool two_spheres = !run.samples().empty() && run.samples().front().contact->partner;
+    std::string html = fmt::format(
+        "<ul class=\"notes\"><li>Normal impact of {}; dry, at room temperature. Rotation, roughness, charge, "
+        "liquid and soft ash are not in it.</li>\n",
+        two_spheres ? "one smooth sphere on another" : "one sphere on a flat, smooth wall");
     double least = 1e300;
     double greatest = 0;
     bool yields = false;

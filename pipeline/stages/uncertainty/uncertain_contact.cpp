@@ -24,14 +24,21 @@ RandomInput ratio(const char* name, const Quantity& quantity) {
             .standard_uncertainty = quantity.standard_uncertainty.value_or(0)};
 }
 
-SphereOnWall sphere_of(const SampleContact& contact) {
-    Quantity diameter = contact.effective_radius;
-    diameter.value *= 2;
-    if (diameter.standard_uncertainty) *diameter.standard_uncertainty *= 2;
-    SphereOnWall sphere{.diameter = positive("diameter", diameter),
-                        .density = positive("density", contact.density),
-                        .work_of_adhesion = positive("work of adhesion", contact.work_of_adhesion),
-                        .yield_pressure = contact.pair.yield_pressure};
+Quantity diameter_of(Quantity radius) {
+    radius.value *= 2;
+    if (radius.standard_uncertainty) *radius.standard_uncertainty *= 2;
+    return radius;
+}
+
+SphereInContact sphere_of(const SampleContact& contact) {
+    const Quantity diameter = diameter_of(contact.radius);
+    SphereInContact sphere{.diameter = positive("diameter", diameter),
+                           .density = positive("density", contact.density),
+                           .work_of_adhesion = positive("work of adhesion", contact.work_of_adhesion),
+                           .yield_pressure = contact.pair.yield_pressure};
+    if (contact.partner)
+        sphere.partner = {positive("diameter of the partner", diameter_of(contact.partner->radius)),
+                          positive("mass of the partner", contact.partner->mass)};
     for (const auto& [parameter, value] : contact.parameters)
         sphere.parameters.emplace_back(parameter, positive(std::string(parameter.name), value));
     return sphere;
@@ -43,7 +50,7 @@ std::optional<RandomContact> from_phases(const Case& data, const Sample& sample,
     const auto* wall = data.wall ? std::get_if<ElasticWall>(&*data.wall) : nullptr;
     if (wall == nullptr || sample.contact_modulus || !contact.poisson_ratio) return std::nullopt;
     const PhaseCatalogue catalogue({PhaseSet{.name = "case", .phases = data.phases}});
-    SphereOnWall sphere = sphere_of(contact);
+    SphereInContact sphere = sphere_of(contact);
     sphere.poisson_ratio = ratio("Poisson's ratio", *contact.poisson_ratio);
     sphere.wall_young_modulus = positive("Young's modulus of the wall", wall->young_modulus.quantity);
     sphere.wall_poisson_ratio = ratio("Poisson's ratio of the wall", wall->poisson_ratio.quantity);
@@ -63,7 +70,7 @@ std::optional<RandomContact> from_phases(const Case& data, const Sample& sample,
 
 RandomContact uncertain_contact(const Case& data, const Sample& sample, const SampleContact& contact) {
     if (auto random = from_phases(data, sample, contact)) return *std::move(random);
-    SphereOnWall sphere = sphere_of(contact);
+    SphereInContact sphere = sphere_of(contact);
     sphere.contact_modulus = positive("contact modulus", contact.contact_modulus);
     return random_contact(sphere);
 }

@@ -53,7 +53,7 @@ double stable_poisson_ratio(double value) {
 }
 
 /// The contact modulus that the next values give.
-void set_modulus(ContactPair& pair, SphereOnWall& sphere, Values& values) {
+void set_modulus(ContactPair& pair, SphereInContact& sphere, Values& values) {
     if (sphere.contact_modulus) {
         pair.contact_modulus = values.next();
         return;
@@ -73,7 +73,7 @@ ContactPair RandomContact::nominal() const {
     return contact(values);
 }
 
-RandomContact random_contact(const SphereOnWall& sphere) {
+RandomContact random_contact(const SphereInContact& sphere) {
     const int ways =
         (sphere.mixture ? 1 : 0) + (sphere.young_modulus ? 1 : 0) + (sphere.contact_modulus ? 1 : 0);
     if (ways != 1) throw InputError("the modulus is given in " + std::to_string(ways) + " ways", "one");
@@ -87,8 +87,10 @@ RandomContact random_contact(const SphereOnWall& sphere) {
         if (sphere.young_modulus) result.inputs.push_back(*sphere.young_modulus);
         if (sphere.mixture) add_mixture(result.inputs, sphere.mixture->composition);
     }
+    if (sphere.partner)
+        result.inputs.insert(result.inputs.end(), {sphere.partner->diameter, sphere.partner->mass});
     for (const auto& [parameter, input] : sphere.parameters) result.inputs.push_back(input);
-    result.contact = [sphere = SphereOnWall(sphere)](std::span<const double> all) mutable {
+    result.contact = [sphere = SphereInContact(sphere)](std::span<const double> all) mutable {
         Values values(all);
         const double radius = 0.5 * values.next();
         ContactPair pair{.mass = sphere_mass(radius, values.next()),
@@ -97,6 +99,10 @@ RandomContact random_contact(const SphereOnWall& sphere) {
                          .work_of_adhesion = values.next(),
                          .yield_pressure = sphere.yield_pressure};
         set_modulus(pair, sphere, values);
+        if (sphere.partner) {
+            pair.effective_radius = effective_radius(radius, 0.5 * values.next());
+            pair.mass = effective_mass(pair.mass, values.next());
+        }
         for (const auto& [parameter, input] : sphere.parameters)
             pair.parameters.set(parameter.name, values.next());
         return pair;

@@ -29,9 +29,15 @@ struct PhaseMixture {
     ModulusOptions options{};
 };
 
-/// A sphere of one sieve size on a flat wall. Exactly one of mixture, young_modulus and contact_modulus is
-/// given.
-struct SphereOnWall {
+/// A second sphere in place of the wall.
+struct RandomPartner {
+    RandomInput diameter;  ///< [m]
+    RandomInput mass;      ///< [kg]
+};
+
+/// A sphere of one sieve size on a flat wall, or on a second sphere. Exactly one of mixture, young_modulus
+/// and contact_modulus is given.
+struct SphereInContact {
     RandomInput diameter;                                             ///< [m]
     RandomInput density;                                              ///< of the particle [kg/m3]
     RandomInput work_of_adhesion;                                     ///< [J/m2]
@@ -41,14 +47,15 @@ struct SphereOnWall {
     std::optional<PhaseMixture> mixture{};                            ///< XRD fractions and phase moduli, or
     std::optional<RandomInput> young_modulus{};                       ///< of the particle [Pa], or
     std::optional<RandomInput> contact_modulus{};                     ///< E* itself [Pa]
+    std::optional<RandomPartner> partner{};                           ///< none: a flat wall
     double yield_pressure = std::numeric_limits<double>::infinity();  ///< [Pa]
     std::vector<std::pair<LawParameter, RandomInput>> parameters{};   ///< of laws that declare their own [SI]
 };
 
-/// The inputs of a sphere on a wall: first its diameter, density, w, and what its contact modulus comes from;
-/// of a mixture, every fraction and every phase modulus whose uncertainty is known. Fractions below zero
-/// count as zero.
+/// The inputs of a sphere in contact: first its diameter, density, w, and what its contact modulus comes
+/// from, then its partner's; of a mixture, every fraction and every phase modulus whose uncertainty is known.
+/// Fractions below zero count as zero.
 /// @throws InputError unless exactly one way to a modulus is given
-[[nodiscard]] RandomContact random_contact(const SphereOnWall& sphere);
+[[nodiscard]] RandomContact random_contact(const SphereInContact& sphere);
 
 }  // namespace ashimpact

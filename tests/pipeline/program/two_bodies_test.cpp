@@ -90,3 +90,139 @@ TEST_CASE("rough surfaces: less adhesion, never by default") {
     CHECK(number(printed(sandbox, command + " --roughness '1 nm'")["critical_velocity"]) < smooth);
     CHECK(ashimpact_program(sandbox, command + " --roughness '-1 nm'").status == 2);
 }
+
+namespace {
+
+/// The built-in modulus of the example on a partner in place of the wall.
+Json with_partner(const Json& partner) {
+    Json document = example_case();
+    document["laws"] = {"jkr"};
+    document.erase("wall");
+    document["partner"] = partner;
+    for (Json& sample : document["samples"]) sample.erase("restitution");
+    return document;
+}
+
+const Json steel_ball = Json::parse(R"({"diameter": {"value": 200, "unit": "um", "standard_uncertainty": 4},
+    "density": "7800 kg/m3", "young_modulus": "193 GPa", "poisson_ratio": 0.29})");
+
+}  // namespace
+
+TEST_CASE("a case with a second sphere: its contact, the limits of a wall and of equal spheres") {
+    const Sandbox sandbox;
+    const auto contact_of = [&](const Json& document) {
+        write_example(sandbox, document);
+        const auto run = ashimpact_program(sandbox, "run case.json -o two --no-report");
+        REQUIRE_MESSAGE(run.status == 0, run.err);
+        return sandbox.json("two/2-contact.json")["result"]["samples"][0];
+    };
+    const Json two = contact_of(with_partner(steel_ball));
+    const double radius = number(two["radius"]);
+    const double mass = number(two["mass"]);
+    CHECK(radius == 44e-6);
+    CHECK(relative_difference(number(two["effective_radius"]), 1 / (1 / radius + 1 / 100e-6)) < 1e-14);
+    const double ball = 4.0 / 3.0 * 3.14159265358979 * 1e-12 * 7800;
+    CHECK(relative_difference(number(two["partner"]["mass"]), ball) < 1e-13);
+    CHECK(relative_difference(number(two["effective_mass"]), 1 / (1 / mass + 1 / ball)) < 1e-13);
+    // d R*/d r = (R*/r)^2, and half of 4 um is the partner's alone.
+    const double share = std::pow(number(two["effective_radius"]) / 100e-6, 2);
+    CHECK(relative_difference(two["effective_radius"]["standard_uncertainty"].get<double>(), share * 2e-6) <
+          1e-12);
+    const Json analytic = sandbox.json("two/3-analytic.json")["result"]["samples"][0];
+    CHECK(relative_difference(
+              number(analytic["critical_velocity"]),
+              std::sqrt(2 * number(analytic["separation_energy"]) / number(two["effective_mass"]))) < 1e-13);
+    CHECK(number(sandbox.json("two/comparison.json")["result"]["samples"][0]["diameter"]) == 88e-6);
+
+    Json equal = steel_ball;
+    equal["diameter"] = "88 um";
+    equal.erase("density");
+    equal["mass"] = mass;
+    const Json halves = contact_of(with_partner(equal));
+    CHECK(relative_difference(number(halves["effective_radius"]), radius / 2) < 1e-15);
+    CHECK(relative_difference(number(halves["effective_mass"]), mass / 2) < 1e-15);
+
+    Json document = with_partner(steel_ball);
+    document.erase("partner");
+    document["wall"] = {{"young_modulus", "193 GPa"}, {"poisson_ratio", 0.29}};
+    const Json wall = contact_of(document);
+    CHECK_FALSE(wall.contains("partner"));
+    const double on_wall =
+        number(sandbox.json("two/3-analytic.json")["result"]["samples"][0]["critical_velocity"]);
+    double before = 1;
+    for (const char* diameter : {"8 mm", "80 mm", "800 mm"}) {
+        Json large = steel_ball;
+        large["diameter"] = diameter;
+        contact_of(with_partner(large));
+        const double distance = relative_difference(
+            number(sandbox.json("two/3-analytic.json")["result"]["samples"][0]["critical_velocity"]),
+            on_wall);
+        CHECK(distance < 0.2 * before);
+        before = distance;
+    }
+    CHECK(before < 1e-3);
+}
+
+TEST_CASE("a case with a second sphere: measured impacts, edits of the spheres, what is refused") {
+    const Sandbox sandbox;
+    Json document = with_partner(steel_ball);
+    document["samples"][0]["restitution"] = example_case()["samples"][0]["restitution"];
+    document["samples"].erase(1);
+    write_example(sandbox, document);
+    const auto run = ashimpact_program(sandbox, "run case.json -o two");
+    REQUIRE_MESSAGE(run.status == 0, run.err);
+    const Json contact = sandbox.json("two/2-contact.json")["result"]["samples"][0];
+    const Json velocity = sandbox.json("two/7-critical-velocity.json")["result"]["samples"][0]["jkr"];
+    const auto digits = [](const Json& quantity) {
+        return " " + std::to_string(number(quantity) * 1e12) + "e-12";
+    };
+    const Json direct = printed(
+        sandbox, "critical-velocity --law jkr --radius 44e-6 --partner-radius 100e-6 --mass" +
+                     digits(contact["mass"]) + " --partner-mass" + digits(contact["partner"]["mass"]) +
+                     " --contact-modulus" + digits(contact["contact_modulus"]) +
+                     " --work-of-adhesion 0.3 --damping" + digits(velocity["damping"]));
+    CHECK(relative_difference(number(direct["critical_velocity"]), number(velocity["critical_velocity"])) <
+          1e-6);
+    CHECK(sandbox.read("two/report.html").find("one smooth sphere on another") != std::string::npos);
+
+    Json artifact = sandbox.json("two/2-contact.json");
+    artifact["result"]["samples"][0]["partner"]["radius"]["value"] = 50e-6;
+    sandbox.write("two/2-contact.json", artifact.dump());
+    const auto edited = ashimpact_program(sandbox, "run -o two --from analytic --no-report");
+    REQUIRE_MESSAGE(edited.status == 0, edited.err);
+    CHECK_MESSAGE(edited.err.find("effective_radius: follows one of the spheres") != std::string::npos,
+                  edited.err);
+    artifact["result"]["samples"][0]["effective_radius"]["value"] = 40e-6;
+    sandbox.write("two/2-contact.json", artifact.dump());
+    CHECK(ashimpact_program(sandbox, "run -o two --from analytic").status == 2);
+
+    const auto refused = [&](const Json& wrong, const char* message) {
+        write_example(sandbox, wrong);
+        const auto result = ashimpact_program(sandbox, "run case.json -o none");
+        CHECK(result.status == 2);
+        CHECK_MESSAGE(result.err.find(message) != std::string::npos, result.err);
+        CHECK_FALSE(sandbox.has("none"));
+    };
+    Json both = document;
+    both["wall"] = {{"rigid", true}};
+    refused(both, "/partner: a wall and a second sphere are both given");
+    Json weightless = document;
+    weightless["partner"].erase("density");
+    refused(weightless, "/partner: the density and the mass are both given, or neither");
+    Json soft = document;
+    soft["partner"].erase("young_modulus");
+    refused(soft, "/partner: \"young_modulus\" is missing");
+    Json without = document;
+    for (const char* key : {"young_modulus", "poisson_ratio"}) without["partner"].erase(key);
+    refused(without, "neither the partner's elasticity nor a contact modulus is given");
+    Json negative = document;
+    negative["partner"]["diameter"] = "-1 um";
+    refused(negative, "/partner/diameter");
+    Json energies = document;
+    energies["work_of_adhesion"] = Json::parse(
+        R"({"surface_energies": {"particle": 0.04, "wall": 0.5, "partner": 0.5}, "rule": "girifalco-good"})");
+    refused(energies, "the surface energy of the other body is given twice");
+    const auto exported = ashimpact_program(sandbox, "export table two --sample fine --law jkr -o folder");
+    CHECK(exported.status == 2);
+    CHECK_FALSE(sandbox.has("folder"));
+}

@@ -395,7 +395,7 @@ TEST_CASE("degenerate: numbers that are none are refused with their line") {
 }
 
 TEST_CASE("a contact that yields is inverted and not fitted") {
-    SphereOnWall sphere{.diameter = {"diameter", 96e-6},
+    SphereInContact sphere{.diameter = {"diameter", 96e-6},
                         .density = {"density", 2158.5},
                         .work_of_adhesion = {"work of adhesion", 0.2959},
                         .contact_modulus = RandomInput{"contact modulus", 90e9},
