@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
-#include "materials/contact_properties.hpp"
-#include "solver/batch/impact_batch.hpp"
+#include "pipeline/sweep/spec/impacts.hpp"
 #include "solver/statistics/design.hpp"
 
 namespace ashimpact::report {
@@ -30,35 +28,12 @@ Values variable_values(const SweepSpec& spec) {
     return values;
 }
 
-Eigen::ArrayXd column(const SweepSpec& spec, const Values& values, ImpactInput input, double fallback) {
-    for (std::size_t i = 0; i < spec.variables.size(); ++i)
-        if (spec.variables[i].input == input)
-            return Eigen::Map<const Eigen::ArrayXd>(values[i].data(),
-                                                    static_cast<Eigen::Index>(values[i].size()));
-    const auto count = static_cast<Eigen::Index>(values.empty() ? 1 : values.front().size());
-    return Eigen::ArrayXd::Constant(count, spec.fixed[static_cast<std::size_t>(input)].value_or(fallback));
-}
-
 /// 1 for each impact that is captured.
 std::vector<double> captured(const SweepSpec& spec, const Values& values, const LawChoice& choice) {
-    const Eigen::ArrayXd radius = column(spec, values, ImpactInput::radius, 0);
-    const Eigen::ArrayXd density = column(spec, values, ImpactInput::density, 0);
-    Eigen::ArrayXd mass = column(spec, values, ImpactInput::mass, 0);
-    for (Eigen::Index i = 0; i < mass.size(); ++i)
-        if (density[i] > 0) mass[i] = sphere_mass(radius[i], density[i]);
-    const Eigen::ArrayXd modulus = column(spec, values, ImpactInput::contact_modulus, 0);
-    const Eigen::ArrayXd adhesion = column(spec, values, ImpactInput::work_of_adhesion, 0);
-    const Eigen::ArrayXd yield =
-        column(spec, values, ImpactInput::yield_pressure, std::numeric_limits<double>::infinity());
-    const Eigen::ArrayXd damping = column(spec, values, ImpactInput::damping, 0);
-    const Eigen::ArrayXd velocity = column(spec, values, ImpactInput::velocity, 0);
-    const ImpactBatchResult result = solve_impacts({.law = choice.law,
-                                                    .detachment = choice.detachment,
-                                                    .damping_law = spec.damping_law,
-                                                    .contact = {mass, radius, modulus, adhesion, yield},
-                                                    .damping = damping,
-                                                    .velocity = velocity},
-                                                   {.threads = 0, .turning_point = false});
+    const ImpactColumns impacts = impacts_of(spec, values, values.front().size());
+    const ImpactBatchResult result =
+        solve_impacts(batch_of({choice.law, choice.detachment, spec.damping_law}, impacts),
+                      {.threads = 0, .turning_point = false});
     std::vector<double> flags(static_cast<std::size_t>(result.restitution.size()));
     for (std::size_t i = 0; i < flags.size(); ++i)
         flags[i] = result.restitution[static_cast<Eigen::Index>(i)] > 0 ? 0 : 1;

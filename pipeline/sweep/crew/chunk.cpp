@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "materials/contact_properties.hpp"
 #include "pipeline/sweep/table/rows.hpp"
 
 namespace ashimpact {
@@ -25,7 +23,7 @@ class Chunk {
 
     void compute(const ImpactSolver& solver, BlockResult& into) {
         const SweepSpec& spec = plan_.spec();
-        const ImpactColumns impacts = impact_columns();
+        const ImpactColumns impacts = impacts_of(plan_.spec(), variables_, this->impacts());
         Columns table = spec.table.empty() ? Columns{} : variables_;
         into.sums.laws.resize(spec.laws.size());
         into.counts.laws.resize(spec.laws.size());
@@ -57,39 +55,6 @@ class Chunk {
                 values[block * points_ + i] = values[source * points_ + i];
         }
         return values;
-    }
-
-    [[nodiscard]] bool is_given(ImpactInput input) const {
-        const SweepSpec& spec = plan_.spec();
-        return spec.fixed[static_cast<std::size_t>(input)] ||
-               std::any_of(spec.variables.begin(), spec.variables.end(),
-                           [&](const SweepVariable& variable) { return variable.input == input; });
-    }
-
-    [[nodiscard]] std::vector<double> column(ImpactInput input, double fallback) const {
-        const SweepSpec& spec = plan_.spec();
-        for (std::size_t i = 0; i < spec.variables.size(); ++i)
-            if (spec.variables[i].input == input) return variables_[i];
-        return std::vector<double>(impacts(), spec.fixed[static_cast<std::size_t>(input)].value_or(fallback));
-    }
-
-    [[nodiscard]] ImpactColumns impact_columns() const {
-        constexpr double infinite = std::numeric_limits<double>::infinity();
-        ImpactColumns columns{.mass = column(ImpactInput::mass, 0),
-                              .effective_radius = column(ImpactInput::radius, 0),
-                              .contact_modulus = column(ImpactInput::contact_modulus, 0),
-                              .work_of_adhesion = column(ImpactInput::work_of_adhesion, 0),
-                              .yield_pressure = column(ImpactInput::yield_pressure, infinite),
-                              .damping = column(ImpactInput::damping, 0),
-                              .velocity = column(ImpactInput::velocity, 0),
-                              .parameters = {}};
-        for (const LawParameter& parameter : law_parameters())
-            if (is_given(input_of(parameter)))
-                columns.parameters.emplace_back(parameter.name, column(input_of(parameter), 0));
-        const std::vector<double> density = column(ImpactInput::density, 0);
-        for (std::size_t i = 0; i < density.size(); ++i)
-            if (density[i] > 0) columns.mass[i] = sphere_mass(columns.effective_radius[i], density[i]);
-        return columns;
     }
 
     [[nodiscard]] static std::vector<double> values_of(Observable observable, const ResultColumns& results,

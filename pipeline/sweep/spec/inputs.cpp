@@ -14,14 +14,17 @@ struct InputEntry {
     Dimension dimension;  ///< of a damping: that of the constant law
 };
 
-constexpr std::array<InputEntry, 8> input_entries{{{"radius", Dimension::length},
-                                                   {"density", Dimension::density},
-                                                   {"mass", Dimension::mass},
-                                                   {"contact_modulus", Dimension::pressure},
-                                                   {"work_of_adhesion", Dimension::energy_per_area},
-                                                   {"yield_pressure", Dimension::pressure},
-                                                   {"damping", Dimension::damping},
-                                                   {"velocity", Dimension::velocity}}};
+constexpr std::array<InputEntry, 11> input_entries{{{"radius", Dimension::length},
+                                                    {"density", Dimension::density},
+                                                    {"mass", Dimension::mass},
+                                                    {"contact_modulus", Dimension::pressure},
+                                                    {"work_of_adhesion", Dimension::energy_per_area},
+                                                    {"yield_pressure", Dimension::pressure},
+                                                    {"damping", Dimension::damping},
+                                                    {"velocity", Dimension::velocity},
+                                                    {"partner_radius", Dimension::length},
+                                                    {"partner_density", Dimension::density},
+                                                    {"partner_mass", Dimension::mass}}};
 
 constexpr std::array<InputEntry, observable_count> observable_entries{
     {{"captured", Dimension::fraction},

@@ -10,8 +10,8 @@
 
 namespace ashimpact {
 
-/// Inputs of an impact of a sphere on a flat wall that a sweep may vary. The values after the last one named
-/// here stand for the parameters of contact laws, in the order of law_parameters().
+/// Inputs of an impact of a sphere, on a flat wall or on a second sphere, that a sweep may vary. The values
+/// after the last one named here stand for the parameters of contact laws, in the order of law_parameters().
 enum class ImpactInput {
     radius,
     density,
@@ -20,7 +20,10 @@ enum class ImpactInput {
     work_of_adhesion,
     yield_pressure,
     damping,
-    velocity
+    velocity,
+    partner_radius,
+    partner_density,
+    partner_mass
 };
 
 /// Number of inputs, parameters of contact laws among them.

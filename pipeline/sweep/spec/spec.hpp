@@ -39,6 +39,9 @@ struct SweepSpec {
     std::vector<std::string> warnings;
 };
 
+/// Whether an input stands in the sweep, as a constant or as a variable.
+[[nodiscard]] bool is_given(const SweepSpec& spec, ImpactInput input);
+
 /// A spec with its canonical text, which identifies it whatever its comments and layout.
 struct LoadedSpec {
     SweepSpec spec;

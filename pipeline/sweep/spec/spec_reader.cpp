@@ -54,10 +54,6 @@ bool varies(const SweepSpec& spec, ImpactInput input) {
                        [&](const SweepVariable& variable) { return variable.input == input; });
 }
 
-bool is_given(const SweepSpec& spec, ImpactInput input) {
-    return spec.fixed[static_cast<std::size_t>(input)].has_value() || varies(spec, input);
-}
-
 void require_input(const View& document, const SweepSpec& spec, ImpactInput input,
                    const std::string& why = {}) {
     if (is_given(spec, input)) return;
@@ -73,17 +69,29 @@ void warn_unused(SweepSpec& spec, ImpactInput input, bool used) {
                                 " changes nothing: no law of the sweep uses it");
 }
 
+/// The mass of a sphere stands in the sweep as such, or as its density.
+void require_one_mass(const View& document, const SweepSpec& spec, ImpactInput density, ImpactInput mass) {
+    const auto both = [&](const char* between) {
+        return in_quotes(name_of(density)) + between + in_quotes(name_of(mass));
+    };
+    if (is_given(spec, density) && is_given(spec, mass))
+        document.at("impact").fail("both " + both(" and ") + " are given, here or in /variables",
+                                   "one of the two");
+    if (!is_given(spec, mass))
+        require_input(document, spec, density, ", and so is " + in_quotes(name_of(mass)));
+}
+
 void check_inputs(const View& document, SweepSpec& spec) {
     for (const SweepVariable& variable : spec.variables)
         if (spec.fixed[static_cast<std::size_t>(variable.input)])
             document.at("impact")
                 .at(name_of(variable.input))
                 .fail("varies too, in /variables", "one of the two");
-    if (is_given(spec, ImpactInput::density) && is_given(spec, ImpactInput::mass))
-        document.at("impact").fail("both \"density\" and \"mass\" are given, here or in /variables",
-                                   "one of the two");
-    if (!is_given(spec, ImpactInput::mass))
-        require_input(document, spec, ImpactInput::density, ", and so is \"mass\"");
+    require_one_mass(document, spec, ImpactInput::density, ImpactInput::mass);
+    if (is_given(spec, ImpactInput::partner_radius))
+        require_one_mass(document, spec, ImpactInput::partner_density, ImpactInput::partner_mass);
+    else if (is_given(spec, ImpactInput::partner_density) || is_given(spec, ImpactInput::partner_mass))
+        require_input(document, spec, ImpactInput::partner_radius);
     for (const ImpactInput input : {ImpactInput::radius, ImpactInput::contact_modulus, ImpactInput::velocity})
         require_input(document, spec, input);
     const bool adhesive = any_law(spec, [](Law law) { return law.uses_work_of_adhesion(); });
@@ -212,6 +220,10 @@ void check_sampling(const View& document, const SweepSpec& spec) {
 }
 
 }  // namespace
+
+bool is_given(const SweepSpec& spec, ImpactInput input) {
+    return spec.fixed[static_cast<std::size_t>(input)].has_value() || varies(spec, input);
+}
 
 LoadedSpec read_sweep_spec(const std::string& text) {
     const Json json = without_comments(parse_json(text));

@@ -48,21 +48,6 @@ std::string command_of(const Impact& impact) {
     return command;
 }
 
-ImpactBatch batch_of(const ImpactModel& model, const ImpactColumns& impacts) {
-    const auto column = [](const std::vector<double>& values) {
-        return Eigen::Map<const Eigen::ArrayXd>(values.data(), std::ssize(values));
-    };
-    std::vector<ParameterColumn> parameters;
-    for (const auto& [name, values] : impacts.parameters) parameters.push_back({name, column(values)});
-    return {model.law,
-            model.detachment,
-            model.damping_law,
-            {column(impacts.mass), column(impacts.effective_radius), column(impacts.contact_modulus),
-             column(impacts.work_of_adhesion), column(impacts.yield_pressure), parameters},
-            column(impacts.damping),
-            column(impacts.velocity)};
-}
-
 /// The first impact that is no valid one, as an error of the variables that make it.
 [[noreturn]] void refuse_first(const ImpactModel& model, const ImpactColumns& impacts,
                                const InputError& error) {

@@ -4,33 +4,12 @@
 #include <cstdint>
 #include <functional>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
+#include "pipeline/sweep/spec/impacts.hpp"
 #include "solver/batch/method.hpp"
-#include "solver/motion/impact.hpp"
 
 namespace ashimpact {
-
-/// Many impacts, one entry each [SI].
-struct ImpactColumns {
-    std::vector<double> mass;
-    std::vector<double> effective_radius;
-    std::vector<double> contact_modulus;
-    std::vector<double> work_of_adhesion;
-    std::vector<double> yield_pressure;
-    std::vector<double> damping;
-    std::vector<double> velocity;
-    std::vector<std::pair<std::string_view, std::vector<double>>> parameters;  ///< of contact laws, by name
-};
-
-/// Contact law, detachment and damping law of many impacts.
-struct ImpactModel {
-    Law law;
-    Detachment detachment;
-    DampingLaw damping_law;
-};
 
 /// Results wanted in addition to the restitution (others stay empty), and the method to compute them.
 struct WantedResults {

@@ -226,3 +226,57 @@ TEST_CASE("a case with a second sphere: measured impacts, edits of the spheres, 
     CHECK(exported.status == 2);
     CHECK_FALSE(sandbox.has("folder"));
 }
+
+TEST_CASE("a sweep over the partner's radius is so many impacts of two spheres") {
+    const Sandbox sandbox;
+    Json spec = Json::parse(R"({
+        "impact": {"laws": ["jkr"], "radius": "44 um", "density": 2600, "contact_modulus": "90 GPa",
+                   "work_of_adhesion": 0.3, "damping": 0.001, "velocity": 2, "partner_density": 7800},
+        "variables": {"partner_radius": {"values": [2e-5]}}, "sampling": {"method": "grid"},
+        "statistics": {"restitution": {}}})");
+    const auto mean_of = [&] {
+        sandbox.write("spec.json", spec.dump());
+        const auto run = ashimpact_program(sandbox, "sweep spec.json -o out.json");
+        REQUIRE_MESSAGE(run.status == 0, run.err);
+        CHECK_MESSAGE(run.err.find("no report") == std::string::npos, run.err);
+        return number(sandbox.json("out.json")["result"]["laws"][0]["observables"][0]["mean"]);
+    };
+    const std::string alone = "impact --law jkr --radius 44e-6 --density 2600 --velocity 2 --partner-radius ";
+    for (const std::string radius : {"2e-5", "0.0001"}) {
+        spec["variables"]["partner_radius"]["values"] = {std::stod(radius)};
+        const Json impact = printed(sandbox, alone + radius + " --partner-density 7800" + rest);
+        CHECK(relative_difference(mean_of(), number(impact["restitution"])) < 1e-9);
+    }
+    spec["impact"].erase("partner_density");
+    spec["impact"]["partner_mass"] = 1e-9;
+    const Json impact = printed(sandbox, alone + "0.0001 --partner-mass 1e-9" + rest);
+    CHECK(relative_difference(mean_of(), number(impact["restitution"])) < 1e-9);
+
+    const auto refused = [&](const char* message) {
+        sandbox.write("spec.json", spec.dump());
+        const auto run = ashimpact_program(sandbox, "sweep spec.json -o none.json");
+        CHECK(run.status == 2);
+        CHECK_MESSAGE(run.err.find(message) != std::string::npos, run.err);
+    };
+    spec["impact"]["partner_density"] = 7800;
+    refused("both \"partner_density\" and \"partner_mass\" are given");
+    spec["impact"].erase("partner_density");
+    spec["impact"].erase("partner_mass");
+    refused("\"partner_density\" is missing, and so is \"partner_mass\"");
+    spec["impact"]["partner_mass"] = 1e-9;
+    spec["variables"] = Json::parse(R"({"velocity": {"values": [1]}})");
+    spec["impact"].erase("velocity");
+    refused("\"partner_radius\" is missing");
+}
+
+TEST_CASE("the report of a sweep takes the parameters of its law") {
+    const Sandbox sandbox;
+    sandbox.write("spec.json", R"({
+        "impact": {"laws": ["sjkr"], "radius": "44 um", "density": 2600, "contact_modulus": "90 GPa",
+                   "cohesion_energy_density": "100 MJ/m3", "damping": 0.001},
+        "variables": {"velocity": {"values": [0.01, 0.02, 2]}}, "sampling": {"method": "grid"}})");
+    const auto run = ashimpact_program(sandbox, "sweep spec.json -o out.json");
+    REQUIRE_MESSAGE(run.status == 0, run.err);
+    CHECK_MESSAGE(run.err.find("no report") == std::string::npos, run.err);
+    CHECK(sandbox.has("out.html"));
+}
