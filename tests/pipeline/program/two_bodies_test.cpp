@@ -1,10 +1,17 @@
 // Law maugis-dugdale, a second sphere and rough surfaces, as typed.
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
+#include <filesystem>
+#include <sstream>
 #include <string>
+#include <vector>
 
+#include "materials/contact_properties.hpp"
+#include "pipeline/files/file.hpp"
 #include "pipeline/json/document.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
 #include "tests/pipeline/sandbox.hpp"
 #include "tests/relative_difference.hpp"
 
@@ -279,4 +286,44 @@ TEST_CASE("the report of a sweep takes the parameters of its law") {
     REQUIRE_MESSAGE(run.status == 0, run.err);
     CHECK_MESSAGE(run.err.find("no report") == std::string::npos, run.err);
     CHECK(sandbox.has("out.html"));
+}
+
+TEST_CASE("docs/small-particles.md: every critical velocity in its tables is the solver's") {
+    const std::string page =
+        read_file(std::filesystem::path(ASHIMPACT_TEST_DATA) / "../../docs/small-particles.md");
+    const std::array laws{Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>(),
+                          Law::of<MaugisDugdale>()};
+    double damping = 0;
+    int finite = 0;
+    int never = 0;
+    for (const std::string& line : lines_of(page)) {
+        if (line.starts_with("**C = ")) damping = std::stod(line.substr(6));
+        std::istringstream cells(line);
+        std::string cell;
+        std::vector<std::string> row;
+        while (std::getline(cells, cell, '|')) row.push_back(cell);
+        if (row.size() != 8 || row[1].find_first_of("0123456789") != 1) continue;
+        const double radius = 0.5e-6 * std::stod(row[1]);
+        const ContactPair pair{.mass = sphere_mass(radius, 2200),
+                               .effective_radius = radius,
+                               .contact_modulus = 90e9,
+                               .work_of_adhesion = 0.3,
+                               .parameters = {{"cohesion_range", 0.4e-9}}};
+        for (std::size_t i = 0; i < laws.size(); ++i) {
+            CAPTURE(line);
+            CAPTURE(laws[i].name());
+            const CriticalVelocity found = critical_velocity(
+                {laws[i], laws[i].default_detachment(), {DampingLaw::tsuji, damping}, pair});
+            if (row[i + 3] == " never ") {
+                CHECK(found.verdict == CaptureVerdict::never_captured);
+                ++never;
+                continue;
+            }
+            REQUIRE(found.value);
+            CHECK(std::abs(std::stod(row[i + 3]) / *found.value - 1) < 5.1e-3);
+            ++finite;
+        }
+    }
+    CHECK(finite == 70);
+    CHECK(never == 35);
 }
