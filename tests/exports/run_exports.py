@@ -175,6 +175,8 @@ def check_refusals():
             ("lammps", JKR + CONSTANT, "NaN"), ("liggghts", JKR + CONSTANT, "sjkr"), ("yade", JKR + CONSTANT, "jkr"),
             ("yade", DMT + ["--damping-law", "tsuji", "--damping", "0.5"], "gamma"),
             ("yade", [os.path.join(WORK, "run"), "--sample", "88 um", "--law", "dmt", "--follow-velocity"], "velocity"),
+            ("openfoam", [os.path.join(WORK, "run"), "--sample", "88 um", "--law", "dmt", "--follow-velocity"] + SIZES
+             + ["2"], "lammps or liggghts for several"),
             ("lammps", DMT + CONSTANT + SIZES[:4], "--damping-exponent"), ("lamps", DMT, "lammps"),
             ("table", DMT + CONSTANT + ["--partner-radius", "44 um", "--partner-density", "2600 kg/m3"], "two spheres"),
             ("table", DMT + CONSTANT + SIZES + ["2", "--roughness", "1 nm"], "--roughness"),
