@@ -121,6 +121,16 @@ TEST_CASE("the first hour: the same laboratory's spreadsheets end in the same v_
     }
 }
 
+TEST_CASE("the command of docs/materials.md gives the moduli of the paper, as typed") {
+    const Sandbox sandbox;
+    const std::string samples = ASHIMPACT_TEST_DATA "/../../data/cases/dong2013/xrd.csv";
+    const auto finished = ashimpact_program(sandbox, "modulus " + samples + " --phase-set dong2013 --json");
+    REQUIRE_MESSAGE(finished.status == 0, finished.err);
+    for (const char* modulus : {"14812", "15082", "16481"})
+        CHECK_MESSAGE(finished.out.find("\"value\": " + std::string(modulus)) != std::string::npos,
+                      finished.out);
+}
+
 TEST_CASE("the first hour: all impacts captured give a bound, in the table") {
     const Sandbox sandbox;
     REQUIRE(ashimpact_program(sandbox, "init mine").status == 0);
