@@ -23,8 +23,10 @@ Damping damping_at(const CriticalVelocityBatch& batch, const batch::Inputs& in, 
     return {batch.damping_law, in.damping.at(i)};
 }
 
-/// Verdict and v_c from the law, a table or a closed form; none if that takes an integration.
-std::optional<CriticalVelocity> without_integration(const CriticalVelocityProblem& problem) {
+}  // namespace
+
+std::optional<CriticalVelocity> critical_velocity_without_integration(
+    const CriticalVelocityProblem& problem) {
     const auto& [law, detachment, damping, contact] = problem;
     if (!is_self_similar(law, contact)) return std::nullopt;
     if (detachment == Detachment::zero_force)
@@ -43,11 +45,9 @@ std::optional<CriticalVelocity> without_integration(const CriticalVelocityProble
     return CriticalVelocity{.value = hertz_critical_constant * velocity_of_damping(damping, contact)};
 }
 
-}  // namespace
-
 CriticalVelocity tabulated_critical_velocity(const CriticalVelocityProblem& problem) {
     validate(Impact{problem.law, problem.detachment, problem.damping, problem.contact, 1.0});
-    if (auto critical = without_integration(problem)) return *critical;
+    if (auto critical = critical_velocity_without_integration(problem)) return *critical;
     return critical_velocity(problem);
 }
 
@@ -67,7 +67,7 @@ CriticalVelocityBatchResult critical_velocities(const CriticalVelocityBatch& bat
         for (std::size_t i = first; i < first + size; ++i) {
             const CriticalVelocityProblem problem{batch.law, batch.detachment, damping_at(batch, inputs, i),
                                                   batch::pair_at(inputs, i)};
-            auto critical = without_integration(problem);
+            auto critical = critical_velocity_without_integration(problem);
             if (!critical) {
                 critical = critical_velocity(problem);
                 ++integrated;

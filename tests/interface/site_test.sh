@@ -9,7 +9,7 @@ trap 'rm -rf "$scratch"' EXIT
 
 if ! command -v doxygen >/dev/null || ! /usr/bin/python3 -c 'import sphinx, myst_parser, furo, breathe' 2>/dev/null; then
     echo 'left out: doxygen, python3-sphinx, python3-myst-parser, furo, python3-breathe (./dev deps docs)'
-    [[ -z ${CI:-} ]] || exit 1
+    [[ ${CI:-} && -z ${ASHIMPACT_CANNOT_INSTALL:-} ]] && exit 1
     exit 77
 fi
 
