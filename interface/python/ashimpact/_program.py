@@ -257,8 +257,9 @@ def analyse_impacts(
         velocity: of approach [m/s], with either
         rebound_velocity: magnitude, 0 for a capture [m/s]; or
         restitution: 0 for a capture [1].
-        law, radius, contact_modulus, density, mass, work_of_adhesion, yield_pressure, cohesion_energy_density,
-            tabor, cohesive_stress, cohesion_range, detachment, damping_law: one number or name each, as impacts().
+        law, radius, contact_modulus, density, mass: as impacts(), one of each.
+        work_of_adhesion, yield_pressure, cohesion_energy_density: as impacts(), one of each.
+        tabor, cohesive_stress, cohesion_range, detachment, damping_law: as impacts(), one of each.
         frame_rate: of the camera, frames per second, with
         pixel_size: in the object [m]: the uncertainty of the velocities.
         frames: positions that each velocity is the slope of; 2 unless given.
