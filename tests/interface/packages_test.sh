@@ -8,12 +8,8 @@ root=$(readlink -f "$here/../..")
 scratch=$(mktemp -d)
 trap 'rm -rf --one-file-system "$scratch"' EXIT
 
-# Exit status 77 is a test that was left out; in CI that is a failure, unless ./dev could not install what is missing.
-leave_out() {
-    echo "left out: $1"
-    [[ ${CI:-} && -z ${ASHIMPACT_CANNOT_INSTALL:-} ]] && exit 1
-    exit 77
-}
+# shellcheck source=tests/interface/leave_out.sh
+source "$here/leave_out.sh"
 for tool in dpkg-buildpackage lintian debootstrap; do
     command -v "$tool" >/dev/null || leave_out "there is no $tool (./dev deps packages)"
 done

@@ -4,6 +4,9 @@ set -euo pipefail
 papers=$1/papers program=$1/ashimpact
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
+here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
+# shellcheck source=tests/interface/leave_out.sh
+source "$here/leave_out.sh"
 
 fail() { echo "failed: $1"; exit 1; }
 expect() { [[ $1 == *"$2"* ]] || fail "$3: '$2' is not in: $1"; }
@@ -12,10 +15,7 @@ mapfile -t commands < <("$program" --help | sed -n '/^Subcommands:/,$s/^  \([a-z
 ((${#commands[@]} >= 10)) || fail "commands: ${commands[*]}"
 
 for tool in man col; do
-    command -v "$tool" >/dev/null && continue
-    echo "left out: there is no '$tool' (./dev deps library)"
-    [[ ${CI:-} && -z ${ASHIMPACT_CANNOT_INSTALL:-} ]] && exit 1
-    exit 77
+    command -v "$tool" >/dev/null || leave_out "there is no '$tool' (./dev deps library)"
 done
 
 echo '== manual pages'
@@ -70,7 +70,5 @@ ZSH
     expect "$offered" brach-dunn 'laws in zsh'
     expect "$offered" thornton-ning 'laws in zsh'
 else
-    echo 'left out: zsh is not installed, its completion was not tried (./dev deps library)'
-    [[ ${CI:-} && -z ${ASHIMPACT_CANNOT_INSTALL:-} ]] && exit 1
-    exit 77
+    leave_out 'zsh is not installed, its completion was not tried (./dev deps library)'
 fi
