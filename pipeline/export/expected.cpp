@@ -63,7 +63,8 @@ ExportFile expected_json(const ExportSubject& subject, std::string_view code, co
                   {"code", code},
                   {"law", subject.law.name()},
                   {"detachment", name_of(subject.detachment)},
-                  {"damping_law", name_of(subject.damping.law)}};
+                  {"damping_law", name_of(subject.damping.law)},
+                  {"density", quantity_json(subject.density, Dimension::density)}};
     document.update(more);
     document["impacts"] = Json::array();
     for (const ExpectedImpact& impact : expected_impacts(subject))

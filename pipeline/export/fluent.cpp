@@ -14,10 +14,12 @@ std::string c_array(std::string_view name, const Values& values) {
     return text + "};\n";
 }
 
-std::string table_header(const ImpactTable& table) {
+std::string table_header(const ExportSubject& subject, const ImpactTable& table) {
     const Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows = table.restitution;
     return "/* Table of ash_wall: e over ln(diameter) and t = asinh(sqrt(v/start_velocity - 1)); SI units. "
            "*/\n" +
+           fmt::format("static const double ash_density = {}; /* of the ash [kg/m3] */\n",
+                       exact(subject.density)) +
            c_array("ash_diameters", table.diameter) + c_array("ash_start_velocities", table.start_velocity) +
            c_array("ash_slopes", table.slope) +
            c_array("ash_restitutions", rows.reshaped<Eigen::RowMajor>()) +
@@ -38,7 +40,7 @@ ExportFolder fluent_folder(const ExportSubject& subject) {
         {"README.md", filled("fluent/README.md", values)},
         unchanged("fluent/ash_wall.c"),
         unchanged("common/ash_table.h"),
-        {"ash_table_data.h", table_header(table)},
+        {"ash_table_data.h", table_header(subject, table)},
         {"stand_in/udf.h", unchanged("fluent/stand_in/udf.h").content},
         {"stand_in/check.c", unchanged("fluent/stand_in/check.c").content},
         unchanged("fluent/run.sh"),
@@ -46,6 +48,7 @@ ExportFolder fluent_folder(const ExportSubject& subject) {
         assumptions(
             subject,
             {"TP_DIAM is d, the velocity along the face normal is v, R* = d/2; the wall is at rest",
+             "TP_RHO must be the density above; ash_wall warns where it differs by more than 1 %",
              "e and v_c from the table; the tangential velocity loses ASH_TANGENTIAL_LOSS, 0 by default"}),
         table_expected(subject, "fluent", table)};
 }

@@ -37,6 +37,12 @@ std::string damping_words(const ExportSubject& subject) {
     return words;
 }
 
+std::string range_words(const ExportSubject& subject) {
+    return subject.one_size() ? "a diameter of " + readable(subject.from_diameter, "m")
+                              : fmt::format("diameters from {} to {}", readable(subject.from_diameter, "m"),
+                                            readable(subject.to_diameter, "m"));
+}
+
 /// What regime_of() remarks on the impacts of the folder, each once.
 std::set<std::string> remarks(const ExportSubject& subject) {
     std::set<std::string> lines;
@@ -87,10 +93,10 @@ TemplateValues common_values(const ExportSubject& subject) {
             {"diameter", exact(subject.reference_diameter())},
             {"radius", exact(subject.contact.effective_radius)},
             {"density", exact(subject.density)},
+            {"density_words", readable(subject.density, "kg/m3")},
             {"contact_modulus", exact(subject.contact.contact_modulus)},
             {"work_of_adhesion", exact(subject.contact.work_of_adhesion)},
-            {"from", readable(subject.from_diameter, "m")},
-            {"to", readable(subject.to_diameter, "m")},
+            {"range", range_words(subject)},
             {"smallest", exact(subject.from_diameter)},
             {"largest", exact(subject.to_diameter)}};
 }
@@ -99,21 +105,19 @@ ExportFile assumptions(const ExportSubject& subject, const std::vector<std::stri
     std::string text = "# Assumptions and conversions\n\n## The numbers and where they come from\n\n";
     for (const std::string& origin : subject.origins) text += "- " + origin + "\n";
     text += fmt::format(
-        "- sizes from {} to {}: E*, w and the density are the same for all of them, R* = d/2, m = density pi "
-        "d^3/6\n- damping: {}\n- law {}, contact ends at {}; one normal impact on a flat wall, no rotation, "
-        "no "
-        "friction\n",
-        readable(subject.from_diameter, "m"), readable(subject.to_diameter, "m"), damping_words(subject),
-        subject.law.name(), name_of(subject.detachment));
+        "- {}{}: R* = d/2, m = density pi d^3/6\n- damping: {}\n- law {}, contact ends at {}; one normal "
+        "impact on a flat wall, no rotation, no friction\n",
+        range_words(subject), subject.one_size() ? "" : ", E*, w and density the same for all of them",
+        damping_words(subject), subject.law.name(), name_of(subject.detachment));
     text += "\n## What they became\n\n";
     for (const std::string& conversion : conversions) text += "- " + conversion + "\n";
     text += "\n## What the model holds for\n\n";
     const auto lines = remarks(subject);
     for (const std::string& line : lines) text += "- " + line + "\n";
     if (lines.empty()) text += "- nothing speaks against this law in these impacts\n";
-    text += fmt::format(
-        "- between {} and {} only; for another wall, humidity or temperature the numbers above are others\n",
-        readable(subject.from_diameter, "m"), readable(subject.to_diameter, "m"));
+    text +=
+        fmt::format("- for {} only; for another wall, humidity or temperature the numbers above are others\n",
+                    range_words(subject));
     return {"assumptions.md", without_controls(text)};
 }
 

@@ -244,8 +244,7 @@ double threshold_error(const ExportSubject& subject, const ImpactTable& table) {
 }
 
 /// As many sizes as v_c needs: e alone would leave it off by some 1e-8.
-/// @throws InputError where v_c(d) is not smooth, as with damping that follows the velocity by a line with
-/// kinks
+/// @throws InputError where v_c(d) is not smooth
 std::size_t sizes_for_thresholds(const ExportSubject& subject) {
     double before = std::numeric_limits<double>::infinity();
     for (std::size_t sizes = smallest_sizes;; sizes = 2 * sizes - 1) {
@@ -257,7 +256,7 @@ std::size_t sizes_for_thresholds(const ExportSubject& subject) {
         if (error > threshold_progress * before || sizes * smallest_nodes > largest_cells)
             throw InputError(
                 fmt::format("a table of {} sizes is still {:.1g} off in the critical velocity", sizes, error),
-                "a shorter range of diameters; one size where the damping follows the velocity");
+                "a shorter range of diameters");
         before = error;
     }
 }
@@ -276,6 +275,12 @@ ImpactTable table_of(const ExportSubject& subject, const Division& division) {
 }  // namespace
 
 ImpactTable make_impact_table(const ExportSubject& subject) {
+    if (subject.damping.depends_on_velocity() && !subject.one_size())
+        throw InputError(
+            "the damping of the run falls steeply just above the critical velocity of its one size; where "
+            "other sizes have other critical velocities, no table keeps their restitution to 2e-4",
+            "one size, or lammps or liggghts for several")
+            .at("--follow-velocity");
     if (std::log10(subject.to_diameter / subject.from_diameter) > largest_decades)
         throw InputError("the range of diameters spans more than six decades", "a shorter range")
             .at("--from-diameter, --to-diameter");

@@ -87,6 +87,7 @@ ExportFolder lammps_folder(const ExportSubject& subject) {
     values["code"] = "LAMMPS";
     values["command"] = "lmp -in in.impacts -log log.impacts -screen none -nocite";
     values["tried"] = lammps_tried;
+    values["cloud_words"] = "`in.cloud` throws many sizes at that wall. ";
     return {{"README.md", filled("common/README_dem.md", values)},
             {"ash_wall.in", lammps_wall_file(subject)},
             impact_variables(subject),

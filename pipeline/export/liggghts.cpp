@@ -51,6 +51,7 @@ ExportFolder liggghts_folder(const ExportSubject& subject) {
     values["code"] = "LIGGGHTS";
     values["command"] = "liggghts -in in.impacts -log log.impacts -screen none -echo none";
     values["tried"] = liggghts_tried;
+    values["cloud_words"] = "";
     return {{"README.md", filled("common/README_dem.md", values)},
             {"ash_material.in", filled("liggghts/ash_material.in", values)},
             {"ash_wall.in", liggghts_wall_file(subject)},

@@ -104,6 +104,11 @@ TEST_CASE("what a table cannot hold is refused") {
     slow.to_velocity = 1e-3;
     CHECK_THROWS_AS(static_cast<void>(make_impact_table(slow)), InputError);
     CHECK_THROWS_AS(static_cast<void>(make_impact_table(sizes(ash("dmt"), 1e-9, 1, 0))), InputError);
+    ExportSubject followed = sizes(ash("dmt"), 60e-6, 88e-6, 2);
+    followed.damping.nodes = {{1, 0.014}, {2, 0.01}};
+    followed.to_velocity = 2;
+    CHECK_THROWS_WITH_AS(static_cast<void>(make_impact_table(followed)), doctest::Contains("steeply"),
+                         InputError);
 }
 
 }  // namespace ashimpact::test

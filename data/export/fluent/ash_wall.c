@@ -1,6 +1,7 @@
 /* Wall boundary of ash particles in Ansys Fluent: hook `ash_wall` as the DPM boundary function of a wall.
  * Below the critical velocity of its size a particle stays on the wall, above it rebounds with the restitution of its
- * size and normal velocity, both from the table of ash_table_data.h. The wall is at rest.
+ * size and normal velocity, both from the table of ash_table_data.h. The wall is at rest. Particles of another density
+ * than that of the table are reported once in each process.
  * Compiled and exercised against a stand-in for udf.h; not run in Fluent. */
 #include "udf.h"
 
@@ -9,6 +10,18 @@
 
 #define ASH_TANGENTIAL_LOSS 0.0 /* share of the tangential velocity that a rebound takes, 0 to 1 */
 
+/* The table holds for ash of one density: a particle of another has another mass, and so another critical velocity. */
+static void ash_compare_density(double density)
+{
+    static int warned = 0;
+    const double difference = density - ash_density;
+    if (warned || (difference <= 0.01 * ash_density && difference >= -0.01 * ash_density)) return;
+    warned = 1;
+    Message("ash_wall: warning: a particle of %g kg/m3 hit a wall; v_c and e are those of ash of %g kg/m3: give the material "
+            "of the injection that density, or export for the density of the injection\n",
+            density, ash_density);
+}
+
 DEFINE_DPM_BC(ash_wall, tp, t, f, f_normal, dim)
 {
     double normal_velocity = 0.0, restitution = 0.0;
@@ -16,6 +29,7 @@ DEFINE_DPM_BC(ash_wall, tp, t, f, f_normal, dim)
 
     for (i = 0; i < dim; ++i) normal_velocity += TP_VEL(tp)[i] * f_normal[i];
     if (normal_velocity <= 0.0) return PATH_ACTIVE; /* it flies away already */
+    ash_compare_density(TP_RHO(tp));
 
     switch (ash_restitution(&ash_table, TP_DIAM(tp), normal_velocity, &restitution)) {
         case ash_found:

@@ -1,4 +1,4 @@
-/* Sends particles at ash_wall: reads "diameter velocity" a line, writes "diameter velocity restitution", with -1 for a
+/* Sends particles at ash_wall: reads "diameter velocity density" a line, writes "diameter velocity restitution", with -1 for a
  * particle that the function gave up. The wall stands aslant, and the particle slides along it as fast as it falls. */
 #include "udf.h"
 
@@ -7,13 +7,14 @@ int ash_wall(Tracked_Particle* tp, Thread* t, face_t f, real f_normal[], int dim
 int main(void)
 {
     real normal[3] = {0.6, 0.0, 0.8}, along[3] = {0.8, 0.0, -0.6};
-    double diameter, velocity;
-    while (scanf("%lf %lf", &diameter, &velocity) == 2) {
+    double diameter, velocity, density;
+    while (scanf("%lf %lf %lf", &diameter, &velocity, &density) == 3) {
         Tracked_Particle particle;
         Thread thread = {0};
         double away = 0.0, slid = 0.0, e;
         int i, fate;
         particle.diameter = diameter;
+        particle.density = density;
         for (i = 0; i < 3; ++i)
             particle.velocity[i] = particle.velocity_before[i] = velocity * (normal[i] + along[i]);
         fate = ash_wall(&particle, &thread, 0, normal, 3);

@@ -3,6 +3,7 @@
 #   with wmake (an OpenFOAM environment): wmake does it, see Make/
 #   else, as with Debian's package, which has no headers: OPENFOAM_SOURCE names a source tree of v1912;
 #   without it, apt-get fetches Debian's source package (45 MB) into ./openfoam-source
+# `sh build.sh headers` only fetches that.
 set -e
 cd "$(dirname "$0")"
 flags="" libraries=""
@@ -10,7 +11,8 @@ if [ "$1" = solver ]; then
     flags="-DASHIMPACT_C_INTERFACE $(pkg-config --cflags ashimpact)"
     libraries="$(pkg-config --libs ashimpact) -Wl,-rpath,$(pkg-config --variable=libdir ashimpact)"
 elif command -v wmake >/dev/null && [ -n "$WM_PROJECT_DIR" ]; then
-    FOAM_USER_LIBBIN="$PWD" exec wmake libso
+    [ "$1" = headers ] || FOAM_USER_LIBBIN="$PWD" exec wmake libso
+    exit 0
 fi
 source="${OPENFOAM_SOURCE:-$PWD/openfoam-source}"
 if [ ! -d "$source/src/lagrangian" ]; then
@@ -27,6 +29,7 @@ if [ ! -d "$source/src/lagrangian" ]; then
         rm -f openfoam_*.orig.tar.bz2
     ) >"$source.log" 2>&1 || { tail -n 5 "$source.log" >&2; exit 1; }
 fi
+[ "$1" != headers ] || exit 0
 includes=""
 for folder in OpenFOAM OSspecific/POSIX finiteVolume meshTools lagrangian/basic lagrangian/intermediate \
     lagrangian/distributionModels regionModels/regionModel regionModels/surfaceFilmModels transportModels \
