@@ -10,6 +10,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/json_input.hpp"
 #include "materials/base/text.hpp"
+#include "materials/base/view.hpp"
 
 namespace ashimpact {
 
@@ -22,22 +23,45 @@ double number_at(const Json& object, const char* key) {
     return object.at(key).at("value").get<double>();
 }
 
-/// Refuses an edited quantity in another form or unit than the one that was written, as the two are compared.
-void require_form_of(const Json& was, const Json& now, const std::string& pointer) {
+/// The dimension of which @p unit is the SI unit, as artifacts have it.
+std::optional<Dimension> dimension_of(const Json& unit) {
+    for (int i = 0; i <= static_cast<int>(Dimension::impulse); ++i)
+        if (unit == si_unit(static_cast<Dimension>(i))) return static_cast<Dimension>(i);
+    return std::nullopt;
+}
+
+/// An edited quantity as it would have been written. A standard uncertainty that was left as it was when the
+/// value got another unit is in the old one still.
+Json as_written(const View& edited, const Json& was, Dimension dimension) {
+    const Json& now = edited.json();
+    if (now.is_object() && now.value("unit", Json()) == was.at("unit") && now.contains("value") &&
+        now["value"].is_number())
+        return now;
+    Json converted = edited.quantity(dimension);
+    if (now.is_object() && was.contains("standard_uncertainty") &&
+        now.value("standard_uncertainty", Json()) == was["standard_uncertainty"])
+        converted["standard_uncertainty"] = was["standard_uncertainty"];
+    for (const char* key : {"origin", "source"})
+        if (now.is_object() && now.contains(key)) converted[key] = now[key];
+    return converted;
+}
+
+/// Converts edited quantities to the form and unit in which they were written.
+/// @throws InputError for a quantity of another dimension
+void to_form_of(const Json& was, Json& now, const std::string& pointer) {
     for (const auto& [key, written] : was.items()) {
         if (!written.is_object() || !now.contains(key)) continue;
-        const Json& edited = now.at(key);
         const std::string place = child_pointer(pointer, key);
         if (!written.contains("value")) {
-            if (edited.is_object()) require_form_of(written, edited, place);
+            if (now[key].is_object()) to_form_of(written, now[key], place);
             continue;
         }
-        const bool alike = edited.is_object() && edited.contains("value") && edited["value"].is_number() &&
-                           edited.value("unit", Json()) == written.value("unit", Json());
-        if (!alike)
+        const auto dimension = dimension_of(written.value("unit", Json()));
+        if (!dimension || now[key].is_null())
             throw InputError("is not in the form in which it was written",
-                             "an object with \"value\", a number, and the unit that was there")
+                             "an object with \"value\" and \"unit\"")
                 .at(place);
+        now[key] = at_place(place, [&] { return as_written(View(now[key]), written, *dimension); });
     }
 }
 
@@ -50,12 +74,12 @@ class Edited {
   public:
     Edited(Json& now, const Json& was, std::string pointer)
         : now_(now), was_(was), pointer_(std::move(pointer)) {
-        require_form_of(was_, now_, pointer_);
+        to_form_of(was_, now_, pointer_);
     }
 
-    /// Refuses a part whose quantities have another form than they had in @p was.
-    void require_form(const char* part, const Json& was) const {
-        require_form_of(was, now_.at(part), child_pointer(pointer_, part));
+    /// Converts the quantities of a part to the form that they had in @p was.
+    void to_form(const char* part, const Json& was) {
+        to_form_of(was, now_.at(part), child_pointer(pointer_, part));
     }
     [[nodiscard]] Json& now() { return now_; }
     [[nodiscard]] bool has(const char* key) const { return now_.contains(key) && was_.contains(key); }
@@ -144,7 +168,7 @@ std::vector<std::string> reconcile_fit(Edited fit, const Json& was) {
     }
     if (fit.now().contains("extrapolated") && fit.now().at("extrapolated").is_object()) {
         const Json& curve = fit.now().at("extrapolated");
-        fit.require_form("extrapolated", {{"critical_damping", was.at("critical_damping")}});
+        fit.to_form("extrapolated", {{"critical_damping", was.at("critical_damping")}});
         if (differ(number_at(curve, "critical_damping"), fit.value("critical_damping")))
             fit.refuse("extrapolated", "its critical_damping is not that of the fit",
                        "an edited critical_damping of the fit itself, which the rest follows");
@@ -178,14 +202,50 @@ std::vector<std::string> reconcile_mass(Edited contact) {
     return std::move(contact).told();
 }
 
+constexpr std::array fraction_keys{"weight_fraction", "volume_fraction"};
+
+/// Name and fractions of each phase of a sample.
+Json composition_of(const Json& sample) {
+    Json phases = Json::array();
+    for (const Json& phase : sample.at("phases")) {
+        Json kept{{"name", phase.at("name")}};
+        for (const char* key : fraction_keys) kept[key] = phase.at(key);
+        phases.push_back(std::move(kept));
+    }
+    return {{"phases", phases}};
+}
+
+/// Says of edited fractions that no stage reads them: the modulus beside them was computed from the case.
+/// They become plain numbers again, whatever their form.
+std::vector<std::string> tell_unread_fractions(Json& sample, const Json& was, const std::string& pointer) {
+    std::vector<std::string> told;
+    Json& phases = sample.at("phases");
+    for (std::size_t i = 0; i < std::min(phases.size(), was.at("phases").size()); ++i)
+        for (const char* key : fraction_keys) {
+            const std::string place = child_pointer(child_pointer(child_pointer(pointer, "phases"), i), key);
+            Json& fraction = phases[i].at(key);
+            fraction = at_place(place, [&] { return View(fraction).number(Dimension::fraction); });
+            if (differ(fraction.get<double>(), was.at("phases")[i].at(key).get<double>()))
+                told.push_back(place +
+                               ": nothing is computed from it; edit the composition in 0-case.json, and "
+                               "`run --from modulus`, or young_modulus here");
+        }
+    return told;
+}
+
 }  // namespace
 
 Json originals_of(const std::string& schema, const Json& result) {
     Json originals = Json::array();
-    if ((schema != "6-fit" && schema != "2-contact") || !result.contains("samples")) return originals;
+    if ((schema != "6-fit" && schema != "2-contact" && schema != "1-modulus") || !result.contains("samples"))
+        return originals;
     for (std::size_t i = 0; i < result.at("samples").size(); ++i) {
         const Json& sample = result.at("samples")[i];
         const std::string pointer = "/result/samples/" + std::to_string(i);
+        if (schema == "1-modulus") {
+            originals.push_back({{"at", pointer}, {"value", composition_of(sample)}});
+            continue;
+        }
         if (schema == "2-contact") {
             Json value;
             for (const char* key : {"effective_radius", "density", "mass"}) value[key] = sample.at(key);
@@ -210,6 +270,11 @@ std::vector<std::string> reconcile(const std::string& schema, Json& result, cons
         const std::string at = original.at("at").get<std::string>();
         const Json::json_pointer within(at.substr(std::string_view("/result").size()));
         if (!result.contains(within)) continue;  // taken out by the reader
+        if (schema == "1-modulus") {
+            for (std::string& line : tell_unread_fractions(result.at(within), original.at("value"), at))
+                told.push_back(std::move(line));
+            continue;
+        }
         Edited edited(result.at(within), original.at("value"), at);
         const std::vector<std::string> done = schema == "2-contact"
                                                   ? reconcile_mass(std::move(edited))

@@ -39,6 +39,27 @@ std::string_view whole_end(std::string_view text, std::size_t most) {
     return text.substr(start);
 }
 
+std::string without(char removed, std::string_view number) {
+    std::string rest(number);
+    rest.erase(std::remove(rest.begin(), rest.end(), removed), rest.end());
+    return rest;
+}
+
+/// A number as English writes it, if its comma is decimal and if its commas part thousands.
+std::pair<std::string, std::string> readings_of_commas(std::string_view number) {
+    const auto comma = number.find(',');
+    if (comma == std::string_view::npos) return {std::string(number), std::string(number)};
+    const std::string without_commas = without(',', number);
+    const auto point = number.rfind('.');
+    const bool points_last = point != std::string_view::npos && point > number.rfind(',');
+    if (points_last || number.rfind(',') != comma) return {without_commas, without_commas};
+    std::string with_point = without('.', number);
+    with_point[with_point.find(',')] = '.';
+    const bool thousands =
+        point == std::string_view::npos && number.size() - comma == 4 && comma <= 3 && number.front() != '0';
+    return {with_point, thousands ? without_commas : with_point};
+}
+
 }  // namespace
 
 std::string in_quotes(std::string_view text) {
@@ -107,6 +128,45 @@ std::vector<std::string> nearest(std::string_view word, const std::vector<std::s
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
     const auto guess = nearest(word, candidates, 1);
     return guess.empty() ? std::string{} : ", did you mean " + in_quotes(guess.front()) + "?";
+}
+
+std::string remedy_for_commas(std::string_view text) {
+    const auto is_digit = [&](std::size_t at) {
+        return at < text.size() && text[at] >= '0' && text[at] <= '9';
+    };
+    std::string with_point;
+    std::string without_groups;
+    for (std::size_t at = 0; at < text.size();) {
+        if (!is_digit(at)) {
+            with_point += text[at];
+            without_groups += text[at++];
+            continue;
+        }
+        std::size_t end = at;
+        while (is_digit(end) ||
+               (end < text.size() && (text[end] == ',' || text[end] == '.') && is_digit(end + 1)))
+            ++end;
+        const auto [decimal, grouped] = readings_of_commas(text.substr(at, end - at));
+        with_point += decimal;
+        without_groups += grouped;
+        at = end;
+    }
+    if (with_point == text && without_groups == text) return {};
+    if (with_point == without_groups) return "write " + in_quotes(with_point);
+    return "write " + in_quotes(without_groups) + " or " + in_quotes(with_point);
+}
+
+std::string remedy_for_number_in_quotes(std::string_view text) {
+    const std::string_view number = trimmed(text);
+    if (number.empty() || number.size() > 30 ||
+        number.find_first_not_of("+-.,0123456789eE") != std::string_view::npos ||
+        number.find_first_of("0123456789") == std::string_view::npos)
+        return {};
+    if (std::string remedy = remedy_for_commas(number); !remedy.empty()) {
+        remedy.erase(std::remove(remedy.begin(), remedy.end(), '"'), remedy.end());
+        return ", " + remedy + " without quotes";
+    }
+    return ", write " + std::string(number) + " without quotes";
 }
 
 std::string with_article(std::string_view noun) {

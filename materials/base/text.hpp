@@ -36,6 +36,14 @@ namespace ashimpact {
 /// `, did you mean "..."?` with the nearest candidate; empty if none is near.
 [[nodiscard]] std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
 
+/// How to write a text that has commas between digits: `write "2.6 g/cm3"`; where one comma may as well part
+/// thousands, `write "2600 kg/m3" or "2.600 kg/m3"`. Empty for a text without such a comma.
+[[nodiscard]] std::string remedy_for_commas(std::string_view text);
+
+/// What to write for a number that stands in quotes where only a number may: `, write 2.6 without quotes`.
+/// Empty for any other text.
+[[nodiscard]] std::string remedy_for_number_in_quotes(std::string_view text);
+
 /// "a pressure", "an energy": the indefinite article by the first letter.
 [[nodiscard]] std::string with_article(std::string_view noun);
 

@@ -100,12 +100,9 @@ double parse_quantity(std::string_view text, Dimension expected) {
         throw InputError(in_quotes(text) + " does not start with a number", allowed(expected));
     if (!std::isfinite(value)) throw InputError(in_quotes(text) + " is not finite", allowed(expected));
     rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
-    if (rest.size() > 1 && rest.front() == ',' && rest[1] >= '0' && rest[1] <= '9') {
-        std::string with_point(trimmed(plain));
-        with_point[with_point.find(',')] = '.';
-        throw InputError(in_quotes(text) + " has a decimal comma, write " + in_quotes(with_point),
-                         allowed(expected));
-    }
+    if (rest.size() > 1 && (rest.front() == ',' || rest.front() == '.'))
+        if (const std::string remedy = remedy_for_commas(trimmed(plain)); !remedy.empty())
+            throw InputError(in_quotes(text) + " has a decimal comma, " + remedy, allowed(expected));
     const std::string_view unit = trimmed(rest);
     return unit.empty() ? value : to_si(value, unit, expected);
 }

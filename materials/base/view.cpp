@@ -105,7 +105,10 @@ std::vector<double> View::column(Dimension dimension) const {
     std::vector<double> column;
     std::optional<SiConversion> conversion;
     for (const View& element : values.elements()) {
-        if (!element.json().is_number()) element.fail("is not a number", "a number");
+        if (!element.json().is_number())
+            element.fail(
+                "is not a number" + (element.is_string() ? remedy_for_number_in_quotes(element.text()) : ""),
+                "a number");
         column.push_back(element.located([&] {
             if (!conversion) conversion.emplace(unit, dimension);
             return (*conversion)(element.json().get<double>());

@@ -65,10 +65,14 @@ Json adhesion_json(const Adhesion& adhesion) {
 }
 
 struct AmorphousWriter {
+    FractionBasis basis;  ///< of the fractions beside it
+
     Json operator()(const AmorphousNotStated&) const { return nullptr; }
     Json operator()(const AmorphousNone&) const { return "none"; }
     Json operator()(const AmorphousFraction& part) const {
-        return fraction_json(part.value, part.standard_uncertainty);
+        Json fraction = fraction_json(part.value, part.standard_uncertainty);
+        if (part.basis == basis) return fraction;
+        return {{part.basis == FractionBasis::weight ? "weight_fraction" : "volume_fraction", fraction}};
     }
     Json operator()(const CrystallineTotal& part) const {
         return {{"crystalline_total", fraction_json(part.value, part.standard_uncertainty)}};
@@ -88,7 +92,7 @@ Json analysis_json(const Analysis& analysis, const std::string& source) {
     }
     Json json{{analysis.basis == FractionBasis::weight ? "weight_fractions" : "volume_fractions", fractions}};
     if (!densities.empty()) json["densities"] = densities;
-    const Json amorphous = std::visit(AmorphousWriter{}, analysis.amorphous);
+    const Json amorphous = std::visit(AmorphousWriter{analysis.basis}, analysis.amorphous);
     if (!amorphous.is_null()) json["amorphous"] = amorphous;
     json["amorphous_phase"] = analysis.amorphous_phase;
     if (!source.empty()) json["source"] = source;

@@ -4,6 +4,7 @@
 
 #include "materials/base/checks.hpp"
 #include "materials/base/text.hpp"
+#include "materials/xrd/composition_json.hpp"
 #include "materials/xrd/xrd.hpp"
 #include "pipeline/case/measurement_parts.hpp"
 
@@ -56,44 +57,6 @@ LawMap<DampingPolynomial> read_quadratics(const View& node) {
     return fits;
 }
 
-Amorphous read_amorphous(const View& node, FractionBasis basis) {
-    if (node.is_string()) {
-        if (node.text() == "none") return AmorphousNone{};
-        if (node.text() == "remainder") return AmorphousRemainder{};
-    }
-    const auto fraction = [](const View& at) {
-        Quantity quantity = at.quantity(Dimension::fraction);
-        at.located([&] { require_fraction("fraction", quantity.value); });
-        return quantity;
-    };
-    if (node.is_object()) {
-        if (const auto total = node.find("crystalline_total")) {
-            const Quantity q = fraction(*total);
-            return CrystallineTotal{q.value, q.standard_uncertainty};
-        }
-        if (const auto scale = node.find("remainder_scale")) {
-            const Quantity q = scale->quantity(Dimension::fraction);
-            return AmorphousRemainder{q.value, q.standard_uncertainty};
-        }
-    }
-    const Quantity q = fraction(node);
-    return AmorphousFraction{q.value, q.standard_uncertainty, basis};
-}
-
-std::vector<PhaseFraction> read_fractions(const View& node, const std::optional<View>& densities) {
-    std::vector<PhaseFraction> phases;
-    for (const auto& [name, value] : node.members()) {
-        const Quantity fraction = value.quantity(Dimension::fraction);
-        value.located([&] { require_fraction("fraction", fraction.value); });
-        phases.push_back({.name = name,
-                          .fraction = fraction.value,
-                          .standard_uncertainty = fraction.standard_uncertainty});
-        if (!densities || !densities->has(name)) continue;
-        phases.back().density = read_positive(densities->at(name), "density", Dimension::density).value();
-    }
-    return phases;
-}
-
 /// The sample of an XRD file that the case names, or its only one.
 XrdSample chosen_sample(const View& node, const XrdResult& result) {
     const auto name = node.find("xrd_sample");
@@ -120,13 +83,6 @@ ReadAnalysis read_xrd_analysis(const View& node, InputFiles& files) {
     XrdSample sample = chosen_sample(node, result);
     for (PhaseFraction& phase : sample.analysis.phases)
         if (!phase.place.empty()) phase.place.insert(0, files.shown(name) + ": ");
-    if (const auto standard = node.find("internal_standard")) {
-        const Quantity added = standard->at("added_fraction").quantity(Dimension::fraction);
-        sample = standard->located([&] {
-            return with_internal_standard(sample, standard->at("phase").text(), added.value,
-                                          added.standard_uncertainty);
-        });
-    }
     ReadAnalysis read{.analysis = sample.analysis, .source = name, .warnings = result.warnings};
     read.warnings.insert(read.warnings.end(), sample.warnings.begin(), sample.warnings.end());
     return read;
@@ -248,6 +204,9 @@ Adhesion read_adhesion(const View& node) {
             [&] { require_not_negative("work of adhesion", stated.value(), Dimension::energy_per_area); });
         return stated;
     }
+    if (!node.has("rule"))
+        node.fail("\"rule\" is missing, by which w follows from the surface energies",
+                  joined(names_of<AdhesionRule>()));
     const View energies = node.at("surface_energies");
     const auto energy = [&](const char* key) { return energies.at(key).number(Dimension::energy_per_area); };
     AdhesionFromSurfaces from{.energies = {.particle = energy("particle"), .wall = energy("wall")},
@@ -271,24 +230,21 @@ Porosity read_porosity(const View& node) {
 }
 
 ReadAnalysis read_analysis(const View& node, InputFiles& files) {
-    if (count_of(node, {"weight_fractions", "volume_fractions", "xrd"}) != 1)
+    const int inline_ways = count_of(node, {"weight_fractions", "volume_fractions", "phases", "peaks"});
+    if (inline_ways + count_of(node, {"xrd"}) != 1)
         node.fail("the composition is given in more than one way, or in none",
-                  "weight_fractions, volume_fractions or xrd");
+                  "weight_fractions, volume_fractions, phases, peaks or xrd");
     ReadAnalysis read;
     if (node.has("xrd")) {
         read = read_xrd_analysis(node, files);
     } else {
-        const bool by_weight = node.has("weight_fractions");
-        read.analysis.basis = by_weight ? FractionBasis::weight : FractionBasis::volume;
-        read.analysis.phases = read_fractions(node.at(by_weight ? "weight_fractions" : "volume_fractions"),
-                                              node.find("densities"));
-        for (const auto* key : {"xrd_sample", "xrd_sheet", "internal_standard"})
+        read.analysis = xrd::read_fractions_json(node);
+        for (PhaseFraction& phase : read.analysis.phases) phase.place.erase(0, node.pointer().size());
+        for (const auto* key : {"xrd_sample", "xrd_sheet"})
             if (const auto stray = node.find(key)) stray->fail("belongs to an XRD file", "xrd beside it");
     }
+    read.analysis = xrd::completed_by_json(std::move(read.analysis), node);
     if (const auto source = node.find("source")) read.source = source->text();
-    if (const auto amorphous = node.find("amorphous"))
-        read.analysis.amorphous = read_amorphous(*amorphous, read.analysis.basis);
-    if (const auto name = node.find("amorphous_phase")) read.analysis.amorphous_phase = name->text();
     return read;
 }
 

@@ -46,9 +46,9 @@ void HeldWarnings::sink_it_(const spdlog::details::log_msg& message) {
     formatter_->format(message, line);
     const std::string_view text(line.data(), line.size());
     if (message.level == spdlog::level::warn)
-        held_ += wrapped(text, piped_width, 2);
+        held_ += wrapped(text, message_width(), 2);
     else if (message.level < spdlog::level::warn)
-        write_message(wrapped(text, piped_width, 2));
+        write_message(wrapped(text, message_width(), 2));
     else  // an error is one line, however long
         write_error(text);
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <ostream>
 
 #include "materials/base/text.hpp"
@@ -46,9 +47,14 @@ void run_run_command(const RunOptions& options, std::ostream& out) {
     for (const Artifact& artifact : summary.written)
         if (artifact.file == comparison_artifact)
             out << comparison_text(View(artifact.document).at("result")) << '\n';
+    const auto is_answer = [](const Artifact& artifact) {
+        return artifact.file == critical_velocity_artifact;
+    };
+    const auto answer = std::find_if(summary.written.begin(), summary.written.end(), is_answer);
+    const Artifact& shown = answer == summary.written.end() ? summary.written.front() : *answer;
     out << fmt::format("{} artifacts in {}. One of them as tables:\n  {} inspect {}\n",
                        summary.written.size(), plan.folder.string(), program_word(),
-                       shell_word((plan.folder / summary.written.front().file).string()));
+                       shell_word((plan.folder / shown.file).string()));
     if (summary.figures > 0)
         out << fmt::format("{} files of figures in {}.\n", summary.figures,
                            (plan.folder / "figures").string());

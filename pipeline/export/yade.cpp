@@ -59,18 +59,20 @@ ExportFolder yade_folder(const ExportSubject& subject) {
     values["cohesion_energy_density"] = exact(
         subject.law.takes(cohesion_energy_density) ? subject.contact.parameters[cohesion_energy_density] : 0);
     values["command"] = "yade -n -x impacts.py >yade.log 2>&1 || { tail -n 20 yade.log >&2; exit 1; }";
-    return {{"README.md", filled("yade/README.md", values)},
-            {"impacts.py", filled("yade/impacts.py", values)},
-            {"run.sh", filled("common/run_dem.sh", values)},
-            unchanged("common/compare.py"),
-            assumptions(
-                subject,
-                {"repulsion: YADE's Hertz-Mindlin; its wall has R* = R/2, young = 2 sqrt(2) E*, nu = 0",
-                 own_damping(subject)
-                     ? "damping: YADE's `betan` = c/sqrt(6), which is Tsuji's damping cut at zero total force"
-                     : "attraction and damping: own forces by O.forces.setPermF before each step while in "
-                       "contact, up to zero overlap"}),
-            dem_expected(subject, {.code = "yade", .tolerance = yade_tolerance, .damping_lags = true})};
+    return {
+        {"README.md", filled("yade/README.md", values)},
+        {"impacts.py", filled("yade/impacts.py", values)},
+        {"run.sh", filled("common/run_dem.sh", values)},
+        unchanged("common/compare.py"),
+        assumptions(
+            subject,
+            {"repulsion: YADE's Hertz-Mindlin; its wall has R* = R/2, young = 2 sqrt(2) E*, nu = 0",
+             own_damping(subject)
+                 ? "damping: YADE's `betan` = c/sqrt(6), which is Tsuji's damping cut at zero total force"
+                 : "attraction and damping: own forces by O.forces.setPermF before each step while in "
+                   "contact, up to zero overlap"}),
+        dem_expected(subject,
+                     {.code = "yade", .tolerance = yade_tolerance, .damping_lags = own_damping(subject)})};
 }
 
 }  // namespace ashimpact

@@ -183,26 +183,61 @@ void validate_quantity(const View& value, Dimension dimension) {
                   "a number up to 1e40 in SI");
 }
 
-void validate_quantities_below(const View& value, const Json& schema, const Json& node) {
-    if (value.json().is_null()) return;
-    if (const auto dimension = dimension_of(node)) return validate_quantity(value, *dimension);
-    if (!value.json().is_structured()) return;
-    const Json& part = dereferenced(schema, node);
-    const auto go_on = [&](const View& member, const std::string& key) {
-        if (const Json* below = child_schema(schema, part, key))
-            validate_quantities_below(member, schema, *below);
-    };
-    if (value.is_object())
-        for (const auto& [key, member] : value.members()) go_on(member, key);
-    else if (!value.json().empty() && value.json().front().is_structured())
-        for (const View& element : value.elements()) go_on(element, "0");
+bool is_of(const View& value, Dimension dimension) {
+    try {
+        static_cast<void>(value.number(dimension));
+        return true;
+    } catch (const InputError&) {
+        return false;
+    }
 }
+
+bool is_coefficient(const Json& node) {
+    return node.value("$ref", "").ends_with("/coefficient");
+}
+
+/// Checks every quantity of a document to which its schema gives a dimension.
+class QuantityCheck {
+  public:
+    explicit QuantityCheck(const Json& schema) : schema_(schema) {}
+
+    void check(const View& value, const Json& node) {
+        if (value.json().is_null()) return;
+        if (const auto dimension = dimension_of(node)) return validate_quantity(value, *dimension);
+        if (is_coefficient(node)) return check_coefficient(value);
+        if (!value.json().is_structured()) return;
+        const Json& part = dereferenced(schema_, node);
+        const auto go_on = [&](const View& member, const std::string& key) {
+            if (const Json* below = child_schema(schema_, part, key)) check(member, *below);
+        };
+        if (value.is_object())
+            for (const auto& [key, member] : value.members()) go_on(member, key);
+        else if (!value.json().empty() && value.json().front().is_structured())
+            for (const View& element : value.elements()) go_on(element, "0");
+    }
+
+  private:
+    /// A damping coefficient has the unit of its damping law, which is one in a document.
+    void check_coefficient(const View& value) {
+        for (const Dimension dimension : {Dimension::damping, Dimension::viscosity, Dimension::fraction}) {
+            if (!is_of(value, dimension) || coefficient_.value_or(dimension) != dimension) continue;
+            if (!value.json().is_number()) coefficient_ = dimension;  // a bare number has any unit
+            return validate_quantity(value, dimension);
+        }
+        value.fail("is not in the unit of a damping coefficient",
+                   coefficient_ ? std::string(si_unit(*coefficient_)) + ", as the others of this artifact"
+                                : "kg/s, Pa s or 1, that of the damping law");
+    }
+
+    const Json& schema_;
+    std::optional<Dimension> coefficient_{};
+};
 
 }  // namespace
 
 void validate_quantities(const Json& document, std::string_view schema_name) {
     const Json schema = schema_named(schema_name);
-    validate_quantities_below(View(document), schema, schema);
+    QuantityCheck(schema).check(View(document), schema);
 }
 
 std::vector<std::string> schema_names() {

@@ -112,6 +112,10 @@ std::vector<std::string> keys_allowed(const Json& schema, const Path& path) {
                                : std::vector<std::string>{};
         problem = "unknown name " + shown(value) + did_you_mean(value.get<std::string>(), names);
     }
+    if (const Json* part = schema_part(schema, path);
+        value.is_string() && part != nullptr &&
+        (part->value("type", Json()) == "number" || part->value("type", Json()) == "integer"))
+        problem += remedy_for_number_in_quotes(value.get<std::string>());
     if (says("uniqueness")) problem = "holds the same value twice";
     throw InputError(problem, allowed_by(schema, path)).at(pointer_to(path));
 }

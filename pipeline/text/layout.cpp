@@ -58,14 +58,23 @@ std::vector<std::string> shell_words(const std::string& command) {
     return words;
 }
 
+/// Columns of the terminal that a descriptor leads to, else piped_width.
+std::size_t width_of_terminal(int descriptor) {
+    constexpr std::size_t narrowest = 40;
+    winsize size{};
+    if (isatty(descriptor) == 0 || ioctl(descriptor, TIOCGWINSZ, &size) != 0 || size.ws_col == 0)
+        return piped_width;
+    return std::max<std::size_t>(narrowest, size.ws_col);
+}
+
 }  // namespace
 
 std::size_t output_width() {
-    constexpr std::size_t narrowest = 40;
-    winsize size{};
-    if (isatty(STDOUT_FILENO) == 0 || ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0)
-        return piped_width;
-    return std::max<std::size_t>(narrowest, size.ws_col);
+    return width_of_terminal(STDOUT_FILENO);
+}
+
+std::size_t message_width() {
+    return width_of_terminal(STDERR_FILENO);
 }
 
 std::size_t width_of(std::string_view text) {

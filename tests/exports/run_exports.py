@@ -66,6 +66,7 @@ def cases():
     yield "openfoam solver", "followed", follow
     for law, options in (("hertz", HERTZ), ("brach-dunn", BRACH_DUNN), ("sjkr", SJKR)):
         yield "yade", law, options + CONSTANT
+    yield "yade", "tsuji", HERTZ + ["--damping-law", "tsuji", "--damping", "0.5"]
     yield "yade", "contact-radius", DMT + ["--damping-law", "contact-radius", "--damping", "2000 Pa s"]
     for code in ("table", "fluent", "openfoam", "openfoam solver"):
         yield code, "dmt", DMT + CONSTANT + SIZES + ["2"]

@@ -96,6 +96,35 @@ TEST_CASE("a normalised case keeps every way of saying things") {
     CHECK(normalised_again(once) == once);
 }
 
+TEST_CASE("a composition reads the same in a case and in the project's own XRD result") {
+    const Sandbox sandbox;
+    const std::vector<std::string> compositions{
+        R"({"weight_fractions": {"quartz": "10 %", "mullite": "59 %"}, "amorphous": "31 %"})",
+        R"({"phases": [{"name": "quartz", "weight_fraction": "10 %", "density": "2.66 g/cm3"},
+                       {"name": "mullite", "weight_fraction": {"value": 59, "unit": "%", "standard_uncertainty": 2}}],
+            "amorphous": "remainder"})",
+        R"({"volume_fractions": {"quartz": "10 %", "mullite": "59 %"}, "amorphous": {"volume_fraction": "31 %"}})",
+        R"({"weight_fractions": {"quartz": "30 %", "mullite": "50 %", "corundum": "20 %"},
+            "internal_standard": {"phase": "corundum", "added_fraction": "10 %"}})",
+        R"({"peaks": [{"name": "quartz", "intensity": 300, "rir": 3}, {"name": "mullite", "intensity": 100, "rir": 2}],
+            "densities": {"quartz": "2.66 g/cm3"}, "amorphous": {"crystalline_total": "58 +- 2 %"}})"};
+    for (const std::string& text : compositions) {
+        CAPTURE(text);
+        Json document = test::example_case();
+        document["samples"].erase(1);
+        document["samples"][0]["composition"] = Json::parse(text);
+        const Json inside = case_json(loaded(document).data)["samples"][0]["composition"];
+        Json sample = Json::parse(text);
+        sample["name"] = "a";
+        sandbox.write("ash.json", Json{{"samples", {sample}}}.dump());
+        document["samples"][0]["composition"] = {{"xrd", "ash.json"}};
+        test::write_example(sandbox, document);
+        Json from_file = case_json(load_case(sandbox.path("case.json")).data)["samples"][0]["composition"];
+        from_file.erase("source");
+        CHECK(from_file == inside);
+    }
+}
+
 TEST_CASE("units: a string, an object and a bare SI number say the same") {
     Json document = test::example_case();
     for (const Json& diameter : {Json("88 um"), Json{{"value", 0.088}, {"unit", "mm"}}, Json(88e-6)}) {

@@ -66,6 +66,13 @@ TEST_CASE("long lines are broken at blanks, behind their margin; a long word sta
     CHECK(wrapped("/a/very/long/path here", 8) == "/a/very/long/path\nhere");
     CHECK(wrapped_command("  run 'a b' -o here", 20) == "  run 'a b' -o here");
     CHECK(wrapped_command("  run 'a b' -o here", 13) == "  run 'a b' \\\n    -o here");
+    const std::string folder =
+        "/tmp/a folder with a name that is longer than a line of this page is wide, made by CI";
+    const std::string printed = wrapped_command(
+        "  ashimpact run " + shell_word(folder + "/case.json") + " -o " + shell_word(folder + "/results"),
+        80);
+    CHECK(printed == "  ashimpact run \\\n    " + shell_word(folder + "/case.json") + " \\\n    -o " +
+                         shell_word(folder + "/results"));
     CHECK(wrapped_command("  run 'a b c' -o 'd e'", 12) == "  run \\\n    'a b c' \\\n    -o 'd e'");
     CHECK(cut_to("Hämatit und mehr", 10) == "Hämatit...");
 }

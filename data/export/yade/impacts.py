@@ -13,27 +13,43 @@ DAMPING_RATIO = @damping_ratio@    # YADE's own `betan`; None: the damping is th
 RESOLUTIONS = (2000, 3000, 4500, 6750, 10000)    # steps a contact
 
 
+def attraction(radius, overlap):
+    """[N], negative"""
+    if LAW == "dmt":
+        return -2 * math.pi * WORK_OF_ADHESION * radius
+    if LAW == "brach-dunn":
+        tension = (6 * WORK_OF_ADHESION ** 2 * radius * CONTACT_MODULUS / math.pi) ** (1 / 3)
+        return -2 * math.pi * tension * math.sqrt(radius * overlap)
+    if LAW == "sjkr":
+        return -math.pi * COHESION_ENERGY_DENSITY * radius * overlap
+    return 0.0
+
+
+def damping(radius, overlap, mass):
+    """eta [kg/s]"""
+    eta = COEFFICIENT * (2 * radius / REFERENCE_DIAMETER) ** EXPONENT
+    if DAMPING_LAW == "contact-radius":
+        return eta * math.sqrt(radius * overlap)
+    if DAMPING_LAW == "tsuji":
+        return eta * math.sqrt(mass * 4 / 3 * CONTACT_MODULUS * math.sqrt(radius)) * overlap ** 0.25
+    return eta
+
+
 def ash_force(body):
-    """What YADE does not have of the law: attraction and damping of a sphere in contact with the wall z = 0."""
+    """What YADE does not have of the law: attraction and damping of a sphere in contact with the wall z = 0.
+
+    YADE knows the velocity of half a step ago, with which the damping would be that of a mass m - eta dt/2. Dividing the
+    forces of the contact, YADE's repulsion among them, by 1 + eta dt/(2 m) takes that error out."""
     radius = body.shape.radius
     overlap = radius - body.state.pos[2]
     if overlap < 0 or DAMPING_RATIO is not None:
         O.forces.setPermF(body.id, Vector3(0, 0, 0))
         return
-    force = 0.0
-    if LAW == "dmt":
-        force = -2 * math.pi * WORK_OF_ADHESION * radius
-    elif LAW == "brach-dunn":
-        tension = (6 * WORK_OF_ADHESION ** 2 * radius * CONTACT_MODULUS / math.pi) ** (1 / 3)
-        force = -2 * math.pi * tension * math.sqrt(radius * overlap)
-    elif LAW == "sjkr":
-        force = -math.pi * COHESION_ENERGY_DENSITY * radius * overlap
-    damping = COEFFICIENT * (2 * radius / REFERENCE_DIAMETER) ** EXPONENT
-    if DAMPING_LAW == "contact-radius":
-        damping *= math.sqrt(radius * overlap)
-    elif DAMPING_LAW == "tsuji":
-        damping *= math.sqrt(body.state.mass * 4 / 3 * CONTACT_MODULUS * math.sqrt(radius)) * overlap ** 0.25
-    O.forces.setPermF(body.id, Vector3(0, 0, force - damping * body.state.vel[2]))
+    eta = damping(radius, overlap, body.state.mass)
+    share = eta * O.dt / (2 * body.state.mass)
+    repulsion = 4 / 3 * CONTACT_MODULUS * math.sqrt(radius * overlap) * overlap
+    force = repulsion + attraction(radius, overlap) - eta * body.state.vel[2]
+    O.forces.setPermF(body.id, Vector3(0, 0, force / (1 + share) - repulsion))
 
 
 def ash_forces():
@@ -61,19 +77,21 @@ def impact(log, number, diameter, velocity, contact_time, captured):
         O.materials.append(ash_material())
         O.bodies.append(wall(0, axis=2))
         O.bodies.append(sphere((0, 0, diameter / 2), diameter / 2))
-        O.bodies[1].state.vel = Vector3(0, 0, -velocity)
         O.engines = ash_engines()
         O.dt = contact_time / (resolution - 0.5)
+        state = O.bodies[1].state
+        first = 0.0         # force at first touch
+        if DAMPING_RATIO is None:
+            first = attraction(diameter / 2, 0) + damping(diameter / 2, 0, state.mass) * velocity
+        state.vel = Vector3(0, 0, -velocity - first / state.mass * O.dt / 2)    # YADE's is that of half a step ago
         log.write("impact %d %d %.17g\n" % (number, resolution, O.dt))
-        log.write("0 0 %.17g\n" % -velocity)
-        for step in range(1, (8 if captured else 4) * resolution + 1):
+        for step in range((8 if captured else 4) * resolution + 1):
+            height, before = state.pos[2] - diameter / 2, state.vel[2]
             ash_forces()
             O.step()
-            state = O.bodies[1].state
-            height = state.pos[2] - diameter / 2
             if not captured or step % 50 == 0:
-                log.write("%d %.17g %.17g\n" % (step, height, state.vel[2]))
-            if state.vel[2] > 0 and height > 0 and not captured:
+                log.write("%d %.17g %.17g\n" % (step, height, 0.5 * (before + state.vel[2])))
+            if before > 0 and height > 0 and not captured:
                 break       # it has left
 
 

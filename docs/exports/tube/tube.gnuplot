@@ -13,7 +13,8 @@ plot "size.dat" using 1:2 with linespoints pt 6 dt 2 lc rgb "#666666" title "hit
      "size.dat" using 1:4 with points pt 2 lc rgb "#0050a0" title "the same on two MPI ranks", \
      "size.dat" using 1:6 with lines lw 2 lc rgb "#208040" title "stuck, constant e = 0.5"
 unset logscale x
-set key inside top right noreverse Right maxrows 2
+set key default
+set key inside top right vertical
 set xrange [0:90]
 set autoscale y
 set yrange [0:*]

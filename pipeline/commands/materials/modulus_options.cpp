@@ -1,7 +1,6 @@
 #include "pipeline/commands/materials/modulus_options.hpp"
 
 #include "materials/base/checks.hpp"
-#include "materials/base/tables/number.hpp"
 #include "materials/base/text.hpp"
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/commands/contact_options.hpp"
@@ -12,18 +11,11 @@ namespace ashimpact {
 
 namespace {
 
-/// "0.42", "42 %", "42(2) %" or "0.42 +- 0.02".
+/// "0.42", "42 %", "42(2) %" or "42 +- 2 %", as in a case.
 Quantity read_fraction(const char* option, const std::string& text) {
-    const auto number = read_number(text);
-    if (!number)
-        throw InputError("cannot read " + in_quotes(text), "a fraction: 0.42, \"42 %\", \"42 +- 2 %\"")
-            .at(option);
-    const double scale = number->per_cent ? 0.01 : 1;
-    Quantity fraction = make_quantity(number->value * scale, Dimension::fraction);
-    if (number->standard_uncertainty) fraction.standard_uncertainty = *number->standard_uncertainty * scale;
     return at_place(option, [&] {
+        const Quantity fraction = read_quantity(Json(text), Dimension::fraction);
         require_fraction("the fraction", fraction.value);
-        require_fraction("its uncertainty", fraction.standard_uncertainty.value_or(0));
         return fraction;
     });
 }
@@ -31,7 +23,15 @@ Quantity read_fraction(const char* option, const std::string& text) {
 Amorphous read_amorphous(const std::string& text, FractionBasis basis) {
     if (text == "none") return AmorphousNone{};
     if (text == "remainder") return AmorphousRemainder{};
-    const Quantity fraction = read_fraction("--amorphous-fraction", text);
+    const Quantity fraction = [&] {
+        try {
+            return read_fraction("--amorphous-fraction", text);
+        } catch (const InputError& error) {
+            throw InputError(error.problem(),
+                             "a fraction of the whole (0.42, \"42 %\", \"42 +- 2 %\"), none, remainder")
+                .at(error.place());
+        }
+    }();
     if (fraction.value == 0) return AmorphousNone{};
     return AmorphousFraction{fraction.value, fraction.standard_uncertainty, basis};
 }

@@ -46,13 +46,22 @@ class VariableReader {
     [[nodiscard]] double at(const char* key) const {
         if (!node_.has(key))
             node_.fail(in_quotes(key) + " is missing", with_article(dimension_name(dimension_)));
-        return node_.at(key).number(dimension_);
+        return computable(node_.at(key));
+    }
+
+    /// A number that is zero or far from the limits of double precision, of either sign.
+    [[nodiscard]] double computable(const View& node) const {
+        const double value = node.number(dimension_);
+        if (value != 0 && !is_computable(std::abs(value)))
+            node.fail("is " + shortest(value) + " " + std::string(si_unit(dimension_)),
+                      "0, or " + std::string(computable_range) + " in SI");
+        return value;
     }
 
     [[nodiscard]] std::optional<double> find(const char* key) const {
         const auto value = node_.find(key);
         if (!value) return std::nullopt;
-        return value->number(dimension_);
+        return computable(*value);
     }
 
     void require_order(bool in_order, const char* allowed) const {
@@ -100,9 +109,6 @@ class VariableReader {
         allow("\"normal\"", {"distribution", "mean", "standard_deviation", "minimum", "maximum"});
         Normal normal{at("mean"), at("standard_deviation")};
         require_order(normal.standard_deviation > 0, "standard_deviation > 0");
-        if (!is_computable(normal.standard_deviation))
-            node_.at("standard_deviation")
-                .fail("is " + shortest(normal.standard_deviation), std::string(computable_range));
         normal.minimum = find("minimum").value_or(normal.minimum);
         normal.maximum = find("maximum").value_or(normal.maximum);
         require_order(normal.minimum < normal.maximum, "minimum < maximum");

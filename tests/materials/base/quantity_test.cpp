@@ -72,6 +72,44 @@ TEST_CASE("a number without a dimension needs no unit; a decimal comma is refuse
               .starts_with("\"2,6 g/cm3\" has a decimal comma, write \"2.6 g/cm3\"; allowed: a density"));
 }
 
+TEST_CASE("the remedy for commas is a number that means what was meant") {
+    const auto remedy = [](const std::string& text, Dimension dimension) {
+        const std::string message = json_message(json(text).dump().c_str(), dimension);
+        const auto begin = message.find("write ");
+        return begin == std::string::npos ? message
+                                          : message.substr(begin, message.find("; allowed") - begin);
+    };
+    CHECK(remedy("2,60 g/cm3", Dimension::density) == "write \"2.60 g/cm3\"");
+    CHECK(remedy("0,005 kg/s", Dimension::damping) == "write \"0.005 kg/s\"");
+    CHECK(remedy("2,300 kg/m3", Dimension::density) == "write \"2300 kg/m3\" or \"2.300 kg/m3\"");
+    CHECK(remedy("2.300,5 kg/m3", Dimension::density) == "write \"2300.5 kg/m3\"");
+    CHECK(remedy("2,300.5 kg/m3", Dimension::density) == "write \"2300.5 kg/m3\"");
+    CHECK(remedy("1,234,567 Pa", Dimension::pressure) == "write \"1234567 Pa\"");
+    CHECK(remedy("2,3 +- 0,1 g/cm3", Dimension::density) == "write \"2.3 +- 0.1 g/cm3\"");
+    CHECK(json_message(R"({"value": "2,3", "unit": "g/cm3"})", Dimension::density)
+              .starts_with("/value: not a number, write 2.3 without quotes"));
+    CHECK(json_message(R"({"value": "much", "unit": "g/cm3"})", Dimension::density)
+              .starts_with("/value: not a number; allowed"));
+}
+
+TEST_CASE("an uncertainty in the last digits, and one without a unit") {
+    const auto of = [](const char* text, Dimension dimension) {
+        return read_quantity(json(text), dimension);
+    };
+    const Quantity diameter = of("60(3) um", Dimension::length);
+    CHECK(relative_difference(diameter.value, 60e-6) < 1e-14);
+    CHECK(relative_difference(diameter.standard_uncertainty.value(), 3e-6) < 1e-14);
+    const Quantity density = of("2.300(15) g/cm3", Dimension::density);
+    CHECK(relative_difference(density.value, 2300) < 1e-14);
+    CHECK(relative_difference(density.standard_uncertainty.value(), 15) < 1e-13);
+    CHECK(relative_difference(of("42(2) %", Dimension::fraction).standard_uncertainty.value(), 0.02) < 1e-14);
+    CHECK(relative_difference(of("0.29(1)", Dimension::fraction).standard_uncertainty.value(), 0.01) < 1e-14);
+    CHECK(of("3 kg/(m s)", Dimension::viscosity).value == 3);
+    CHECK(json_message(R"("60 um +- 3")", Dimension::length).find("has no unit") != std::string::npos);
+    CHECK(json_message(R"("60 um +- 1e300 m")", Dimension::length).find("a standard uncertainty of") !=
+          std::string::npos);
+}
+
 TEST_CASE("what is written is read back to the bit") {
     const Quantity quantity = make_quantity(1.48126e11 / 3, Dimension::pressure, 1.7e9 / 7);
     const json node = quantity;

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <random>
 #include <string>
 #include <utility>
@@ -22,7 +23,7 @@ using Parts = std::vector<std::pair<std::string, std::string>>;
 
 /// A zip archive of these parts, packed by minizip.
 std::string archive_of(const Parts& parts) {
-    std::string path = "/tmp/ashimpact-workbook-XXXXXX";
+    std::string path = (std::filesystem::temp_directory_path() / "ashimpact-workbook-XXXXXX").string();
     const int file = mkstemp(path.data());
     REQUIRE(file >= 0);
     close(file);

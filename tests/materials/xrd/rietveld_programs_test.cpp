@@ -185,14 +185,15 @@ TEST_CASE(
     "tables as laboratories write them: a title line, Fehler, decimal commas, German and French heads") {
     const XrdSample sample =
         read_text(
-            "Probe;Kraftwerk Nord\nPhase;Gew.-%;Fehler\nQuarz;10,5;0,3\nMullit;29,5;0,8\n"
+            "Probe;Kraftwerk Nord\nPhase;Gew.-%;Fehler\nQuarz;10,5;0,3\nMullit 3:2;29,5;0,8\n"
             "R\u00f6ntgenamorph;60,0;1,0\n")
             .samples[0];
     REQUIRE(sample.analysis.phases.size() == 3);
     CHECK(close_to(sample.analysis.phases[0].fraction, 0.105));
     CHECK(close_to(*sample.analysis.phases[1].standard_uncertainty, 0.008));
     CHECK(compose(sample.analysis, shipped_catalogue()).components[2].phase.amorphous);
-    for (const char* head : {"Error", "ESD", "s.u.", "Standardabweichung", "Unsicherheit", "incertitude"}) {
+    for (const char* head : {"Error", "ESD", "s.u.", "Standardabweichung", "Unsicherheit", "incertitude",
+                             "\u00b1 (1\u03c3)", "1 \u03c3", "1-sigma"}) {
         CAPTURE(head);
         const XrdSample table =
             read_text("phase,wt%," + std::string(head) + "\nquartz,40,0.5\nGlasphase,60,1\n").samples[0];

@@ -103,6 +103,11 @@ TEST_CASE("malformed BGMN lists") {
     CHECK(holds(refused(with(list, "GEWICHT=0.5049+-0.0038", "GEWICHT=1\nGEWICHT=1")),
                 "line 51: GEWICHT is there twice"));
     CHECK(holds(refused(with(list, "QMullite=0.5610", "QMullite=0.56x0")), "line 13: cannot read"));
+    for (const char* goal : {"QMullite=1e300", "QMullite=-0.5610", "QMullite=56.10"}) {
+        CAPTURE(goal);
+        CHECK(holds(refused(with(list, "QMullite=0.5610", goal)), "line 13: "));
+        CHECK(holds(refused(with(list, "QMullite=0.5610", goal)), "allowed: a fraction"));
+    }
     CHECK(holds(refused(with(list, "XrayDensity=2.648", "XrayDensity=heavy")),
                 "line 24: cannot read \"heavy\""));
     CHECK(holds(refused("BGMN version 4.2.23, 3001 measured points\nRp=4.71%\n"),
@@ -152,6 +157,8 @@ TEST_CASE("malformed tables") {
                 "line 3: the fractions of the sample add up to 110 % or more"));
     CHECK(holds(refused("phase,wt%\nQuartz,160\n"), "line 2: the amount of \"Quartz\" is 160 %"));
     CHECK(holds(refused("phase,wt%\nQuartz,-3\n"), "line 2: the amount of \"Quartz\" is -3 %"));
+    for (const char* huge : {"1e300", "1e41"})
+        CHECK(holds(refused("phase,wt%,esd\nQuartz,60," + std::string(huge) + "\nMullite,40,1\n"), "line 2"));
     CHECK(holds(refused("phase,wt%\nQuartz,much\n"), "line 2, cell 2: cannot read \"much\""));
     CHECK(holds(refused("phase,wt%\nQuartz,60\nMullite,"), "line 3: the last line stops before its amount"));
     CHECK(
@@ -219,7 +226,7 @@ TEST_CASE("malformed JSON results") {
     CHECK(holds(refused(R"({"samples": [{"name": "a", "phases": [)" + quartz +
                         R"(], "internal_standard": {"phase": "Corundum", "weight_fraction": 0.1}}]})"),
                 "/samples/0/internal_standard: the internal standard \"Corundum\" is not among the phases"));
-    CHECK(holds(refused(R"({"samples": [{"name": "a"}]})"), "/samples/0: not exactly one result"));
+    CHECK(holds(refused(R"({"samples": [{"name": "a"}]})"), "/samples/0: the composition is missing"));
     CHECK(holds(refused(R"({"samples": [{"name": "a", "peaks": []}]})"), "all intensities are zero"));
 }
 

@@ -258,6 +258,44 @@ TEST_CASE("the project's JSON") {
     CHECK(std::holds_alternative<AmorphousNone>(result.samples[1].analysis.amorphous));
 }
 
+TEST_CASE("fractions in JSON: an object, a list, any form of a number, and the amorphous part in its ways") {
+    const auto composed = [](const std::string& keys) {
+        const XrdResult result = read_xrd(R"({"samples": [{"name": "a", )" + keys + "}]}", "a.json");
+        return compose(result.samples.at(0).analysis, shipped_catalogue());
+    };
+    const Composition expected =
+        composed(R"("weight_fractions": {"quartz": 0.1, "mullite": 0.5}, "amorphous": 0.4)");
+    for (
+        const char* keys :
+        {R"("weight_fractions": {"quartz": "10 %", "mullite": {"value": 50, "unit": "%"}}, "amorphous": "40 %")",
+         R"("weight_fractions": {"quartz": "10 +- 1 %", "mullite": "50(2) %"}, "amorphous": "remainder")",
+         R"("phases": [{"name": "quartz", "weight_fraction": "10 %"},
+                        {"name": "mullite", "weight_fraction": 0.5}], "amorphous": {"weight_fraction": "40 %"})",
+         R"("weight_fractions": {"quartz": 0.1, "mullite": 0.5}, "amorphous": {"crystalline_total": "60 %"})",
+         R"("weight_fractions": {"quartz": 0.1, "mullite": 0.5, "glass": 0.4})",
+         R"("weight_fractions": {"quartz": 0.1, "mullite": 0.5}, "amorphous": {"remainder_scale": 1})"}) {
+        CAPTURE(keys);
+        const Composition composition = composed(keys);
+        REQUIRE(composition.components.size() == 3);
+        for (std::size_t i = 0; i < 3; ++i)
+            CHECK(relative_difference(composition.components[i].weight_fraction,
+                                      expected.components[i].weight_fraction) < 1e-14);
+    }
+    // 10 % corundum added: p = 0.1/(0.2 * 0.9) = 5/9, quartz 5/9 * 0.3
+    for (const char* key : {"added_fraction", "weight_fraction"}) {
+        const Composition flushed = composed(
+            R"("weight_fractions": {"corundum": 0.2, "quartz": 0.3, "mullite": 0.5},
+               "internal_standard": {"phase": "corundum", ")" +
+            std::string(key) + R"(": "10 %"})");
+        CHECK(relative_difference(flushed.components.front().weight_fraction, 0.3 / 1.8) < 1e-14);
+    }
+    const XrdResult dense = read_xrd(
+        R"({"samples": [{"name": "a", "volume_fractions": {"quartz": 1}, "densities": {"Quartz": "2.7 g/cm3"}}]})",
+        "a");
+    CHECK(dense.samples.at(0).analysis.basis == FractionBasis::volume);
+    CHECK(relative_difference(dense.samples.at(0).analysis.phases.at(0).density.value(), 2700) < 1e-14);
+}
+
 TEST_CASE("intensities and ratios that make no sense are refused") {
     const auto refused = [](double intensity, double ratio) {
         return refusal([&] {

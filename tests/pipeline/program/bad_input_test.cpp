@@ -40,10 +40,10 @@ const Spoiled spoiled_cases[]{
      "/laws", "the same value twice"},
     {"no law", [](Json& c) { c["laws"] = Json::array(); }, "/laws", "allowed: a list of contact laws"},
     {"unknown phase", [](Json& c) { c["samples"][1]["composition"]["weight_fractions"]["quarz0"] = 0.01; },
-     "/samples/1/composition", "quarz0"},
+     "/samples/1/composition/weight_fractions/quarz0", "quarz0"},
     {"fractions above one",
      [](Json& c) { c["samples"][1]["composition"]["weight_fractions"]["quartz"] = 0.7; },
-     "/samples/1/composition", "add up to"},
+     "/samples/1/composition/weight_fractions", "add up to 130.5 %"},
     {"fractions that do not close", [](Json& c) { c["samples"][1]["composition"]["amorphous"] = "none"; },
      "/samples/1/composition", "add up to 70.5 %"},
     {"amorphous part not stated", [](Json& c) { c["samples"][1]["composition"].erase("amorphous"); },
@@ -56,6 +56,52 @@ const Spoiled spoiled_cases[]{
          c["samples"][0]["composition"]["weight_fractions"] = {{"quartz", 1}};
      },
      "/samples/0/composition", "more than one way"},
+    {"a fraction with a decimal comma",
+     [](Json& c) { c["samples"][1]["composition"]["weight_fractions"]["quartz"] = "10,5 %"; },
+     "/samples/1/composition/weight_fractions/quartz", "has a decimal comma, write \"10.5 %\""},
+    {"a number in quotes",
+     [](Json& c) {
+         c["samples"][1]["density"] = {{"value", "2,3"}, {"unit", "g/cm3"}};
+     },
+     "/samples/1/density/value", "write 2.3 without quotes"},
+    {"a number in quotes in a column",
+     [](Json& c) { c["samples"][1]["restitution"]["velocity"]["values"][0] = "0,54"; },
+     "/samples/1/restitution/velocity/values/0", "write 0.54 without quotes"},
+    {"amorphous part stated twice",
+     [](Json& c) {
+         c["samples"][1]["composition"]["internal_standard"] = {{"phase", "quartz"},
+                                                                {"added_fraction", 0.09}};
+     },
+     "/samples/1/composition/internal_standard", "which is stated too"},
+    {"a density of no phase",
+     [](Json& c) {
+         c["samples"][1]["composition"]["densities"] = {{"calcite", 2700}};
+     },
+     "/samples/1/composition/densities/calcite", "not in the composition"},
+    {"a density of all particles, though every sample states its own",
+     [](Json& c) {
+         for (Json& sample : c["samples"]) sample["density"] = 2300;
+         c["particle"]["density"] = -1;
+     },
+     "/particle/density", "density is -1"},
+    {"a Poisson ratio of all particles, though every sample states its own",
+     [](Json& c) {
+         for (Json& sample : c["samples"]) sample["poisson_ratio"] = 0.2;
+         c["particle"]["poisson_ratio"] = 0.7;
+     },
+     "/particle/poisson_ratio", "0.7"},
+    {"a modulus of all particles in another dimension, though every sample states its own",
+     [](Json& c) {
+         for (Json& sample : c["samples"]) sample["contact_modulus"] = "90 GPa";
+         c["particle"]["contact_modulus"] = "90 kg";
+     },
+     "/particle/contact_modulus", "not one of pressure"},
+    {"surface energies without a rule",
+     [](Json& c) {
+         c["work_of_adhesion"] = {{"surface_energies", {{"particle", 0.04}, {"wall", 0.5}}}};
+     },
+     "/work_of_adhesion",
+     "\"rule\" is missing, by which w follows from the surface energies; allowed: girifalco-good"},
     {"wrong dimension", [](Json& c) { c["samples"][0]["density"] = "2300 GPa"; }, "/samples/0/density",
      "the unit \"GPa\" is not one of density; allowed: a density [kg/m3]"},
     {"wrong dimension in an object",

@@ -1,6 +1,8 @@
 // What somebody types who has an ash, a camera and no knowledge of the program: a transcript.
 #include <doctest/doctest.h>
 
+#include <filesystem>
+
 #include "tests/pipeline/sandbox.hpp"
 
 using namespace ashimpact;
@@ -89,6 +91,44 @@ TEST_CASE("the first hour: files as a German laboratory has them end in the v_c 
     const Json read = sandbox.json("mine/results/0-case.json");
     CHECK_MESSAGE(read["warnings"].dump().find("1 impacts of unknown outcome") != std::string::npos,
                   read["warnings"].dump());
+}
+
+TEST_CASE("the first hour: the same laboratory's spreadsheets end in the same v_c") {
+    const Sandbox sandbox;
+    REQUIRE(ashimpact_program(sandbox, "init mine").status == 0);
+    Json document = own_case(sandbox.json("mine/case.json"));
+    sandbox.write("mine/ash.csv", tidy_ash);
+    sandbox.write("mine/impacts.csv", tidy_impacts);
+    sandbox.write("mine/case.json", document.dump(1));
+    REQUIRE(ashimpact_program(sandbox, "run mine/case.json -o tidy --no-report").status == 0);
+    const Json tidy = reported(sandbox.json("tidy/comparison.json"));
+    REQUIRE(tidy.at("critical_velocity").is_object());
+    for (const char* file : {"kessel2.xlsx", "kessel2.ods"}) {
+        CAPTURE(file);
+        std::filesystem::copy_file(ASHIMPACT_TEST_DATA "/workbooks/" + std::string(file),
+                                   sandbox.folder() / "mine" / file);
+        document["samples"][0]["composition"]["xrd"] = file;
+        document["samples"][0]["restitution"] = {{"file", file}};
+        sandbox.write("mine/case.json", document.dump(1));
+        const std::string folder = std::string("own-") + file;
+        const auto run = ashimpact_program(sandbox, "run mine/case.json --no-report -o " + folder);
+        REQUIRE_MESSAGE(run.status == 0, run.err);
+        CHECK(reported(sandbox.json(folder + "/comparison.json")) == tidy);
+        CHECK_MESSAGE(run.out.find("not given: that of the phases without any pores") != std::string::npos,
+                      run.out);
+        const std::string told = sandbox.json(folder + "/0-case.json")["warnings"].dump();
+        CHECK_MESSAGE(told.find("1 impacts of unknown outcome") != std::string::npos, told);
+    }
+}
+
+TEST_CASE("the command of docs/materials.md gives the moduli of the paper, as typed") {
+    const Sandbox sandbox;
+    const std::string samples = ASHIMPACT_TEST_DATA "/../../data/cases/dong2013/xrd.csv";
+    const auto finished = ashimpact_program(sandbox, "modulus " + samples + " --phase-set dong2013 --json");
+    REQUIRE_MESSAGE(finished.status == 0, finished.err);
+    for (const char* modulus : {"14812", "15082", "16481"})
+        CHECK_MESSAGE(finished.out.find("\"value\": " + std::string(modulus)) != std::string::npos,
+                      finished.out);
 }
 
 TEST_CASE("the first hour: all impacts captured give a bound, in the table") {

@@ -245,7 +245,9 @@ TEST_CASE("modulus: every way to state the amorphous part gives the same sample"
           std::string::npos);
     CHECK(refused("--amorphous-fraction 42").find("--amorphous-fraction: the fraction is 42") !=
           std::string::npos);
-    CHECK(refused("--amorphous-fraction much").find("cannot read \"much\"") != std::string::npos);
+    CHECK(refused("--amorphous-fraction much").find("\"much\" does not start with a number") !=
+          std::string::npos);
+    CHECK(refused("--amorphous-fraction '47,5 %'").find("write \"47.5 %\"") != std::string::npos);
     CHECK(refused("--amorphous-fraction 0.4 --crystalline-total 0.6").find("given in 2 ways") !=
           std::string::npos);
 }

@@ -186,6 +186,87 @@ TEST_CASE("of values that stand twice in an artifact the other follows the edite
                           "its coefficients are not a, b, c of the fit: c");
 }
 
+TEST_CASE("an edited quantity may be in another unit or form, not of another dimension") {
+    const Sandbox sandbox;
+    run_case(sandbox, quick_case(), "one");
+    const Json whole = sandbox.json("one/6-fit.json");
+    const double written = whole["result"]["samples"][0]["hertz"]["c"]["value"].get<double>();
+    const auto with_c = [&](const Json& c) {
+        Json artifact = whole;
+        artifact["result"]["samples"][0]["hertz"]["c"] = c;
+        sandbox.write("one/6-fit.json", artifact.dump());
+    };
+    const auto damping_of_run = [&] {
+        const auto run = ashimpact_program(sandbox, "run -o one --from critical-velocity");
+        REQUIRE_MESSAGE(run.status == 0, run.err);
+        return sandbox
+            .json("one/7-critical-velocity.json")["result"]["samples"][0]["hertz"]["damping"]["value"]
+            .get<double>();
+    };
+    const double edited = 1.3 * written;
+    for (const Json& c :
+         {Json{{"value", edited}, {"unit", "kg/s"}}, Json{{"value", 1e3 * edited}, {"unit", "g/s"}},
+          Json(edited), Json(std::to_string(1e3 * edited) + " g/s")}) {
+        CAPTURE(c.dump());
+        with_c(c);
+        CHECK(damping_of_run() == doctest::Approx(edited).epsilon(1e-6));
+    }
+    Json c = whole["result"]["samples"][0]["hertz"]["c"];
+    c["unit"] = "kg";
+    with_c(c);
+    check_command_refused(sandbox, "run -o one --from critical-velocity",
+                          "one/6-fit.json: /result/samples/0/hertz/c");
+    with_c("a lot");
+    check_command_refused(sandbox, "run -o one --from critical-velocity",
+                          "one/6-fit.json: /result/samples/0/hertz/c");
+}
+
+TEST_CASE("an edited fraction is read in any form, and said to change nothing") {
+    const Sandbox sandbox;
+    run_case(sandbox, quick_case(), "one");
+    const Json whole = sandbox.json("one/1-modulus.json");
+    const auto edited_to = [&](const Json& fraction) {
+        Json artifact = whole;
+        artifact["result"]["samples"][0]["phases"][0]["weight_fraction"] = fraction;
+        sandbox.write("one/1-modulus.json", artifact.dump());
+    };
+    for (const Json& fraction : {Json("33 %"), Json(0.33), Json{{"value", 33}, {"unit", "%"}}}) {
+        CAPTURE(fraction.dump());
+        edited_to(fraction);
+        const auto run = ashimpact_program(sandbox, "run -o one --only contact");
+        REQUIRE_MESSAGE(run.status == 0, run.err);
+        CHECK_MESSAGE(
+            run.err.find("/result/samples/0/phases/0/weight_fraction: nothing is computed from it") !=
+                std::string::npos,
+            run.err);
+    }
+    edited_to("33 um");
+    check_command_refused(sandbox, "run -o one --only contact",
+                          "one/1-modulus.json: /result/samples/0/phases/0/weight_fraction");
+}
+
+TEST_CASE("a damping in an edited artifact is checked though nothing reads it") {
+    const Sandbox sandbox;
+    run_case(sandbox, quick_case(), "one");
+    const Json histories = sandbox.json("one/8-histories.json");
+    for (const Json& damping :
+         {Json{{"value", 1e300}, {"unit", "kg/s"}}, Json{{"value", 0.01}, {"unit", "kg"}},
+          Json{{"value", 0.01}, {"unit", "Pa s"}}, Json("much"), Json(1e41)}) {
+        CAPTURE(damping.dump());
+        Json artifact = histories;
+        artifact["result"]["samples"][0]["hertz"].back()["damping"] = damping;
+        sandbox.write("one/8-histories.json", artifact.dump());
+        check_command_refused(sandbox, "run -o one --only comparison",
+                              "one/8-histories.json: /result/samples/0/hertz/");
+    }
+    sandbox.write("one/8-histories.json", histories.dump());
+    Json fit = sandbox.json("one/6-fit.json");
+    fit["result"]["samples"][0]["hertz"]["residual_deviation"] = {{"value", 1e300}, {"unit", "kg/s"}};
+    sandbox.write("one/6-fit.json", fit.dump());
+    check_command_refused(sandbox, "run -o one --from critical-velocity",
+                          "one/6-fit.json: /result/samples/0/hertz/residual_deviation");
+}
+
 TEST_CASE("an edited density changes the mass, and v_c with it") {
     const Sandbox sandbox;
     run_case(sandbox, quick_case(), "one");

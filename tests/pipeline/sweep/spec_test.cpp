@@ -97,6 +97,16 @@ const Spoiled spoiled_specs[]{
     {"a value too great that hardly ever comes",
      [](Json& s) { s["variables"]["radius"]["geometric_standard_deviation"] = 1e6; },
      "/variables/radius: radius is "},
+    {"a spread too small to compute with",
+     [](Json& s) {
+         velocity_in(s) = Json::parse(
+             R"({"distribution": "normal", "mean": 2, "standard_deviation": 5e-324, "minimum": 1})");
+     },
+     "/variables/velocity/standard_deviation: is 5e-324 m/s; allowed: 0, or 1e-40 to 1e40 in SI"},
+    {"a beginning too small to compute with, though nothing is drawn there",
+     [](Json& s) { velocity_in(s)["from"] = 5e-324; }, "/variables/velocity/from: is 5e-324 m/s"},
+    {"an end too great to compute with", [](Json& s) { velocity_in(s)["to"] = 1e300; },
+     "/variables/velocity/to: is 1e+300 m/s"},
     {"nothing left",
      [](Json& s) {
          velocity_in(s) =

@@ -120,9 +120,19 @@ def cases():
                    restitution={"file": "impacts.csv", "binning": {"width": "0.05 m/s"},
                                 "camera": {"frame_rate": 80000, "pixel_size": "2 um"}}),
             sample(name="glassy", composition={"weight_fractions": {"quartz": 0.1}, "amorphous": {"value": 90, "unit": "%", "standard_uncertainty": 1}}),
+            sample(name="listed", composition={
+                "phases": [{"name": "quartz", "weight_fraction": "10 %", "density": "2.65 g/cm3"},
+                           {"name": "mullite", "weight_fraction": 0.5}], "amorphous": {"weight_fraction": "40 %"}}),
+            sample(name="listed by volume", composition={
+                "phases": [{"name": "quartz", "volume_fraction": "10 %"}], "amorphous": {"volume_fraction": "90 %"}}),
+            sample(name="peaks", composition={
+                "peaks": [{"name": "quartz", "intensity": 100, "rir": 3.1}, {"name": "mullite", "intensity": 200, "rir": 2.5}],
+                "amorphous": "none"}),
             sample(name="scaled", composition={"weight_fractions": {"quartz": 0.5}, "amorphous": {"remainder_scale": 1.0}}),
             sample(name="standard", cohesion_range="0.4 nm",
                    composition={"xrd": "standard.csv", "internal_standard": {"phase": "corundum", "added_fraction": "10 %"}}),
+            sample(name="standard, older key", cohesion_range="0.4 nm",
+                   composition={"xrd": "standard.csv", "internal_standard": {"phase": "corundum", "weight_fraction": "10 %"}}),
             particle={"cohesion_range": "0.4 nm"}),
         "workbook": case(
             sample(composition={"xrd": "ash.xlsx", "xrd_sheet": "Phasen"},
@@ -147,7 +157,8 @@ CASE_RULES = Rules(
         "work_of_adhesion": ("zero",), "particle": ("zero",), "wall": ("zero",), "interfacial": ("zero",), "cohesion_energy_density": ("zero",),
         "critical_damping": ("zero",), "damping_fit_uncertainty": ("zero",), "coefficient_uncertainty": ("zero",),
         "weight_fractions": SMALL, "volume_fractions": SMALL, "amorphous": SMALL, "crystalline_total": SMALL,
-        "remainder_scale": SMALL, "added_fraction": ("tiny",), "volume_fraction": SMALL, "value": SMALL,
+        "remainder_scale": SMALL, "added_fraction": ("tiny",), "volume_fraction": SMALL, "weight_fraction": SMALL, "value": SMALL,
+        "intensity": SMALL,
         "from": SMALL, "to": ("tiny",), "rounding": ("zero",)},
     needed=(("wall", "young_modulus"), ("wall", "poisson_ratio")))
 SWEEP_RULES = Rules(may_be={

@@ -1,0 +1,192 @@
+#include "materials/xrd/composition_json.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "materials/base/text.hpp"
+
+namespace ashimpact::xrd {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> ways{"weight_fractions", "volume_fractions", "phases", "peaks"};
+
+Quantity read_fraction(const View& node) {
+    Quantity fraction = node.quantity(Dimension::fraction);
+    if (!(fraction.value >= 0 && fraction.value <= 1))
+        node.fail("the fraction is " + shortest(fraction.value), "0 to 1 (0 % to 100 %)");
+    return fraction;
+}
+
+PhaseFraction read_phase(const std::string& name, const View& node, const std::string& place) {
+    const Quantity fraction = read_fraction(node);
+    return {.name = name,
+            .fraction = fraction.value,
+            .standard_uncertainty = fraction.standard_uncertainty,
+            .place = place};
+}
+
+/// {"quartz": "10 %", ...}
+std::vector<PhaseFraction> read_fractions(const View& node) {
+    std::vector<PhaseFraction> phases;
+    for (const auto& [name, value] : node.members())
+        phases.push_back(read_phase(name, value, value.pointer()));
+    return phases;
+}
+
+/// [{"name", "weight_fraction" or "volume_fraction", "density"}, ...]; the basis is that of all of them.
+void read_list(const View& list, Analysis& analysis) {
+    for (const View& node : list.elements()) {
+        node.require_keys({"name", "weight_fraction", "volume_fraction", "density"});
+        const bool by_weight = node.has("weight_fraction");
+        if (by_weight == node.has("volume_fraction"))
+            node.fail("not exactly one fraction", "weight_fraction or volume_fraction");
+        const FractionBasis basis = by_weight ? FractionBasis::weight : FractionBasis::volume;
+        if (!analysis.phases.empty() && basis != analysis.basis)
+            node.fail("fractions by weight and by volume in one sample", "one of the two");
+        analysis.basis = basis;
+        analysis.phases.push_back(read_phase(node.at("name").text(),
+                                             node.at(by_weight ? "weight_fraction" : "volume_fraction"),
+                                             node.pointer()));
+        if (const auto density = node.find("density"))
+            analysis.phases.back().density = positive_quantity(*density, "density", Dimension::density).value;
+    }
+}
+
+PeakIntensity read_peak(const View& node) {
+    node.require_keys({"name", "intensity", "rir"});
+    const Quantity intensity = node.at("intensity").quantity(Dimension::fraction);
+    const Quantity ratio = node.at("rir").quantity(Dimension::fraction);
+    return {.name = node.at("name").text(),
+            .intensity = intensity.value,
+            .reference_intensity_ratio = ratio.value,
+            .intensity_uncertainty = intensity.standard_uncertainty,
+            .ratio_uncertainty = ratio.standard_uncertainty};
+}
+
+std::vector<PhaseFraction> read_peaks(const View& list) {
+    const auto nodes = list.elements();
+    std::vector<PeakIntensity> peaks;
+    peaks.reserve(nodes.size());
+    for (const View& node : nodes) peaks.push_back(read_peak(node));
+    auto phases = list.located([&] { return adiabatic_fractions(peaks); });
+    for (std::size_t i = 0; i < nodes.size(); ++i) phases[i].place = nodes[i].pointer();
+    return phases;
+}
+
+/// The one key by which the fractions are given.
+std::string_view way_of(const View& node) {
+    std::string_view way;
+    for (const std::string_view each : ways) {
+        if (!node.has(each)) continue;
+        if (!way.empty())
+            node.fail("the composition is given in more than one way: " + std::string(way) + " and " +
+                          std::string(each),
+                      "one of " + joined(ways));
+        way = each;
+    }
+    if (way.empty()) node.fail("the composition is missing", "one of " + joined(ways));
+    return way;
+}
+
+void refuse_repeated(const std::vector<PhaseFraction>& phases) {
+    std::set<std::string> keys;
+    for (const PhaseFraction& phase : phases)
+        if (!keys.insert(phase_key(phase.name)).second)
+            throw InputError("the phase " + in_quotes(phase.name) + " is there twice", "each phase once")
+                .at(phase.place);
+}
+
+void refuse_more_than_all(const View& node, const std::vector<PhaseFraction>& phases) {
+    double total = 0;
+    for (const PhaseFraction& phase : phases) total += phase.fraction;
+    if (total > 1 + default_closure_tolerance)
+        node.fail("the fractions add up to " + shortest(std::round(total * 1e4) / 100) + " %",
+                  "100 % or less");
+}
+
+Amorphous read_amorphous(const View& node, FractionBasis basis) {
+    if (node.is_string() && node.text() == "none") return AmorphousNone{};
+    if (node.is_string() && node.text() == "remainder") return AmorphousRemainder{};
+    if (node.is_string() && node.text().find_first_of("0123456789") == std::string::npos)
+        node.fail("the amorphous part is " + in_quotes(node.text()),
+                  R"("none", "remainder", a fraction such as "47 %", or an object)");
+    if (!node.is_object() || node.has("value")) {
+        const Quantity whole = read_fraction(node);
+        return AmorphousFraction{whole.value, whole.standard_uncertainty, basis};
+    }
+    node.require_keys({"weight_fraction", "volume_fraction", "crystalline_total", "remainder_scale"});
+    const auto members = node.members();
+    if (members.size() != 1)
+        node.fail("the amorphous part is stated " + std::to_string(members.size()) + " times",
+                  "one of weight_fraction, volume_fraction, crystalline_total, remainder_scale");
+    const auto& [key, value] = members.front();
+    if (key == "remainder_scale") {
+        const Quantity scale = value.quantity(Dimension::fraction);
+        return AmorphousRemainder{scale.value, scale.standard_uncertainty};
+    }
+    const Quantity part = read_fraction(value);
+    if (key == "crystalline_total") return CrystallineTotal{part.value, part.standard_uncertainty};
+    return AmorphousFraction{part.value, part.standard_uncertainty,
+                             key == "weight_fraction" ? FractionBasis::weight : FractionBasis::volume};
+}
+
+/// The phases without the standard, and what is amorphous by it. The older key "weight_fraction" is read too.
+Analysis without_standard(const Analysis& analysis, const View& standard) {
+    standard.require_keys({"phase", "added_fraction", "weight_fraction"});
+    if (standard.has("added_fraction") == standard.has("weight_fraction"))
+        standard.fail("the weight of the standard over that of the mixture is not given once",
+                      "phase and added_fraction");
+    const Quantity added =
+        read_fraction(standard.at(standard.has("added_fraction") ? "added_fraction" : "weight_fraction"));
+    const std::string phase = standard.at("phase").text();
+    return standard.located([&] {
+        const XrdSample mixture{.name = {}, .analysis = analysis};
+        return with_internal_standard(mixture, phase, added.value, added.standard_uncertainty).analysis;
+    });
+}
+
+void read_densities(const View& densities, std::vector<PhaseFraction>& phases) {
+    for (const auto& [name, value] : densities.members()) {
+        const auto named = [key = phase_key(name)](const PhaseFraction& phase) {
+            return phase_key(phase.name) == key;
+        };
+        const auto phase = std::find_if(phases.begin(), phases.end(), named);
+        if (phase == phases.end())
+            value.fail("is the density of a phase that is not in the composition",
+                       "phases of the composition; \"phases\" of a case gives another glass");
+        phase->density = positive_quantity(value, "density", Dimension::density).value;
+    }
+}
+
+}  // namespace
+
+Analysis read_fractions_json(const View& node) {
+    Analysis analysis;
+    const std::string_view way = way_of(node);
+    const View given = node.at(way);
+    if (way == "phases")
+        read_list(given, analysis);
+    else
+        analysis.phases = way == "peaks" ? read_peaks(given) : read_fractions(given);
+    if (way == "volume_fractions") analysis.basis = FractionBasis::volume;
+    refuse_repeated(analysis.phases);
+    refuse_more_than_all(given, analysis.phases);
+    return analysis;
+}
+
+Analysis completed_by_json(Analysis analysis, const View& node) {
+    const auto amorphous = node.find("amorphous");
+    const auto standard = node.find("internal_standard");
+    if (amorphous && standard)
+        standard->fail("an internal standard gives the amorphous part, which is stated too",
+                       "one of the two");
+    if (const auto densities = node.find("densities")) read_densities(*densities, analysis.phases);
+    if (amorphous) analysis.amorphous = read_amorphous(*amorphous, analysis.basis);
+    if (const auto name = node.find("amorphous_phase")) analysis.amorphous_phase = name->text();
+    return standard ? without_standard(analysis, *standard) : analysis;
+}
+
+}  // namespace ashimpact::xrd
