@@ -10,7 +10,7 @@ version = release = os.environ["ASHIMPACT_SITE_VERSION"]
 extensions = ["myst_parser", "breathe", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
 source_suffix = {".md": "markdown", ".rst": "restructuredtext"}
 exclude_patterns = ["site/**", "_build/**"]
-myst_enable_extensions = ["colon_fence", "deflist", "dollarmath"]
+myst_enable_extensions = ["colon_fence", "deflist"]  # no dollarmath: MathJax would come from elsewhere
 myst_heading_anchors = 4
 
 html_theme = "furo"

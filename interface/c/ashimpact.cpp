@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <exception>
 #include <new>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -28,12 +29,18 @@ ashimpact_status report(ashimpact_status status, std::string_view message, ashim
     return status;
 }
 
+/// A call of its own, so that the compiler moves none of its operations before the change of floating point.
+template <class Work>
+[[gnu::noinline]] void do_apart(const Work& work) {
+    work();
+}
+
 /// Does a call's work in floating point of its own, and turns what it throws into a status and a message.
 template <class Work>
 ashimpact_status guarded(ashimpact_error* error, const Work& work) noexcept {
     const OwnFloatingPoint own;
     try {
-        work();
+        do_apart(work);
         return report(ASHIMPACT_OK, {}, error);
     } catch (const InputError& refused) {
         return report(ASHIMPACT_INPUT_ERROR, refused.what(), error);
@@ -124,7 +131,15 @@ void ashimpact_close(ashimpact_model* model) {
 
 ashimpact_status ashimpact_restitution(const ashimpact_model* model, double diameter, double velocity,
                                        double* restitution, ashimpact_error* error) {
-    return ashimpact_restitutions(model, 1, &diameter, &velocity, restitution, error);
+    return guarded(error, [&] {
+        require(model, "model");
+        require(restitution, "restitution");
+        if (const auto e = model->spheres ? model->spheres->restitution(diameter, velocity) : std::nullopt) {
+            *restitution = *e;
+            return;
+        }
+        solve_impacts(call_of(model, 1, &diameter, &velocity), {.restitution = restitution});
+    });
 }
 
 ashimpact_status ashimpact_restitutions(const ashimpact_model* model, size_t count, const double* diameter,
@@ -139,7 +154,15 @@ ashimpact_status ashimpact_restitutions(const ashimpact_model* model, size_t cou
 
 ashimpact_status ashimpact_critical_velocity(const ashimpact_model* model, double diameter,
                                              double* critical_velocity, ashimpact_error* error) {
-    return ashimpact_critical_velocities(model, 1, &diameter, critical_velocity, error);
+    return guarded(error, [&] {
+        require(model, "model");
+        require(critical_velocity, "critical_velocity");
+        if (const auto v = model->spheres ? model->spheres->critical_velocity(diameter) : std::nullopt) {
+            *critical_velocity = *v;
+            return;
+        }
+        solve_critical_velocities(call_of(model, 1, &diameter, nullptr), critical_velocity);
+    });
 }
 
 ashimpact_status ashimpact_critical_velocities(const ashimpact_model* model, size_t count,

@@ -1,6 +1,5 @@
 #include "interface/c/columns.hpp"
 
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -63,8 +62,7 @@ ColumnReader::View ColumnReader::mass() {
     const std::size_t count = density.stride == 0 && diameter.stride == 0 ? 1 : count_;
     double* const copy = copy_of(Parameter::mass);
     for (std::size_t i = 0; i < count; ++i) {
-        const double d = at(diameter, first_ + i);
-        copy[i] = at(density, first_ + i) * std::numbers::pi / 6.0 * d * d * d;
+        copy[i] = mass_of_sphere(at(density, first_ + i), at(diameter, first_ + i));
     }
     return view_of(copy, static_cast<Eigen::Index>(count));
 }

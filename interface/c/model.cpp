@@ -33,6 +33,31 @@ void take_constants(ashimpact_model& model, const ashimpact_parameter* parameter
     }
 }
 
+/// The model's constants as a contact of a sphere; none if a constant that it needs is missing.
+std::optional<SphereImpacts> sphere_impacts(const ashimpact_model& model) {
+    const auto constant = [&model](std::string_view name) {
+        return model.constants[place_of(parameter_named(std::string(name).c_str()))];
+    };
+    const auto density = constant("density");
+    const auto mass = constant("mass");
+    const auto is_given = [&](const LawParameter& parameter) { return constant(parameter.name).has_value(); };
+    if ((!density && !mass) || parameter_fault(model.law, is_given)) return std::nullopt;
+    SphereImpacts spheres{.impacts = {model.law, model.detachment, model.damping_law},
+                          .contact = {.mass = mass.value_or(1.0),
+                                      .effective_radius = 1.0,
+                                      .contact_modulus = constant("contact_modulus").value_or(1.0),
+                                      .work_of_adhesion = constant("work_of_adhesion").value_or(0.0)},
+                          .damping = constant("damping").value_or(0.0),
+                          .density = density};
+    if (const auto yield_pressure = constant("yield_pressure"))
+        spheres.contact.yield_pressure = *yield_pressure;
+    for (const LawParameter& parameter : model.law.parameters()) {
+        if (const auto value = constant(parameter.name))
+            spheres.contact.parameters.set(parameter.name, *value);
+    }
+    return spheres;
+}
+
 /// The constants that are given are checked in an impact whose other numbers are admissible.
 void check_constants(const ashimpact_model& model) {
     const auto constant = [&model](Parameter parameter) {
@@ -83,7 +108,15 @@ ashimpact_model make_model(const char* law, const char* detachment, const char* 
     }
     take_constants(model, parameters, count);
     check_constants(model);
+    model.spheres = sphere_impacts(model);
     return model;
+}
+
+ContactPair SphereImpacts::contact_of(double diameter) const {
+    ContactPair pair = contact;
+    pair.effective_radius = diameter / 2.0;
+    if (density) pair.mass = mass_of_sphere(*density, diameter);
+    return pair;
 }
 
 }  // namespace ashimpact

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <numbers>
 #include <string_view>
 #include <vector>
 
@@ -39,6 +40,12 @@ struct Strided {
     const double* values = nullptr;
     std::size_t stride = 0;
 };
+
+/// Mass of a sphere [kg] of a density [kg/m3] and a diameter [m]; every way through the interface multiplies
+/// in this order, so that results agree bit by bit.
+[[nodiscard]] inline double mass_of_sphere(double density, double diameter) {
+    return density * std::numbers::pi / 6.0 * diameter * diameter * diameter;
+}
 
 /// Where the numbers of a call come from, a constant or a column for each parameter. Density and mass tell
 /// the same, and so do diameter and effective radius: the one that is set last counts.

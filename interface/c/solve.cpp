@@ -36,6 +36,7 @@ void solve_impacts(const Call& call, const ImpactOutputs& outputs) {
     require_column(call.parameters, Parameter::velocity);
     const bool turning_point = outputs.approach_time != nullptr || outputs.maximum_overlap != nullptr;
     const BatchOptions options{.turning_point = turning_point,
+                               .contact_time = outputs.contact_time != nullptr,
                                .method = turning_point ? BatchMethod::integration : BatchMethod::table};
     ColumnReader& reader = reader_of_this_thread();
     thread_local ImpactBatchResult result;

@@ -23,13 +23,11 @@ Damping damping_at(const CriticalVelocityBatch& batch, const batch::Inputs& in, 
     return {batch.damping_law, in.damping.at(i)};
 }
 
-struct Answer {
-    CaptureVerdict verdict = CaptureVerdict::finite;
-    std::optional<double> value{};  ///< v_c, where finite [m/s]
-};
+}  // namespace
 
-/// Verdict and v_c from the law, a table or a closed form; none if that takes an integration.
-std::optional<Answer> without_integration(const CriticalVelocityProblem& problem) {
+std::optional<KnownCriticalVelocity> critical_velocity_without_integration(
+    const CriticalVelocityProblem& problem) {
+    using Answer = KnownCriticalVelocity;
     const auto& [law, detachment, damping, contact] = problem;
     if (!is_self_similar(law, contact)) return std::nullopt;
     if (detachment == Detachment::zero_force) return Answer{.verdict = CaptureVerdict::never_captured};
@@ -47,11 +45,9 @@ std::optional<Answer> without_integration(const CriticalVelocityProblem& problem
     return Answer{.value = hertz_critical_constant * velocity_of_damping(damping, contact)};
 }
 
-}  // namespace
-
 CriticalVelocity tabulated_critical_velocity(const CriticalVelocityProblem& problem) {
     validate(Impact{problem.law, problem.detachment, problem.damping, problem.contact, 1.0});
-    if (const auto known = without_integration(problem))
+    if (const auto known = critical_velocity_without_integration(problem))
         return {.verdict = known->verdict, .value = known->value};
     return critical_velocity(problem);
 }
@@ -73,7 +69,7 @@ CriticalVelocityBatchResult critical_velocities(const CriticalVelocityBatch& bat
         for (std::size_t i = first; i < first + size; ++i) {
             problem.damping.coefficient = inputs.damping.at(i);
             batch::set_pair(problem.contact, inputs, i);
-            auto answer = without_integration(problem);
+            auto answer = critical_velocity_without_integration(problem);
             if (!answer) {
                 const CriticalVelocity critical = critical_velocity(problem);
                 answer = {.verdict = critical.verdict, .value = critical.value};

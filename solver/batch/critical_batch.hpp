@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <optional>
 
 namespace ashimpact {
 
@@ -29,6 +30,16 @@ struct CriticalVelocityBatchResult {
 /// it; Hertz with constant damping has a closed form; everything else goes through critical_velocity().
 /// Errors: as critical_velocity().
 [[nodiscard]] CriticalVelocity tabulated_critical_velocity(const CriticalVelocityProblem& problem);
+
+/// What is known of a critical velocity without an integration.
+struct KnownCriticalVelocity {
+    CaptureVerdict verdict = CaptureVerdict::finite;
+    std::optional<double> value{};  ///< v_c, where finite [m/s]
+};
+
+/// As above, from the law, a table or a closed form; none if v_c takes an integration. Admissible input only.
+[[nodiscard]] std::optional<KnownCriticalVelocity> critical_velocity_without_integration(
+    const CriticalVelocityProblem& problem);
 
 /// Critical velocities as tabulated_critical_velocity() gives them.
 /// @param threads 0: one for each core; no bit of a result depends on it

@@ -18,6 +18,7 @@ namespace ashimpact {
 namespace {
 
 using batch::ImpactTask;
+using batch::is_possible_end;
 using batch::LaneEnd;
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
@@ -39,15 +40,6 @@ void take_end(const ImpactResult& result, const ImpactTask& task, std::size_t i)
 void take_turn(const ImpactResult& result, const ImpactTask& task, std::size_t i) {
     task.approach_time[i] = result.approach_time.value_or(nothing);
     task.maximum_overlap[i] = result.maximum_overlap;
-}
-
-/// Whether the end that a kernel found is possible: 0 < e < 1 if damped, and a positive contact time.
-bool is_possible_end(const ImpactTask& task, std::size_t i) {
-    if (task.end[i] == LaneEnd::capture) return true;
-    const double e = task.restitution[i];
-    const double time = task.contact_time[i];
-    const bool damped = task.inputs.damping.at(i) > 0.0;
-    return e > 0.0 && (damped ? e < 1.0 : e <= 1.0) && time > 0.0 && std::isfinite(time);
 }
 
 /// Whether the turning point is possible and agrees with the end of the impact: a rebound turns before it
@@ -94,7 +86,7 @@ std::int64_t solve(const ImpactBatch& batch, const ImpactTask& task, std::size_t
     batch::kernels_of(batch.law).impacts(task);
     std::int64_t solved_alone = 0;
     for (std::size_t i = 0; i < task.count; ++i) {
-        const bool end_known = task.end[i] != LaneEnd::undecided && is_possible_end(task, i);
+        const bool end_known = is_possible_end(task, i);
         const bool turn_known = !task.turning_point || (end_known && is_possible_turn(task, i));
         if (!end_known || !turn_known) {
             try {
@@ -106,6 +98,7 @@ std::int64_t solve(const ImpactBatch& batch, const ImpactTask& task, std::size_t
             }
             ++solved_alone;
         }
+        if (!task.with_contact_time) task.contact_time[i] = nothing;
         if (!task.turning_point) task.approach_time[i] = task.maximum_overlap[i] = nothing;
         outcome[i] = task.end[i] == LaneEnd::rebound ? Outcome::rebound : Outcome::capture;
     }
@@ -147,6 +140,7 @@ void solve_impacts(const ImpactBatch& batch, ImpactBatchResult& result, const Ba
         std::array<LaneEnd, batch::most_impacts> end;  // the kernel fills what is used
         const ImpactTask task{.damping_law = batch.damping_law,
                               .detachment = batch.detachment,
+                              .with_contact_time = options.contact_time || options.turning_point,
                               .turning_point = options.turning_point,
                               .table = table,
                               .count = size,

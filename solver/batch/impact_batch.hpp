@@ -26,6 +26,8 @@ struct BatchOptions {
     int threads = 1;            ///< 0: one for each core
     bool turning_point = true;  ///< also compute approach time and greatest overlap, in a second pass up to
                                 ///< the turn. Restitution and contact time are the same bits without them
+    bool contact_time = true;   ///< also compute contact times, which takes as long again where a table has
+                                ///< the impact. The other results are the same bits without them
     BatchMethod method = BatchMethod::integration;
     bool keep_failures = false;  ///< impacts that do not converge are listed; otherwise the first one throws
 };
@@ -37,7 +39,7 @@ struct FailedImpact {
 };
 
 /// Results of the impacts. NaN stands for the contact time of a capture, for the approach time of an approach
-/// that never turns, and for both columns of the turning point if they were not asked for.
+/// that never turns, and for what was not asked for.
 struct ImpactBatchResult {
     Eigen::Array<Outcome, Eigen::Dynamic, 1> outcome{};
     Eigen::ArrayXd restitution{};        ///< e_n, 0 for a capture [1]

@@ -71,13 +71,14 @@ class RestitutionTable;
 struct ImpactTask {
     DampingLaw damping_law;
     Detachment detachment;
+    bool with_contact_time;
     bool turning_point;
     RestitutionTable* table;  ///< none: integrate all; turning points are integrated in any case
     std::size_t count;
     Inputs inputs;
     LaneEnd* end;
     double* restitution;      ///< 0 where it is not a rebound [1]
-    double* contact_time;     ///< NaN where it is not a rebound [s]
+    double* contact_time;     ///< NaN where it is not a rebound; undefined without with_contact_time [s]
     double* approach_time;    ///< NaN where it never turns; untouched without turning_point [s]
     double* maximum_overlap;  ///< NaN where the turn is in doubt; untouched without turning_point [m]
 };

@@ -12,32 +12,32 @@ namespace ashimpact::batch {
 
 namespace {
 
-bool positive(const Input& column, std::size_t i) {
-    return column.values == nullptr || is_computable(column.at(i));
+bool positive(double value) {
+    return is_computable(value);
 }
 
-bool not_negative(const Input& column, std::size_t i) {
-    return column.values == nullptr || column.at(i) == 0.0 || is_computable(column.at(i));
+bool not_negative(double value) {
+    return value == 0.0 || is_computable(value);
 }
 
 /// A restitution has no dimension, so it needs no range against overflow.
-bool finite_ratio(const Input& column, std::size_t i) {
-    return column.values == nullptr || (column.at(i) >= 0.0 && std::isfinite(column.at(i)));
+bool finite_ratio(double value) {
+    return value >= 0.0 && std::isfinite(value);
 }
 
 /// A yield pressure is infinite if the contact never yields.
-bool positive_or_infinite(const Input& column, std::size_t i) {
-    return column.values == nullptr || column.at(i) > 0.0;
+bool positive_or_infinite(double value) {
+    return value > 0.0;
 }
 
-/// As require_allowed().
-bool allowed(const ParameterInputs& in, std::size_t i) {
-    for (std::size_t k = 0; k < in.count; ++k) {
-        const LawParameter& parameter = *in.parameter[k];
-        const bool fits = parameter.may_be_zero ? not_negative(in.values[k], i) : positive(in.values[k], i);
-        if (!fits || in.values[k].at(i) > parameter.greatest) return false;
-    }
-    return true;
+/// How many values of a column hold what @p holds says of one, until the first that does not; at most count.
+template <class Holds>
+std::size_t count_until(const Input& column, std::size_t count, const Holds& holds) {
+    if (column.values == nullptr) return count;
+    if (column.single) return holds(column.values[0]) ? count : 0;
+    std::size_t i = 0;
+    while (i < count && holds(column.values[i])) ++i;
+    return i;
 }
 
 void leave_undecided(const ImpactTask& task) {
@@ -73,16 +73,25 @@ ParameterInputs parameter_inputs(Law law, const ContactColumns& contact) {
     return inputs;
 }
 
-bool admissible(const Inputs& in, std::size_t i) {
-    return positive(in.mass, i) && positive(in.effective_radius, i) && positive(in.contact_modulus, i) &&
-           not_negative(in.work_of_adhesion, i) && positive_or_infinite(in.yield_pressure, i) &&
-           not_negative(in.damping, i) && positive(in.velocity, i) && finite_ratio(in.restitution, i) &&
-           allowed(in.parameters, i);
+std::size_t admissible_count(const Inputs& in, std::size_t count) {
+    for (const Input* column : {&in.mass, &in.effective_radius, &in.contact_modulus, &in.velocity})
+        count = count_until(*column, count, positive);
+    for (const Input* column : {&in.work_of_adhesion, &in.damping})
+        count = count_until(*column, count, not_negative);
+    count = count_until(in.yield_pressure, count, positive_or_infinite);
+    count = count_until(in.restitution, count, finite_ratio);
+    for (std::size_t k = 0; k < in.parameters.count; ++k) {
+        const LawParameter& parameter = *in.parameters.parameter[k];  // as require_allowed()
+        count = count_until(in.parameters.values[k], count, [&](double value) {
+            return (parameter.may_be_zero ? not_negative(value) : positive(value)) &&
+                   value <= parameter.greatest;
+        });
+    }
+    return count;
 }
 
 bool FirstFault::check(const Inputs& chunk, std::size_t first, std::size_t count) {
-    std::size_t i = 0;
-    while (i < count && admissible(chunk, i)) ++i;
+    const std::size_t i = admissible_count(chunk, count);
     if (i == count) return true;
     std::size_t known = place_;
     while (first + i < known && !place_.compare_exchange_weak(known, first + i)) {

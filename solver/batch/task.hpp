@@ -5,6 +5,7 @@
 #include "solver/motion/impact.hpp"
 
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -45,8 +46,21 @@ inline void set_pair(ContactPair& pair, const Inputs& in, std::size_t i) {
     return pair;
 }
 
-/// Whether all inputs given pass validate() of an Impact, and the restitution is finite and not negative.
-[[nodiscard]] bool admissible(const Inputs& in, std::size_t i);
+/// How many problems pass validate() of an Impact in all inputs given, with a restitution that is finite and
+/// not negative, until the first that does not; count if all do.
+[[nodiscard]] std::size_t admissible_count(const Inputs& in, std::size_t count);
+
+/// Whether the kernel has decided an impact, and its end is possible: 0 < e < 1 if damped, and a positive
+/// contact time if it was asked for. The scalar solver takes the others.
+[[nodiscard]] inline bool is_possible_end(const ImpactTask& task, std::size_t i) {
+    if (task.end[i] == LaneEnd::undecided) return false;
+    if (task.end[i] == LaneEnd::capture) return true;
+    const double e = task.restitution[i];
+    const bool damped = task.inputs.damping.at(i) > 0.0;
+    if (!(e > 0.0 && (damped ? e < 1.0 : e <= 1.0))) return false;
+    const double time = task.contact_time[i];
+    return !task.with_contact_time || (time > 0.0 && std::isfinite(time));
+}
 
 /// Finds the first inadmissible problem of a batch. Several threads may check chunks at once.
 class FirstFault {

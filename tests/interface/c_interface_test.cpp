@@ -119,6 +119,17 @@ TEST_CASE("C interface: the bits of the batch solver, every law, detachment and 
             if (critical.verdict[i] == CaptureVerdict::always_captured) with_ends[i] = HUGE_VAL;
         }
         CHECK(same_bits(velocity, with_ends));
+
+        // One by one, the same bits.
+        for (std::size_t i = 0; i < s.size(); i += 7) {
+            const auto place = static_cast<Eigen::Index>(i);
+            REQUIRE(ashimpact_restitution(handle.get(), s.diameter[place], s.velocity[place], &restitution[i],
+                                          nullptr) == ASHIMPACT_OK);
+            REQUIRE(ashimpact_critical_velocity(handle.get(), s.diameter[place], &velocity[i], nullptr) ==
+                    ASHIMPACT_OK);
+        }
+        CHECK(same_bits(restitution, expected.restitution));
+        CHECK(same_bits(velocity, with_ends));
     }
 }
 
@@ -263,6 +274,52 @@ TEST_CASE("C interface: floating-point traps, flags and modes of the caller are 
     CHECK(traps_after == (FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW | FE_UNDERFLOW));
     CHECK(rounding_after == FE_UPWARD);
     CHECK(std::ranges::equal(calm, harsh));
+}
+
+TEST_CASE("C interface: single calls leave flags, control words and traps of the caller as they are") {
+    const Handle handle("jkr", nullptr, nullptr, 4);
+    const Handle scalar("maugis-dugdale", nullptr, nullptr, 4);  // computed in the x87 unit too
+    const std::array<const ashimpact_model*, 2> models{handle.get(), scalar.get()};
+    std::array<double, 2> calm{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        REQUIRE(ashimpact_restitution(models[i], 20e-6, 2.0, &calm[i], nullptr) == ASHIMPACT_OK);
+    }
+    std::fenv_t before;
+    fegetenv(&before);
+    for (const int raised : {0, FE_INVALID | FE_INEXACT}) {
+        for (const int traps : {0, FE_DIVBYZERO | FE_OVERFLOW | FE_UNDERFLOW}) {
+            for (const int precision : {0x0300, 0x0200}) {  // of the x87 unit: extended, double
+                CAPTURE(raised);
+                CAPTURE(traps);
+                CAPTURE(precision);
+                feclearexcept(FE_ALL_EXCEPT);
+                feraiseexcept(raised);
+                unsigned short control = 0;
+                __asm__ volatile("fnstcw %0" : "=m"(control));
+                control = static_cast<unsigned short>((control & ~0x0300) | precision);
+                __asm__ volatile("fldcw %0" : : "m"(control));
+                feenableexcept(traps);
+                __asm__ volatile("fnstcw %0" : "=m"(control));
+                const unsigned int sse = _mm_getcsr();
+                std::array<double, 2> harsh{};
+                for (std::size_t i = 0; i < 2; ++i) {
+                    ashimpact_restitution(models[i], 20e-6, 2.0, &harsh[i], nullptr);
+                }
+                const unsigned int sse_after = _mm_getcsr();
+                unsigned short control_after = 0;
+                unsigned short status_after = 0;
+                __asm__ volatile("fnstcw %0" : "=m"(control_after));
+                __asm__ volatile("fnstsw %0" : "=m"(status_after));
+                const int flags_after = fetestexcept(FE_ALL_EXCEPT);
+                fesetenv(&before);
+                CHECK(sse_after == sse);
+                CHECK(control_after == control);
+                CHECK(flags_after == raised);
+                CHECK((status_after & FE_ALL_EXCEPT & ~raised) == 0);
+                CHECK(harsh == calm);
+            }
+        }
+    }
 }
 
 TEST_CASE("C interface: many threads share a handle and make its tables together") {

@@ -42,6 +42,17 @@ LD_LIBRARY_PATH=$(dirname "$library") "$scratch/deposit"
 # shellcheck disable=SC2046
 gcc -std=c89 -pedantic -Wall -Werror "$here/c89_test.c" -o "$scratch/c89" $(pkg-config --cflags --libs ashimpact)
 LD_LIBRARY_PATH=$(dirname "$library") "$scratch/c89"
+echo '== by pkg-config, static'
+# Debian has no static libraries of all that it needs: these are the shared ones, ashimpact itself is not.
+# shellcheck disable=SC2046
+g++ -std=c++17 "$here/consumers/deposit.cpp" -o "$scratch/deposit_static" $(pkg-config --cflags ashimpact) \
+    -Wl,-Bstatic -L"$(pkg-config --variable=libdir ashimpact)" -lashimpact -Wl,-Bdynamic \
+    $(pkg-config --static --libs-only-l ashimpact | sed 's/-lashimpact//')
+if readelf -d "$scratch/deposit_static" | grep libashimpact; then
+    echo 'a static program needs the shared library'
+    exit 1
+fi
+"$scratch/deposit_static"
 [[ $(pkg-config --modversion ashimpact) == "$(sed -n 's/^Version: //p' "$PKG_CONFIG_PATH/ashimpact.pc")" ]]
 echo '== the program of the how-to page'
 sed -n '/^```c$/,/^```$/p' "$here/../../docs/how-to/flow-codes.md" | sed '/^```/d' >"$scratch/stick.c"

@@ -5,8 +5,10 @@
 
 #include "ashimpact.h"
 
-/// C++ on top of ashimpact.h: nothing here has code in the library, so that compiler and standard library may
-/// differ from those the library was built with. C++17.
+/// Errors as exceptions. C++17 on top of ashimpact.h: nothing here has code in the library, so that compiler
+/// and standard library may differ from those the library was built with. Units: messages name those of each
+/// number, SI. Threads: nothing here has a state. Source of the model: Dong et al. 2013; docs/laws names that
+/// of each law.
 namespace ashimpact {
 inline namespace v1 {
 

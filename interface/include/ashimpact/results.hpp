@@ -2,6 +2,9 @@
 
 #include <vector>
 
+/// Results of many impacts, as Model returns them. Units: SI, in brackets. Errors: nothing here throws.
+/// Threads: plain values, to be shared like any vector. Source of the model: Dong et al. 2013; docs/laws
+/// names that of each law.
 namespace ashimpact {
 inline namespace v1 {
 

@@ -118,7 +118,7 @@ class _Columns:
     def shaped(self, numbers: Numbers) -> Numbers:
         return numbers.reshape(self.shape)
 
-    def contact(self) -> tuple[Numbers, Numbers, Numbers, Numbers, Numbers]:
+    def contact(self) -> tuple[Numbers, Numbers, Numbers, Numbers, Numbers, dict[str, Numbers]]:
         radius = self["radius"]
         if "mass" in self._arrays:
             mass = self["mass"]
@@ -132,15 +132,19 @@ class _Columns:
             self["contact_modulus"],
             self["work_of_adhesion"],
             self["yield_pressure"],
+            {name: self[name] for name in _core.law_parameters() if name in self._arrays},
         )
 
 
 def _columns(
+    *,
     density: Optional[NumbersLike],
     mass: Optional[NumbersLike],
     yield_pressure: Optional[NumbersLike],
+    own: dict[str, Optional[NumbersLike]],
     **others: NumbersLike,
 ) -> _Columns:
+    """The columns of a call; own: parameters of laws, None where not given."""
     if (density is None) == (mass is None):
         given = "both are" if mass is not None else "neither is"
         raise _core.InputError(f"density, mass: {given} given; allowed: one of the two")
@@ -148,6 +152,9 @@ def _columns(
         others["density"] = density
     if mass is not None:
         others["mass"] = mass
+    for name, value in own.items():
+        if value is not None:
+            others[name] = value
     return _Columns(yield_pressure=np.inf if yield_pressure is None else yield_pressure, **others)
 
 
@@ -162,6 +169,10 @@ def impacts(
     work_of_adhesion: NumbersLike = 0.0,
     damping: NumbersLike = 0.0,
     yield_pressure: Optional[NumbersLike] = None,
+    cohesion_energy_density: Optional[NumbersLike] = None,
+    tabor: Optional[NumbersLike] = None,
+    cohesive_stress: Optional[NumbersLike] = None,
+    cohesion_range: Optional[NumbersLike] = None,
     detachment: Optional[str] = None,
     damping_law: str = "constant",
     method: str = "integration",
@@ -179,6 +190,10 @@ def impacts(
         work_of_adhesion: energy to separate unit area, not a surface energy [J/m2].
         damping: coefficient of the damping law [kg/s constant, Pa s contact-radius, 1 tsuji].
         yield_pressure: p_y, for the law thornton-ning; without it the sphere never yields [Pa].
+        cohesion_energy_density: k_c, for the law sjkr [J/m3].
+        tabor: Tabor parameter mu, for the law maugis-dugdale [1]; or
+        cohesive_stress: sigma_0, for that law [Pa]; or
+        cohesion_range: z0, for that law [m].
         detachment: where the contact ends; without it as the law does by default.
         damping_law: constant, contact-radius, tsuji.
         method: integration, or table, some ten times as fast from 100,000 impacts on; a table has neither
@@ -190,9 +205,15 @@ def impacts(
         ConvergenceError: where an impact could not be solved.
     """
     columns = _columns(
-        density,
-        mass,
-        yield_pressure,
+        density=density,
+        mass=mass,
+        yield_pressure=yield_pressure,
+        own=dict(
+            cohesion_energy_density=cohesion_energy_density,
+            tabor=tabor,
+            cohesive_stress=cohesive_stress,
+            cohesion_range=cohesion_range,
+        ),
         radius=radius,
         contact_modulus=contact_modulus,
         velocity=velocity,
@@ -228,6 +249,10 @@ def critical_velocities(
     work_of_adhesion: NumbersLike = 0.0,
     damping: NumbersLike = 0.0,
     yield_pressure: Optional[NumbersLike] = None,
+    cohesion_energy_density: Optional[NumbersLike] = None,
+    tabor: Optional[NumbersLike] = None,
+    cohesive_stress: Optional[NumbersLike] = None,
+    cohesion_range: Optional[NumbersLike] = None,
     detachment: Optional[str] = None,
     damping_law: str = "constant",
     threads: int = 0,
@@ -239,9 +264,15 @@ def critical_velocities(
         ConvergenceError: if a velocity could not be found.
     """
     columns = _columns(
-        density,
-        mass,
-        yield_pressure,
+        density=density,
+        mass=mass,
+        yield_pressure=yield_pressure,
+        own=dict(
+            cohesion_energy_density=cohesion_energy_density,
+            tabor=tabor,
+            cohesive_stress=cohesive_stress,
+            cohesion_range=cohesion_range,
+        ),
         radius=radius,
         contact_modulus=contact_modulus,
         work_of_adhesion=work_of_adhesion,
@@ -268,6 +299,10 @@ def dampings(
     mass: Optional[NumbersLike] = None,
     work_of_adhesion: NumbersLike = 0.0,
     yield_pressure: Optional[NumbersLike] = None,
+    cohesion_energy_density: Optional[NumbersLike] = None,
+    tabor: Optional[NumbersLike] = None,
+    cohesive_stress: Optional[NumbersLike] = None,
+    cohesion_range: Optional[NumbersLike] = None,
     detachment: Optional[str] = None,
     damping_law: str = "constant",
     threads: int = 0,
@@ -282,9 +317,15 @@ def dampings(
         ConvergenceError: if a damping could not be found.
     """
     columns = _columns(
-        density,
-        mass,
-        yield_pressure,
+        density=density,
+        mass=mass,
+        yield_pressure=yield_pressure,
+        own=dict(
+            cohesion_energy_density=cohesion_energy_density,
+            tabor=tabor,
+            cohesive_stress=cohesive_stress,
+            cohesion_range=cohesion_range,
+        ),
         radius=radius,
         contact_modulus=contact_modulus,
         velocity=velocity,

@@ -4,7 +4,7 @@ import numpy as np
 import numpy.typing as npt
 
 _Numbers = npt.NDArray[np.float64]
-_Contact = tuple[_Numbers, _Numbers, _Numbers, _Numbers, _Numbers]
+_Contact = tuple[_Numbers, _Numbers, _Numbers, _Numbers, _Numbers, dict[str, _Numbers]]
 
 version: str
 
@@ -15,6 +15,7 @@ class Choice:
     def __init__(self, law: str, detachment: Optional[str], damping_law: str) -> None: ...
 
 def laws() -> dict[str, tuple[str, list[str]]]: ...
+def law_parameters() -> list[str]: ...
 def impacts(
     choice: Choice,
     contact: _Contact,

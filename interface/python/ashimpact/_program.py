@@ -71,7 +71,7 @@ def _options(**given: Any) -> list[str]:
         if value is True:
             words.append(option)
         else:
-            words += [option, repr(float(value)) if isinstance(value, (int, float)) else str(value)]
+            words += [option, repr(float(value)) if isinstance(value, (float, np.floating)) else str(value)]
     return words
 
 
@@ -95,6 +95,7 @@ def modulus(
     internal_standard: Optional[str] = None,
     added_fraction: Union[float, str, None] = None,
     sample: Optional[str] = None,
+    sheet: Optional[str] = None,
     phase_set: Optional[str] = None,
     phases: Optional[PathLike] = None,
     rule: Optional[str] = None,
@@ -122,6 +123,7 @@ def modulus(
         internal_standard=internal_standard,
         added_fraction=added_fraction,
         sample=sample,
+        sheet=sheet,
         phase_set=phase_set,
         phases=None if phases is None else _path(phases),
         rule=rule,
@@ -140,6 +142,7 @@ def run(
     *,
     start: Optional[str] = None,
     only: Optional[str] = None,
+    allow_outside: bool = False,
 ) -> dict[str, Document]:
     """Every stage of a case, from XRD to the critical velocity; as `ashimpact run`.
 
@@ -148,6 +151,7 @@ def run(
         folder: where the artifacts are written; without one they are not kept.
         start: stage to start from, with the artifacts before it as they are in the folder.
         only: the one stage to run.
+        allow_outside: the case may name files outside of its own folder.
 
     Returns:
         The artifacts by name: "1-modulus", "2-contact", ..., "comparison", "manifest".
@@ -159,12 +163,17 @@ def run(
     with tempfile.TemporaryDirectory() as scratch:
         target = Path(scratch) / "run" if folder is None else Path(os.fspath(folder))
         words = [] if case is None else [_path(case)]
-        _call("run", *words, "-o", _path(target), *_options(only=only, **{"from": start}))
+        options = _options(only=only, allow_outside=allow_outside, no_report=folder is None, **{"from": start})
+        _call("run", *words, "-o", _path(target), *options)
         return {path.stem: _read(path) for path in sorted(target.glob("*.json"))}
 
 
 def calibrate(
-    case: Optional[PathLike] = None, *, free: Union[str, Sequence[str]] = (), compare: bool = False
+    case: Optional[PathLike] = None,
+    *,
+    free: Union[str, Sequence[str]] = (),
+    compare: bool = False,
+    allow_outside: bool = False,
 ) -> Document:
     """Unknown constants of a case from published critical velocities; as `ashimpact calibrate --json`.
 
@@ -172,11 +181,12 @@ def calibrate(
         case: case file; without one the built-in case, Dong et al. 2013.
         free: constants to find, such as "work_of_adhesion" or ["density:each"]; without, what the case says.
         compare: hypotheses beside one another instead of one calibration.
+        allow_outside: the case may name files outside of its own folder.
     """
     words = [] if case is None else [_path(case)]
     for name in [free] if isinstance(free, str) else free:
         words += ["--free", name]
-    document: Document = json.loads(_call("calibrate", *words, *_options(compare=compare), "--json"))
+    document: Document = json.loads(_call("calibrate", *words, *_options(compare=compare, allow_outside=allow_outside), "--json"))
     return document
 
 
@@ -222,13 +232,23 @@ def analyse_impacts(
     mass: Optional[float] = None,
     work_of_adhesion: Optional[float] = None,
     yield_pressure: Optional[float] = None,
+    cohesion_energy_density: Optional[float] = None,
+    tabor: Optional[float] = None,
+    cohesive_stress: Optional[float] = None,
+    cohesion_range: Optional[float] = None,
     detachment: Optional[str] = None,
+    damping_law: Optional[str] = None,
     velocity: Optional[npt.ArrayLike] = None,
     rebound_velocity: Optional[npt.ArrayLike] = None,
     restitution: Optional[npt.ArrayLike] = None,
     frame_rate: Optional[float] = None,
     pixel_size: Optional[float] = None,
+    frames: Optional[int] = None,
+    size_scatter: Optional[float] = None,
+    order: Optional[int] = None,
+    robust: bool = False,
     bin: Optional[int] = None,
+    sheet: Optional[str] = None,
 ) -> Document:
     """What measured impacts say of damping and critical velocity; as `ashimpact damping --impacts --json`.
 
@@ -237,10 +257,17 @@ def analyse_impacts(
         velocity: of approach [m/s], with either
         rebound_velocity: magnitude, 0 for a capture [m/s]; or
         restitution: 0 for a capture [1].
-        law, radius, contact_modulus, density, mass, work_of_adhesion, yield_pressure, detachment: as impacts().
+        law, radius, contact_modulus, density, mass: as impacts(), one of each.
+        work_of_adhesion, yield_pressure, cohesion_energy_density: as impacts(), one of each.
+        tabor, cohesive_stress, cohesion_range, detachment, damping_law: as impacts(), one of each.
         frame_rate: of the camera, frames per second, with
         pixel_size: in the object [m]: the uncertainty of the velocities.
+        frames: positions that each velocity is the slope of; 2 unless given.
+        size_scatter: relative standard deviation of single diameters [1].
+        order: of the polynomial that is extrapolated; 2 unless given.
+        robust: bisquare weights in that polynomial.
         bin: rebounds to be put into one point.
+        sheet: of a spreadsheet with several tables.
 
     Returns:
         The document of the command: damping of each impact, fits, critical velocity with its interval.
@@ -253,12 +280,21 @@ def analyse_impacts(
         mass=mass,
         work_of_adhesion=work_of_adhesion,
         yield_pressure=yield_pressure,
+        cohesion_energy_density=cohesion_energy_density,
+        tabor=tabor,
+        cohesive_stress=cohesive_stress,
+        cohesion_range=cohesion_range,
         detachment=detachment,
+        damping_law=damping_law,
         frame_rate=frame_rate,
         pixel_size=pixel_size,
+        frames=frames,
+        size_scatter=size_scatter,
+        order=order,
+        robust=robust,
+        bin=bin,
+        sheet=sheet,
     )
-    if bin is not None:
-        words += ["--bin", str(int(bin))]
     with tempfile.TemporaryDirectory() as scratch:
         if isinstance(impacts, (str, os.PathLike)):
             file = _path(impacts)

@@ -7,6 +7,9 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "data/version.hpp"
 #include "interface/chunks.hpp"
@@ -43,6 +46,12 @@ Column part(const Array& array, std::size_t first, std::size_t size) {
                                             static_cast<Eigen::Index>(single ? 1 : size));
 }
 
+/// A parameter of a law, with its values.
+struct ParameterArray {
+    std::string_view name;  ///< that of the LawParameter
+    Array values;
+};
+
 /// The arrays of a contact, in the order of ContactColumns.
 struct ContactArrays {
     Array mass;
@@ -50,17 +59,38 @@ struct ContactArrays {
     Array contact_modulus;
     Array work_of_adhesion;
     Array yield_pressure;
+    std::vector<ParameterArray> parameters;
 
     [[nodiscard]] ContactColumns part(std::size_t first, std::size_t size) const {
-        return {ashimpact::part(mass, first, size), ashimpact::part(effective_radius, first, size),
-                ashimpact::part(contact_modulus, first, size), ashimpact::part(work_of_adhesion, first, size),
-                ashimpact::part(yield_pressure, first, size)};
+        std::vector<ParameterColumn> own;
+        for (const auto& [name, values] : parameters)
+            own.push_back({name, ashimpact::part(values, first, size)});
+        return {ashimpact::part(mass, first, size),
+                ashimpact::part(effective_radius, first, size),
+                ashimpact::part(contact_modulus, first, size),
+                ashimpact::part(work_of_adhesion, first, size),
+                ashimpact::part(yield_pressure, first, size),
+                std::move(own)};
     }
 };
 
-ContactArrays contact_of(const py::tuple& arrays) {
+/// The parameters of a law among those of a call. @throws InputError for one that the law does not take
+std::vector<ParameterArray> parameters_of(const Law& law, const py::dict& given) {
+    std::vector<ParameterArray> parameters;
+    for (const LawParameter& parameter : law_parameters()) {
+        const py::str name{std::string(parameter.name)};
+        if (!given.contains(name)) continue;
+        if (!law.takes(parameter)) {
+            throw InputError("law " + std::string(law.name()) + " takes no " + std::string(parameter.name));
+        }
+        parameters.push_back({parameter.name, given[name].cast<Array>()});
+    }
+    return parameters;
+}
+
+ContactArrays contact_of(const Law& law, const py::tuple& arrays) {
     return {arrays[0].cast<Array>(), arrays[1].cast<Array>(), arrays[2].cast<Array>(),
-            arrays[3].cast<Array>(), arrays[4].cast<Array>()};
+            arrays[3].cast<Array>(), arrays[4].cast<Array>(), parameters_of(law, arrays[5].cast<py::dict>())};
 }
 
 /// Runs Python's signal handlers ten times a second, so that an interrupt ends a long call.
@@ -99,7 +129,7 @@ void solve_in_chunks(std::size_t count, const Solve& solve) {
 
 py::tuple impacts(const Choice& choice, const py::tuple& contact_arrays, const Array& damping,
                   const Array& velocity, std::size_t count, const std::string& method, int threads) {
-    const ContactArrays contact = contact_of(contact_arrays);
+    const ContactArrays contact = contact_of(choice.law, contact_arrays);
     if (method != "integration" && method != "table") {
         throw InputError("unknown method '" + method + "'", "integration, table");
     }
@@ -130,7 +160,7 @@ py::tuple impacts(const Choice& choice, const py::tuple& contact_arrays, const A
 
 Array velocities(const Choice& choice, const py::tuple& contact_arrays, const Array& damping,
                  std::size_t count, int threads) {
-    const ContactArrays contact = contact_of(contact_arrays);
+    const ContactArrays contact = contact_of(choice.law, contact_arrays);
     Array velocity(static_cast<py::ssize_t>(count));
     double* const out = velocity.mutable_data();
     solve_in_chunks(count, [&](std::size_t first, std::size_t size) {
@@ -151,7 +181,7 @@ Array velocities(const Choice& choice, const py::tuple& contact_arrays, const Ar
 
 py::tuple dampings(const Choice& choice, const py::tuple& contact_arrays, const Array& velocity,
                    const Array& restitution, std::size_t count, int threads) {
-    const ContactArrays contact = contact_of(contact_arrays);
+    const ContactArrays contact = contact_of(choice.law, contact_arrays);
     const auto size_of = static_cast<py::ssize_t>(count);
     Array damping(size_of);
     Array greatest(size_of);
@@ -182,6 +212,13 @@ py::dict laws() {
     return all;
 }
 
+/// Names of the parameters that laws take beside those of every contact.
+std::vector<std::string> names_of_law_parameters() {
+    std::vector<std::string> names;
+    for (const LawParameter& parameter : law_parameters()) names.emplace_back(parameter.name);
+    return names;
+}
+
 }  // namespace
 
 }  // namespace ashimpact
@@ -192,6 +229,7 @@ PYBIND11_MODULE(_core, module) {
     py::register_exception<ConvergenceError>(module, "ConvergenceError", PyExc_ArithmeticError);
     module.attr("version") = std::string(program_version());
     module.def("laws", &laws);
+    module.def("law_parameters", &names_of_law_parameters);
     py::class_<Choice>(module, "Choice")
         .def(py::init<const std::string&, const std::optional<std::string>&, const std::string&>());
     module.def("impacts", &impacts);

@@ -62,7 +62,9 @@ template <class F>
 HWY_NOINLINE void solve_task(const batch::ImpactTask& task) {
     ScaledTask scaled;
     scale_task<F>(task.inputs, task.count, scaled);
-    const PlaceList open = task.table != nullptr ? look_up(task, scaled) : PlaceList::all(task.count);
+    const PlaceList open = task.table == nullptr    ? PlaceList::all(task.count)
+                           : task.with_contact_time ? look_up<true>(task, scaled)
+                                                    : look_up<false>(task, scaled);
     const batch::NumberColumns numbers{scaled.adhesion, scaled.damping};
     follow_all<F>(numbers, open.places(), task.detachment, false,
                   [&](std::size_t i, const Block& block, std::size_t lane)

@@ -88,7 +88,8 @@ inline void place_all(const double* numbers, std::size_t count, double* places) 
 }
 
 /// Reads the results of a task from its table. @return impacts that have to be integrated
-HWY_NOINLINE inline PlaceList look_up(const batch::ImpactTask& task, const ScaledTask& scaled) {
+template <bool with_time>
+HWY_NOINLINE PlaceList look_up(const batch::ImpactTask& task, const ScaledTask& scaled) {
     HWY_ALIGN double x[ScaledTask::capacity];
     HWY_ALIGN double y[ScaledTask::capacity];
     place_all(scaled.adhesion, task.count, x);
@@ -97,7 +98,7 @@ HWY_NOINLINE inline PlaceList look_up(const batch::ImpactTask& task, const Scale
     for (std::size_t i = 0; i < task.count; ++i) pieces[i] = task.table->at(x[i], y[i]);
     PlaceList open;
     for (std::size_t i = 0; i < task.count; ++i) {
-        const TableEntry impact = entry_at<true>(pieces[i], x[i], y[i]);
+        const TableEntry impact = entry_at<with_time>(pieces[i], x[i], y[i]);
         if (impact.end == batch::LaneEnd::undecided) open.add(i);
         task.end[i] = impact.end;
         task.restitution[i] = impact.speed;

@@ -1,5 +1,7 @@
 """The Python module, from outside: results, shapes, errors, threads, signals, documents."""
 
+import ctypes
+import inspect
 import json
 import os
 import signal
@@ -44,6 +46,96 @@ class Impacts(unittest.TestCase):
             critical = json.loads(program("critical-velocity", *words))["critical_velocity"]["value"]
             ours = float(ashimpact.critical_velocities(**contact).critical_velocity)
             self.assertAlmostEqual(ours / critical, 1.0, delta=1e-9)
+
+    def test_laws_with_parameters_of_their_own(self):
+        words = ["--radius", "22 um", "--density", "2160 kg/m3", "--contact-modulus", "60 GPa", "--damping", "2e-6 kg/s"]
+        adhesive = ["--work-of-adhesion", "0.3 J/m2"]
+        cases = (
+            ("sjkr", {"cohesion_energy_density": 1e8}, ["--cohesion-energy-density", "100 MJ/m3"]),
+            ("maugis-dugdale", {"tabor": 2.0, "work_of_adhesion": 0.3}, ["--tabor", "2", *adhesive]),
+            ("maugis-dugdale", {"cohesive_stress": 7.7e8, "work_of_adhesion": 0.3},
+             ["--cohesive-stress", "770 MPa", *adhesive]),
+            ("maugis-dugdale", {"cohesion_range": 4e-10, "work_of_adhesion": 0.3},
+             ["--cohesion-range", "0.4 nm", *adhesive]),
+        )
+        for law, own, options in cases:
+            contact = dict(law=law, radius=22e-6, density=2160.0, contact_modulus=60e9, damping=2e-6, **own)
+            with self.subTest(law=law, own=own):
+                shown = json.loads(program("impact", "--law", law, *words, *options, "--velocity", "1.5 m/s", "--json"))
+                ours = ashimpact.impacts(velocity=1.5, **contact)
+                self.assertAlmostEqual(float(ours.restitution), shown["restitution"]["value"], delta=1e-10)
+                shown = json.loads(program("critical-velocity", "--law", law, *words, *options, "--json"))
+                critical = float(ashimpact.critical_velocities(**contact).critical_velocity)
+                self.assertAlmostEqual(critical / shown["critical_velocity"]["value"], 1.0, delta=1e-9)
+                without = {key: value for key, value in contact.items() if key != "damping"}
+                found = ashimpact.dampings(velocity=5.0, restitution=0.7, **without)
+                again = ashimpact.impacts(velocity=5.0, **dict(without, damping=found.damping))
+                self.assertAlmostEqual(float(again.restitution), 0.7, delta=1e-9)
+        base = dict(radius=22e-6, density=2160.0, contact_modulus=60e9, velocity=1.5)
+        cohesion = np.array([[1e7], [1e8]])
+        many = ashimpact.impacts(law="sjkr", **dict(base, velocity=[0.5, 1.0, 2.0]), cohesion_energy_density=cohesion)
+        self.assertEqual(many.restitution.shape, (2, 3))
+        alone = ashimpact.impacts(law="sjkr", **dict(base, velocity=2.0), cohesion_energy_density=1e8)
+        self.assertEqual(many.restitution[1, 2], alone.restitution)
+        for given, expected in (
+            (dict(law="sjkr"), "cohesion_energy_density"),
+            (dict(law="maugis-dugdale", work_of_adhesion=0.3), "tabor"),
+            (dict(law="maugis-dugdale", work_of_adhesion=0.3, tabor=2.0, cohesion_range=4e-10), "tabor"),
+            (dict(law="jkr", work_of_adhesion=0.3, tabor=2.0), "law jkr takes no tabor"),
+            (dict(law="sjkr", cohesion_energy_density=-1.0), "cohesion_energy_density"),
+        ):
+            with self.subTest(given=given), self.assertRaises(ashimpact.InputError) as caught:
+                ashimpact.impacts(**base, **given)
+            self.assertIn(expected, str(caught.exception))
+
+    def test_every_parameter_of_a_law_is_an_argument(self):
+        functions = (ashimpact.impacts, ashimpact.critical_velocities, ashimpact.dampings, ashimpact.analyse_impacts)
+        for function in functions:
+            for name in ashimpact._core.law_parameters():
+                self.assertIn(name, inspect.signature(function).parameters, function.__name__)
+
+    def test_the_bits_of_the_c_library(self):
+        library = ctypes.CDLL(os.environ["ASHIMPACT_LIBRARY"])
+
+        class Named(ctypes.Structure):
+            _fields_ = [("name", ctypes.c_char_p), ("value", ctypes.c_double)]
+
+        class Column(ctypes.Structure):
+            _fields_ = [("name", ctypes.c_char_p), ("values", ctypes.c_void_p), ("stride", ctypes.c_size_t)]
+
+        class Output(ctypes.Structure):
+            _fields_ = [("name", ctypes.c_char_p), ("values", ctypes.c_void_p)]
+
+        radius = np.geomspace(0.5e-6, 50e-6, 301)
+        velocity = 0.05 * np.exp(5 * np.abs(np.sin(np.arange(radius.size))))
+        own = {"sjkr": {"cohesion_energy_density": 1e8}, "maugis-dugdale": {"tabor": 2.0},
+               "thornton-ning": {"yield_pressure": 2e9}}
+        for law in ashimpact.laws():
+            constants = {"density": 2160.0, "contact_modulus": 60e9, "damping": 2e-6, **own.get(law, {})}
+            if law not in ("hertz", "sjkr"):
+                constants["work_of_adhesion"] = 0.3
+            named = (Named * len(constants))(*((key.encode(), value) for key, value in constants.items()))
+            model = ctypes.c_void_p()
+            self.assertEqual(0, library.ashimpact_open(law.encode(), None, None, named, ctypes.c_size_t(len(named)),
+                                                       ctypes.byref(model), None))
+            diameter = 2.0 * radius
+            columns = (Column * 2)((b"diameter", diameter.ctypes.data, 1), (b"velocity", velocity.ctypes.data, 1))
+            fields = ("restitution", "contact_time", "approach_time", "maximum_overlap")
+            theirs = {field: np.empty_like(radius) for field in fields}
+            outputs = (Output * 4)(*((field.encode(), theirs[field].ctypes.data) for field in fields))
+            self.assertEqual(0, library.ashimpact_solve_impacts(model, ctypes.c_size_t(radius.size), columns,
+                                                                ctypes.c_size_t(2), outputs, ctypes.c_size_t(4), None))
+            ours = ashimpact.impacts(law=law, radius=radius, velocity=velocity, **constants)
+            for field in fields:
+                same = getattr(ours, field).view(np.uint64) == theirs[field].view(np.uint64)
+                both_missing = np.isnan(getattr(ours, field)) & np.isnan(theirs[field])
+                self.assertTrue((same | both_missing).all(), f"{law} {field}")
+            critical = np.empty_like(radius)
+            library.ashimpact_critical_velocities(model, ctypes.c_size_t(radius.size), ctypes.c_void_p(diameter.ctypes.data),
+                                                  ctypes.c_void_p(critical.ctypes.data), None)
+            ours = ashimpact.critical_velocities(law=law, radius=radius, **constants).critical_velocity
+            np.testing.assert_array_equal(ours, critical)
+            library.ashimpact_close(model)
 
     def test_shapes_broadcast(self):
         radius = np.geomspace(1e-6, 50e-6, 7)
