@@ -87,7 +87,7 @@ inside sh -c 'cd /tmp && cp -r /consumers . && sed -i s,\.\./\.\./c89_test.c,../
     ./b/deposit && ./b/deposit_static && ./b/c_program &&
     g++ -std=c++17 consumers/deposit.cpp -o c $(pkg-config --cflags --libs ashimpact) && ./c'
 for page in usr/share/man/man1/ashimpact.1.gz usr/share/bash-completion/completions/ashimpact \
-    usr/share/zsh/vendor-completions/_ashimpact usr/share/doc/ashimpact-doc/html/index.html; do
+    usr/share/zsh/vendor-completions/_ashimpact usr/share/doc/ashimpact/html/index.html; do
     [[ -s $tree/$page ]] || { echo "failed: no $page"; exit 1; }
 done
 
