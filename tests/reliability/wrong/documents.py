@@ -55,6 +55,13 @@ def case(*samples, **more):
             "samples": list(samples) or [sample()], **more}
 
 
+def pair(partner, **more):
+    """A case of two spheres."""
+    document = case(sample(**more.pop("sample", {})), partner=partner, **more)
+    del document["wall"]
+    return document
+
+
 def quantity(value, unit, uncertainty):
     return {"value": value, "unit": unit, "standard_uncertainty": uncertainty, "origin": "measured", "source": "a table"}
 
@@ -134,6 +141,11 @@ def cases():
             sample(name="standard, older key", cohesion_range="0.4 nm",
                    composition={"xrd": "standard.csv", "internal_standard": {"phase": "corundum", "weight_fraction": "10 %"}}),
             particle={"cohesion_range": "0.4 nm"}),
+        "two spheres": pair(
+            {"diameter": quantity(200, "um", 4), "density": "7.8 g/cm3", **WALL},
+            work_of_adhesion={"surface_energies": {"particle": "40 mJ/m2", "partner": "0.5 J/m2"}, "rule": "girifalco-good"}),
+        "a rigid partner": pair({"diameter": "200 um", "mass": "30 ug", "rigid": True}),
+        "a partner with E*": pair({"diameter": "200 um", "density": 7800, "contact_modulus": "90 GPa"}),
         "workbook": case(
             sample(composition={"xrd": "ash.xlsx", "xrd_sheet": "Phasen"},
                    restitution={"file": "ash.xlsx", "sheet": "Stöße"}, work_of_adhesion="0.3 J/m2"),
@@ -160,7 +172,9 @@ CASE_RULES = Rules(
         "remainder_scale": SMALL, "added_fraction": ("tiny",), "volume_fraction": SMALL, "weight_fraction": SMALL, "value": SMALL,
         "intensity": SMALL,
         "from": SMALL, "to": ("tiny",), "rounding": ("zero",)},
-    needed=(("wall", "young_modulus"), ("wall", "poisson_ratio")))
+    needed=(("wall", "young_modulus"), ("wall", "poisson_ratio"), ("partner", "young_modulus"), ("partner", "poisson_ratio"),
+            ("partner", "density"), ("partner", "mass"), ("surface_energies", "partner")),
+    right=(("partner", "zero", lambda value: True),))  # a surface energy
 SWEEP_RULES = Rules(may_be={
     "work_of_adhesion": ("zero",), "damping": ("zero",), "cohesion_energy_density": ("zero",), "resolution": ("tiny",),
     "mean": SIGNED, "minimum": ("tiny",)})
@@ -207,6 +221,22 @@ def sweeps():
                        "work_of_adhesion": "0.3 J/m2", "velocity": "2 m/s", "cohesion_range": "0.4 nm"},
             "variables": {"density": {"values": [2300]}},
             "sampling": {"method": "grid"}},
+        "partner": {
+            "impact": {"laws": ["dmt"], "radius": "44 um", "density": 2300, "contact_modulus": "90 GPa",
+                       "work_of_adhesion": "0.3 J/m2", "velocity": "2 m/s", "partner_radius": "1 mm", "partner_mass": "1 mg"},
+            "variables": {"damping": {"values": [0.01]}}, "sampling": {"method": "grid"}},
+        "partner varied": {
+            "impact": {"laws": ["dmt"], "radius": "44 um", "density": 2300, "contact_modulus": "90 GPa",
+                       "work_of_adhesion": "0.3 J/m2", "velocity": "2 m/s", "partner_density": 2300},
+            "variables": {"partner_radius": {"values": ["1 mm"]}}, "sampling": {"method": "grid"}},
+        "partner's density varied": {
+            "impact": {"laws": ["dmt"], "radius": "44 um", "density": 2300, "contact_modulus": "90 GPa",
+                       "work_of_adhesion": "0.3 J/m2", "velocity": "2 m/s", "partner_radius": "1 mm"},
+            "variables": {"partner_density": {"values": [2300]}}, "sampling": {"method": "grid"}},
+        "partner's mass varied": {
+            "impact": {"laws": ["dmt"], "radius": "44 um", "density": 2300, "contact_modulus": "90 GPa",
+                       "work_of_adhesion": "0.3 J/m2", "velocity": "2 m/s", "partner_radius": "1 mm"},
+            "variables": {"partner_mass": {"values": [1e-6]}}, "sampling": {"method": "grid"}},
         "stress": {
             "$schema": "sweep.schema.json",
             "impact": {"laws": ["maugis-dugdale"], "radius": "44 um", "density": 2300, "contact_modulus": "90 GPa",
