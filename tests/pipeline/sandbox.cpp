@@ -89,6 +89,12 @@ Json example_case() {
     return without_comments(parse_json(embedded_file("cases/example/case.json").value()));
 }
 
+Json example_under(const char* law) {
+    Json document = example_case();
+    document["laws"] = {law};
+    return document;
+}
+
 void write_example(const Sandbox& sandbox, const Json& document) {
     sandbox.write("case.json", document.dump(1));
     for (const auto* name : {"ash.csv", "impacts.csv"})

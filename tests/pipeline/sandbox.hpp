@@ -50,6 +50,9 @@ struct Finished {
 /// The example case of `init`, which runs as it is.
 [[nodiscard]] Json example_case();
 
+/// The same under one law: fits to measured impacts take their time.
+[[nodiscard]] Json example_under(const char* law);
+
 /// Puts the example's case and the files it names into the sandbox.
 void write_example(const Sandbox& sandbox, const Json& document);
 

@@ -21,6 +21,7 @@
 
 using namespace ashimpact;
 using test::computed_from;
+using test::example_under;
 using test::relative_difference;
 using test::Sandbox;
 
@@ -40,13 +41,6 @@ const auto& named(const Samples& samples, const std::string& name) {
     for (const auto& sample : samples)
         if (sample.name == name) return sample;
     throw std::logic_error("no such sample");
-}
-
-/// The example under one law: fits to measured impacts take their time.
-Json example_under(const char* law) {
-    Json document = test::example_case();
-    document["laws"] = {law};
-    return document;
 }
 
 }  // namespace

@@ -301,9 +301,9 @@ TEST_CASE("what JSON itself forbids is found by line and column, a duplicate key
 
 TEST_CASE("a bad case leaves the results of the run before it whole") {
     const Sandbox sandbox;
-    test::write_example(sandbox, example_case());
+    test::write_example(sandbox, test::example_under("dmt"));
     REQUIRE(ashimpact_program(sandbox, "run case.json -o out").status == 0);
-    Json document = example_case();
+    Json document = test::example_under("dmt");
     document["samples"][1]["density"] = -1;
     sandbox.write("case.json", document.dump());
     check_refused(sandbox, "/samples/1/density", "density is -1 kg/m3");
@@ -451,7 +451,7 @@ TEST_CASE("wrong options: exit 2, one line that names the option") {
 
 TEST_CASE("an artifact edited wrongly is refused with its file and pointer, and nothing changes") {
     const Sandbox sandbox;
-    test::write_example(sandbox, example_case());
+    test::write_example(sandbox, test::example_under("dmt"));
     REQUIRE(ashimpact_program(sandbox, "run case.json -o out").status == 0);
     struct Edit {
         const char* file;

@@ -406,7 +406,7 @@ TEST_CASE("init, run and inspect, as the help says") {
 
 TEST_CASE("inspect shows an artifact with empty texts and refuses a quantity without a unit") {
     const Sandbox sandbox;
-    test::write_example(sandbox, test::example_case());
+    test::write_example(sandbox, test::example_under("dmt"));
     REQUIRE(ashimpact_program(sandbox, "run case.json -o out").status == 0);
     Json contact = sandbox.json("out/2-contact.json");
     contact["provenance"]["options"]["x"] = "";

@@ -54,7 +54,7 @@ TEST_CASE("a folder that cannot be written is refused before the first stage") {
 
 TEST_CASE("names with control characters do not reach the terminal raw") {
     const Sandbox sandbox;
-    Json document = test::example_case();
+    Json document = test::example_under("dmt");
     document["samples"][0]["name"] = "fine\x1b[31m";
     document["samples"][0]["composition"]["xrd_sample"] = "fine";
     test::write_example(sandbox, document);
@@ -114,5 +114,5 @@ TEST_CASE("what init says can be typed as it stands, and so can the examples of 
         ashimpact_program(sandbox, "modulus my-case/ash.csv --amorphous-fraction '42 +- 2 %'");
     CHECK_MESSAGE(modulus.status == 0, modulus.err);
     check_untouched(sandbox, "modulus my-case/ash.csv --amorphous-fraction '42 +- 200 %'",
-                    "--amorphous-fraction: its uncertainty is 2; allowed: 0 to 1");
+                    "--amorphous-fraction: a standard uncertainty of 2; allowed: a fraction of the whole");
 }
