@@ -90,6 +90,7 @@ for page in usr/share/man/man1/ashimpact.1.gz usr/share/bash-completion/completi
     usr/share/zsh/vendor-completions/_ashimpact usr/share/doc/ashimpact/html/index.html; do
     [[ -s $tree/$page ]] || { echo "failed: no $page"; exit 1; }
 done
+python3 "$root/tests/interface/installed_pages_test.py" --below "$tree/usr/share/doc/ashimpact"
 
 echo '== removed'
 apt_inside purge "${our[@]}"
