@@ -256,6 +256,7 @@ class ResultText {
 
     /// A list under its name: rows of a table, rows of a matrix, or one block an element.
     [[nodiscard]] std::string list(const std::string& name, const Json& list, std::size_t depth) {
+        if (list.empty()) return margin(depth) + name + "  none\n";
         if (is_table(list)) return margin(depth) + name + "\n" + rows(list, depth + 1);
         std::string text;
         if (list.front().is_array()) {

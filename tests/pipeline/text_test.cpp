@@ -122,6 +122,17 @@ TEST_CASE("remarks that differ in sample, law and numbers alone are one line") {
     CHECK(lines[2] == "1 x 6-fit.json: Tabor parameter 2 is between both");
 }
 
+TEST_CASE("a list that is empty in one entry only is shown as none, whole too") {
+    const Json part{{"part", "rising"}, {"from", 1.0}, {"to", 2.0}};
+    const Json result{{"hertz", {{"parts", {part, part}}, {"name", "a"}}},
+                      {"dmt", {{"parts", Json::array()}, {"name", "a"}}}};
+    for (const bool all : {false, true}) {
+        const std::string text = result_text(result, {.all = all});
+        CHECK_MESSAGE(text.find("none") != std::string::npos, text);
+        CHECK_MESSAGE(text.find("rising") != std::string::npos, text);
+    }
+}
+
 TEST_CASE("an empty text, an empty list and a list of mixed values are shown as they are") {
     const Json result = parse_json(R"({"contact_modulus": "", "options": {"x": "", "none": []},
         "mixed": [1, {"k": "v"}, ""], "matrix": [[1, 2], [{"deep": ""}]]})");

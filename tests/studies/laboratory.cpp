@@ -9,7 +9,7 @@ namespace ashimpact::studies {
 
 namespace {
 
-constexpr double told = 0.03;       ///< standard uncertainty of both velocities [m/s]
+constexpr double told = 0.03;  ///< standard uncertainty of both velocities [m/s]
 constexpr double size_scatter = 0.05;
 constexpr int sizes = 21;
 
@@ -63,7 +63,8 @@ const TrueCurve& Laboratories::particle(test::Random& random) const {
 Measurement Laboratories::seen(test::Random& random, double velocity, double rebound) const {
     if (row_.flaw == Flaw::camera) {
         const double seen_velocity = by_camera(random, camera_, velocity);
-        return {.velocity = seen_velocity, .rebound = rebound > 0.0 ? by_camera(random, camera_, rebound) : 0.0};
+        return {.velocity = seen_velocity,
+                .rebound = rebound > 0.0 ? by_camera(random, camera_, rebound) : 0.0};
     }
     const bool proportional = row_.flaw == Flaw::proportional;
     const double u = proportional ? 0.02 * velocity : told;
@@ -73,9 +74,9 @@ Measurement Laboratories::seen(test::Random& random, double velocity, double reb
     if (row_.flaw == Flaw::outliers && random.uniform(0.0, 1.0) < 0.05)
         point.rebound = random.uniform(0.0, point.velocity);
     if (row_.flaw != Flaw::nothing_told && row_.flaw != Flaw::scatter_of_size)
-        point.noise = proportional
-                          ? VelocityNoise::of_velocities(0.02 * point.velocity, 0.02 * std::max(point.rebound, 1e-3))
-                          : VelocityNoise::of_velocities(told, told);
+        point.noise = proportional ? VelocityNoise::of_velocities(0.02 * point.velocity,
+                                                                  0.02 * std::max(point.rebound, 1e-3))
+                                   : VelocityNoise::of_velocities(told, told);
     return point;
 }
 

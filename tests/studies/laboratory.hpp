@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/random.hpp"
 #include "solver/measurement/measurement.hpp"
 #include "tests/studies/truth.hpp"
+#include "tests/support/random.hpp"
 
 namespace ashimpact::studies {
 

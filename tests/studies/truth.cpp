@@ -19,8 +19,8 @@ std::vector<double> table_2(oracles::Law law) {
 oracles::ImpactCase ash(oracles::Law law, double diameter) {
     const double radius = 48e-6 * diameter;
     return {.law = law,
-            .detachment = law == oracles::Law::jkr ? oracles::Detachment::pull_off
-                                                   : oracles::Detachment::zero_overlap,
+            .detachment =
+                law == oracles::Law::jkr ? oracles::Detachment::pull_off : oracles::Detachment::zero_overlap,
             .radius = radius,
             .mass = oracles::sphere_mass(radius, 2158.5),
             .contact_modulus = 90e9,

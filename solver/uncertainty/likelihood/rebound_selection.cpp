@@ -56,8 +56,8 @@ void require_enough(const ReboundSelection& selection, const MeasurementSet& set
     const auto needed = static_cast<std::size_t>(order) + (selection.noise_known ? 1 : 2);
     if (distinct.size() >= needed) return;
     std::string problem = std::to_string(distinct.size()) + " distinct restitutions of " +
-                          std::to_string(selection.data.rebounds.size()) + " rebounds for a damping curve of order " +
-                          std::to_string(order);
+                          std::to_string(selection.data.rebounds.size()) +
+                          " rebounds for a damping curve of order " + std::to_string(order);
     if (!selection.noise_known) problem += " with unknown uncertainties";
     throw InputError(problem, "at least " + std::to_string(needed)).in_file(set.source);
 }

@@ -1,4 +1,5 @@
-// A user's program: what share of particles of a size distribution a wall keeps. Built by CMake and by pkg-config.
+// A user's program: what share of particles of a size distribution a wall keeps. Built by CMake and by
+// pkg-config.
 #include <ashimpact/model.hpp>
 
 #include <cmath>
@@ -6,10 +7,9 @@
 #include <vector>
 
 int main() {
-    const ashimpact::Model ash("jkr", {{"density", 2160.0},
-                                       {"contact_modulus", 60e9},
-                                       {"work_of_adhesion", 0.3},
-                                       {"damping", 2e-6}});
+    const ashimpact::Model ash(
+        "jkr",
+        {{"density", 2160.0}, {"contact_modulus", 60e9}, {"work_of_adhesion", 0.3}, {"damping", 2e-6}});
     std::vector<double> diameter;
     for (int i = 0; i < 100; ++i) diameter.push_back(1e-6 * std::exp(0.046 * i));
     const std::vector<double> velocity(diameter.size(), 0.5);
@@ -21,7 +21,8 @@ int main() {
         if (restitution[i] == 0.0) ++kept;
     }
     const ashimpact::Impacts all = ash.impacts(
-        diameter.size(), {ashimpact::column("diameter", diameter), ashimpact::column("velocity", velocity.front())});
+        diameter.size(),
+        {ashimpact::column("diameter", diameter), ashimpact::column("velocity", velocity.front())});
     if (!(all.maximum_overlap.front() > 0.0)) return 2;
     try {
         const ashimpact::Model wrong("jrk", {{"contact_modulus", 60e9}});

@@ -215,7 +215,8 @@ TEST_CASE("restitutions that no velocity has are refused") {
     yielding.law = Law::of<ThorntonNing>();
     yielding.detachment = Detachment::pull_off;
     yielding.contact.yield_pressure = 2e9;
-    CHECK(message(yielding, 0.5) ==
-          "restitution need not rise with velocity where the contact yields; allowed: a contact without yield "
-          "pressure");
+    CHECK(
+        message(yielding, 0.5) ==
+        "restitution need not rise with velocity where the contact yields; allowed: a contact without yield "
+        "pressure");
 }

@@ -62,9 +62,10 @@ TEST_CASE("every declared parameter is consistent, and one pair has room for tho
 TEST_CASE("an impact without a parameter of its law, or with one out of bounds, is refused") {
     Impact impact = sjkr_impact();
     impact.contact.parameters = {};
-    CHECK(input_error_of([&] { static_cast<void>(solve_impact(impact)); }) ==
-          "cohesion_energy_density is missing; allowed: k_c, cohesion energy per volume (J/m3 is Pa), such as "
-          "\"100 MJ/m3\"");
+    CHECK(
+        input_error_of([&] { static_cast<void>(solve_impact(impact)); }) ==
+        "cohesion_energy_density is missing; allowed: k_c, cohesion energy per volume (J/m3 is Pa), such as "
+        "\"100 MJ/m3\"");
     for (const double wrong : {-1.0, std::numeric_limits<double>::quiet_NaN(), 1e300}) {
         impact.contact.parameters = {{"cohesion_energy_density", wrong}};
         CHECK(contains(input_error_of([&] { static_cast<void>(solve_impact(impact)); }),
@@ -85,12 +86,13 @@ TEST_CASE("a batch takes a parameter as a column or as a single value, and refus
     Eigen::ArrayXd density(3);
     density << 1e6, 1e7, 1e8;
     const auto solved = [&](const Eigen::ArrayXd& values) {
-        return solve_impacts({impact.law,
-                              impact.detachment,
-                              impact.damping.law,
-                              {mass, radius, modulus, none, never_yields, {{"cohesion_energy_density", values}}},
-                              damping,
-                              velocity});
+        return solve_impacts(
+            {impact.law,
+             impact.detachment,
+             impact.damping.law,
+             {mass, radius, modulus, none, never_yields, {{"cohesion_energy_density", values}}},
+             damping,
+             velocity});
     };
     const ImpactBatchResult result = solved(density);
     REQUIRE(result.restitution.size() == 3);

@@ -455,15 +455,16 @@ TEST_CASE("so damped that it creeps through its yield point, an impact ends at r
     for (const double damping : {0.05, 0.1595, 1.0, 100.0}) {
         CAPTURE(damping);
         const double radius = 12.57e-6;
-        const Impact impact{.law = Law::of<ThorntonNing>(),
-                            .detachment = Detachment::pull_off,
-                            .damping = {DampingLaw::constant, damping},
-                            .contact = {.mass = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * 784.0,
-                                        .effective_radius = radius,
-                                        .contact_modulus = 7.14e9,
-                                        .work_of_adhesion = 0.315,
-                                        .yield_pressure = 92.7e6},
-                            .velocity = 11.84};
+        const Impact impact{
+            .law = Law::of<ThorntonNing>(),
+            .detachment = Detachment::pull_off,
+            .damping = {DampingLaw::constant, damping},
+            .contact = {.mass = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * 784.0,
+                        .effective_radius = radius,
+                        .contact_modulus = 7.14e9,
+                        .work_of_adhesion = 0.315,
+                        .yield_pressure = 92.7e6},
+            .velocity = 11.84};
         const ImpactResult result = solve_impact(impact);
         CHECK(result.outcome == Outcome::capture);
         CHECK(result.yielded);
@@ -474,7 +475,8 @@ TEST_CASE("so damped that it creeps through its yield point, an impact ends at r
     }
 }
 
-TEST_CASE("a yield pressure far below what adhesion alone yields is refused with the limit, or its energy closes") {
+TEST_CASE(
+    "a yield pressure far below what adhesion alone yields is refused with the limit, or its energy closes") {
     int refused = 0;
     for (const double pressure : {1e2, 1e4, 362548.64, 1e6, 1e8, 1e10}) {
         CAPTURE(pressure);

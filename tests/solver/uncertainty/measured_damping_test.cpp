@@ -396,10 +396,10 @@ TEST_CASE("degenerate: numbers that are none are refused with their line") {
 
 TEST_CASE("a contact that yields is inverted and not fitted") {
     SphereInContact sphere{.diameter = {"diameter", 96e-6},
-                        .density = {"density", 2158.5},
-                        .work_of_adhesion = {"work of adhesion", 0.2959},
-                        .contact_modulus = RandomInput{"contact modulus", 90e9},
-                        .yield_pressure = 6e9};
+                           .density = {"density", 2158.5},
+                           .work_of_adhesion = {"work of adhesion", 0.2959},
+                           .contact_modulus = RandomInput{"contact modulus", 90e9},
+                           .yield_pressure = 6e9};
     const Law law = Law::of<ThorntonNing>();
     const MeasuredDamping result =
         analyse_impacts(law, law.default_detachment(), random_contact(sphere),
