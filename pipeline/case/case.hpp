@@ -30,19 +30,16 @@ struct Stated {
     [[nodiscard]] double value() const { return quantity.value; }
 };
 
-/// The other body, a wall or a second sphere: elastic, rigid, or known only through the contact modulus of
-/// the pair.
+/// Elasticity of the other body, or only the contact modulus E* of the pair.
 struct ElasticWall {
-    Stated young_modulus;
-    Stated poisson_ratio;
+    Stated young_modulus, poisson_ratio;
 };
 using Wall = std::variant<ElasticWall, RigidWall, Stated>;
 
-/// The second sphere of a case without a flat wall. Its elasticity is a Wall.
+/// The second sphere in place of a wall, with its density [kg/m3] or its mass [kg]. Its elasticity is a Wall.
 struct PartnerSphere {
-    Stated diameter;
-    std::optional<Stated> density{};  ///< this or the mass
-    std::optional<Stated> mass{};     ///< this or the density
+    Stated diameter;  ///< [m]
+    std::optional<Stated> density{}, mass{};
 };
 
 /// Work of adhesion from the surface energies of the two bodies.
