@@ -116,11 +116,8 @@ constexpr std::array aliases{
     Alias{"stdev", Role::uncertainty},
     Alias{"stddev", Role::uncertainty},
     Alias{"\u00b1", Role::uncertainty},
-    Alias{"\u00b11\u03c3", Role::uncertainty},
     Alias{"\u00b1\u03c3", Role::uncertainty},
-    Alias{"1\u03c3", Role::uncertainty},
     Alias{"\u03c3", Role::uncertainty},
-    Alias{"1sigma", Role::uncertainty},
     Alias{"+", Role::uncertainty},
     Alias{"density", Role::density},
     Alias{"xraydensity", Role::density},
@@ -174,11 +171,20 @@ void split_unit(Heading& heading, std::string_view text) {
 
 Heading read_heading(std::string_view text) {
     Heading heading;
-    split_unit(heading, trimmed(text));
+    StatedCoverage coverage = read_coverage(trimmed(text));
+    if (!coverage.stated.empty() && coverage.rest.size() > 2 && coverage.rest.ends_with("\u00b1"))
+        coverage.rest.resize(coverage.rest.size() -
+                             std::string_view("\u00b1").size());  // "wt% +- 2s": both stand in the cell
+    heading.written = text;
+    heading.coverage = coverage;
+    split_unit(heading, coverage.rest);
     const std::string key = key_of(heading.text);
     const std::string unit = key_of(heading.unit);
     heading.role = role_of(key.empty() ? "\u2400" : without_per_cent(key));
     if (heading.role == Role::weight && unit.starts_with("v")) heading.role = Role::volume;
+    // "2 sigma" alone, or behind the name of a phase or sample, is the uncertainty of the column before it.
+    if (!coverage.stated.empty() && (heading.text.empty() || heading.role == Role::other))
+        heading.role = Role::uncertainty;
     if (says_per_cent(key) || says_per_cent(unit)) heading.scale = Scale::per_cent;
     if (heading.role == Role::other && heading.text.ends_with('%')) {  // "Quartz wt%": a phase with its unit
         const auto blank = heading.text.find_last_of(' ');

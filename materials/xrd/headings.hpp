@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "materials/base/tables/coverage.hpp"
+
 namespace ashimpact::xrd {
 
 /// What a column of a table holds.
@@ -30,6 +32,8 @@ struct Heading {
     std::string unit;  ///< what stood in brackets; may be empty
     Role role = Role::other;
     Scale scale = Scale::not_stated;
+    std::string written{};      ///< the whole heading as in the file
+    StatedCoverage coverage{};  ///< what it says of its uncertainties
 };
 
 [[nodiscard]] Heading read_heading(std::string_view text);

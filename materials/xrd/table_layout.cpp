@@ -78,17 +78,28 @@ TableRow checked_row(const TextLine& line, const Table& table) {
     return row;
 }
 
-/// The number of a cell; nothing if the cell says that there is none.
+bool is_uncertainty(const Heading& heading) {
+    return heading.role == Role::uncertainty || heading.role == Role::ratio_uncertainty;
+}
+
+/// The number of a cell, with uncertainties as standard ones; nothing if the cell says that there is none.
 std::optional<PrintedNumber> number_in(const TableRow& row, std::size_t column, const Table& table) {
     const std::string& cell = row.cells[column];
     if (says_no_number(cell)) return std::nullopt;
     const bool decimal_comma = cell.find('.') == std::string::npos && cell.find(',') != std::string::npos &&
                                std::count(cell.begin(), cell.end(), ',') <= 2;
-    const auto number = read_number(cell, decimal_comma);
+    auto number = read_number(cell, decimal_comma);
     if (!number)
         throw InputError("cannot read " + in_quotes(cell),
                          table.separator == ',' ? "a number with a decimal point" : "a number")
             .at(at_cell(row.line, column));
+    const Heading& heading = table.headings[column];
+    if (!heading.coverage.problem.empty()) {  // of which the heading warns
+        number->standard_uncertainty.reset();
+        return is_uncertainty(heading) ? std::nullopt : number;
+    }
+    if (number->standard_uncertainty) *number->standard_uncertainty /= heading.coverage.factor;
+    if (is_uncertainty(heading)) number->value /= heading.coverage.factor;
     return number;
 }
 
@@ -148,6 +159,16 @@ std::vector<Entry> long_entries(const Table& table) {
     return entries;
 }
 
+/// Whether a column of a wide table holds uncertainties of the value before it. "Quartz (2s)" does so behind
+/// a column "Quartz"; else it holds the values of quartz with their uncertainties.
+bool is_uncertainty_of(const Table& table, std::size_t column, const std::vector<Entry>& entries) {
+    const std::string& name = table.headings[column].text;
+    if (phase_of_uncertainty(name)) return true;
+    if (table.headings[column].role != Role::uncertainty) return false;
+    const bool same = !entries.empty() && (entries.back().phase == name || entries.back().sample == name);
+    return name.empty() || is_uncertainty_word(name) || same;
+}
+
 /// One column a phase (one row a sample), or one column a sample (one row a phase).
 std::vector<Entry> wide_entries(const Table& table, Role row_role) {
     const std::size_t label = *table.column(row_role);
@@ -157,9 +178,9 @@ std::vector<Entry> wide_entries(const Table& table, Role row_role) {
             throw InputError("the first cell is empty", "a name").at(at_line(row.line));
         for (std::size_t i = 0; i < row.cells.size(); ++i) {
             const std::string& name = table.headings[i].text;
-            if (i == label || name.empty()) continue;  // a column without a heading is none of the table
-            const bool uncertainty =
-                table.headings[i].role == Role::uncertainty || phase_of_uncertainty(name);
+            const bool is_named = !name.empty() || table.headings[i].role == Role::uncertainty;
+            if (i == label || !is_named) continue;  // a column without a heading is none of the table
+            const bool uncertainty = is_uncertainty_of(table, i, entries);
             const auto number = number_in(row, i, table);
             if (uncertainty && !entries.empty() && entries.back().line == row.line) {
                 if (number) entries.back().uncertainty = number->value;
@@ -203,9 +224,10 @@ Table parse_table(const TextLines& file) {
                 .rows = {},
                 .separator = separator_of(lines[*heading].text)};
     table.headings = headings_of(cut_row(lines[*heading], table.separator));
-    if (*heading > 0)
-        table.warnings.push_back(std::to_string(*heading) + (*heading == 1 ? " line" : " lines") +
-                                 " above the heading not read");
+    if (*heading > 0) table.warnings.push_back(counted(*heading, "line") + " above the heading not read");
+    std::vector<std::pair<std::string, StatedCoverage>> coverages;
+    for (const Heading& each : table.headings) coverages.emplace_back(each.written, each.coverage);
+    for (std::string& warning : coverage_warnings(coverages)) table.warnings.push_back(std::move(warning));
     for (std::size_t i = *heading + 1; i < lines.size(); ++i) {
         table.rows.push_back(checked_row(lines[i], table));
         if (table.rows.size() * table.headings.size() > most_cells)

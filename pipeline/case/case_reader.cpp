@@ -8,6 +8,7 @@
 #include "materials/base/checks.hpp"
 #include "materials/base/text.hpp"
 #include "pipeline/case/case_parts.hpp"
+#include "pipeline/case/example_remains.hpp"
 #include "pipeline/case/laws.hpp"
 #include "pipeline/case/measurement_parts.hpp"
 #include "pipeline/json/schema.hpp"
@@ -325,12 +326,17 @@ LoadedCase load_case(const std::optional<std::string>& file, bool allow_outside)
     if (allow_outside) files.allow_outside();
     const std::string text = files.read_case();
     return in_file(files.case_name(), [&] {
-        const Json document = without_comments(parse_json(text));
+        const Json with_comments = parse_json(text);
+        const Json document = without_comments(with_comments);
         require_schema_version(document, false);
         validate_document(document, "case");
         LoadedCase loaded;
         loaded.data = read_case_with(View(document), built_in_phases(), files, loaded.warnings);
         loaded.inputs = files.used();
+        if (const auto remains = example_remains(with_comments, loaded.inputs); !remains.empty())
+            loaded.warnings.push_back(
+                "still of the example of `ashimpact init`, whose numbers are invented (" + joined(remains) +
+                "), to be replaced or deleted");
         return loaded;
     });
 }

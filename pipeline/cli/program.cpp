@@ -34,7 +34,7 @@ enum ExitStatus : int { done = 0, defect = 1, wrong_input = 2, not_converged = 3
 constexpr auto purpose =
     "From a fly ash's XRD result to the dynamic critical velocity.\n"
     "Quantities carry their unit in quotes (\"44 um\"); a bare number is SI. Results go to standard output, "
-    "messages to\nstandard error. Exit status: 0 done, 2 input is wrong, 3 not converged, 1 a defect of the "
+    "messages to standard error. Exit status: 0 done, 2 input is wrong, 3 not converged, 1 a defect of the "
     "program.";
 
 std::string version_text() {
@@ -164,7 +164,7 @@ void set_up_commands(CLI::App& program, Action& action, const SweepRunner& sweep
     program.description(purpose);
     add_common_options(program);
     program.require_subcommand(1);
-    program.footer("Example:\n  ashimpact run\n`ashimpact COMMAND --help` says more about each.");
+    program.footer("Example:\n  ashimpact run\n`ashimpact help COMMAND` says more about each.");
     add_case_commands(program, action);
     add_contact_commands(program, action);
     add_sweep_command(program, action, sweep);
@@ -174,6 +174,19 @@ void set_up_commands(CLI::App& program, Action& action, const SweepRunner& sweep
     refuse_empty_values(program);
 }
 
+namespace {
+
+/// The words of the command line; `help` is `--help`, and `help COMMAND` is `COMMAND --help`.
+std::vector<const char*> words_of(int argc, const char* const* argv) {
+    std::vector<const char*> words(argv, argv + argc);
+    if (words.size() < 2 || std::string_view(words[1]) != "help") return words;
+    words.erase(words.begin() + 1);
+    words.insert(words.begin() + std::min<std::ptrdiff_t>(2, std::ssize(words)), "--help");
+    return words;
+}
+
+}  // namespace
+
 int run_program(int argc, const char* const* argv, const SweepRunner& sweep, const ExportRunner& exporter) {
     const auto messages = set_up_messages();
     CLI::App program;
@@ -181,7 +194,8 @@ int run_program(int argc, const char* const* argv, const SweepRunner& sweep, con
     set_up_commands(program, action, sweep, exporter);
     std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of its write
     try {
-        obey(program, argc, argv, action, *messages);
+        const auto words = words_of(argc, argv);
+        obey(program, static_cast<int>(words.size()), words.data(), action, *messages);
         return done;
     } catch (const CLI::ParseError& error) {
         spdlog::error("{}", usage_error(program, error));

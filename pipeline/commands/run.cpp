@@ -16,7 +16,7 @@ namespace ashimpact {
 
 namespace {
 
-/// The remarks on the results: whole with -v, else a line a kind.
+/// The remarks on the results: whole with -v, else a line for each kind that may change what to report.
 void tell(const RunSummary& summary) {
     if (spdlog::should_log(spdlog::level::debug)) {
         for (const Remark& remark : summary.remarks)
@@ -25,10 +25,16 @@ void tell(const RunSummary& summary) {
     }
     if (summary.remarks.empty()) return;
     const auto lines = remark_lines(summary.remarks, summary.samples);
-    spdlog::warn("warning: {} {} on these results, {} {}; -v shows each of them whole",
-                 summary.remarks.size(), summary.remarks.size() == 1 ? "remark" : "remarks", lines.size(),
-                 lines.size() == 1 ? "kind" : "kinds");
-    for (const std::string& line : lines) spdlog::warn("  {}", line);
+    const auto deciding =
+        std::count_if(lines.begin(), lines.end(), [](const RemarkLine& line) { return line.decides; });
+    const bool all = static_cast<std::size_t>(deciding) == lines.size();
+    spdlog::warn("warning: {} on these results, {}; {}-v shows each of them whole",
+                 counted(summary.remarks.size(), "remark"), counted(lines.size(), "kind"),
+                 all             ? ""
+                 : deciding == 0 ? "none of them changes what to report, "
+                                 : fmt::format("{} of them may change what to report, ", deciding));
+    for (const RemarkLine& line : lines)
+        if (line.decides) spdlog::warn("  {}", line.text);
 }
 
 }  // namespace

@@ -257,6 +257,8 @@ StageOutput comparison_stage(const Artifacts& before) {
             {"verdict", dynamic.verdict},
             {"measured_critical_velocity", measured_json(sample, measured)},
             {"check", dynamic.check}};
+        if (measured.is_object() && measured.contains("interval"))
+            json["measured_interval"] = measured.at("interval");
         if (!dynamic.extrapolated.empty()) json["extrapolated_critical_velocity"] = dynamic.extrapolated;
         if (!dynamic.interval_note.empty()) json["interval_note"] = dynamic.interval_note;
         if (sample.published) json["published"] = published_beside_json(*sample.published, of);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "materials/base/error.hpp"
+#include "materials/base/text.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/contact.hpp"
 #include "pipeline/stages/for_each_law.hpp"
@@ -13,6 +14,7 @@
 #include "pipeline/stages/read_case_artifact.hpp"
 #include "pipeline/stages/restitution.hpp"
 #include "pipeline/stages/uncertainty/contact_models.hpp"
+#include "pipeline/text/readable.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/motion/damping_inversion.hpp"
 
@@ -116,14 +118,25 @@ Json reading_json(const Reading& reading, const std::string& origin, DampingLaw 
     return json;
 }
 
+/// " at 0.73 m/s": the velocity of an impact by its number, empty if it has no damping.
+std::string velocity_of(const Json& json, const Json& number) {
+    const Json& numbers = json["number"]["values"];
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        if (numbers[i].get<double>() == number.get<double>())
+            return " at " + readable(json["velocity"]["values"][i].get<double>(), "m/s");
+    return {};
+}
+
 void warn(const std::string& where, const Json& json, std::size_t points,
           std::vector<std::string>& warnings) {
     if (!json["unreachable"].empty())
-        warnings.push_back(fmt::format("{}: {} of {} restitutions cannot be reached by any damping", where,
-                                       json["unreachable"].size(), points));
+        warnings.push_back(fmt::format("{}: {} of {} cannot be reached by any damping", where,
+                                       json["unreachable"].size(), counted(points, "restitution")));
     if (!json["outliers"].empty())
-        warnings.push_back(fmt::format("{}: {} outliers of {} impacts, flagged and left in", where,
-                                       json["outliers"].size(), points));
+        warnings.push_back(fmt::format("{}: flagged as outliers and left in: {} of {}, first number {}{}",
+                                       where, json["outliers"].size(), counted(points, "impact"),
+                                       json["outliers"].front().dump(),
+                                       velocity_of(json, json["outliers"].front())));
     if (json.contains("rising_branch_note"))
         warnings.push_back(where + ": " + json["rising_branch_note"].get<std::string>());
     if (json["velocity"]["values"].empty())

@@ -60,9 +60,13 @@ std::string reported_cell(const View& reported) {
     return "-";
 }
 
+/// The measured velocity with the interval that is compared: "1.92 (1.91 to 1.93)".
 std::string measured_cell(const View& sample) {
     const auto measured = sample.find("measured_critical_velocity");
-    return measured ? velocity_text(measured->number(Dimension::velocity)) : "-";
+    if (!measured) return "-";
+    const std::string interval = interval_text(sample.find("measured_interval"));
+    const std::string value = velocity_text(measured->number(Dimension::velocity));
+    return interval == "-" ? value : fmt::format("{} ({})", value, interval);
 }
 
 std::string wrapped_line(const std::string& text, std::size_t width, std::size_t hanging = 2) {
@@ -74,6 +78,12 @@ std::string extrapolated_cell(const View& sample, const std::string& law) {
     const auto all = sample.find("extrapolated_critical_velocity");
     const auto entry = all ? all->find(law) : std::nullopt;
     return entry ? velocity_text(entry->at("value").number(Dimension::velocity)) : "-";
+}
+
+/// Whether a law has impacts, of which no estimate could be made, so that its velocity is the extrapolation.
+bool is_extrapolated(const View& sample, const View::Member& law) {
+    const auto method = law.value.find("method");
+    return extrapolated_cell(sample, law.key) != "-" && method && method->text().starts_with("eta(e) extra");
 }
 
 /// Why laws have no interval, a line for each.
@@ -110,7 +120,7 @@ std::string modulus_cell(const View& sample) {
 
 /// Which velocity to report of each sample, and why.
 std::string reported_text(const View& result, std::size_t width) {
-    TextTable table({"sample", "v_c [m/s]", "95 % interval", "by law", "measured"});
+    TextTable table({"sample", "v_c [m/s]", "95 % interval", "by law", "measured (95 %)"});
     std::string reasons;
     for (const View& sample : result.at("samples").elements()) {
         const auto reported = sample.find("reported");
@@ -182,16 +192,27 @@ std::string assumptions_text(const View& result, std::size_t width) {
 std::string laws_text(const View& result, std::size_t width) {
     TextTable table({"sample", "law", "dynamic v_c", "95 % interval", "extrapolated", "published", "verdict"},
                     2);
+    bool any_extrapolated = false;
     for (const View& sample : result.at("samples").elements()) {
         std::string name = sample.at("name").text();
-        for (const auto& law : sample.at("dynamic_critical_velocity").members())
-            table.add({std::exchange(name, ""), law.key, velocity_cell(sample, law),
-                       interval_cell(sample, law.key), extrapolated_cell(sample, law.key),
-                       published(sample, "critical_velocity", law.key).value_or("-"),
-                       check_cell(sample, law.key)});
+        for (const auto& law : sample.at("dynamic_critical_velocity").members()) {
+            const bool extrapolated = is_extrapolated(sample, law);
+            any_extrapolated = any_extrapolated || extrapolated;
+            table.add(
+                {std::exchange(name, ""), law.key, (extrapolated ? "* " : "") + velocity_cell(sample, law),
+                 interval_cell(sample, law.key), extrapolated_cell(sample, law.key),
+                 published(sample, "critical_velocity", law.key).value_or("-"), check_cell(sample, law.key)});
+        }
     }
     table.drop_empty_columns();
-    return "All laws [m/s]; the verdict is that of the measured velocity:\n\n" + table.text(0, width) + "\n";
+    const std::string note = any_extrapolated
+                                 ? wrapped_line(
+                                       "*: extrapolated from the rebounds, as the impacts gave no estimate "
+                                       "with this law.",
+                                       width)
+                                 : "";
+    return "All laws [m/s]; the verdict compares the interval with the measured one:\n\n" +
+           table.text(0, width) + note + "\n";
 }
 
 std::string contacts_text(const View& result, std::size_t width) {

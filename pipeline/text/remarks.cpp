@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 #include "materials/base/text.hpp"
@@ -15,6 +16,7 @@ namespace {
 /// A remark without the sample and the law that it begins with.
 struct Parted {
     std::string sample;
+    std::string law;
     std::string text;
 };
 
@@ -27,13 +29,13 @@ bool is_law(std::string_view word) {
 Parted parted(const std::string& text, const std::vector<std::string>& samples) {
     for (const std::string& sample : samples) {
         if (!text.starts_with(sample)) continue;
-        if (text.compare(sample.size(), 2, ": ") == 0) return {sample, text.substr(sample.size() + 2)};
+        if (text.compare(sample.size(), 2, ": ") == 0) return {sample, "", text.substr(sample.size() + 2)};
         const auto colon = text.find(": ", sample.size());
         if (colon == std::string::npos || text.compare(sample.size(), 2, ", ") != 0) continue;
-        if (is_law(text.substr(sample.size() + 2, colon - sample.size() - 2)))
-            return {sample, text.substr(colon + 2)};
+        const std::string law = text.substr(sample.size() + 2, colon - sample.size() - 2);
+        if (is_law(law)) return {sample, law, text.substr(colon + 2)};
     }
-    return {"", text};
+    return {"", "", text};
 }
 
 /// The text with # for every number and every name of a law: what remarks of one kind share.
@@ -69,13 +71,48 @@ struct Kind {
     std::string kind;
     std::string first;
     std::vector<std::string> samples{};
+    std::vector<std::string> laws{};
     std::size_t count = 0;
 };
 
+/// What remarks say that decide nothing: how a file was read where that is plain, which phase was meant, what
+/// is assumed of phases, how far a law's limits are, and how the paper's extrapolation differs from the
+/// estimate.
+constexpr std::array<std::string_view, 12> background{"\" is taken as ",
+                                                      "no uncertainty of Young's modulus is known",
+                                                      "the Poisson ratio is assumed",
+                                                      " of the variance of E",
+                                                      " leaves out the adhesion of ",
+                                                      "Tabor parameter ",
+                                                      "of the estimate over that of the extrapolation",
+                                                      "extrapolated fit: ",
+                                                      " above the heading not read",
+                                                      " is read, not ",
+                                                      "was read as Latin-1",
+                                                      " is used; the catalogue has "};
+
+bool decides(const std::string& text) {
+    return !text.ends_with("\" is not used") &&
+           std::none_of(background.begin(), background.end(),
+                        [&](std::string_view part) { return text.find(part) != std::string::npos; });
+}
+
+void add_once(std::vector<std::string>& names, const std::string& name) {
+    if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+/// " (fine; dmt, jkr)": the samples of a kind, "all samples" where it is all of several, and the laws.
+std::string of_what(const Kind& kind, std::size_t samples) {
+    if (kind.samples.empty()) return {};
+    const bool all = samples > 1 && kind.samples.size() == samples;
+    return fmt::format(" ({}{}{})", all ? "all samples" : joined(kind.samples), kind.laws.empty() ? "" : "; ",
+                       joined(kind.laws));
+}
+
 }  // namespace
 
-std::vector<std::string> remark_lines(const std::vector<Remark>& remarks,
-                                      const std::vector<std::string>& samples) {
+std::vector<RemarkLine> remark_lines(const std::vector<Remark>& remarks,
+                                     const std::vector<std::string>& samples) {
     std::vector<Kind> kinds;
     for (const Remark& remark : remarks) {
         const Parted parts = parted(remark.text, samples);
@@ -86,18 +123,14 @@ std::vector<std::string> remark_lines(const std::vector<Remark>& remarks,
         if (found == kinds.end())
             found = kinds.insert(kinds.end(), {.file = remark.file, .kind = kind, .first = parts.text});
         ++found->count;
-        if (!parts.sample.empty() &&
-            std::find(found->samples.begin(), found->samples.end(), parts.sample) == found->samples.end())
-            found->samples.push_back(parts.sample);
+        add_once(found->samples, parts.sample);
+        add_once(found->laws, parts.law);
     }
-    std::vector<std::string> lines;
-    for (const Kind& kind : kinds) {
-        const bool all = samples.size() > 1 && kind.samples.size() == samples.size();
-        const std::string of = kind.samples.empty() ? ""
-                               : all                ? " (all samples)"
-                                                    : " (" + joined(kind.samples) + ")";
-        lines.push_back(fmt::format("{} x {}{}: {}", kind.count, kind.file, of, statement_of(kind.first)));
-    }
+    std::vector<RemarkLine> lines;
+    for (const Kind& kind : kinds)
+        lines.push_back({.text = fmt::format("{} x {}{}: {}", kind.count, kind.file,
+                                             of_what(kind, samples.size()), statement_of(kind.first)),
+                         .decides = decides(kind.first)});
     return lines;
 }
 

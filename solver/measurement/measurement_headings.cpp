@@ -1,8 +1,10 @@
 #include "solver/measurement/measurement_headings.hpp"
 
 #include "materials/base/error.hpp"
+#include "materials/base/tables/coverage.hpp"
 #include "materials/base/text.hpp"
 #include "materials/base/units.hpp"
+#include "solver/measurement/outcome_words.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -64,25 +66,36 @@ constexpr std::array aliases{
     Alias{"coefficientderestitution", MeasuredQuantity::restitution},
 };
 
-constexpr std::array<std::string_view, 13> uncertainty_words{"u",
+constexpr std::array<std::string_view, 20> uncertainty_words{"u",
                                                              "sigma",
                                                              "sd",
                                                              "std",
+                                                             "stdev",
+                                                             "esd",
                                                              "uncertainty",
                                                              "uncertaintyof",
                                                              "standarduncertainty",
                                                              "standarduncertaintyof",
                                                              "fehler",
+                                                             "fehlervon",
                                                              "unsicherheit",
+                                                             "unsicherheitvon",
+                                                             "messunsicherheit",
+                                                             "standardunsicherheit",
                                                              "incertitude",
                                                              "error",
-                                                             "errorof"};
+                                                             "errorof",
+                                                             "plusminus"};
 
 /// ASCII letters and digits in lower case; "v_{in}" becomes "vin", "v_rück" becomes "vrck".
 std::string key_of(std::string_view text) {
     std::string key;
-    for (const char c : lower_case(text)) {
-        if (std::isalnum(static_cast<unsigned char>(c)) != 0) key += c;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const std::string_view rest = text.substr(i);
+        if (rest.starts_with("\u03c3")) key += "sigma";
+        for (const std::string_view sign : {"\u00b1", "+-", "+/-"})
+            if (rest.starts_with(sign)) key += "plusminus";
+        if (std::isalnum(static_cast<unsigned char>(text[i])) != 0) key += lower_case(rest.substr(0, 1));
     }
     return key;
 }
@@ -123,10 +136,43 @@ NameAndUnit split(std::string_view cell) {
         const auto open = cell.rfind(pair[0]);
         if (open == std::string_view::npos) continue;
         const std::string_view name = trimmed(cell.substr(0, open));
-        if (pair == "[]" || meaning_of(name))
+        if (pair == "[]" || meaning_of(name) || is_uncertainty_word(name))
             return {name, trimmed(cell.substr(open + 1, cell.size() - open - 2))};
     }
     return {cell, {}};
+}
+
+/// The value that stands before "±", as in "v_in ± u [m/s]", if one does: its cells hold both.
+std::optional<Meaning> value_before_plus_minus(std::string_view name) {
+    for (const std::string_view sign : {"\u00b1", "+-", "+/-"}) {
+        const auto at = name.find(sign);
+        if (at == std::string_view::npos || at == 0) continue;
+        const auto meaning = meaning_of(name.substr(0, at));
+        if (meaning && !meaning->is_uncertainty) return meaning;
+    }
+    return std::nullopt;
+}
+
+/// The quantity of the column at a position, if that column holds values.
+std::optional<MeasuredQuantity> value_at(const MeasurementHeading& heading, std::size_t position) {
+    for (std::size_t i = 0; i < heading.value.size(); ++i)
+        if (heading.value[i] && heading.value[i]->position == position)
+            return static_cast<MeasuredQuantity>(i);
+    return std::nullopt;
+}
+
+/// What a column holds. One that names an uncertainty and no quantity belongs to the column before it.
+std::optional<Meaning> meaning_in(const MeasurementHeading& heading, std::string_view name,
+                                  const StatedCoverage& coverage, std::size_t position) {
+    if (const auto both = value_before_plus_minus(name))
+        return Meaning{both->quantity, heading.of(both->quantity).has_value()};
+    auto meaning = meaning_of(name);
+    if (meaning && !meaning->is_uncertainty && !coverage.stated.empty())
+        meaning->is_uncertainty = heading.of(meaning->quantity).has_value();
+    const bool bare = is_uncertainty_word(name) || !coverage.stated.empty();
+    if (meaning || !bare || position == 0) return meaning;
+    const auto before = value_at(heading, position - 1);
+    return before ? std::optional(Meaning{*before, true}) : std::nullopt;
 }
 
 void require_columns(const MeasurementHeading& heading) {
@@ -167,40 +213,75 @@ bool take_other(MeasurementHeading& heading, std::string_view name, std::size_t 
 
 bool names_incident_velocity(const std::vector<std::string>& cells) {
     return std::any_of(cells.begin(), cells.end(), [](const std::string& cell) {
-        const auto meaning = meaning_of(split(cell).name);
+        const StatedCoverage coverage = read_coverage(cell);
+        const std::string_view name = split(coverage.rest).name;
+        auto meaning = value_before_plus_minus(name);
+        if (!meaning) meaning = meaning_of(name);
         return meaning && meaning->quantity == MeasuredQuantity::velocity && !meaning->is_uncertainty;
     });
 }
 
-MeasurementHeading read_measurement_heading(const std::vector<std::string>& cells) {
-    MeasurementHeading heading{.value = {},
-                               .uncertainty = {},
-                               .outcome = {},
-                               .correlation = {},
-                               .unused = {},
-                               .columns = cells.size()};
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        const auto [name, unit] = split(cells[i]);
-        if (take_other(heading, name, i)) continue;
-        const auto meaning = meaning_of(name);
-        if (!meaning) {
-            if (!cells[i].empty()) heading.unused.emplace_back(cells[i]);
-            continue;
-        }
-        const bool is_ratio = meaning->quantity == MeasuredQuantity::restitution;
-        const Dimension dimension = is_ratio ? Dimension::fraction : Dimension::velocity;
-        auto& column = (meaning->is_uncertainty ? heading.uncertainty
-                                                : heading.value)[static_cast<std::size_t>(meaning->quantity)];
-        if (column)
-            throw InputError("the columns " + in_quotes(column->name) + " and " + in_quotes(name) +
-                                 " hold the same quantity",
-                             "each quantity once");
-        column = MeasuredColumn{.position = i,
-                                .name = std::string(name),
-                                .to_si = unit.empty() ? 1.0 : to_si(1.0, unit, dimension),
-                                .unit_given = !unit.empty() || is_ratio};
+namespace {
+
+double factor_of(std::string_view unit, MeasuredQuantity quantity) {
+    const bool is_ratio = quantity == MeasuredQuantity::restitution;
+    return unit.empty() ? 1.0 : to_si(1.0, unit, is_ratio ? Dimension::fraction : Dimension::velocity);
+}
+
+/// Enters a column of values or uncertainties.
+void take_measured(MeasurementHeading& heading, const Meaning& meaning, MeasuredColumn column) {
+    const auto index = static_cast<std::size_t>(meaning.quantity);
+    auto& place = (meaning.is_uncertainty ? heading.uncertainty : heading.value)[index];
+    if (place)
+        throw InputError("the columns " + in_quotes(place->name) + " and " + in_quotes(column.name) +
+                             " hold the same quantity",
+                         "each quantity once");
+    place = std::move(column);
+}
+
+/// Enters the column of one cell of the heading.
+void take_column(MeasurementHeading& heading, const std::string& cell, std::size_t position) {
+    const StatedCoverage coverage = read_coverage(cell);
+    const auto [name, unit] = split(coverage.rest);
+    if (take_other(heading, name, position)) return;
+    const auto meaning = meaning_in(heading, name, coverage, position);
+    if (!meaning) {
+        if (announces_remarks(name))
+            heading.remarks.push_back({position, cell});
+        else if (is_uncertainty_word(name) || !coverage.stated.empty())
+            heading.notes.push_back(
+                "column " + in_quotes(cell) +
+                " is not used: it does not say of which velocity; write \"u(v_in) [m/s]\"");
+        else if (!cell.empty())
+            heading.unused.push_back({position, cell});
+        return;
     }
+    heading.coverages.emplace_back(cell, coverage);
+    if (meaning->is_uncertainty && !coverage.problem.empty()) return;
+    const bool named = meaning_of(name).has_value();
+    const auto& value = heading.of(meaning->quantity);
+    MeasuredColumn column{.position = position,
+                          .name = named ? std::string(name) : cell,
+                          .to_si = factor_of(unit, meaning->quantity),
+                          .unit_given = !unit.empty() || meaning->quantity == MeasuredQuantity::restitution,
+                          .coverage = coverage.problem.empty() ? coverage.factor : 0};
+    if (unit.empty() && !named && meaning->is_uncertainty && value) {
+        column.to_si = value->to_si;
+        column.unit_given = value->unit_given;
+        heading.notes.push_back("column " + in_quotes(cell) + " is taken as the uncertainty of " +
+                                in_quotes(value->name) + ", which stands before it");
+    }
+    take_measured(heading, *meaning, std::move(column));
+}
+
+}  // namespace
+
+MeasurementHeading read_measurement_heading(const std::vector<std::string>& cells) {
+    MeasurementHeading heading{};
+    heading.columns = cells.size();
+    for (std::size_t i = 0; i < cells.size(); ++i) take_column(heading, cells[i], i);
     require_columns(heading);
+    for (std::string& note : coverage_warnings(heading.coverages)) heading.notes.push_back(std::move(note));
     return heading;
 }
 

@@ -7,6 +7,7 @@
 #include "materials/base/tables/workbook/workbook.hpp"
 #include "materials/base/text.hpp"
 #include "solver/measurement/measurement_headings.hpp"
+#include "solver/measurement/outcome_words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -34,7 +35,7 @@ class TableCells {
         Entry entry = read(row, column);
         if (const auto& uncertainty = heading_.uncertainty_of(quantity)) {
             if (entry.standard_uncertainty) fail(*uncertainty, row, "is given twice", "one uncertainty");
-            entry.standard_uncertainty = read(row, *uncertainty).value;
+            entry.standard_uncertainty = read(row, *uncertainty).value / uncertainty->coverage;
         }
         if (entry.standard_uncertainty && !(*entry.standard_uncertainty > 0.0))
             fail(column, row, "has an uncertainty that is not positive", "> 0");
@@ -46,7 +47,7 @@ class TableCells {
         Entry entry{0.0, std::nullopt};
         const auto& column = heading_.uncertainty_of(quantity);
         if (column && !row.cells[column->position].empty())
-            entry.standard_uncertainty = read(row, *column).value;
+            entry.standard_uncertainty = read(row, *column).value / column->coverage;
         return entry;
     }
 
@@ -76,7 +77,8 @@ class TableCells {
             fail(column, row, "is in per cent", "the unit of the heading");
         const double factor = number->per_cent ? 0.01 : column.to_si;
         Entry entry{number->value * factor, std::nullopt};
-        if (number->standard_uncertainty) entry.standard_uncertainty = *number->standard_uncertainty * factor;
+        if (number->standard_uncertainty && column.coverage > 0)
+            entry.standard_uncertainty = *number->standard_uncertainty * factor / column.coverage;
         return entry;
     }
 
@@ -117,38 +119,51 @@ std::optional<VelocityNoise> noise_of_restitution(const Entry& velocity, const E
 constexpr TextLimits impact_table{
     .content = "a table of impacts", .bytes = std::size_t{256} << 20, .lines = 2'000'000};
 
-constexpr std::array<std::string_view, 18> capture_words{
-    "capture", "captured", "stuck",  "stick",  "sticks", "deposited", "c",     "haftet",  "gehaftet",
-    "haften",  "klebt",    "klebte", "bleibt", "colle",  "collé",     "reste", "capturé", "adhère"};
-constexpr std::array<std::string_view, 11> rebound_words{"rebound",    "rebounded", "rebounds",   "bounced",
-                                                         "r",          "prallt ab", "abgeprallt", "rückprall",
-                                                         "rueckprall", "rebond",    "rebondit"};
-constexpr std::array<std::string_view, 10> unknown_words{"",    "unknown", "?",         "-",       "na",
-                                                         "n/a", "nan",     "unbekannt", "inconnu", "k.a."};
-
-template <class Words>
-bool is_one_of(const Words& words, const std::string& text) {
-    return std::find(words.begin(), words.end(), text) != words.end();
-}
-
 /// The outcome that a row states; none if it states that the outcome is not known.
 std::optional<NotedOutcome> stated_outcome(const MeasurementHeading& heading, const TableRow& row) {
     if (!heading.outcome) return NotedOutcome::from_reading;
-    const std::string text = lower_case(row.cells[*heading.outcome]);
-    if (text.empty()) return NotedOutcome::from_reading;
-    if (is_one_of(capture_words, text)) return NotedOutcome::capture;
-    if (is_one_of(rebound_words, text)) return NotedOutcome::rebound;
-    if (is_one_of(unknown_words, text)) return std::nullopt;
-    throw InputError(in_quotes(row.cells[*heading.outcome]) + " in the column of outcomes is none",
+    const std::string& cell = row.cells[*heading.outcome];
+    if (cell.empty()) return NotedOutcome::from_reading;
+    switch (outcome_word(cell)) {
+        case OutcomeWord::capture:
+            return NotedOutcome::capture;
+        case OutcomeWord::rebound:
+            return NotedOutcome::rebound;
+        case OutcomeWord::unknown:
+            return std::nullopt;
+        case OutcomeWord::none:
+            break;
+    }
+    throw InputError(in_quotes(cell) + " in the column of outcomes is none",
                      "rebound, capture, unknown, or an empty cell")
         .at(at_cell(row.line, *heading.outcome));
 }
 
+/// The outcome that the remarks of a row tell, each in one word. @throws InputError if they differ
+OutcomeWord remarked_outcome(const MeasurementHeading& heading, const TableRow& row) {
+    OutcomeWord told = OutcomeWord::none;
+    for (const TextColumn& column : heading.remarks) {
+        const OutcomeWord word = outcome_of_remark(row.cells[column.position]);
+        if (word == OutcomeWord::none) continue;
+        if (told != OutcomeWord::none && told != word)
+            throw InputError("the remarks tell of a capture and of a rebound", "one of them");
+        told = word;
+    }
+    return told;
+}
+
+/// How far below zero, and beside a remark that tells of a capture above it, noise may put a reading [m/s].
+double reach_of(const Measurement& point) {
+    return point.noise ? 6.0 * std::sqrt(point.noise->rebound) : 0.1 * point.velocity;
+}
+
+/// Restitution of a noted rebound that reads zero or less.
+constexpr double slow_rebound = 1e-6;
+
 /// Refuses a reading of the rebound that is further below zero than noise explains. @throws InputError
 void require_near_zero(const Measurement& point) {
     if (point.rebound >= 0.0) return;
-    const double reach = point.noise ? 6.0 * std::sqrt(point.noise->rebound) : 0.1 * point.velocity;
-    if (-point.rebound <= reach) return;
+    if (-point.rebound <= reach_of(point)) return;
     throw InputError("v_r is " + shortest(point.rebound) + " m/s, below zero by more than noise explains",
                      ">= 0 m/s, a magnitude; 0 for a capture");
 }
@@ -163,53 +178,61 @@ VelocityNoise correlated(VelocityNoise noise, const MeasurementHeading& heading,
     return noise;
 }
 
-/// One row; none where its outcome is not known.
+/// Takes the outcome that a remark tells beside a reading. @throws InputError if they contradict each other
+NotedOutcome with_remark(OutcomeWord remark, const Measurement& point) {
+    if (remark == OutcomeWord::rebound) return NotedOutcome::rebound;
+    if (point.rebound > reach_of(point))
+        throw InputError(
+            "the remark tells of a capture, and the rebound velocity is " + shortest(point.rebound) + " m/s",
+            "one of them");
+    return NotedOutcome::capture;
+}
+
+/// Reads the noise of a row, and its reading unless it is a capture without one.
+void read_rebound(Measurement& point, const MeasurementHeading& heading, const TableCells& cells,
+                  const TableRow& row, bool has_reading) {
+    const bool as_velocity = heading.of(MeasuredQuantity::rebound).has_value();
+    const auto quantity = as_velocity ? MeasuredQuantity::rebound : MeasuredQuantity::restitution;
+    const Entry velocity = cells.entry(row, MeasuredQuantity::velocity);
+    const Entry reading = has_reading ? cells.entry(row, quantity) : cells.uncertainty(row, quantity);
+    point.rebound = as_velocity ? reading.value : reading.value * velocity.value;
+    point.noise = as_velocity ? noise_of_rebound(velocity, reading) : noise_of_restitution(velocity, reading);
+    if (point.noise && as_velocity) point.noise = correlated(*point.noise, heading, cells, row);
+}
+
+/// One row; none where its outcome is not known. @param remark what its remarks tell
 std::optional<Measurement> measurement_of(const MeasurementHeading& heading, const TableCells& cells,
-                                          const TableRow& row) {
+                                          const TableRow& row, OutcomeWord remark) {
     const Entry velocity = cells.entry(row, MeasuredQuantity::velocity);
     if (!(velocity.value > 0.0))
         throw InputError("v_in is " + shortest(velocity.value) + " m/s", "> 0 m/s, a magnitude");
     auto outcome = stated_outcome(heading, row);
     if (!outcome) return std::nullopt;
-    Measurement point{.velocity = velocity.value, .rebound = 0.0, .noise = {}, .line = row.line};
-    const bool as_velocity = heading.of(MeasuredQuantity::rebound).has_value();
-    const auto quantity = as_velocity ? MeasuredQuantity::rebound : MeasuredQuantity::restitution;
-    const std::string cell = lower_case(row.cells[heading.of(quantity)->position]);
-    const bool word = is_one_of(capture_words, cell);
-    if (word && outcome == NotedOutcome::rebound)
+    if (outcome != NotedOutcome::from_reading) remark = OutcomeWord::none;
+    const OutcomeWord cell = outcome_word(row.cells[heading.reading().position]);
+    const bool word = cell == OutcomeWord::capture;
+    const bool blank = cell == OutcomeWord::unknown;
+    if (word && (outcome == NotedOutcome::rebound || remark == OutcomeWord::rebound))
         throw InputError("the outcome is a rebound, and the reading a capture", "one of them");
-    if (is_one_of(unknown_words, cell) && outcome != NotedOutcome::capture) {
-        if (outcome == NotedOutcome::rebound)
-            throw InputError("a rebound without a reading", "a number, or the outcome unknown");
-        return std::nullopt;
-    }
-    if (word) outcome = NotedOutcome::capture;
-    if (word || is_one_of(unknown_words, cell)) {
-        point.noise = as_velocity ? noise_of_rebound(velocity, cells.uncertainty(row, quantity))
-                                  : noise_of_restitution(velocity, cells.uncertainty(row, quantity));
-    } else if (as_velocity) {
-        const Entry rebound = cells.entry(row, quantity);
-        point.rebound = rebound.value;
-        point.noise = noise_of_rebound(velocity, rebound);
-    } else {
-        const Entry restitution = cells.entry(row, quantity);
-        point.rebound = restitution.value * velocity.value;
-        point.noise = noise_of_restitution(velocity, restitution);
-    }
-    if (point.noise && as_velocity) point.noise = correlated(*point.noise, heading, cells, row);
+    if (blank && outcome == NotedOutcome::rebound)
+        throw InputError("a rebound without a reading", "a number, or the outcome unknown");
+    if (word || (blank && remark == OutcomeWord::capture)) outcome = NotedOutcome::capture;
+    if (blank && outcome != NotedOutcome::capture) return std::nullopt;
+    Measurement point{.velocity = velocity.value, .rebound = 0.0, .noise = {}, .line = row.line};
+    read_rebound(point, heading, cells, row, !word && !blank);
+    if (!word && !blank && remark != OutcomeWord::none) outcome = with_remark(remark, point);
     point.outcome = *outcome;
     require_near_zero(point);
     if (outcome == NotedOutcome::capture) point.rebound = 0.0;
-    // A noted rebound that reads zero or less counts as a very slow one.
-    constexpr double slow = 1e-6;
-    point.rebound = std::max(point.rebound, outcome == NotedOutcome::rebound ? slow * point.velocity : 0.0);
+    const bool rebounded = outcome == NotedOutcome::rebound;
+    point.rebound = std::max(point.rebound, rebounded ? slow_rebound * point.velocity : 0.0);
     return point;
 }
 
 std::vector<std::string> warnings_of(const MeasurementHeading& heading) {
-    std::vector<std::string> warnings;
-    for (const std::string& name : heading.unused)
-        warnings.push_back("column " + in_quotes(name) + " is not used");
+    std::vector<std::string> warnings = heading.notes;
+    for (const TextColumn& column : heading.unused)
+        warnings.push_back("column " + in_quotes(column.name) + " is not used");
     for (const auto* columns : {&heading.value, &heading.uncertainty}) {
         for (const auto& column : *columns) {
             if (column && !column->unit_given)
@@ -218,6 +241,74 @@ std::vector<std::string> warnings_of(const MeasurementHeading& heading) {
     }
     return warnings;
 }
+
+/// Whether the reading of an impact without its remark would have another outcome.
+bool remark_counts(const MeasurementHeading& heading, const TableRow& row, OutcomeWord remark,
+                   const Measurement& point) {
+    if (heading.outcome && !row.cells[*heading.outcome].empty()) return false;
+    const bool blank = outcome_word(row.cells[heading.reading().position]) == OutcomeWord::unknown;
+    const bool reads_zero = point.rebound <= 2.0 * slow_rebound * point.velocity;
+    return remark == OutcomeWord::capture ? blank : remark == OutcomeWord::rebound && reads_zero;
+}
+
+/// What the rows without a reading say of themselves beside it, for one message.
+class Unread {
+  public:
+    explicit Unread(const MeasurementHeading& heading) : heading_(heading) {}
+
+    /// A row whose remark was taken for its outcome.
+    void take_remarked(const TableRow& row) { remarked_.push_back(row.line); }
+
+    /// A row whose outcome is not known.
+    void take_unknown(const TableRow& row) {
+        unknown_.push_back(row.line);
+        for (const TextColumn& column : heading_.unused)
+            if (outcome_of_remark(row.cells[column.position]) == OutcomeWord::capture) {
+                elsewhere_.push_back(row.line);
+                column_elsewhere_ = column.name;
+            }
+        if (!free_text_.empty()) return;
+        for (const TextColumn& column : heading_.remarks)
+            if (row.cells[column.position].size() > 1)
+                free_text_ = in_quotes(row.cells[column.position]) + " in column " + in_quotes(column.name) +
+                             ", line " + std::to_string(row.line);
+    }
+
+    void tell(std::vector<std::string>& warnings) const {
+        if (!remarked_.empty())
+            warnings.push_back("column " + names_of(heading_.remarks) + " tells the outcome in " +
+                               numbered("line", remarked_));
+        if (unknown_.empty()) return;
+        std::string text = counted(unknown_.size(), "impact") + " of unknown outcome " +
+                           (unknown_.size() == 1 ? "is" : "are") + " left out (" +
+                           numbered("line", unknown_) + ")";
+        const std::string reading = in_quotes(heading_.reading().name);
+        if (!elsewhere_.empty())
+            text += ", as column " + in_quotes(column_elsewhere_) + ", which tells of captures in " +
+                    numbered("line", elsewhere_) + ", is read only if its heading is \"outcome\"";
+        else if (!free_text_.empty())
+            text +=
+                ", as " + free_text_ +
+                ", is not just a word such as haftet, stuck, captured, to be written there if the particle "
+                "stayed, or 0 in column " +
+                reading;
+        warnings.push_back(text);
+    }
+
+  private:
+    static std::string names_of(const std::vector<TextColumn>& columns) {
+        std::vector<std::string> names;
+        for (const TextColumn& column : columns) names.push_back(in_quotes(column.name));
+        return joined(names);
+    }
+
+    const MeasurementHeading& heading_;
+    std::vector<std::size_t> remarked_;
+    std::vector<std::size_t> unknown_;
+    std::vector<std::size_t> elsewhere_;
+    std::string column_elsewhere_;
+    std::string free_text_;
+};
 
 /// Index of the heading among the lines, which may follow titles; 0 if there is none.
 std::size_t heading_place(const std::vector<TextLine>& lines) {
@@ -240,23 +331,25 @@ MeasurementSet read_table(const TextLines& file, std::string_view name) {
     }
     const TableCells cells(heading, separator != ',');
     MeasurementSet set{.source = std::string(name), .points = {}, .warnings = warnings_of(heading)};
-    if (place > 0)
-        set.warnings.push_back(std::to_string(place) + (place == 1 ? " line" : " lines") +
-                               " above the heading not read");
+    if (place > 0) set.warnings.push_back(counted(place, "line") + " above the heading not read");
+    Unread unread(heading);
     for (std::size_t i = place + 1; i < lines.size(); ++i) {
         TableRow row = cut_row(lines[i], separator);
         try {
             require_cells(heading, row);
-            if (auto point = measurement_of(heading, cells, row))
+            const OutcomeWord remark = remarked_outcome(heading, row);
+            if (auto point = measurement_of(heading, cells, row, remark)) {
+                if (remark_counts(heading, row, remark, *point)) unread.take_remarked(row);
                 set.points.push_back(*std::move(point));
-            else
+            } else {
                 ++set.unknown;
+                unread.take_unknown(row);
+            }
         } catch (const InputError& error) {
             throw error.at(at_line(row.line));
         }
     }
-    if (set.unknown > 0)
-        set.warnings.push_back(std::to_string(set.unknown) + " impacts of unknown outcome are left out");
+    unread.tell(set.warnings);
     if (set.points.empty() && set.unknown > 0)
         throw InputError("the outcome of every impact is unknown", "rebounds or captures");
     if (set.points.empty())
@@ -280,6 +373,7 @@ MeasurementSet read_from_workbook(std::string_view bytes, std::string_view name,
                                      .holds_table = holds_impacts});
     try {
         MeasurementSet set = read_table(chosen.lines(), name);
+        for (std::string& warning : set.warnings) warning = in_rows(std::move(warning));
         set.warnings.insert(set.warnings.begin(), chosen.warnings().begin(), chosen.warnings().end());
         validate(set);
         return set;

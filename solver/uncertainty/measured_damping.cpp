@@ -31,11 +31,19 @@ void note_impacts(MeasuredDamping& result, const MeasurementSet& set) {
         std::count_if(result.impacts.begin(), result.impacts.end(),
                       [](const InvertedImpact& i) { return i.restitution > 0.0 && !i.damping; }));
     if (beyond > 0)
-        result.notes.push_back(std::to_string(beyond) + " of " + std::to_string(set.rebounds()) +
-                               " rebounds are faster than without any damping: no damping gives them");
-    if (!result.parts.outliers.empty())
-        result.notes.push_back(std::to_string(result.parts.outliers.size()) +
-                               " outliers are flagged and left in");
+        result.notes.push_back(std::to_string(beyond) + " of " + counted(set.rebounds(), "rebound") +
+                               (beyond == 1 ? " is" : " are") +
+                               " faster than without any damping: no damping gives " +
+                               (beyond == 1 ? "it" : "them"));
+    if (!result.parts.outliers.empty()) {
+        std::vector<std::size_t> lines;
+        for (const std::size_t index : result.parts.outliers)
+            lines.push_back(set.points[index].line > 0 ? set.points[index].line : index + 1);
+        const bool in_file = set.points[result.parts.outliers.front()].line > 0;
+        result.notes.push_back(counted(lines.size(), "outlier") + " flagged and left in, law " +
+                               std::string(result.law.name()) + ": " +
+                               numbered(in_file ? "line" : "impact", lines));
+    }
     if (set.rebounds() == 0) result.notes.push_back("every impact was captured: there is nothing to fit");
 }
 

@@ -2,6 +2,7 @@
 
 #include "materials/base/text.hpp"
 #include "pipeline/text/artifact_text.hpp"
+#include "pipeline/text/comparison_table.hpp"
 #include "pipeline/text/readable.hpp"
 #include "pipeline/text/remarks.hpp"
 #include "pipeline/text/table.hpp"
@@ -117,9 +118,46 @@ TEST_CASE("remarks that differ in sample, law and numbers alone are one line") {
         {"6-fit.json", "Tabor parameter 2 is between both: neither holds"}};
     const auto lines = remark_lines(remarks, {"fine", "coarse"});
     REQUIRE(lines.size() == 3);
-    CHECK(lines[0] == "2 x 5-damping.json (all samples): 1 outliers of 20 impacts");
-    CHECK(lines[1] == "1 x 6-fit.json (fine): v_c over that of the other: 1.21");
-    CHECK(lines[2] == "1 x 6-fit.json: Tabor parameter 2 is between both");
+    CHECK(lines[0].text == "2 x 5-damping.json (all samples; dmt, jkr): 1 outliers of 20 impacts");
+    CHECK(lines[1].text == "1 x 6-fit.json (fine): v_c over that of the other: 1.21");
+    CHECK(lines[2].text == "1 x 6-fit.json: Tabor parameter 2 is between both");
+    CHECK(lines[0].decides);
+    CHECK_FALSE(lines[2].decides);  // the summary says why which law is taken
+}
+
+TEST_CASE("the summary shows what a verdict compares, and marks a velocity that is only extrapolated") {
+    const auto velocity = [](double value) { return Json{{"value", value}, {"unit", "m/s"}}; };
+    const auto interval = [&](double lower, double upper) {
+        return Json{{"level", 0.95}, {"lower", velocity(lower)}, {"upper", velocity(upper)}};
+    };
+    Json extrapolated = velocity(0.684);
+    extrapolated["method"] = "eta(e) extrapolated to e = 0, a polynomial (Dong et al. 2013)";
+    Json estimated = velocity(0.7);
+    estimated["method"] = "posterior of v_c";
+    const Json sample{
+        {"name", "fine"},
+        {"reported",
+         {{"law", "jkr"},
+          {"critical_velocity", estimated},
+          {"interval", interval(0.652, 0.725)},
+          {"reason", "why"}}},
+        {"measured_critical_velocity", velocity(0.832)},
+        {"measured_interval", interval(0.558, 1.1)},
+        {"dynamic_critical_velocity", {{"hertz", extrapolated}, {"jkr", estimated}}},
+        {"extrapolated_critical_velocity", {{"hertz", velocity(0.684)}, {"jkr", velocity(0.65)}}},
+        {"interval", {{"hertz", interval(0.6, 0.7)}, {"jkr", interval(0.652, 0.725)}}},
+        {"verdict", {{"hertz", "finite"}, {"jkr", "finite"}}},
+        {"check", {{"hertz", {{"verdict", "agrees"}}}, {"jkr", {{"verdict", "agrees"}}}}},
+        {"young_modulus", {{"value", 1e11}, {"unit", "Pa"}}},
+        {"contact_modulus", {{"value", 9e10}, {"unit", "Pa"}}},
+        {"separation_energy", {{"value", 7e-14}, {"unit", "J"}}},
+        {"analytic_critical_velocity", velocity(0.0135)}};
+    const Json result{{"samples", {sample}}, {"conclusion", "Done."}};
+    const std::string text = comparison_text(View(result), 80);
+    CHECK_MESSAGE(text.find("0.832 (0.558 to 1.10)") != std::string::npos, text);
+    CHECK_MESSAGE(text.find("* 0.684") != std::string::npos, text);
+    CHECK_MESSAGE(text.find("* 0.700") == std::string::npos, text);
+    CHECK_MESSAGE(text.find("*: extrapolated from the rebounds") != std::string::npos, text);
 }
 
 TEST_CASE("a list that is empty in one entry only is shown as none, whole too") {

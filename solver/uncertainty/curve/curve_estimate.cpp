@@ -230,8 +230,12 @@ CurveEstimate estimate_curve(const CurveTable& table, const std::vector<Recorded
     for (int i = 0; i < 18 && draws.effective() < least_effective; ++i) draws.add(draws.moments(), 400);
     if (draws.effective() < least_effective)
         throw ConvergenceError(
-            "the impacts are so sharp that too few of the curves drawn explain them: that many count as " +
-            shortest(std::round(draws.effective())));
+            "the stated uncertainties are so small that hardly any smooth damping explains all impacts (the "
+            "curves drawn are worth " +
+            shortest(std::round(draws.effective())) + " independent ones, " +
+            shortest(std::round(least_effective)) +
+            " are needed); remedies: larger uncertainties, or the scatter of particle sizes (--size-scatter, "
+            "in a case \"size_scatter\" under \"fit\")");
     const Interval velocity = draws.critical_velocity();
     const auto damping = [&](double at) { return std::exp(table.log_capture_damping(std::log(at))); };
     const double v = velocity.value;

@@ -52,7 +52,8 @@ std::optional<std::string> slow_rebound_note(const CurveEstimate& estimate, cons
         end = std::max(end, seen);
     }
     if (doubtful == 0.0) return std::nullopt;
-    return shortest(doubtful) + " of the recorded captures may be rebounds slower than the " +
+    return shortest(doubtful) + " of the recorded captures may be " +
+           (doubtful == 1.0 ? "a rebound" : "rebounds") + " slower than the " +
            shortest(std::round(1e3 * end) / 1e3) + " m/s that can be told from rest";
 }
 

@@ -32,6 +32,44 @@ double amorphous_of(const XrdSample& sample) {
 
 }  // namespace
 
+TEST_CASE("uncertainties of a table that are multiples of standard ones are read as such") {
+    const auto uncertainty = [](const std::string& table) {
+        const XrdSample sample = read_xrd(table, "t.csv").samples[0];
+        REQUIRE(sample.analysis.phases.size() == 2);
+        CHECK(relative_difference(sample.analysis.phases[0].fraction, 0.2) < 1e-12);
+        return sample.analysis.phases[0].standard_uncertainty.value_or(0);
+    };
+    const auto with_column = [](const std::string& heading) {
+        return "Phase;Gew.-%;" + heading + "\nQuarz;20;0,8\nMullit;80;1,2\n";
+    };
+    for (const char* heading : {"Fehler (2s)", "Unsicherheit (2 sigma)", "U (k=2)", "2σ", "±2σ", "2s",
+                                "Fehler 2s [%]", "esd (k = 2,0)", "error (95.45 %)", "U (95,45 %)"}) {
+        CAPTURE(heading);
+        CHECK(relative_difference(uncertainty(with_column(heading)), 0.004) < 1e-12);
+        const std::string told = read_xrd(with_column(heading), "t.csv").warnings.front();
+        CHECK_MESSAGE(told.find("divided by 2") != std::string::npos, told);
+    }
+    for (const char* heading : {"Fehler", "1σ", "±1σ", "1 sigma", "esd (1s)", "±", "s.u."})
+        CHECK(relative_difference(uncertainty(with_column(heading)), 0.008) < 1e-12);
+    CHECK(relative_difference(uncertainty(with_column("Unsicherheit (95 %)")), 0.008 / 1.95996) < 1e-5);
+    CHECK(relative_difference(uncertainty("Phase;Gew.-% ± 2s\nQuarz;20 ± 0,8\nMullit;80 ± 1,2\n"), 0.004) <
+          1e-12);
+    CHECK(relative_difference(uncertainty("Phase;Probe A [%];2s\nQuarz;20;0,8\nMullit;80;1,2\n"), 0.004) <
+          1e-12);
+    CHECK(relative_difference(
+              uncertainty("Sample,Quartz %,Quartz (2s),Mullite %,Mullite (2s)\nA,20,0.8,80,1.2\n"), 0.004) <
+          1e-12);
+    for (const auto& [heading, why] : {std::pair{"95 % CI", "half-widths"},
+                                       std::pair{"erweiterte Unsicherheit", "needs its coverage factor"}}) {
+        const XrdResult result = read_xrd(with_column(heading), "t.csv");
+        CHECK_FALSE(result.samples[0].analysis.phases[0].standard_uncertainty);
+        CHECK_MESSAGE(result.warnings.front().find(why) != std::string::npos, result.warnings.front());
+    }
+    // Names of samples that look like it.
+    const XrdResult named = read_xrd("Phase;Probe 2S;Probe 3S\nQuarz;20;30\nMullit;80;70\n", "t.csv");
+    CHECK(named.samples.size() == 2);
+}
+
 TEST_CASE("a complete BGMN list of six phases") {
     const XrdResult result = read("fa07-corundum.lst");
     CHECK(result.format == XrdFormat::bgmn_lst);

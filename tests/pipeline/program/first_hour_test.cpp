@@ -90,7 +90,7 @@ TEST_CASE("the first hour: files as a German laboratory has them end in the v_c 
     REQUIRE(own.at("critical_velocity").is_object());
     CHECK(own == tidy);
     const Json read = sandbox.json("mine/results/0-case.json");
-    CHECK_MESSAGE(read["warnings"].dump().find("1 impacts of unknown outcome") != std::string::npos,
+    CHECK_MESSAGE(read["warnings"].dump().find("1 impact of unknown outcome") != std::string::npos,
                   read["warnings"].dump());
 }
 
@@ -120,7 +120,7 @@ TEST_CASE("the first hour: the same laboratory's spreadsheets end in the same v_
         CHECK_MESSAGE(run.out.find("not given: that of the phases without any pores") != std::string::npos,
                       run.out);
         const std::string told = sandbox.json(folder + "/0-case.json")["warnings"].dump();
-        CHECK_MESSAGE(told.find("1 impacts of unknown outcome") != std::string::npos, told);
+        CHECK_MESSAGE(told.find("1 impact of unknown outcome") != std::string::npos, told);
     }
 }
 
@@ -132,6 +132,72 @@ TEST_CASE("the command of docs/materials.md gives the moduli of the paper, as ty
     for (const char* modulus : {"14812", "15082", "16481"})
         CHECK_MESSAGE(finished.out.find("\"value\": " + std::string(modulus)) != std::string::npos,
                       finished.out);
+}
+
+TEST_CASE("the first hour: remarks and doubled uncertainties end in the v_c of tidy columns") {
+    const Sandbox sandbox;
+    const std::string command =
+        "damping --law jkr --diameter '88 um' --density '2300 kg/m3' --contact-modulus '88 GPa' "
+        "--work-of-adhesion '0.3 J/m2' --json --impacts ";
+    sandbox.write(
+        "remarks.csv",
+        "Stoßversuche;;;;\nv_ein [m/s];Unsicherheit (2s);v_aus [m/s];Unsicherheit (2s);Bemerkung\n"
+        "1,40;0,06;;0,06;haftet\n1,55;0,06;;0,06;Haftet!\n1,72;0,06;0,12;0,06;\n1,81;0,06;0,22;0,06;\n"
+        "1,95;0,06;0,33;0,06;ok\n2,10;0,06;0,44;0,06;\n2,31;0,06;0,57;0,06;\n2,55;0,06;0,73;0,06;\n"
+        "2,90;0,06;0,93;0,06;\n3,35;0,06;1,20;0,06;\n");
+    sandbox.write(
+        "tidy.csv",
+        "v_in [m/s],u(v_in) [m/s],v_r [m/s],u(v_r) [m/s],outcome\n1.40,0.03,,0.03,capture\n"
+        "1.55,0.03,,0.03,capture\n1.72,0.03,0.12,0.03,\n1.81,0.03,0.22,0.03,\n1.95,0.03,0.33,0.03,\n"
+        "2.10,0.03,0.44,0.03,\n2.31,0.03,0.57,0.03,\n2.55,0.03,0.73,0.03,\n2.90,0.03,0.93,0.03,\n"
+        "3.35,0.03,1.20,0.03,\n");
+    const auto own = ashimpact_program(sandbox, command + "remarks.csv");
+    const auto tidy = ashimpact_program(sandbox, command + "tidy.csv");
+    REQUIRE_MESSAGE(own.status == 0, own.err);
+    REQUIRE_MESSAGE(tidy.status == 0, tidy.err);
+    CHECK(parse_json(own.out).at("critical_velocity").is_object());
+    CHECK(parse_json(own.out).at("critical_velocity") == parse_json(tidy.out).at("critical_velocity"));
+}
+
+TEST_CASE("the first hour: what is still of init's example is told, and nothing else is") {
+    const Sandbox sandbox;
+    REQUIRE(ashimpact_program(sandbox, "init mine").status == 0);
+    const auto warnings = [&] {
+        const auto run = ashimpact_program(sandbox, "run mine/case.json -o r --no-report");
+        REQUIRE_MESSAGE(run.status == 0, run.err);
+        return sandbox.json("r/0-case.json")["warnings"].dump();
+    };
+    CHECK(warnings().find("of the example") == std::string::npos);  // all of it is
+    sandbox.write("mine/impacts.csv", tidy_impacts);
+    std::string told = warnings();
+    for (const char* part : {"ash.csv, /name, /wall", "/camera", "/samples/0/density",
+                             "/samples/0/measured_critical_velocity", "/samples/1/restitution"})
+        CHECK_MESSAGE(told.find(part) != std::string::npos, told);
+    CHECK(told.find("impacts.csv") == std::string::npos);
+    // Without the comments the camera is what remains of it.
+    Json document = own_case(sandbox.json("mine/case.json"));
+    document["wall"] = {{"young_modulus", "70 GPa"}, {"poisson_ratio", 0.3}};
+    sandbox.write("mine/case.json", document.dump(1));
+    told = warnings();
+    CHECK_MESSAGE(told.find("/camera") != std::string::npos, told);
+    CHECK_MESSAGE(told.find("/wall") == std::string::npos, told);
+    document.erase("camera");
+    sandbox.write("mine/case.json", document.dump(1));
+    CHECK(warnings().find("of the example") == std::string::npos);
+}
+
+TEST_CASE("help COMMAND says what COMMAND --help says") {
+    const Sandbox sandbox;
+    for (const char* command : {"", "run", "damping", "init"}) {
+        const std::string name = command;
+        const auto help = ashimpact_program(sandbox, name.empty() ? "help" : "help " + name);
+        CHECK(help.status == 0);
+        CHECK(help.out.size() > 100);
+        CHECK(help.out == ashimpact_program(sandbox, name.empty() ? "--help" : name + " --help").out);
+    }
+    const auto unknown = ashimpact_program(sandbox, "help impct");
+    CHECK(unknown.status == 2);
+    CHECK_MESSAGE(unknown.err.find("did you mean \"impact\"?") != std::string::npos, unknown.err);
 }
 
 TEST_CASE("the first hour: all impacts captured give a bound, in the table") {

@@ -111,13 +111,14 @@ InputError ChosenSheet::located(const InputError& error) const {
 }
 
 std::string in_rows(std::string text) {
-    constexpr std::string_view word = "line ";
-    for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; ++at) {
-        const std::size_t digit = at + word.size();
-        const bool begins = at == 0 || std::isalpha(static_cast<unsigned char>(text[at - 1])) == 0;
-        if (begins && digit < text.size() && std::isdigit(static_cast<unsigned char>(text[digit])) != 0)
-            text.replace(at, word.size(), "row ");
-    }
+    for (const auto& [word, row] :
+         {std::pair<std::string_view, const char*>{"line ", "row "}, {"lines ", "rows "}})
+        for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; ++at) {
+            const std::size_t digit = at + word.size();
+            const bool begins = at == 0 || std::isalpha(static_cast<unsigned char>(text[at - 1])) == 0;
+            if (begins && digit < text.size() && std::isdigit(static_cast<unsigned char>(text[digit])) != 0)
+                text.replace(at, word.size(), row);
+        }
     return text;
 }
 
