@@ -47,12 +47,6 @@ namespace ashimpact {
 /// "a pressure", "an energy": the indefinite article by the first letter.
 [[nodiscard]] std::string with_article(std::string_view noun);
 
-/// "1 impact", "3 impacts": a number with its noun.
-[[nodiscard]] std::string counted(std::size_t count, std::string_view noun);
-
-/// "line 4", "lines 4, 7, 9 and 12 more": numbers of lines for a message, which begins with @p word.
-[[nodiscard]] std::string numbered(std::string_view word, const std::vector<std::size_t>& numbers);
-
 /// The words with ", " between them.
 [[nodiscard]] std::string joined(const std::vector<std::string>& words);
 [[nodiscard]] std::string joined(std::span<const std::string_view> words);

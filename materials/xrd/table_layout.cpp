@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "materials/base/checks.hpp"
+#include "materials/base/counting.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/text.hpp"
 #include "materials/base/units.hpp"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <ostream>
 
+#include "materials/base/counting.hpp"
 #include "materials/base/text.hpp"
 #include "pipeline/files/program_word.hpp"
 #include "pipeline/run.hpp"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "materials/base/counting.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/text.hpp"
 #include "pipeline/json/quantity_json.hpp"

@@ -82,6 +82,7 @@ std::string extrapolated_cell(const View& sample, const std::string& law) {
 
 /// Whether a law has impacts, of which no estimate could be made, so that its velocity is the extrapolation.
 bool is_extrapolated(const View& sample, const View::Member& law) {
+    if (law.value.json().is_null()) return false;
     const auto method = law.value.find("method");
     return extrapolated_cell(sample, law.key) != "-" && method && method->text().starts_with("eta(e) extra");
 }

@@ -1,5 +1,6 @@
 #include "solver/measurement/measurement_reader.hpp"
 
+#include "materials/base/counting.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/tables/cells.hpp"
 #include "materials/base/tables/number.hpp"

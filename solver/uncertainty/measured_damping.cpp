@@ -1,5 +1,6 @@
 #include "solver/uncertainty/measured_damping.hpp"
 
+#include "materials/base/counting.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/text.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"

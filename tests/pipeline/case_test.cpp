@@ -181,7 +181,9 @@ TEST_CASE("measured impacts come from a table, with its warnings and its mistake
     CHECK(data.impacts.points[0].velocity == 2.0);
     CHECK(data.impacts.points[0].restitution() == 0.25);
     CHECK(data.impacts.points[1].captured());
-    CHECK(read.warnings.size() == 1);  // the column nr is left out
+    REQUIRE(read.warnings.size() == 2);
+    CHECK(read.warnings[0].find("\"nr\" is not used") != std::string::npos);
+    CHECK(read.warnings[1].find("still of the example") != std::string::npos);
 
     sandbox.write("impacts.csv", "v_in [m/s],v_r [m/s]\n2,0.5\n4,x\n");
     try {

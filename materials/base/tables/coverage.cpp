@@ -111,6 +111,11 @@ bool names_interval(std::string_view text) {
     return any_word(text, [](const std::string& word) { return is_one_of(interval_words, word); });
 }
 
+/// Whether a cell holds nothing but digits and signs, as most that are searched for a heading do.
+bool is_number(std::string_view cell) {
+    return cell.find_first_not_of("+-.,0123456789 ") == std::string_view::npos;
+}
+
 /// Where in a heading the statement stands, and its number.
 struct Statement {
     std::size_t begin;
@@ -192,7 +197,7 @@ std::string problem_of_coverage(const std::string& rest, bool is_known) {
 
 StatedCoverage read_coverage(std::string_view heading) {
     StatedCoverage coverage{.rest = std::string(heading), .stated = {}, .problem = {}};
-    if (heading.size() > longest) return coverage;
+    if (heading.size() > longest || is_number(heading)) return coverage;
     if (const auto multiple = multiple_in(coverage.rest)) {
         coverage.stated = coverage.rest.substr(multiple->begin, multiple->length);
         std::from_chars(multiple->number.data(), multiple->number.data() + multiple->number.size(),
