@@ -292,6 +292,41 @@ def check_headline():
             fail("the headline %.12g is exported as %.12g" % (headline, critical))
 
 
+def worked_case(name, *arguments):
+    """A case of the docs by its command; its last lines say what was found."""
+    if not shutil.which("gnuplot"):
+        skipped.append("gnuplot-nox")
+        print("SKIPPED: gnuplot is not installed (Debian: gnuplot-nox)", flush=True)
+        return
+    if os.geteuid() == 0:
+        os.environ["MPI_OPTIONS"] = "--allow-run-as-root"
+    begun = time.time()
+    ran = subprocess.run(["sh", os.path.join(ROOT, "docs/exports", name, "run.sh"), *arguments],
+                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
+    print("%s, %.0f s\n%s" % (name, time.time() - begun, "\n".join(ran.stdout.strip().splitlines()[-7:])), flush=True)
+    if ran.returncode != 0:
+        fail("the worked case " + name)
+
+
+def check_cloud():
+    """Particles of many sizes on a wall in LAMMPS under mpirun; whole: 100,000."""
+    worked_case("cloud", PROGRAM, os.path.join(WORK, "cloud"), "100000" if WHOLE else "2000")
+
+
+def check_tube():
+    """A jet of 100,000 particles on a tube in OpenFOAM, on one process and on two ranks."""
+    folder = os.path.join(WORK, "openfoam-tube")
+    shutil.rmtree(folder, ignore_errors=True)
+    exported = ashimpact("export", "openfoam", os.path.join(WORK, "run"), "--sample", "88 um", "--law", "brach-dunn",
+                         "--from-diameter", "2 um", "--to-diameter", "120 um", "--damping-exponent", "2",
+                         "--to-velocity", "60 m/s", "-o", folder)
+    if exported.returncode != 0:
+        fail("tube: not exported: " + exported.stderr.strip())
+        return
+    library(folder, "")
+    worked_case("tube", folder, os.path.join(WORK, "tube"))
+
+
 def check_order():
     """The error of a single run falls with the square of the time step: `ash_lag` takes out the first order."""
     folder = os.path.join(WORK, "lammps-dmt")
@@ -342,10 +377,14 @@ def main():
         if not CODES or code.split()[0] in CODES:
             check(code, name, options)
     check_order()
+    if (not CODES or "lammps" in CODES) and installed("lammps"):
+        check_cloud()
     if (not CODES or "openfoam" in CODES) and installed("openfoam") and not failures:
         openfoam_clouds.check(WORK, os.path.join(WORK, "openfoam-hertz"), fail)
         if os.path.isdir(openfoam_clouds.EXAMPLES):
             openfoam_clouds.check_bed(WORK, beads(), fail)
+        if WHOLE:
+            check_tube()
     return status()
 
 

@@ -46,6 +46,10 @@ ExportFolder deck_folder(const ExportSubject& subject, const DemCode& code, cons
         values["partner_radius"] = readable(subject.partner->radius, "m");
         values["partner_mass"] = readable(subject.partner->mass, "kg");
     }
+    // A pair has no `ash_lag`, so that its steps have to be shorter for the same error; they cost less, too.
+    values["resolutions"] = pair ? "10000 15000 22500 33750 50000" : "2000 3000 4500 6750 10000";
+    values["coarsest"] = pair ? "10000" : "2000";
+    values["finest"] = pair ? "50000" : "10000";
     values["code"] = code.name;
     values["program"] = code.program;
     values["command"] = code.command;

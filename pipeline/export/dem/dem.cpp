@@ -22,6 +22,7 @@ constexpr double rebound_horizon = 1.5;  // contacts
 constexpr double slow_horizon = 4;       // near v_c, where a finite time step makes the contact longer
 constexpr double slow_restitution = 0.02;
 constexpr int captured_every = 50;   // steps between two rows of output; a rebound needs every step
+constexpr int pair_every = 5;        // times as many: its steps are shorter
 constexpr double cloud_steps = 200;  // of the shortest contact
 constexpr double cloud_horizon = 6;  // of the longest contact
 
@@ -217,7 +218,7 @@ ExportFile impact_variables(const ExportSubject& subject) {
     });
     text += list_of(impacts, "horizon", [&](const ExpectedImpact& each) { return exact(horizon_of(each)); });
     text += list_of(impacts, "every", [&](const ExpectedImpact& each) {
-        return std::to_string(is_capture(each) ? captured_every : 1);
+        return std::to_string((is_capture(each) ? captured_every : 1) * (subject.partner ? pair_every : 1));
     });
     text += list_of(impacts, subject.partner ? "partner_z" : "ash_wall_z", [&](const ExpectedImpact& each) {
         if (!subject.partner) return exact(-each.diameter / 2);
