@@ -7,6 +7,8 @@
 #include "materials/base/error.hpp"
 #include "pipeline/report/data/velocity_search.hpp"
 #include "solver/batch/impact_batch.hpp"
+#include "solver/motion/maugis/cohesive_impact.hpp"
+#include "solver/numeric/chebyshev.hpp"
 
 namespace ashimpact::report {
 
@@ -22,6 +24,11 @@ double uncertainty_at(const CurveProblem& problem, double e) {
     const Eigen::VectorXd powers = DampingPolynomial::powers(e, problem.damping_fit.order());
     const double variance = powers.dot(problem.covariance * powers);
     return variance > 0 ? std::sqrt(variance) : 0;
+}
+
+/// Velocities, with the greatest in the place of those not found.
+Values solvable(const Values& velocity) {
+    return velocity.isFinite().select(velocity, velocity.maxCoeff<Eigen::PropagateNumbers>());
 }
 
 /// The contact as columns of one value; they refer to it.
@@ -141,6 +148,48 @@ double exponent_of_damping(const CurveProblem& problem) {
     return problem.choice.law == Law::of<Hertz>() ? 5 : 1;
 }
 
+/// A curve v(e) with the ends of its 95 % band; NaN where nothing was found.
+struct Band {
+    Values velocity, lower, upper;
+};
+
+Band band_at(const CurveProblem& problem, const Values& e) {
+    const Eigen::Index count = e.size();
+    const Values nothing = Values::Constant(count, std::numeric_limits<double>::quiet_NaN());
+    const Values eta = e.unaryExpr([&](double each) { return problem.damping_fit(each); });
+    const Values half = e.binaryExpr(eta, [&](double each, double damping) {
+        return std::min(normal_quantile_95 * uncertainty_at(problem, each), 0.9 * damping);
+    });
+    Band band{velocities_of(problem, e, eta, guessed_velocities(problem, e)), nothing, nothing};
+    if (!band.velocity.isFinite().any() || !(half > 0).any()) return band;
+    Values damping(2 * count);
+    damping << eta - half, eta + half;
+    const Values guess = solvable(band.velocity).replicate(2, 1) *
+                         (damping / eta.replicate(2, 1)).pow(exponent_of_damping(problem));
+    const Values ends = velocities_of(problem, e.replicate(2, 1), damping, guess);
+    band.lower = ends.head(count);
+    band.upper = ends.tail(count);
+    return band;
+}
+
+/// band_at() along a curve. Impacts of law maugis-dugdale have no vector kernel and take long: they are
+/// solved at a few restitutions, between which ln v is a polynomial of e (Chebyshev).
+Band band_along(const CurveProblem& problem, const Values& e) {
+    if (!is_cohesive(problem.choice.law, problem.contact)) return band_at(problem, e);
+    const ChebyshevAxis axis{e.minCoeff(), e.maxCoeff(), 8};
+    Values nodes(axis.degree + 1);
+    for (int i = 0; i <= axis.degree; ++i) nodes[i] = axis.node(i);
+    const Band found = band_at(problem, nodes);
+    if (!found.velocity.isFinite().all()) return band_at(problem, e);
+    Eigen::MatrixXd at_each(e.size(), nodes.size());
+    for (Eigen::Index i = 0; i < e.size(); ++i) at_each.row(i) = ChebyshevBasis(axis, e[i]).value.transpose();
+    const Eigen::MatrixXd interpolation = at_each * axis.analysis();
+    const auto interpolated = [&](const Values& column) -> Values {
+        return (interpolation * column.log().matrix()).array().exp();
+    };
+    return {interpolated(found.velocity), interpolated(found.lower), interpolated(found.upper)};
+}
+
 }  // namespace
 
 ModelCurve model_curve(const CurveProblem& problem) {
@@ -149,33 +198,19 @@ ModelCurve model_curve(const CurveProblem& problem) {
         problem.knots.empty())
         return curve;
     Values e(curve_points);
-    Values eta(curve_points);
-    Values half(curve_points);
-    for (int i = 0; i < curve_points; ++i) {
+    for (int i = 0; i < curve_points; ++i)
         e[i] = problem.greatest_restitution * std::pow((i + 1.0) / curve_points, 1.6);
-        eta[i] = problem.damping_fit(e[i]);
-        half[i] = std::min(normal_quantile_95 * uncertainty_at(problem, e[i]), 0.9 * eta[i]);
-    }
+    const Values eta = e.unaryExpr([&](double each) { return problem.damping_fit(each); });
     if (!(eta > 0).all()) return curve;
     try {
-        const Values velocity = velocities_of(problem, e, eta, guessed_velocities(problem, e));
-        if (!velocity.isFinite().any()) return curve;
-        const Values solvable =
-            velocity.isFinite().select(velocity, velocity.maxCoeff<Eigen::PropagateNumbers>());
-        const Values contact_time = impacts(problem, eta, solvable).contact_time;
-        Values ends = Values::Constant(2 * curve_points, std::numeric_limits<double>::quiet_NaN());
-        if ((half > 0).any()) {
-            Values damping(2 * curve_points);
-            damping << eta - half, eta + half;
-            const Values guess =
-                solvable.replicate(2, 1) * (damping / eta.replicate(2, 1)).pow(exponent_of_damping(problem));
-            ends = velocities_of(problem, e.replicate(2, 1), damping, guess);
-        }
+        const Band band = band_along(problem, e);
+        if (!band.velocity.isFinite().any()) return curve;
+        const Values contact_time = impacts(problem, eta, solvable(band.velocity)).contact_time;
         for (int i = 0; i < curve_points; ++i)
-            if (std::isfinite(velocity[i]))
-                curve.push_back({.velocity = velocity[i],
-                                 .lower = ends[i],
-                                 .upper = ends[curve_points + i],
+            if (std::isfinite(band.velocity[i]))
+                curve.push_back({.velocity = band.velocity[i],
+                                 .lower = band.lower[i],
+                                 .upper = band.upper[i],
                                  .restitution = e[i],
                                  .damping = eta[i],
                                  .contact_time = contact_time[i]});

@@ -99,8 +99,8 @@ TEST_CASE("a run ends with a report that holds every figure, asks for nothing an
     const std::string page = paper().read("results/report.html");
     CHECK(page.size() < 1'000'000);
     for (const char* id :
-         {"composition", "static-force", "restitution", "damping", "damping-fit", "contact-time", "sizes",
-          "histories", "energy", "critical-velocity", "sensitivity"}) {
+         {"composition", "static-force", "regime-map", "restitution", "damping", "damping-fit",
+          "contact-time", "sizes", "histories", "energy", "critical-velocity", "sensitivity"}) {
         CAPTURE(id);
         CHECK(page.find("<figure id=\"" + std::string(id) + "\">") != std::string::npos);
     }
