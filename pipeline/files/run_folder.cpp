@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <optional>
 #include <sstream>
 #include <system_error>
 #include <utility>
@@ -89,8 +90,24 @@ Ended carry_out(const std::vector<Move>& moves, const std::string& journal, cons
     return Ended::taken_back;
 }
 
+/// What the process that renames tells the one that waits for it.
+struct Result {
+    Ended ended;
+    int error;
+};
+
+/// The result that comes through a pipe; none where the other end closed without one.
+std::optional<Result> result_through(int pipe) {
+    Result result{};
+    ssize_t bytes = 0;
+    do bytes = ::read(pipe, &result, sizeof(result));
+    while (bytes < 0 && errno == EINTR);
+    return bytes == static_cast<ssize_t>(sizeof(result)) ? std::optional(result) : std::nullopt;
+}
+
 /// Like carry_out(), but in a process of its own, which goes on if this one is killed; in this process if no
-/// other can be started.
+/// other can be started. The pipe says when the other is done, by its result or by its end: nothing else may,
+/// as two that rename at once would take each other's renames for failures.
 Ended carry_out_apart(const std::vector<Move>& moves, const std::string& journal, const std::string& way_back,
                       int& error) {
     const SignalsHeld held;
@@ -98,24 +115,25 @@ Ended carry_out_apart(const std::vector<Move>& moves, const std::string& journal
     const pid_t child = ::pipe(ends) == 0 ? ::fork() : -1;
     if (child == 0) {  // only what is safe after fork(): no memory, no locks
         ::setsid();
-        int failure = 0;
-        const Ended ended = carry_out(moves, journal, way_back, failure);
-        const ssize_t told = ::write(ends[1], &failure, sizeof(failure));
-        ::_exit(told == sizeof(failure) ? static_cast<int>(ended) : static_cast<int>(Ended::undecided));
+        Result result{};
+        result.ended = carry_out(moves, journal, way_back, result.error);
+        const ssize_t told = ::write(ends[1], &result, sizeof(result));
+        ::_exit(told == static_cast<ssize_t>(sizeof(result)) ? 0 : 1);
     }
-    int status = 0;
-    bool waited = false;
+    std::optional<Result> result;
     if (child > 0) {
         ::close(std::exchange(ends[1], -1));
-        pid_t known = -1;
-        do known = ::waitpid(child, &status, 0);
-        while (known < 0 && errno == EINTR);
-        waited = known == child && WIFEXITED(status) &&
-                 ::read(ends[0], &error, sizeof(error)) == static_cast<ssize_t>(sizeof(error));
+        result = result_through(ends[0]);
+        while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
+        }
     }
     for (const int end : ends)
         if (end >= 0) ::close(end);
-    return waited ? static_cast<Ended>(WEXITSTATUS(status)) : carry_out(moves, journal, way_back, error);
+    if (result) error = result->error;
+    if (result) return result->ended;
+    if (is_there(way_back)) return carry_out(moves, journal, way_back, error);
+    error = EIO;  // the other process was taking the files back; its own error is lost
+    return go_back(moves) == 0 ? Ended::taken_back : Ended::undecided;
 }
 
 /// The moves that a journal lists, one a line behind its mark: "=name" replaces a file, "+name" does not.

@@ -9,6 +9,8 @@
 #include "solver/motion/scaled_impact.hpp"
 #include "solver/motion/velocity_scales.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -17,32 +19,60 @@ namespace ashimpact {
 
 namespace {
 
-constexpr std::size_t chunk_size = 2048;
+using batch::TableVerdict;
+using Answer = std::optional<KnownCriticalVelocity>;
 
-Damping damping_at(const CriticalVelocityBatch& batch, const batch::Inputs& in, std::size_t i) {
-    return {batch.damping_law, in.damping.at(i)};
+/// Reads a chunk of problems from the table of their law; undecided where it has none.
+void look_up(const CriticalVelocityProblem& of_all, const batch::Inputs& inputs, std::size_t count,
+             TableVerdict* verdict, double* value) {
+    const bool tabulated = of_all.law != Law::of<Hertz>() && of_all.detachment != Detachment::zero_force &&
+                           batch::has_kernels(of_all.law);
+    if (!tabulated) {
+        std::fill_n(verdict, count, TableVerdict::undecided);
+        return;
+    }
+    batch::kernels_of(of_all.law)
+        .critical_velocities(
+            {.damping_law = of_all.damping.law,
+             .table = &batch::CriticalTable::of(of_all.law, of_all.detachment, of_all.damping.law),
+             .count = count,
+             .inputs = inputs,
+             .verdict = verdict,
+             .value = value});
+}
+
+/// The answer of the table, if it has one that is possible.
+Answer read(TableVerdict verdict, double value) {
+    if (verdict == TableVerdict::always_captured)
+        return KnownCriticalVelocity{.verdict = CaptureVerdict::always_captured};
+    if (verdict == TableVerdict::finite && value > 0.0 && std::isfinite(value))
+        return KnownCriticalVelocity{.value = value};
+    return std::nullopt;
+}
+
+/// The answer that needs neither a table nor an integration, if there is one.
+Answer closed_form(const CriticalVelocityProblem& problem) {
+    const auto& [law, detachment, damping, contact] = problem;
+    if (!is_self_similar(law, contact)) return std::nullopt;
+    if (detachment == Detachment::zero_force)
+        return KnownCriticalVelocity{.verdict = CaptureVerdict::never_captured};
+    if (law != Law::of<Hertz>() || damping.coefficient == 0.0) return std::nullopt;
+    if (const auto verdict = verdict_without_adhesion(damping))
+        return KnownCriticalVelocity{.verdict = *verdict};
+    return KnownCriticalVelocity{.value = hertz_critical_constant * velocity_of_damping(damping, contact)};
 }
 
 }  // namespace
 
 std::optional<KnownCriticalVelocity> critical_velocity_without_integration(
     const CriticalVelocityProblem& problem) {
-    using Answer = KnownCriticalVelocity;
-    const auto& [law, detachment, damping, contact] = problem;
-    if (!is_self_similar(law, contact)) return std::nullopt;
-    if (detachment == Detachment::zero_force) return Answer{.verdict = CaptureVerdict::never_captured};
-    if (damping.coefficient == 0.0) return std::nullopt;
-    const double adhesion = velocity_of_adhesion(law, contact);
-    if (adhesion > 0.0) {
-        batch::CriticalTable& table = batch::CriticalTable::of(law, detachment, damping.law);
-        const auto entry = table.at(Scale::of(contact, adhesion).damping_number(damping));
-        if (!entry) return std::nullopt;
-        if (entry->verdict != CaptureVerdict::finite) return Answer{.verdict = entry->verdict};
-        return Answer{.value = entry->value * adhesion};
-    }
-    if (law != Law::of<Hertz>()) return std::nullopt;
-    if (const auto verdict = verdict_without_adhesion(damping)) return Answer{.verdict = *verdict};
-    return Answer{.value = hertz_critical_constant * velocity_of_damping(damping, contact)};
+    if (const Answer answer = closed_form(problem)) return answer;
+    batch::Inputs inputs = batch::inputs_of(problem.law, problem.contact);
+    inputs.damping = {&problem.damping.coefficient, true};
+    TableVerdict verdict = TableVerdict::undecided;
+    double value = 0.0;
+    look_up(problem, inputs, 1, &verdict, &value);
+    return read(verdict, value);
 }
 
 CriticalVelocity tabulated_critical_velocity(const CriticalVelocityProblem& problem) {
@@ -63,28 +93,37 @@ CriticalVelocityBatchResult critical_velocities(const CriticalVelocityBatch& bat
     batch::FirstFault fault;
     std::atomic<std::int64_t> scalar = 0;
     const auto chunk = [&](std::size_t first, std::size_t size) {
-        if (!fault.check(inputs.from(first), first, size)) return;
+        const batch::Inputs chunk_inputs = inputs.from(first);
+        if (!fault.check(chunk_inputs, first, size)) return;
         std::int64_t integrated = 0;
         CriticalVelocityProblem problem{batch.law, batch.detachment, {.law = batch.damping_law}, {}};
-        for (std::size_t i = first; i < first + size; ++i) {
-            problem.damping.coefficient = inputs.damping.at(i);
-            batch::set_pair(problem.contact, inputs, i);
-            auto answer = critical_velocity_without_integration(problem);
+        std::array<TableVerdict, batch::most_impacts> verdict;  // look_up() fills what is used
+        double* const value = result.value.data() + first;
+        look_up(problem, chunk_inputs, size, verdict.data(), value);
+        for (std::size_t i = 0; i < size; ++i) {
+            Answer answer = read(verdict[i], value[i]);
+            if (!answer) {
+                problem.damping.coefficient = chunk_inputs.damping.at(i);
+                batch::set_pair(problem.contact, chunk_inputs, i);
+                answer = closed_form(problem);
+            }
             if (!answer) {
                 const CriticalVelocity critical = critical_velocity(problem);
-                answer = {.verdict = critical.verdict, .value = critical.value};
+                answer = KnownCriticalVelocity{.verdict = critical.verdict, .value = critical.value};
                 ++integrated;
             }
-            const auto place = static_cast<Eigen::Index>(i);
-            result.verdict[place] = answer->verdict;
-            result.value[place] = answer->value.value_or(std::numeric_limits<double>::quiet_NaN());
+            result.verdict[static_cast<Eigen::Index>(first + i)] = answer->verdict;
+            value[i] = answer->value.value_or(std::numeric_limits<double>::quiet_NaN());
         }
         scalar += integrated;
     };
-    batch::for_chunks(static_cast<std::size_t>(count), chunk_size, threads, chunk);
+    batch::for_chunks(static_cast<std::size_t>(count), batch::most_impacts, threads, chunk);
     result.scalar = scalar;
     fault.raise([&](std::size_t i) {
-        validate(Impact{batch.law, batch.detachment, damping_at(batch, inputs, i), batch::pair_at(inputs, i),
+        validate(Impact{batch.law,
+                        batch.detachment,
+                        {batch.damping_law, inputs.damping.at(i)},
+                        batch::pair_at(inputs, i),
                         1.0});
     });
     return result;

@@ -65,6 +65,14 @@ enum class LaneEnd : std::uint8_t {
     undecided,  ///< left to the scalar solver
 };
 
+/// What a table knows of a critical velocity.
+enum class TableVerdict : std::uint8_t {
+    finite,
+    always_captured,
+    undecided,  ///< left to the scalar solver
+};
+
+class CriticalTable;
 class RestitutionTable;
 
 /// A chunk of impacts for one thread.
@@ -108,21 +116,34 @@ struct InversionTask {
     std::uint8_t* found;  ///< 1 if the search converged
 };
 
-/// Greatest number of impacts in a task.
+/// A chunk of critical velocities for one thread, read from their table; undecided where the contact has no
+/// adhesion or no damping.
+struct CriticalTask {
+    DampingLaw damping_law;
+    CriticalTable* table;
+    std::size_t count;
+    Inputs inputs;
+    TableVerdict* verdict;
+    double* value;  ///< v_c, where finite [m/s]
+};
+
+/// Greatest number of problems in a task.
 inline constexpr std::size_t most_impacts = 2048;
 
 using ImpactKernel = void (*)(const ImpactTask&);
 using NumberKernel = void (*)(const NumberTask&);
 using InversionKernel = void (*)(const InversionTask&);
+using CriticalKernel = void (*)(const CriticalTask&);
 
 /// The kernels of one contact law for the chosen instruction set.
 struct Kernels {
     ImpactKernel impacts;
     NumberKernel numbers;
     InversionKernel inversions;
+    CriticalKernel critical_velocities;
 };
 
-/// The kernels of a law; those of a law without any leave every impact to the scalar solver.
+/// The kernels of a law; those of a law without any leave every problem to the scalar solver.
 [[nodiscard]] Kernels kernels_of(Law law);
 
 /// Whether the law has kernels: it is in the list of solver/CMakeLists.txt.

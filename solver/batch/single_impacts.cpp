@@ -9,27 +9,6 @@
 
 namespace ashimpact {
 
-namespace {
-
-/// The inputs of one problem; they refer to the numbers of @p contact.
-batch::Inputs inputs_of(Law law, const ContactPair& contact) {
-    batch::Inputs inputs{.mass = {&contact.mass, true},
-                         .effective_radius = {&contact.effective_radius, true},
-                         .contact_modulus = {&contact.contact_modulus, true},
-                         .work_of_adhesion = {&contact.work_of_adhesion, true},
-                         .yield_pressure = {&contact.yield_pressure, true}};
-    for (const LawParameter& parameter : law.parameters()) {
-        for (const auto& entry : contact.parameters) {
-            if (entry.first != parameter.name) continue;
-            inputs.parameters.parameter[inputs.parameters.count] = &parameter;
-            inputs.parameters.values[inputs.parameters.count++] = {&entry.second, true};
-        }
-    }
-    return inputs;
-}
-
-}  // namespace
-
 SingleImpacts::SingleImpacts(Law law, Detachment detachment, DampingLaw damping_law)
     : law_(law), detachment_(detachment), damping_law_(damping_law) {
     batch::require_admissible(law, detachment);
@@ -41,7 +20,7 @@ SingleImpacts::SingleImpacts(Law law, Detachment detachment, DampingLaw damping_
 std::optional<double> SingleImpacts::restitution(const ContactPair& contact, double damping,
                                                  double velocity) const {
     if (table_ == nullptr) return std::nullopt;
-    batch::Inputs inputs = inputs_of(law_, contact);
+    batch::Inputs inputs = batch::inputs_of(law_, contact);
     inputs.damping = {&damping, true};
     inputs.velocity = {&velocity, true};
     if (batch::admissible_count(inputs, 1) == 0) return std::nullopt;
@@ -66,7 +45,7 @@ std::optional<double> SingleImpacts::restitution(const ContactPair& contact, dou
 }
 
 std::optional<double> SingleImpacts::critical_velocity(const ContactPair& contact, double damping) const {
-    batch::Inputs inputs = inputs_of(law_, contact);
+    batch::Inputs inputs = batch::inputs_of(law_, contact);
     inputs.damping = {&damping, true};
     if (batch::admissible_count(inputs, 1) == 0) return std::nullopt;
     const auto critical =

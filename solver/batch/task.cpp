@@ -52,6 +52,10 @@ void leave_unsearched(const InversionTask& task) {
     std::fill_n(task.found, task.count, std::uint8_t{0});
 }
 
+void leave_unread(const CriticalTask& task) {
+    std::fill_n(task.verdict, task.count, TableVerdict::undecided);
+}
+
 }  // namespace
 
 ParameterInputs parameter_inputs(Law law, const ContactColumns& contact) {
@@ -69,6 +73,22 @@ ParameterInputs parameter_inputs(Law law, const ContactColumns& contact) {
         if (!is_given(parameter)) continue;
         inputs.parameter[inputs.count] = &parameter;
         inputs.values[inputs.count++] = input_of(column_of(parameter)->values);
+    }
+    return inputs;
+}
+
+Inputs inputs_of(Law law, const ContactPair& contact) {
+    Inputs inputs{.mass = {&contact.mass, true},
+                  .effective_radius = {&contact.effective_radius, true},
+                  .contact_modulus = {&contact.contact_modulus, true},
+                  .work_of_adhesion = {&contact.work_of_adhesion, true},
+                  .yield_pressure = {&contact.yield_pressure, true}};
+    for (const LawParameter& parameter : law.parameters()) {
+        for (const auto& entry : contact.parameters) {
+            if (entry.first != parameter.name) continue;
+            inputs.parameters.parameter[inputs.parameters.count] = &parameter;
+            inputs.parameters.values[inputs.parameters.count++] = {&entry.second, true};
+        }
     }
     return inputs;
 }
@@ -115,7 +135,8 @@ bool has_kernels(Law law) {
 
 Kernels kernels_of(Law law) {
     const auto place = std::find(BatchLaws::names.begin(), BatchLaws::names.end(), law.name());
-    if (place == BatchLaws::names.end()) return {leave_undecided, leave_undecided_numbers, leave_unsearched};
+    if (place == BatchLaws::names.end())
+        return {leave_undecided, leave_undecided_numbers, leave_unsearched, leave_unread};
     return BatchLaws::visit<Kernels>(static_cast<std::size_t>(place - BatchLaws::names.begin()),
                                      []<template <class> class L>() { return law_kernels<L>(); });
 }

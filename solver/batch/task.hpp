@@ -30,6 +30,9 @@ namespace ashimpact::batch {
             .parameters = parameter_inputs(law, contact)};
 }
 
+/// The inputs of one pair; they refer to the numbers of @p contact, which must outlive them.
+[[nodiscard]] Inputs inputs_of(Law law, const ContactPair& contact);
+
 /// Makes @p pair that of problem @p i. The parameters it carries must be those of the same inputs, or none.
 inline void set_pair(ContactPair& pair, const Inputs& in, std::size_t i) {
     pair.mass = in.mass.at(i);

@@ -42,4 +42,15 @@ ChebyshevBasis::ChebyshevBasis(const ChebyshevAxis& axis, double position)
     }
 }
 
+Eigen::MatrixXd chebyshev_by_powers(int terms) {
+    assert(terms > 1);
+    Eigen::MatrixXd powers = Eigen::MatrixXd::Zero(terms, terms);
+    powers(0, 0) = powers(1, 1) = 1.0;
+    for (int k = 2; k < terms; ++k) {
+        powers.col(k) = -powers.col(k - 2);
+        powers.col(k).tail(terms - 1) += 2.0 * powers.col(k - 1).head(terms - 1);
+    }
+    return powers;
+}
+
 }  // namespace ashimpact

@@ -28,4 +28,7 @@ struct ChebyshevBasis {
     ChebyshevBasis(const ChebyshevAxis& axis, double position);
 };
 
+/// The first @p terms Chebyshev polynomials by powers of their argument: column k holds T_k.
+[[nodiscard]] Eigen::MatrixXd chebyshev_by_powers(int terms);
+
 }  // namespace ashimpact

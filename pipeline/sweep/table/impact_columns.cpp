@@ -70,9 +70,11 @@ ResultColumns solve_in_batch(const ImpactModel& model, const ImpactColumns& impa
     };
     ImpactBatchResult solved;
     try {
-        solve_impacts(
-            batch_of(model, impacts), solved,
-            {.turning_point = wanted.maximum_overlap, .method = wanted.method, .keep_failures = true});
+        solve_impacts(batch_of(model, impacts), solved,
+                      {.turning_point = wanted.maximum_overlap,
+                       .contact_time = wanted.contact_time,
+                       .method = wanted.method,
+                       .keep_failures = true});
     } catch (const InputError& error) {
         refuse_first(model, impacts, error);
     }

@@ -4,14 +4,14 @@
 #include "solver/motion/velocity_scales.hpp"
 #include "solver/numeric/chebyshev.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace ashimpact::batch {
 
 namespace {
 
-constexpr int degree = 16;
+constexpr int degree = CriticalPiece::terms - 1;
 constexpr double tolerance = 1e-12;  ///< of ln(work/beta), in its last coefficients
 
 /// An adhesive pair. Its values do not matter: scaled, v_c is the same for every pair.
@@ -28,16 +28,13 @@ Scale sample_scale(Law law) {
     return Scale::of(pair, velocity_of_adhesion(law, pair));
 }
 
-/// Sum of coefficients times Chebyshev polynomials at t in [-1, 1] (Clenshaw).
-double chebyshev_sum(const std::vector<double>& coefficients, double t) {
-    double b1 = 0.0;
-    double b2 = 0.0;
-    for (std::size_t k = coefficients.size() - 1; k > 0; --k) {
-        const double b0 = coefficients[k] + 2.0 * t * b1 - b2;
-        b2 = b1;
-        b1 = b0;
-    }
-    return coefficients[0] + t * b1 - b2;
+/// The power of the adhesion number at length 1 that is the length at which it is 1; 0 for a law without.
+double power_of_length(Law law) {
+    return law.visit<double>([&]<template <class> class L>() {
+        const ContactPair pair = sample_pair(law);
+        const double at_one = L<double>::adhesion_number(pair, 1.0);
+        return at_one > 0.0 ? 1.0 / std::log2(L<double>::adhesion_number(pair, 0.5) / at_one) : 0.0;
+    });
 }
 
 }  // namespace
@@ -55,6 +52,7 @@ CriticalTable& CriticalTable::of(Law law, Detachment detachment, DampingLaw damp
                     table.law_ = Law::at(index);
                     table.detachment_ = end;
                     table.damping_law_ = damping;
+                    table.length_power_ = power_of_length(table.law_);
                 }
             }
         }
@@ -65,26 +63,32 @@ CriticalTable& CriticalTable::of(Law law, Detachment detachment, DampingLaw damp
                      static_cast<std::size_t>(damping_law)];
 }
 
-std::optional<CriticalTable::Entry> CriticalTable::at(double beta) {
-    const int octave = beta > 0.0 ? std::max(std::ilogb(beta), lowest_octave) : lowest_octave;
-    if (octave >= lowest_octave + octaves) return std::nullopt;
-    double lower = std::ldexp(1.0, octave);
-    double upper = 2.0 * lower;
-    const double within = std::max(beta, lower);
-    Piece* piece = &pieces_[static_cast<std::size_t>(octave - lowest_octave)];
-    for (int halvings = 0;; ++halvings) {
-        std::call_once(piece->computed, [&] { compute(lower, upper, halvings < most_halvings, *piece); });
-        if (piece->state != State::halved) break;
-        const double middle = lower + (upper - lower) / 2.0;
-        const bool right = within >= middle;
-        (right ? lower : upper) = middle;
-        piece = piece->half[right ? 1 : 0].get();
+CriticalTable::CriticalTable() {
+    for (std::size_t octave = 0; octave < octaves; ++octave) {
+        const double lower = std::ldexp(lowest, static_cast<int>(octave));
+        pieces_[octave].place(lower, 2.0 * lower);
     }
-    if (piece->state == State::undecided) return std::nullopt;
-    if (piece->state == State::always_captured) return Entry{CaptureVerdict::always_captured, 0.0};
-    const double t = (2.0 * within - lower - upper) / (upper - lower);
-    const double work = beta * std::exp(chebyshev_sum(piece->coefficients, t));
-    return Entry{CaptureVerdict::finite, std::sqrt(2.0 * (work + piece->detachment_energy))};
+}
+
+CriticalPiece& CriticalTable::entered(double beta, std::uint64_t place) {
+    CriticalPiece* piece = &pieces_[place >> index_depth];
+    for (int depth = 0; depth < index_depth; ++depth) {
+        if (piece->state() == State::unknown) compute(*piece, depth);
+        if (piece->state() != State::halved) break;
+        piece = &piece->half(beta);
+    }
+    index_[place].store(piece, std::memory_order_release);
+    return *piece;
+}
+
+void CriticalTable::compute(CriticalPiece& piece, int depth) const {
+    piece.settle([&] {
+        const State state = judged(piece);
+        if (state != State::unknown) return state;
+        if (depth == most_depth) return State::undecided;
+        piece.halve();
+        return State::halved;
+    });
 }
 
 CriticalVelocity CriticalTable::solved(double beta) const {
@@ -92,35 +96,27 @@ CriticalVelocity CriticalTable::solved(double beta) const {
     return critical_velocity({law_, detachment_, {damping_law_, coefficient}, sample_pair(law_)});
 }
 
-void CriticalTable::compute(double lower, double upper, bool may_halve, Piece& piece) const {
-    const ChebyshevAxis axis{lower, upper, degree};
+CriticalTable::State CriticalTable::judged(CriticalPiece& piece) const {
+    static const Eigen::MatrixXd to_chebyshev = ChebyshevAxis{-1.0, 1.0, degree}.analysis();
+    static const Eigen::MatrixXd to_powers = chebyshev_by_powers(CriticalPiece::terms);
+    const ChebyshevAxis axis{piece.lower(), piece.upper(), degree};
     const double unit = sample_scale(law_).energy();
     Eigen::VectorXd values(degree + 1);
-    int finite = 0;
+    double detachment_energy = 0.0;
     for (int i = 0; i <= degree; ++i) {
         const double beta = axis.node(i);
         const CriticalVelocity critical = solved(beta);
         // Capture only grows with damping: if v_c is not finite here, it is not at the later nodes either.
-        if (!critical.value) break;
+        if (!critical.value) return i == 0 ? State::always_captured : State::unknown;
         values[i] = std::log(critical.dissipated / unit / beta);
-        piece.detachment_energy = critical.detachment_energy / unit;
-        ++finite;
+        detachment_energy = critical.detachment_energy / unit;
     }
-    if (finite == 0) {
-        piece.state = State::always_captured;
-        return;
-    }
-    if (finite > degree) {
-        const Eigen::VectorXd coefficients = axis.analysis() * values;
-        if (coefficients.tail(3).cwiseAbs().maxCoeff() < tolerance) {
-            piece.coefficients.assign(coefficients.begin(), coefficients.end());
-            piece.state = State::finite;
-            return;
-        }
-    }
-    if (!may_halve) return;
-    for (auto& half : piece.half) half = std::make_unique<Piece>();
-    piece.state = State::halved;
+    const Eigen::VectorXd spectrum = to_chebyshev * values;
+    if (!(spectrum.tail(3).cwiseAbs().maxCoeff() < tolerance)) return State::unknown;
+    CriticalPiece::Coefficients polynomial;
+    Eigen::VectorXd::Map(polynomial.data(), degree + 1) = to_powers * spectrum;
+    piece.set(polynomial, detachment_energy);
+    return State::finite;
 }
 
 }  // namespace ashimpact::batch

@@ -6,6 +6,7 @@
 #define ASHIMPACT_SOLVER_BATCH_LOOKUP_INL_HPP
 #endif
 
+#include "solver/batch/tables/power_row-inl.hpp"
 #include "solver/batch/tables/restitution_table.hpp"
 #include "solver/batch/tables/scaled_task-inl.hpp"
 
@@ -22,18 +23,10 @@ namespace ashimpact::HWY_NAMESPACE {
     return n / (n + Lanes(1.0));
 }
 
-/// Evaluates the polynomials of a piece at one place. A register holds consecutive powers of u.
+/// Evaluates the polynomials of a piece at one place.
 class PlaceInPiece {
   public:
-    HWY_INLINE PlaceInPiece(double t, double u) : t_(t), powers_(1.0), next_(u) {
-        const hn::RebindToUnsigned<Tag> integers;
-        const auto lane = hn::Iota(integers, 0);
-        for (std::size_t bit = 1; bit < lane_count; bit *= 2) {
-            const Mask has_bit = hn::RebindMask(Tag(), hn::TestBit(lane, hn::Set(integers, bit)));
-            powers_ = select(has_bit, powers_ * next_, powers_);
-            next_ = next_ * next_;
-        }
-    }
+    HWY_INLINE PlaceInPiece(double t, double u) : t_(t), powers_(u) {}
 
     [[nodiscard]] HWY_INLINE double value(const batch::RestitutionPolynomials::Coefficients& c) const {
         constexpr std::size_t columns = batch::RestitutionPolynomials::columns;
@@ -41,20 +34,17 @@ class PlaceInPiece {
         const auto at = [&](std::size_t i, std::size_t k)
                             HWY_ATTR { return Lanes::load(c.data() + i * columns + k * lane_count); };
         std::size_t i = batch::RestitutionPolynomials::rows - 1;
-        Lanes row[registers];
+        std::array<Lanes, registers> row;
         for (std::size_t k = 0; k < registers; ++k) row[k] = at(i, k);
         while (i-- > 0) {
             for (std::size_t k = 0; k < registers; ++k) row[k] = multiply_add(row[k], t_, at(i, k));
         }
-        Lanes sum = row[registers - 1];
-        for (std::size_t k = registers - 1; k-- > 0;) sum = multiply_add(sum, next_, row[k]);
-        return hn::GetLane(hn::SumOfLanes(Tag(), (sum * powers_).v));
+        return powers_.sum(row);
     }
 
   private:
     Lanes t_;
-    Lanes powers_;  ///< 1, u, u^2, ...
-    Lanes next_;    ///< u to the number of lanes
+    PowerRow powers_;
 };
 
 /// The result of an impact as a table holds it, scaled.

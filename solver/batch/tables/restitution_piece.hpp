@@ -1,10 +1,11 @@
 #pragma once
 
+#include "solver/batch/tables/settled.hpp"
+
 #include <array>
-#include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
-#include <mutex>
 #include <utility>
 
 namespace ashimpact::batch {
@@ -21,21 +22,21 @@ struct RestitutionPolynomials {
     Coefficients contact_time;  ///< in units of the scale's time
 };
 
-/// A square of a table of impacts; computed once, then immutable.
-class RestitutionPiece {
+enum class RestitutionState : std::uint8_t {
+    unknown,
+    rebound,  ///< every impact of the square rebounds, and the polynomials give its result
+    capture,  ///< every impact of the square is captured
+    quartered,
+    undecided,  ///< undecided, at the edge of capture: integrate
+};
+
+/// A square of a table of impacts.
+class RestitutionPiece : public Settled<RestitutionState> {
   public:
-    enum class State {
-        unknown,
-        rebound,  ///< every impact of the square rebounds, and the polynomials give its result
-        capture,  ///< every impact of the square is captured
-        quartered,
-        undecided,  ///< undecided, at the edge of capture: integrate
-    };
+    using State = RestitutionState;
 
     /// The whole table: 0 <= x, y <= 1.
     RestitutionPiece() = default;
-
-    [[nodiscard]] State state() const { return state_.load(std::memory_order_acquire); }
 
     [[nodiscard]] double lower_x() const { return middle_x_ - 1.0 / stretch_; }
     [[nodiscard]] double upper_x() const { return middle_x_ + 1.0 / stretch_; }
@@ -51,19 +52,9 @@ class RestitutionPiece {
         return (*quarters_)[(x >= middle_x_ ? 1U : 0U) + (y >= middle_y_ ? 2U : 0U)];
     }
 
-    /// Computes the state once; other threads wait for the first.
-    /// @param compute returns the state; it calls set() before it returns rebound
-    template <class Compute>
-    void settle(const Compute& compute) {
-        std::call_once(settled_, [&] {
-            const State state = compute();
-            if (state == State::quartered) quarter();
-            state_.store(state, std::memory_order_release);
-        });
-    }
+    /// Before the state is rebound.
     void set(std::unique_ptr<RestitutionPolynomials> polynomials) { polynomials_ = std::move(polynomials); }
-
-  private:
+    /// Before the state is quartered.
     void quarter() {
         quarters_ = std::make_unique<std::array<RestitutionPiece, 4>>();
         for (std::size_t k = 0; k < 4; ++k) {
@@ -74,8 +65,7 @@ class RestitutionPiece {
         }
     }
 
-    std::atomic<State> state_ = State::unknown;
-    std::once_flag settled_;
+  private:
     double middle_x_ = 0.5;
     double middle_y_ = 0.5;
     double stretch_ = 2.0;

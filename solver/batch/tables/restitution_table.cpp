@@ -57,15 +57,8 @@ struct Coordinate {
 
     Matrix chebyshev =
         ChebyshevAxis{-1.0, 1.0, terms - 1}.analysis();  ///< coefficients of values at the nodes
-    Matrix powers = Matrix::Zero();                      ///< column k: T_k by powers
+    Matrix powers = chebyshev_by_powers(terms);
 
-    Coordinate() {
-        powers(0, 0) = powers(1, 1) = 1.0;
-        for (int k = 2; k < terms; ++k) {
-            powers.col(k) = -powers.col(k - 2);
-            powers.col(k).tail(terms - 1) += 2.0 * powers.col(k - 1).head(terms - 1);
-        }
-    }
     [[nodiscard]] static const Coordinate& the() {
         static const Coordinate only;
         return only;
@@ -124,7 +117,9 @@ void RestitutionTable::compute(RestitutionPiece& piece, int depth) const {
     piece.settle([&] {
         const State state = judged(piece, depth);
         if (state != State::unknown) return state;
-        return depth < most_depth ? State::quartered : State::undecided;
+        if (depth == most_depth) return State::undecided;
+        piece.quarter();
+        return State::quartered;
     });
 }
 
