@@ -15,7 +15,7 @@ namespace ashimpact {
 namespace {
 
 constexpr const char* maugis_dugdale = "maugis-dugdale";
-constexpr const char* misses = "misses m-d";
+constexpr const char* misses = "off %";
 
 /// Three digits, trailing zeros kept: a column of velocities lines up.
 std::string velocity_text(double velocity) {
@@ -188,7 +188,7 @@ std::string miss_cell(const View& sample, const View::Member& law) {
     const auto between = velocities.find(maugis_dugdale);
     if (!between || law.key == maugis_dugdale || law.value.json().is_null()) return "-";
     const auto velocity = [](const View& node) { return node.at("value").number(Dimension::velocity); };
-    return fmt::format("{:+.1f} %", 100 * (velocity(law.value) / velocity(*between) - 1));
+    return fmt::format("{:+.1f}", 100 * (velocity(law.value) / velocity(*between) - 1));
 }
 
 std::string laws_text(const View& result, std::size_t width) {
@@ -211,7 +211,8 @@ std::string laws_text(const View& result, std::size_t width) {
         "All laws [m/s]; the verdict is that of the measured velocity:\n\n" + table.text(0, width);
     if (any_miss)
         text += wrapped_line(
-            std::string(misses) + ": by how much a law misses maugis-dugdale, the law between DMT and JKR.",
+            std::string(misses) +
+                ": by how much a law misses the v_c of maugis-dugdale, the law between DMT and JKR.",
             width);
     return text + "\n";
 }
