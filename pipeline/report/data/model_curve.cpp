@@ -8,13 +8,13 @@
 #include "pipeline/report/data/velocity_search.hpp"
 #include "solver/batch/impact_batch.hpp"
 #include "solver/motion/maugis/cohesive_impact.hpp"
-#include "solver/numeric/chebyshev.hpp"
 
 namespace ashimpact::report {
 
 namespace {
 
 constexpr int curve_points = 28;
+constexpr int costly_curve_points = 18;  // of law maugis-dugdale, whose impacts no vector kernel solves
 constexpr double normal_quantile_95 = 1.959963984540054;  // two-sided
 
 using Values = Eigen::ArrayXd;
@@ -172,24 +172,6 @@ Band band_at(const CurveProblem& problem, const Values& e) {
     return band;
 }
 
-/// band_at() along a curve. Impacts of law maugis-dugdale have no vector kernel and take long: they are
-/// solved at a few restitutions, between which ln v is a polynomial of e (Chebyshev).
-Band band_along(const CurveProblem& problem, const Values& e) {
-    if (!is_cohesive(problem.choice.law, problem.contact)) return band_at(problem, e);
-    const ChebyshevAxis axis{e.minCoeff(), e.maxCoeff(), 8};
-    Values nodes(axis.degree + 1);
-    for (int i = 0; i <= axis.degree; ++i) nodes[i] = axis.node(i);
-    const Band found = band_at(problem, nodes);
-    if (!found.velocity.isFinite().all()) return band_at(problem, e);
-    Eigen::MatrixXd at_each(e.size(), nodes.size());
-    for (Eigen::Index i = 0; i < e.size(); ++i) at_each.row(i) = ChebyshevBasis(axis, e[i]).value.transpose();
-    const Eigen::MatrixXd interpolation = at_each * axis.analysis();
-    const auto interpolated = [&](const Values& column) -> Values {
-        return (interpolation * column.log().matrix()).array().exp();
-    };
-    return {interpolated(found.velocity), interpolated(found.lower), interpolated(found.upper)};
-}
-
 }  // namespace
 
 ModelCurve model_curve(const CurveProblem& problem) {
@@ -197,16 +179,16 @@ ModelCurve model_curve(const CurveProblem& problem) {
     if (problem.damping_law != DampingLaw::constant || !(problem.greatest_restitution > 0) ||
         problem.knots.empty())
         return curve;
-    Values e(curve_points);
-    for (int i = 0; i < curve_points; ++i)
-        e[i] = problem.greatest_restitution * std::pow((i + 1.0) / curve_points, 1.6);
+    const int points = is_cohesive(problem.choice.law, problem.contact) ? costly_curve_points : curve_points;
+    Values e(points);
+    for (int i = 0; i < points; ++i) e[i] = problem.greatest_restitution * std::pow((i + 1.0) / points, 1.6);
     const Values eta = e.unaryExpr([&](double each) { return problem.damping_fit(each); });
     if (!(eta > 0).all()) return curve;
     try {
-        const Band band = band_along(problem, e);
+        const Band band = band_at(problem, e);
         if (!band.velocity.isFinite().any()) return curve;
         const Values contact_time = impacts(problem, eta, solvable(band.velocity)).contact_time;
-        for (int i = 0; i < curve_points; ++i)
+        for (int i = 0; i < points; ++i)
             if (std::isfinite(band.velocity[i]))
                 curve.push_back({.velocity = band.velocity[i],
                                  .lower = band.lower[i],
