@@ -123,7 +123,8 @@ class _Columns:
             return self[f"{whose}mass"]
         diameter = 2.0 * self[f"{whose}radius"]
         # Multiplied in the order of the library, so that results agree bit by bit.
-        return self[f"{whose}density"] * np.pi / 6.0 * diameter * diameter * diameter
+        mass: Numbers = self[f"{whose}density"] * np.pi / 6.0 * diameter * diameter * diameter
+        return mass
 
     def contact(self) -> tuple[Numbers, Numbers, Numbers, Numbers, Numbers, dict[str, Numbers]]:
         radius, mass = self["radius"], self._mass("")
@@ -156,9 +157,9 @@ def _columns(arguments: dict[str, Any], *numbers: str) -> _Columns:
         _require_one(given, "partner_density", "partner_mass")
     elif "partner_density" in given or "partner_mass" in given:
         raise _core.InputError("partner_radius is not given; allowed: a radius [m] for the second sphere")
-    contact = ("radius", "density", "mass", "contact_modulus", "work_of_adhesion", "partner_radius")
-    names = (*contact, "partner_density", "partner_mass", *_core.law_parameters(), *numbers)
-    columns = {name: given[name] for name in names if name in given}
+    columns = {name: arguments[name] for name in ("radius", "contact_modulus", "work_of_adhesion", *numbers)}
+    spheres = ("density", "mass", "partner_radius", "partner_density", "partner_mass")
+    columns |= {name: given[name] for name in (*spheres, *_core.law_parameters()) if name in given}
     return _Columns(yield_pressure=given.get("yield_pressure", np.inf), **columns)
 
 

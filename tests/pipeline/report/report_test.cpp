@@ -216,8 +216,8 @@ TEST_CASE("the model's curve gives back the points it was fitted to") {
             CAPTURE(sample.name);
             CAPTURE(law.name);
             REQUIRE(law.curve.size() > 10);
-            const CurveImpact& last = law.curve.back();  // at the greatest restitution of the data
-            if (law.name != "JKR")                       // its points come from another law's fit
+            const CurveImpact& last = law.curve.back();             // at the greatest restitution of the data
+            if (law.name != "JKR" && law.name != "Maugis-Dugdale")  // points of another law's fit
                 CHECK(last.velocity == doctest::Approx(law.damping->velocity.back()).epsilon(1e-6));
             for (const CurveImpact& impact : law.curve) {
                 CHECK(impact.lower < impact.velocity);
