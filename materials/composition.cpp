@@ -40,6 +40,16 @@ std::vector<double> normalised_products(std::span<const double> fractions, std::
     return products;
 }
 
+void check_fraction(const PhaseFraction& phase) {
+    if (!(phase.fraction >= 0) || !std::isfinite(phase.fraction))
+        throw InputError("the fraction of " + in_quotes(phase.name) + " is " + shortest(phase.fraction),
+                         "0 to 1 (0 % to 100 %)");
+    if (phase.standard_uncertainty)
+        require_not_negative("uncertainty of the fraction of " + phase.name, *phase.standard_uncertainty,
+                             Dimension::fraction);
+    if (phase.density) require_positive("density of " + phase.name, *phase.density, Dimension::density);
+}
+
 void check_fractions(const Analysis& analysis) {
     if (analysis.phases.empty()) throw InputError("no phases", "at least one phase with its fraction");
     if (analysis.phases.size() > most_phases)
@@ -47,13 +57,11 @@ void check_fractions(const Analysis& analysis) {
                          std::to_string(most_phases) + " or fewer")
             .at(analysis.phases[most_phases].place);
     for (const PhaseFraction& phase : analysis.phases) {
-        if (!(phase.fraction >= 0) || !std::isfinite(phase.fraction))
-            throw InputError("the fraction of " + in_quotes(phase.name) + " is " + shortest(phase.fraction),
-                             "0 to 1 (0 % to 100 %)");
-        if (phase.standard_uncertainty)
-            require_not_negative("uncertainty of the fraction of " + phase.name, *phase.standard_uncertainty,
-                                 Dimension::fraction);
-        if (phase.density) require_positive("density of " + phase.name, *phase.density, Dimension::density);
+        try {
+            check_fraction(phase);
+        } catch (const InputError& error) {
+            throw error.at(phase.place);
+        }
     }
 }
 

@@ -23,7 +23,8 @@ void apply_camera(const View& node, MeasuredRestitution& data) {
 void apply_binning(const View& node, MeasuredRestitution& data) {
     Binning binning;
     if (const auto count = node.find("impacts_per_bin")) binning.impacts_per_bin = count->integer();
-    if (const auto width = node.find("width")) binning.width = width->number(Dimension::velocity);
+    if (const auto width = node.find("width"))
+        binning.width = positive_quantity(*width, "width", Dimension::velocity).value;
     const std::size_t before = data.impacts.rebounds();
     data.impacts = node.located([&] { return binned(data.impacts, binning); });
     data.source += fmt::format("; {} rebounds in {} bins", before, data.impacts.rebounds());

@@ -57,7 +57,7 @@ Answer closed_form(const CriticalVelocityProblem& problem) {
     if (detachment == Detachment::zero_force)
         return KnownCriticalVelocity{.verdict = CaptureVerdict::never_captured};
     if (law != Law::of<Hertz>() || damping.coefficient == 0.0) return std::nullopt;
-    if (const auto verdict = verdict_without_adhesion(damping))
+    if (const auto verdict = verdict_without_adhesion(damping, contact))
         return KnownCriticalVelocity{.verdict = *verdict};
     return KnownCriticalVelocity{.value = hertz_critical_constant * velocity_of_damping(damping, contact)};
 }

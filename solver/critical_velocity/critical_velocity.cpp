@@ -21,7 +21,7 @@ std::optional<CaptureVerdict> known_verdict(const CriticalVelocityProblem& probl
     const Damping& damping = problem.damping;
     if (problem.detachment == Detachment::zero_force) return CaptureVerdict::never_captured;
     if (damping.coefficient == 0.0 && !breaking_costs) return CaptureVerdict::never_captured;
-    return adhesive ? std::nullopt : verdict_without_adhesion(damping);
+    return adhesive ? std::nullopt : verdict_without_adhesion(damping, problem.contact);
 }
 
 CriticalVelocity finite_result(const Motion<Extended>& motion, const Arrival& arrival,
@@ -61,12 +61,14 @@ CriticalVelocity cohesive_critical_velocity(const CriticalVelocityProblem& probl
 
 }  // namespace
 
-std::optional<CaptureVerdict> verdict_without_adhesion(const Damping& damping) {
+std::optional<CaptureVerdict> verdict_without_adhesion(const Damping& damping, const ContactPair& contact) {
     if (damping.coefficient == 0.0) return CaptureVerdict::never_captured;
     if (!vanishes_at_touch(damping.law)) return std::nullopt;
-    const double limit = overdamped_squared(damping.law);  // only a coefficient without a unit has one
-    return damping.coefficient * damping.coefficient >= limit ? CaptureVerdict::always_captured
-                                                              : CaptureVerdict::never_captured;
+    const bool has_limit = std::isfinite(overdamped_squared(damping.law));
+    // Such a law's scaled coefficient is the same at every velocity.
+    return has_limit && is_overdamped(damping.law, Scale::of(contact, 1.0).damping_number(damping))
+               ? CaptureVerdict::always_captured
+               : CaptureVerdict::never_captured;
 }
 
 CriticalVelocity critical_velocity(const CriticalVelocityProblem& problem) {

@@ -44,7 +44,8 @@ struct CriticalVelocity {
 /// velocity. Undamped impacts are never captured. Nor are those whose damping vanishes with the contact
 /// radius, except from the limit of the damping law on (Tsuji's sqrt(5)), where all are captured. None for
 /// damping that does not vanish: then v_c is finite.
-[[nodiscard]] std::optional<CaptureVerdict> verdict_without_adhesion(const Damping& damping);
+[[nodiscard]] std::optional<CaptureVerdict> verdict_without_adhesion(const Damping& damping,
+                                                                     const ContactPair& contact);
 
 /// The dynamic critical velocity v_c: an impact at v_c arrives at the end of contact at rest.
 ///

@@ -167,7 +167,7 @@ SMALL = ("zero", "tiny")
 CASE_RULES = Rules(
     may_be={
         "a": SIGNED, "b": SIGNED, "c": SIGNED, "poisson_ratio": SIGNED, "velocity_correlation": SIGNED,
-        "work_of_adhesion": ("zero",), "particle": ("zero",), "wall": ("zero",), "interfacial": ("zero",), "cohesion_energy_density": ("zero",),
+        "work_of_adhesion": ("zero",), "particle": ("zero",), "wall": ("zero",), "partner": ("zero",), "interfacial": ("zero",), "cohesion_energy_density": ("zero",),
         "critical_damping": ("zero",), "damping_fit_uncertainty": ("zero",), "coefficient_uncertainty": ("zero",),
         "roughness": SMALL,
         "weight_fractions": SMALL, "volume_fractions": SMALL, "amorphous": SMALL, "crystalline_total": SMALL,
@@ -175,11 +175,10 @@ CASE_RULES = Rules(
         "intensity": SMALL,
         "from": SMALL, "to": ("tiny",), "rounding": ("zero",)},
     needed=(("wall", "young_modulus"), ("wall", "poisson_ratio"), ("partner", "young_modulus"), ("partner", "poisson_ratio"),
-            ("partner", "density"), ("partner", "mass"), ("surface_energies", "partner")),
-    right=(("partner", "zero", lambda value: True),))  # a surface energy
+            ("partner", "density"), ("partner", "mass"), ("surface_energies", "partner")))
 SWEEP_RULES = Rules(may_be={
     "work_of_adhesion": ("zero",), "damping": ("zero",), "cohesion_energy_density": ("zero",), "resolution": ("tiny",),
-    "mean": SIGNED, "minimum": ("tiny",)})
+    "mean": SIGNED, "minimum": SMALL})
 
 def sweeps():
     fixed = {"density": "2300 kg/m3", "contact_modulus": "90 GPa", "damping": "0.0141 kg/s"}
