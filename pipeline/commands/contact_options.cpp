@@ -38,11 +38,6 @@ struct SphereOptions {
     const std::string& mass;
 };
 
-struct Sphere {
-    double radius;
-    double mass;
-};
-
 /// The radius by either option [m].
 double read_radius(const ContactOptions& options) {
     if (options.diameter.empty()) return read_positive_option("--radius", options.radius, Dimension::length);
@@ -81,21 +76,28 @@ Sphere read_sphere(const SphereOptions& options) {
     });
 }
 
-/// R* and m* (Eq. 6 and the text under Eq. 2): of the sphere on a wall, or of both spheres.
-Sphere read_pair(const ContactOptions& options) {
+Sphere read_particle(const ContactOptions& options) {
     const Sphere sphere =
         read_sphere({"--radius", "--density", "--mass", read_radius(options), options.density, options.mass});
     warn_if_implausible(sphere.radius, sphere_density(sphere.radius, sphere.mass));
+    return sphere;
+}
+
+std::optional<Sphere> read_partner(const ContactOptions& options) {
     if (options.partner_radius.empty()) {
         if (!options.partner_density.empty() || !options.partner_mass.empty())
             throw InputError("is missing", "the radius of the second sphere").at("--partner-radius");
-        return sphere;
+        return std::nullopt;
     }
-    const Sphere partner =
-        read_sphere({"--partner-radius", "--partner-density", "--partner-mass",
-                     read_positive_option("--partner-radius", options.partner_radius, Dimension::length),
-                     options.partner_density, options.partner_mass});
-    return {effective_radius(sphere.radius, partner.radius), effective_mass(sphere.mass, partner.mass)};
+    return read_sphere({"--partner-radius", "--partner-density", "--partner-mass",
+                        read_positive_option("--partner-radius", options.partner_radius, Dimension::length),
+                        options.partner_density, options.partner_mass});
+}
+
+/// R* and m* (Eq. 6 and the text under Eq. 2): of the sphere on a wall, or of both spheres.
+Sphere effective(const Sphere& sphere, const std::optional<Sphere>& partner) {
+    if (!partner) return sphere;
+    return {effective_radius(sphere.radius, partner->radius), effective_mass(sphere.mass, partner->mass)};
 }
 
 /// The share of the work of adhesion that roughness leaves.
@@ -199,7 +201,9 @@ double read_positive_option(const std::string& option, const std::string& text, 
 ContactChoice read_contact(const ContactOptions& options) {
     const Law law = at_option("--law", [&] { return Law::named(options.law); });
     const Detachment detachment = read_detachment(options.detachment, law);
-    const auto [radius, mass] = read_pair(options);
+    const Sphere sphere = read_particle(options);
+    const std::optional<Sphere> partner = read_partner(options);
+    const auto [radius, mass] = effective(sphere, partner);
     const double smooth_adhesion = read_work_of_adhesion(options, law);
     const ContactPair contact{.mass = mass,
                               .effective_radius = radius,
@@ -208,7 +212,7 @@ ContactChoice read_contact(const ContactOptions& options) {
                               .work_of_adhesion = smooth_adhesion * read_roughness(options, radius),
                               .yield_pressure = read_yield_pressure(options, law),
                               .parameters = read_parameters(options, law)};
-    return {law, detachment, contact};
+    return {law, detachment, contact, sphere, partner};
 }
 
 Damping read_damping(const ContactOptions& options) {

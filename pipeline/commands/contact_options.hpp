@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,11 +30,19 @@ struct ContactOptions {
     std::string damping;
 };
 
+/// A sphere of the options.
+struct Sphere {
+    double radius;  ///< [m]
+    double mass;    ///< [kg]
+};
+
 /// A sphere on a flat wall, or on another sphere, with its contact law.
 struct ContactChoice {
     Law law;
     Detachment detachment;
     ContactPair contact;
+    Sphere sphere;
+    std::optional<Sphere> partner{};  ///< none: a flat wall
 };
 
 /// The option of a law parameter: "--cohesion-energy-density".

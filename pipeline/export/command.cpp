@@ -13,7 +13,7 @@
 #include "materials/base/text.hpp"
 #include "materials/contact_properties.hpp"
 #include "pipeline/case/laws.hpp"
-#include "pipeline/export/dem.hpp"
+#include "pipeline/export/dem/dem.hpp"
 #include "pipeline/export/from_run.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/text/readable.hpp"
@@ -47,29 +47,28 @@ const Code& code_named(const std::string& name) {
 
 /// The subject of the options of an impact.
 ExportSubject subject_of_options(const ExportOptions& options) {
-    if (!options.contact.partner_radius.empty())
-        throw InputError("a folder is for particles on a flat wall, not for two spheres", "a wall")
-            .at("--partner-radius");
     const ContactChoice choice = read_contact(options.contact);
     const Damping damping = read_damping(options.contact);
-    const double diameter = 2 * choice.contact.effective_radius;
+    const double diameter = 2 * choice.sphere.radius;
     ExportSubject subject{
         .law = choice.law,
         .detachment = choice.detachment,
         .contact = choice.contact,
-        .density = sphere_density(choice.contact.effective_radius, choice.contact.mass),
+        .density = sphere_density(choice.sphere.radius, choice.sphere.mass),
         .damping = {.law = damping.law, .nodes = {{0, damping.coefficient}}, .reference_diameter = diameter},
         .from_diameter = diameter,
         .to_diameter = diameter};
     subject.origins = {
         fmt::format("radius of the sphere {}, density {}, from the command line",
-                    readable(choice.contact.effective_radius, "m"), readable(subject.density, "kg/m3")),
-        fmt::format("E* = {}, contact modulus of particle and wall together, from the command line",
-                    readable(choice.contact.contact_modulus, "Pa")),
+                    readable(choice.sphere.radius, "m"), readable(subject.density, "kg/m3")),
+        fmt::format("E* = {}, contact modulus of {} together, from the command line",
+                    readable(choice.contact.contact_modulus, "Pa"),
+                    choice.partner ? "both spheres" : "particle and wall"),
         fmt::format("w = {}, work of adhesion of the pair of surfaces (not a surface energy), from the "
                     "command line{}",
                     readable(choice.contact.work_of_adhesion, "J/m2"),
                     options.contact.roughness.empty() ? "" : ", lowered by --roughness")};
+    if (choice.partner) subject.partner = {choice.partner->radius, choice.partner->mass};
     for (const LawParameter& parameter : choice.law.parameters())
         if (choice.contact.parameters.has(parameter))
             subject.origins.push_back(

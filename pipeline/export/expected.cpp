@@ -46,7 +46,8 @@ std::vector<ExpectedImpact> expected_impacts(const ExportSubject& subject) {
     for (const double diameter : sizes_of(subject))
         for (const double velocity : velocities_of(subject, diameter)) {
             const ImpactResult result = solve_impact(impact_at(subject, diameter, velocity));
-            if (result.maximum_overlap > largest_overlap * diameter / 2) continue;
+            if (result.maximum_overlap > largest_overlap * contact_at(subject, diameter).effective_radius)
+                continue;
             impacts.push_back({.diameter = diameter,
                                .velocity = velocity,
                                .outcome = result.outcome,
@@ -65,6 +66,9 @@ ExportFile expected_json(const ExportSubject& subject, std::string_view code, co
                   {"detachment", name_of(subject.detachment)},
                   {"damping_law", name_of(subject.damping.law)},
                   {"density", quantity_json(subject.density, Dimension::density)}};
+    if (subject.partner)
+        document["partner"] = {{"radius", quantity_json(subject.partner->radius, Dimension::length)},
+                               {"mass", quantity_json(subject.partner->mass, Dimension::mass)}};
     document.update(more);
     document["impacts"] = Json::array();
     for (const ExpectedImpact& impact : expected_impacts(subject))

@@ -33,6 +33,7 @@ std::string table_header(const ExportSubject& subject, const ImpactTable& table)
 }  // namespace
 
 ExportFolder fluent_folder(const ExportSubject& subject) {
+    require_wall(subject, "Fluent: its particles meet walls, and no second sphere");
     const ImpactTable table = make_impact_table(subject);
     TemplateValues values = common_values(subject);
     values["to_velocity"] = readable(table.to_velocity, "m/s");

@@ -43,6 +43,15 @@ std::string range_words(const ExportSubject& subject) {
                                             readable(subject.to_diameter, "m"));
 }
 
+/// Who meets whom, and the R* and m* of it.
+std::string geometry_words(const ExportSubject& subject) {
+    if (!subject.partner) return "R* = d/2, m = density pi d^3/6";
+    return fmt::format(
+        "on a sphere of radius r2 = {} and mass m2 = {}: 1/R* = 2/d + 1/r2, 1/m* = 1/m + 1/m2, "
+        "m = density pi d^3/6; the velocity is that of one to the other",
+        readable(subject.partner->radius, "m"), readable(subject.partner->mass, "kg"));
+}
+
 /// What regime_of() remarks on the impacts of the folder, each once.
 std::set<std::string> remarks(const ExportSubject& subject) {
     std::set<std::string> lines;
@@ -91,8 +100,8 @@ TemplateValues common_values(const ExportSubject& subject) {
             {"damping", damping_words(subject)},
             {"version", std::string(program_version())},
             {"diameter", exact(subject.reference_diameter())},
-            {"radius", exact(subject.contact.effective_radius)},
             {"density", exact(subject.density)},
+            {"other_body", subject.partner ? "on another sphere" : "on a wall"},
             {"density_words", readable(subject.density, "kg/m3")},
             {"contact_modulus", exact(subject.contact.contact_modulus)},
             {"work_of_adhesion", exact(subject.contact.work_of_adhesion)},
@@ -105,10 +114,11 @@ ExportFile assumptions(const ExportSubject& subject, const std::vector<std::stri
     std::string text = "# Assumptions and conversions\n\n## The numbers and where they come from\n\n";
     for (const std::string& origin : subject.origins) text += "- " + origin + "\n";
     text += fmt::format(
-        "- {}{}: R* = d/2, m = density pi d^3/6\n- damping: {}\n- law {}, contact ends at {}; one normal "
-        "impact on a flat wall, no rotation, no friction\n",
+        "- {}{}: {}\n- damping: {}\n- law {}, contact ends at {}; one normal impact on {}, no rotation, no "
+        "friction\n",
         range_words(subject), subject.one_size() ? "" : ", E*, w and density the same for all of them",
-        damping_words(subject), subject.law.name(), name_of(subject.detachment));
+        geometry_words(subject), damping_words(subject), subject.law.name(), name_of(subject.detachment),
+        subject.partner ? "the other sphere" : "a flat wall");
     text += "\n## What they became\n\n";
     for (const std::string& conversion : conversions) text += "- " + conversion + "\n";
     text += "\n## What the model holds for\n\n";
@@ -116,8 +126,8 @@ ExportFile assumptions(const ExportSubject& subject, const std::vector<std::stri
     for (const std::string& line : lines) text += "- " + line + "\n";
     if (lines.empty()) text += "- nothing speaks against this law in these impacts\n";
     text +=
-        fmt::format("- for {} only; for another wall, humidity or temperature the numbers above are others\n",
-                    range_words(subject));
+        fmt::format("- for {} only; for another {}, humidity or temperature the numbers above are others\n",
+                    range_words(subject), subject.partner ? "partner" : "wall");
     return {"assumptions.md", without_controls(text)};
 }
 

@@ -141,9 +141,6 @@ ExportSubject subject_of_run(const RunChoice& choice) {
         artifacts.read("6-fit.json", [&](const View& result) { return read_fits(result, dimension); });
     const auto velocities = artifacts.read("7-critical-velocity.json", read_critical_velocities);
     const SampleContact& contact = sample_named(contacts, choice);
-    if (contact.partner)
-        throw InputError("the run is of two spheres, and an exported impact of one on a flat wall",
-                         "a run with \"wall\" in its case");
     const LawFit& fit = fit_of(sample_named(fits, choice), law);
     const LawCriticalVelocity* headline = sample_named(velocities, choice).laws.find(law.law);
     if (headline == nullptr)
@@ -152,7 +149,7 @@ ExportSubject subject_of_run(const RunChoice& choice) {
             "a law with one")
             .at("--law");
     const CriticalDamping critical = critical_damping(fit, law, data.damping_law, contact.pair, *headline);
-    const double diameter = 2 * contact.pair.effective_radius;
+    const double diameter = 2 * contact.radius.value;
 
     ExportSubject subject{.law = law.law,
                           .detachment = law.detachment,
@@ -163,10 +160,12 @@ ExportSubject subject_of_run(const RunChoice& choice) {
                                       .reference_diameter = diameter},
                           .from_diameter = diameter,
                           .to_diameter = diameter};
+    if (contact.partner) subject.partner = {contact.partner->radius.value, contact.partner->mass.value};
     subject.origins = {fmt::format("sample {} of a run of ashimpact, diameter {}", as_text(choice.sample),
                                    readable(diameter, "m")),
-                       fmt::format("E* = {}, contact modulus of particle and wall together (2-contact.json)",
-                                   readable(contact.contact_modulus)),
+                       fmt::format("E* = {}, contact modulus of {} together (2-contact.json)",
+                                   readable(contact.contact_modulus),
+                                   contact.partner ? "both spheres" : "particle and wall"),
                        fmt::format("w = {}, work of adhesion of the pair of surfaces (2-contact.json)",
                                    readable(contact.work_of_adhesion)),
                        fmt::format("density {} (2-contact.json)", readable(contact.density))};

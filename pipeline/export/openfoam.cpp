@@ -90,6 +90,7 @@ std::string injections(const std::vector<ExpectedImpact>& impacts, ExportFolder&
 }  // namespace
 
 ExportFolder openfoam_folder(const ExportSubject& subject) {
+    require_wall(subject, "OpenFOAM: its parcels meet walls, and no second sphere");
     const ImpactTable table = make_impact_table(subject);
     ExportSubject within = subject;
     within.to_velocity = table.to_velocity;

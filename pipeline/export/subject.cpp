@@ -75,11 +75,26 @@ CriticalVelocity with_velocity(const ExportSubject& subject, double diameter) {
 
 }  // namespace
 
+void require_wall(const ExportSubject& subject, const std::string& reason) {
+    if (subject.partner)
+        throw InputError(reason, "a wall; lammps, liggghts, yade and table take two spheres")
+            .at("--partner-radius, or the partner of the run");
+}
+
+double particle_mass(const ExportSubject& subject, double diameter) {
+    if (!subject.partner && diameter == subject.reference_diameter()) return subject.contact.mass;
+    return sphere_mass(diameter / 2, subject.density);
+}
+
 ContactPair contact_at(const ExportSubject& subject, double diameter) {
     ContactPair contact = subject.contact;
     if (diameter == subject.reference_diameter()) return contact;
     contact.effective_radius = diameter / 2;
-    contact.mass = sphere_mass(diameter / 2, subject.density);
+    contact.mass = particle_mass(subject, diameter);
+    if (subject.partner) {
+        contact.effective_radius = effective_radius(contact.effective_radius, subject.partner->radius);
+        contact.mass = effective_mass(contact.mass, subject.partner->mass);
+    }
     return contact;
 }
 

@@ -66,7 +66,11 @@ ExportFolder table_folder(const ExportSubject& subject, const TableImage& image)
             {"table.h5", image(subject, table)},
             {"ash_table.py", filled("table/ash_table.py", values)},
             unchanged("table/compare.py"),
-            assumptions(subject, {"none: SI units, v_in and e normal to the wall at first touch, R* = d/2"}),
+            assumptions(
+                subject,
+                {subject.partner ? "none: SI units, v_in and e of the relative velocity along the line of "
+                                   "both centres at first touch"
+                                 : "none: SI units, v_in and e normal to the wall at first touch, R* = d/2"}),
             table_expected(subject, "table", table)};
 }
 

@@ -17,11 +17,18 @@ import openfoam_clouds
 
 PROGRAM, WORK = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
 CODES = sys.argv[3:]
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 WHOLE = bool(os.environ.get("ASHIMPACT_WHOLE"))
 ASH = ["--radius", "44 um", "--density", "2600 kg/m3", "--contact-modulus", "90 GPa"]
 ADHESION = ["--work-of-adhesion", "0.3 J/m2"]
 CONSTANT = ["--damping", "0.0141 kg/s"]
 SIZES = ["--from-diameter", "60 um", "--to-diameter", "88 um", "--damping-exponent"]
+# Two spheres, and the damping that m* and R* of both leave room for.
+PARTNER = ["--partner-radius", "30 um", "--partner-density", "7800 kg/m3"]
+EQUAL = ["--radius", "20 um", "--density", "2300 kg/m3", "--partner-radius", "20 um", "--partner-density", "2300 kg/m3",
+         "--contact-modulus", "90 GPa"]
+PAIR_DAMPING = ["--damping", "0.002 kg/s"]
+BREAKS = ["--detachment", "load-controlled"]
 SJKR = ["--law", "sjkr", "--cohesion-energy-density", "2 GJ/m3"] + ASH
 HERTZ, DMT, BRACH_DUNN, JKR = (["--law", law] + ASH + (ADHESION if law != "hertz" else [])
                                for law in ("hertz", "dmt", "brach-dunn", "jkr"))
@@ -54,8 +61,25 @@ def cases():
     yield "table", "run", [run, "--sample", "96 um", "--law", "jkr"]
     yield "yade", "dmt", DMT + CONSTANT
     yield "yade", "en", HERTZ + ["--damping-law", "tsuji", "--damping", "0.5", "--detachment", "zero-force"]
+    yield "lammps", "pair-jkr", JKR + PARTNER + PAIR_DAMPING + BREAKS
+    yield "lammps", "pair-dmt", DMT + PARTNER + PAIR_DAMPING
+    yield "liggghts", "pair-dmt", DMT + PARTNER + PAIR_DAMPING
+    yield "table", "pair-jkr", JKR + PARTNER + PAIR_DAMPING + SIZES + ["1"]
     if not WHOLE:
         return
+    for law in ("hertz", "dmt", "jkr"):
+        equal = ["--law", law] + EQUAL + (ADHESION if law != "hertz" else []) + PAIR_DAMPING
+        yield "lammps", "pair-equal-" + law, equal + (BREAKS if law == "jkr" else [])
+        if law != "jkr":
+            yield "liggghts", "pair-equal-" + law, equal
+    yield "lammps", "pair-hertz-sizes", HERTZ + PARTNER + PAIR_DAMPING + SIZES + ["0"]
+    yield "lammps", "pair-undamped", HERTZ + PARTNER
+    yield "liggghts", "pair-undamped", HERTZ + PARTNER + SIZES[:4]
+    yield "yade", "pair-brach-dunn", BRACH_DUNN + PARTNER + PAIR_DAMPING
+    yield "yade", "pair-en", (HERTZ + PARTNER + ["--damping-law", "tsuji", "--damping", "0.5", "--detachment", "zero-force"])
+    two = [os.path.join(WORK, "two-spheres"), "--sample", "88 um", "--law", "dmt"]
+    yield "lammps", "pair-run", two
+    yield "table", "pair-followed", two + ["--follow-velocity"]
     for code in ("lammps", "liggghts"):
         for damping_law, damping in (("contact-radius", "2000 Pa s"), ("tsuji", "0.5")):
             for law, options in (("hertz", HERTZ), ("dmt", DMT), ("brach-dunn", BRACH_DUNN)):
@@ -87,6 +111,26 @@ def fail(what):
 def ashimpact(*arguments):
     return subprocess.run([PROGRAM] + list(arguments), stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                           universal_newlines=True)
+
+
+def run(name, *case):
+    """A run of ashimpact that is exported."""
+    ran = ashimpact("run", "-q", *case, "-o", os.path.join(WORK, name))
+    if ran.returncode != 0:
+        fail("ashimpact run %s: %s" % (name, ran.stderr))
+
+
+def two_spheres():
+    """The built-in case with a steel ball in place of the wall."""
+    with open(os.path.join(ROOT, "data/cases/dong2013/case.json")) as file:
+        case = json.load(file)
+    case["partner"] = {"diameter": "200 um", "density": "7900 kg/m3", **case.pop("wall")}
+    case["laws"] = ["dmt"]
+    del case["calibration"]
+    path = os.path.join(WORK, "two-spheres.json")
+    with open(path, "w") as file:
+        json.dump(case, file)
+    return path
 
 
 def installed(code):
@@ -123,13 +167,12 @@ def library(folder, variant):
 
 def describe_library():
     """libashimpact of this build for pkg-config, which build.sh asks for it."""
-    root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
     folder = os.path.join(WORK, "pkgconfig")
     os.makedirs(folder, exist_ok=True)
     with open(os.path.join(folder, "ashimpact.pc"), "w") as file:
         file.write("libdir=%s\nName: ashimpact\nDescription: of this build\nVersion: 0\nLibs: -L${libdir} -lashimpact\n"
                    "Cflags: -I%s\n" % (os.path.join(os.path.dirname(PROGRAM), "interface"),
-                                       os.path.join(root, "interface", "include")))
+                                       os.path.join(ROOT, "interface", "include")))
     os.environ["PKG_CONFIG_PATH"] = folder
 
 
@@ -179,7 +222,15 @@ def check_refusals():
             ("openfoam", [os.path.join(WORK, "run"), "--sample", "88 um", "--law", "dmt", "--follow-velocity"] + SIZES
              + ["2"], "lammps or liggghts for several"),
             ("lammps", DMT + CONSTANT + SIZES[:4], "--damping-exponent"), ("lamps", DMT, "lammps"),
-            ("table", DMT + CONSTANT + ["--partner-radius", "44 um", "--partner-density", "2600 kg/m3"], "two spheres"),
+            ("openfoam", DMT + CONSTANT + PARTNER, "no second sphere"), ("fluent", DMT + CONSTANT + PARTNER, "walls"),
+            ("lammps", JKR + PARTNER + PAIR_DAMPING, "load-controlled"),
+            ("lammps", BRACH_DUNN + PARTNER + PAIR_DAMPING, "knows no brach-dunn"),
+            ("lammps", DMT + PARTNER + ["--damping-law", "tsuji", "--damping", "0.5"], "no damping tsuji"),
+            ("lammps", DMT + PARTNER + PAIR_DAMPING + SIZES + ["2"], "--damping-exponent 0"),
+            ("liggghts", JKR + PARTNER + PAIR_DAMPING + BREAKS, "knows no jkr"),
+            ("liggghts", DMT + PARTNER + PAIR_DAMPING + SIZES + ["0"], "edinburgh"),
+            ("liggghts", HERTZ + PARTNER + ["--damping", "30 kg/s"], "edinburgh"),
+            ("table", DMT + CONSTANT + ["--partner-density", "2600 kg/m3"], "--partner-radius"),
             ("table", DMT + CONSTANT + SIZES + ["2", "--roughness", "1 nm"], "--roughness"),
             ("openfoam", ["--law", "maugis-dugdale", "--tabor", "2"] + ASH + ADHESION + CONSTANT + SIZES + ["2"],
              "--cohesion-range"),
@@ -241,6 +292,41 @@ def check_headline():
             fail("the headline %.12g is exported as %.12g" % (headline, critical))
 
 
+def worked_case(name, *arguments):
+    """A case of the docs by its command; its last lines say what was found."""
+    if not shutil.which("gnuplot"):
+        skipped.append("gnuplot-nox")
+        print("SKIPPED: gnuplot is not installed (Debian: gnuplot-nox)", flush=True)
+        return
+    if os.geteuid() == 0:
+        os.environ["MPI_OPTIONS"] = "--allow-run-as-root"
+    begun = time.time()
+    ran = subprocess.run(["sh", os.path.join(ROOT, "docs/exports", name, "run.sh"), *arguments],
+                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
+    print("%s, %.0f s\n%s" % (name, time.time() - begun, "\n".join(ran.stdout.strip().splitlines()[-7:])), flush=True)
+    if ran.returncode != 0:
+        fail("the worked case " + name)
+
+
+def check_cloud():
+    """Particles of many sizes on a wall in LAMMPS under mpirun; whole: 100,000."""
+    worked_case("cloud", PROGRAM, os.path.join(WORK, "cloud"), "100000" if WHOLE else "2000")
+
+
+def check_tube():
+    """A jet of 100,000 particles on a tube in OpenFOAM, on one process and on two ranks."""
+    folder = os.path.join(WORK, "openfoam-tube")
+    shutil.rmtree(folder, ignore_errors=True)
+    exported = ashimpact("export", "openfoam", os.path.join(WORK, "run"), "--sample", "88 um", "--law", "brach-dunn",
+                         "--from-diameter", "2 um", "--to-diameter", "120 um", "--damping-exponent", "2",
+                         "--to-velocity", "60 m/s", "-o", folder)
+    if exported.returncode != 0:
+        fail("tube: not exported: " + exported.stderr.strip())
+        return
+    library(folder, "")
+    worked_case("tube", folder, os.path.join(WORK, "tube"))
+
+
 def check_order():
     """The error of a single run falls with the square of the time step: `ash_lag` takes out the first order."""
     folder = os.path.join(WORK, "lammps-dmt")
@@ -280,9 +366,9 @@ def status():
 def main():
     os.makedirs(WORK, exist_ok=True)
     describe_library()
-    ran = ashimpact("run", "-q", "-o", os.path.join(WORK, "run"))
-    if ran.returncode != 0:
-        fail("ashimpact run: " + ran.stderr)
+    run("run")
+    if WHOLE:
+        run("two-spheres", two_spheres())
     if not CODES or "table" in CODES:
         check_refusals()
         check_names()
@@ -291,10 +377,14 @@ def main():
         if not CODES or code.split()[0] in CODES:
             check(code, name, options)
     check_order()
+    if (not CODES or "lammps" in CODES) and installed("lammps"):
+        check_cloud()
     if (not CODES or "openfoam" in CODES) and installed("openfoam") and not failures:
         openfoam_clouds.check(WORK, os.path.join(WORK, "openfoam-hertz"), fail)
         if os.path.isdir(openfoam_clouds.EXAMPLES):
             openfoam_clouds.check_bed(WORK, beads(), fail)
+        if WHOLE:
+            check_tube()
     return status()
 
 

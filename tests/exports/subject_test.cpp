@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "materials/base/error.hpp"
-#include "pipeline/export/dem.hpp"
+#include "pipeline/export/dem/dem.hpp"
 #include "pipeline/export/expected.hpp"
 #include "pipeline/export/tables.hpp"
 #include "tests/exports/ash.hpp"
@@ -20,6 +20,15 @@ const std::string& content(const ExportFolder& folder, std::string_view name) {
     const auto found = std::ranges::find(folder, name, &ExportFile::name);
     REQUIRE(found != folder.end());
     return found->content;
+}
+
+/// Two equal spheres of ash.
+ExportSubject two_spheres(std::string_view law) {
+    ExportSubject subject = ash(law);
+    subject.partner = PartnerBody{.radius = 44e-6, .mass = sphere_mass(44e-6, 2600)};
+    subject.contact.effective_radius /= 2;
+    subject.contact.mass /= 2;
+    return subject;
 }
 
 }  // namespace
@@ -62,6 +71,21 @@ TEST_CASE("expected impacts lie on both sides of the critical velocity") {
     CHECK(own == 3);
 }
 
+TEST_CASE("a partner gives R* and m* of both spheres, at every size; a large one is the wall") {
+    const ExportSubject wall = ash("dmt");
+    ExportSubject subject = wall;
+    subject.partner = PartnerBody{.radius = 30e-6, .mass = 9e-10};
+    const ContactPair contact = contact_at(subject, 60e-6);
+    CHECK(relative_difference(contact.effective_radius, 15e-6) < 1e-14);
+    const double mass = sphere_mass(30e-6, 2600);
+    CHECK(relative_difference(particle_mass(subject, 60e-6), mass) < 1e-14);
+    CHECK(relative_difference(contact.mass, mass * 9e-10 / (mass + 9e-10)) < 1e-14);
+    subject.partner = PartnerBody{.radius = 44, .mass = 1};
+    CHECK(relative_difference(*threshold_at(subject, 60e-6).value, *threshold_at(wall, 60e-6).value) < 1e-4);
+    subject.partner = PartnerBody{.radius = 44e3, .mass = 1e3};
+    CHECK(relative_difference(*threshold_at(subject, 60e-6).value, *threshold_at(wall, 60e-6).value) < 1e-7);
+}
+
 TEST_CASE("a code refuses what it cannot do, with the reason") {
     const auto refused = [](ExportFolder (*folder)(const ExportSubject&), const ExportSubject& subject,
                             const std::string& reason) {
@@ -75,6 +99,17 @@ TEST_CASE("a code refuses what it cannot do, with the reason") {
     refused(lammps_folder, ash("jkr"), "NaN for JKR on a wall");
     refused(lammps_folder, ash("thornton-ning"), "thornton-ning");
     refused(liggghts_folder, ash("jkr"), "sjkr");
+    ExportSubject two = two_spheres("brach-dunn");
+    refused(lammps_folder, two, "knows no brach-dunn");
+    refused(openfoam_folder, two, "no second sphere");
+    refused(fluent_folder, two, "no second sphere");
+    refused(lammps_folder, two_spheres("jkr"), "load-controlled");
+    refused(liggghts_folder, two_spheres("jkr"), "knows no jkr");
+    two = two_spheres("dmt");
+    two.from_diameter = 60e-6;
+    refused(liggghts_folder, two, "edinburgh");
+    two.damping.exponent = 2;
+    refused(lammps_folder, two, "--damping-exponent 0");
     ExportSubject tsuji = ash("dmt");
     tsuji.damping = {.law = DampingLaw::tsuji, .nodes = {{0, 0.5}}, .reference_diameter = 88e-6};
     refused(yade_folder, tsuji, "`en` with `gamma`");
@@ -92,6 +127,16 @@ TEST_CASE("inputs carry the conversions of the code") {
     CHECK(content(lammps, "ash_wall.in").find(" 0.14999999999999999 tangential") != std::string::npos);
     const ExportFolder liggghts = liggghts_folder(ash("brach-dunn"));
     CHECK(content(liggghts, "ash_material.in").find("youngsModulus peratomtype 180000000000") !=
+          std::string::npos);
+    ExportSubject broken = two_spheres("jkr");
+    broken.detachment = Detachment::load_controlled;
+    const ExportFolder pair = lammps_folder(broken);
+    CHECK(content(pair, "ash_pair.in").find("jkr 180000000000 0.0141 0 0.14999999999999999") !=
+          std::string::npos);
+    CHECK(content(pair, "expected.json").find("\"end\": \"free-flight\"") != std::string::npos);
+    CHECK(content(pair, "in.impacts").find("equal z[1]-z[2]") != std::string::npos);
+    // -2 pi w R*, R* = 22 um
+    CHECK(content(liggghts_folder(two_spheres("dmt")), "ash_pair.in").find(" -4.1469023027385") !=
           std::string::npos);
     CHECK(content(openfoam_folder(ash("jkr")), "ashSolver").find("law             jkr;") !=
           std::string::npos);

@@ -2,7 +2,8 @@
 """Compares what the code made of the impacts with expected.json. Usage: python3 compare.py [LOG]
 
 The log holds, for each run, a line "impact NUMBER RESOLUTION TIME_STEP" and rows "step position velocity".
-The contact ends where the sphere is back at the height at which it touched: read between the steps. A code
+The contact ends where the sphere is back at the height at which it touched: read between the steps. Where adhesion holds
+on beyond that ("end": "free-flight" in expected.json), it has ended if the velocity no longer changes. A code
 with a finite time step is off by a series in that step; each restitution is extrapolated to step zero.
 Exit status 0: all agree, 1: some do not."""
 import json
@@ -51,6 +52,11 @@ def end_of_contact(rows):
     return neville(times, velocities, low)
 
 
+def end_of_flight(rows):
+    """Velocity that no longer changes; None: a force still acts, or the sphere is at rest."""
+    return rows[-1][2] if rows[-1][2] > 0 and rows[-1][2] == rows[-2][2] else None
+
+
 def at_step_zero(steps, values, powers):
     """c0 of value(h) = c0 + c1 h^p1 + ... through all points."""
     largest = max(steps)
@@ -75,7 +81,8 @@ def main():
     for number, impact in enumerate(expected["impacts"], 1):
         mine = [run for run in runs if run[0] == number and run[3]]
         velocity = impact["velocity"]["value"]
-        ends = [(run[2], end_of_contact(run[3])) for run in mine]
+        end_of = end_of_flight if expected.get("end") == "free-flight" else end_of_contact
+        ends = [(run[2], end_of(run[3])) for run in mine]
         captured = [end is None for _, end in ends]
         outcome = "none" if not ends else "capture" if all(captured) else "rebound" if not any(captured) else "both"
         found = 0.0

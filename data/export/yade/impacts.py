@@ -1,7 +1,7 @@
-# Impacts of ash on a wall in YADE; rows for compare.py go to log.impacts.
+# Impacts of ash @other_body@ in YADE; rows for compare.py go to log.impacts.
 #   yade -n -x impacts.py          (or sh run.sh, which compares too)
 # YADE's wall counts as a mirror sphere: R* = R/2. Young's modulus 2 sqrt(2) E* with nu = 0 makes up for it, so that the
-# repulsion is (4/3) E* sqrt(R) overlap^(3/2).
+# repulsion is (4/3) E* sqrt(R) overlap^(3/2). Two spheres have R* = r1 r2/(r1 + r2), and 2 E* is right.
 import json
 import math
 
@@ -9,12 +9,21 @@ CONTACT_MODULUS, DENSITY, WORK_OF_ADHESION = @contact_modulus@, @density@, @work
 LAW, DAMPING_LAW = "@law@", "@damping_law@"
 COHESION_ENERGY_DENSITY = @cohesion_energy_density@    # of law sjkr
 COEFFICIENT, REFERENCE_DIAMETER, EXPONENT = @coefficient@, @diameter@, @exponent@
+PARTNER = @partner@    # radius and mass of the sphere that the ash meets; None: the wall z = 0
 DAMPING_RATIO = @damping_ratio@    # YADE's own `betan`; None: the damping is that of ash_force()
+YOUNG_MODULUS = (2 * math.sqrt(2) if PARTNER is None else 2) * CONTACT_MODULUS
 RESOLUTIONS = (2000, 3000, 4500, 6750, 10000)    # steps a contact
 
 
+def effective(radius, mass):
+    """R* and m* of a sphere of ash and what it meets."""
+    if PARTNER is None:
+        return radius, mass
+    return radius * PARTNER[0] / (radius + PARTNER[0]), mass * PARTNER[1] / (mass + PARTNER[1])
+
+
 def attraction(radius, overlap):
-    """[N], negative"""
+    """[N], negative; radius is R*"""
     if LAW == "dmt":
         return -2 * math.pi * WORK_OF_ADHESION * radius
     if LAW == "brach-dunn":
@@ -25,9 +34,10 @@ def attraction(radius, overlap):
     return 0.0
 
 
-def damping(radius, overlap, mass):
+def damping(ash, overlap):
     """eta [kg/s]"""
-    eta = COEFFICIENT * (2 * radius / REFERENCE_DIAMETER) ** EXPONENT
+    radius, mass = effective(ash.shape.radius, ash.state.mass)
+    eta = COEFFICIENT * (2 * ash.shape.radius / REFERENCE_DIAMETER) ** EXPONENT
     if DAMPING_LAW == "contact-radius":
         return eta * math.sqrt(radius * overlap)
     if DAMPING_LAW == "tsuji":
@@ -35,62 +45,93 @@ def damping(radius, overlap, mass):
     return eta
 
 
-def ash_force(body):
-    """What YADE does not have of the law: attraction and damping of a sphere in contact with the wall z = 0.
+def ash_force(ash, overlap, speed):
+    """What YADE does not have of the law: attraction and damping of a contact whose bodies part with that speed.
 
-    YADE knows the velocity of half a step ago, with which the damping would be that of a mass m - eta dt/2. Dividing the
-    forces of the contact, YADE's repulsion among them, by 1 + eta dt/(2 m) takes that error out."""
-    radius = body.shape.radius
-    overlap = radius - body.state.pos[2]
+    YADE knows the velocity of half a step ago, with which the damping would be that of a mass m* - eta dt/2. Dividing the
+    forces of the contact, YADE's repulsion among them, by 1 + eta dt/(2 m*) takes that error out."""
     if overlap < 0 or DAMPING_RATIO is not None:
-        O.forces.setPermF(body.id, Vector3(0, 0, 0))
-        return
-    eta = damping(radius, overlap, body.state.mass)
-    share = eta * O.dt / (2 * body.state.mass)
+        return 0.0
+    radius, mass = effective(ash.shape.radius, ash.state.mass)
+    eta = damping(ash, overlap)
     repulsion = 4 / 3 * CONTACT_MODULUS * math.sqrt(radius * overlap) * overlap
-    force = repulsion + attraction(radius, overlap) - eta * body.state.vel[2]
-    O.forces.setPermF(body.id, Vector3(0, 0, force / (1 + share) - repulsion))
+    force = repulsion + attraction(radius, overlap) - eta * speed
+    return force / (1 + eta * O.dt / (2 * mass)) - repulsion
 
 
-def ash_forces():
-    """For every sphere: call it before each O.step()."""
-    for body in O.bodies:
-        if isinstance(body.shape, Sphere):
-            ash_force(body)
+def ash_forces(pairs=()):
+    """Call it before each O.step(): for every sphere on the wall, or for these pairs (ash, partner) of bodies."""
+    spheres = [body for body in O.bodies if isinstance(body.shape, Sphere)]
+    forces = {body.id: Vector3(0, 0, 0) for body in spheres}
+    if PARTNER is None:
+        for ash in spheres:
+            force = ash_force(ash, ash.shape.radius - ash.state.pos[2], ash.state.vel[2])
+            forces[ash.id] += Vector3(0, 0, force)
+    for ash, partner in pairs:
+        between = ash.state.pos - partner.state.pos
+        away = between / between.norm()
+        overlap = ash.shape.radius + partner.shape.radius - between.norm()
+        force = ash_force(ash, overlap, (ash.state.vel - partner.state.vel).dot(away)) * away
+        forces[ash.id] += force
+        forces[partner.id] -= force
+    for number, force in forces.items():
+        O.forces.setPermF(number, force)
 
 
-def ash_material():
-    return FrictMat(young=2 * math.sqrt(2) * CONTACT_MODULUS, poisson=0, density=DENSITY, frictionAngle=0)
+def ash_material(density=DENSITY):
+    return FrictMat(young=YOUNG_MODULUS, poisson=0, density=density, frictionAngle=0)
 
 
 def ash_engines():
     properties = {} if DAMPING_RATIO is None else {"betan": DAMPING_RATIO, "betas": DAMPING_RATIO}
     return [ForceResetter(), InsertionSortCollider([Bo1_Sphere_Aabb(), Bo1_Wall_Aabb()]),
-            InteractionLoop([Ig2_Wall_Sphere_ScGeom()], [Ip2_FrictMat_FrictMat_MindlinPhys(**properties)],
+            InteractionLoop([Ig2_Wall_Sphere_ScGeom(), Ig2_Sphere_Sphere_ScGeom()], [Ip2_FrictMat_FrictMat_MindlinPhys(**properties)],
                             [Law2_ScGeom_MindlinPhys_Mindlin()]),
             NewtonIntegrator(damping=0, gravity=(0, 0, 0))]
 
 
+def other_body():
+    """The wall, or the partner with its pole where the wall would be."""
+    if PARTNER is None:
+        return wall(0, axis=2)
+    radius, mass = PARTNER
+    O.materials.append(ash_material(mass / (4 / 3 * math.pi * radius ** 3)))
+    return sphere((0, 0, -radius), radius)
+
+
+def hertz_time(diameter, velocity):
+    """Contact time without damping and adhesion [s]"""
+    radius, mass = effective(diameter / 2, DENSITY * math.pi / 6 * diameter ** 3)
+    stiffness = 4 / 3 * CONTACT_MODULUS * math.sqrt(radius)
+    return 3.21806546 * (mass ** 2 / (stiffness ** 2 * velocity)) ** 0.2
+
+
 def impact(log, number, diameter, velocity, contact_time, captured):
-    for resolution in RESOLUTIONS:
+    for resolution in RESOLUTIONS[::4] if captured else RESOLUTIONS:    # a capture is not extrapolated
         O.reset()
         O.materials.append(ash_material())
-        O.bodies.append(wall(0, axis=2))
         O.bodies.append(sphere((0, 0, diameter / 2), diameter / 2))
+        O.bodies.append(other_body())
         O.engines = ash_engines()
         O.dt = contact_time / (resolution - 0.5)
-        state = O.bodies[1].state
+        ash, other = O.bodies[0], O.bodies[1]
+        pairs = [] if PARTNER is None else [(ash, other)]
         first = 0.0         # force at first touch
         if DAMPING_RATIO is None:
-            first = attraction(diameter / 2, 0) + damping(diameter / 2, 0, state.mass) * velocity
-        state.vel = Vector3(0, 0, -velocity - first / state.mass * O.dt / 2)    # YADE's is that of half a step ago
+            first = attraction(effective(diameter / 2, ash.state.mass)[0], 0) + damping(ash, 0) * velocity
+        # YADE's velocities are those of half a step ago.
+        ash.state.vel = Vector3(0, 0, -velocity - first / ash.state.mass * O.dt / 2)
+        if pairs:
+            other.state.vel = Vector3(0, 0, first / other.state.mass * O.dt / 2)
+        touching = ash.state.pos[2] - other.state.pos[2]
         log.write("impact %d %d %.17g\n" % (number, resolution, O.dt))
         for step in range((8 if captured else 4) * resolution + 1):
-            height, before = state.pos[2] - diameter / 2, state.vel[2]
-            ash_forces()
+            height = ash.state.pos[2] - other.state.pos[2] - touching
+            before = ash.state.vel[2] - other.state.vel[2]
+            ash_forces(pairs)
             O.step()
             if not captured or step % 50 == 0:
-                log.write("%d %.17g %.17g\n" % (step, height, 0.5 * (before + state.vel[2])))
+                log.write("%d %.17g %.17g\n" % (step, height, 0.5 * (before + ash.state.vel[2] - other.state.vel[2])))
             if before > 0 and height > 0 and not captured:
                 break       # it has left
 
@@ -101,7 +142,5 @@ with open("log.impacts", "w") as log:
     for number, one in enumerate(expected["impacts"], 1):
         captured = one["outcome"] == "capture"
         diameter, velocity = one["diameter"]["value"], one["velocity"]["value"]
-        mass = DENSITY * math.pi / 6 * diameter ** 3
-        stiffness = 4 / 3 * CONTACT_MODULUS * math.sqrt(diameter / 2)
-        hertz = 3.21806546 * (mass ** 2 / (stiffness ** 2 * velocity)) ** 0.2
-        impact(log, number, diameter, velocity, hertz if captured else one["contact_time"]["value"], captured)
+        contact_time = one["contact_time"]["value"] if not captured else hertz_time(diameter, velocity)
+        impact(log, number, diameter, velocity, contact_time, captured)

@@ -7,5 +7,5 @@ set xrange [60:130]
 set xtics (60, 70, 80, 90, 100, 110, 120, 130)
 set yrange [0:*]
 set key top right
-plot "cloud.dat" using 1:4 with lines lw 2 lc rgb "#0050a0" title "ashimpact, v < v_c(d)", \
+plot "cloud.dat" using 1:4 with lines lw 2 lc rgb "#0050a0" title "ashimpact sweep", \
      "cloud.dat" using 1:3 with points pt 7 ps 0.7 lc rgb "#b04000" title "LAMMPS"

@@ -1,6 +1,6 @@
 #!/bin/sh
 # 100,000 ash particles of many sizes and velocities on a wall in LAMMPS under mpirun, and which of them stay, beside what
-# ashimpact says of each. Usage: sh run.sh ASHIMPACT WORK [PARTICLES]
+# ashimpact says of each and of each size. Usage: sh run.sh ASHIMPACT WORK [PARTICLES]
 set -e
 here=$(cd "$(dirname "$0")" && pwd)
 ashimpact=$(readlink -f "$1")
@@ -13,5 +13,5 @@ sizes="--from-diameter 60e-6 --to-diameter 130e-6 --damping-exponent 1.5 --to-ve
 cd lammps
 mpirun --oversubscribe ${MPI_OPTIONS} -n 2 lmp -in in.cloud -var particles "${3:-100000}" -var fastest 5 -screen none -log log.cloud
 cd ..
-python3 "$here/evaluate.py" .
+python3 "$here/evaluate.py" . "$ashimpact"
 gnuplot "$here/cloud.gnuplot"

@@ -4,7 +4,7 @@
 
 #include "materials/base/error.hpp"
 #include "pipeline/case/laws.hpp"
-#include "pipeline/export/dem.hpp"
+#include "pipeline/export/dem/dem.hpp"
 #include "pipeline/export/expected.hpp"
 
 namespace ashimpact {
@@ -58,6 +58,13 @@ ExportFolder yade_folder(const ExportSubject& subject) {
     values["damping_ratio"] = damping_ratio_of(subject);
     values["cohesion_energy_density"] = exact(
         subject.law.takes(cohesion_energy_density) ? subject.contact.parameters[cohesion_energy_density] : 0);
+    values["partner"] = subject.partner ? fmt::format("({}, {})", exact(subject.partner->radius),
+                                                      exact(subject.partner->mass))
+                                        : "None";
+    values["own_scene"] =
+        subject.partner
+            ? "call `ash_forces(pairs)` before each step, with the pairs (ash, partner) of bodies."
+            : "call `ash_forces()` before each step; the wall is z = 0.";
     values["command"] = "yade -n -x impacts.py >yade.log 2>&1 || { tail -n 20 yade.log >&2; exit 1; }";
     return {
         {"README.md", filled("yade/README.md", values)},
@@ -66,7 +73,9 @@ ExportFolder yade_folder(const ExportSubject& subject) {
         unchanged("common/compare.py"),
         assumptions(
             subject,
-            {"repulsion: YADE's Hertz-Mindlin; its wall has R* = R/2, young = 2 sqrt(2) E*, nu = 0",
+            {subject.partner
+                 ? "repulsion: YADE's Hertz-Mindlin; young = 2 E*, nu = 0 for both spheres"
+                 : "repulsion: YADE's Hertz-Mindlin; its wall has R* = R/2, young = 2 sqrt(2) E*, nu = 0",
              own_damping(subject)
                  ? "damping: YADE's `betan` = c/sqrt(6), which is Tsuji's damping cut at zero total force"
                  : "attraction and damping: own forces by O.forces.setPermF before each step while in "

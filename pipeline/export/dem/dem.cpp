@@ -1,4 +1,4 @@
-#include "pipeline/export/dem.hpp"
+#include "pipeline/export/dem/dem.hpp"
 
 #include <fmt/format.h>
 
@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "materials/base/error.hpp"
 #include "pipeline/case/laws.hpp"
 #include "pipeline/export/expected.hpp"
 #include "pipeline/text/readable.hpp"
@@ -21,6 +22,7 @@ constexpr double rebound_horizon = 1.5;  // contacts
 constexpr double slow_horizon = 4;       // near v_c, where a finite time step makes the contact longer
 constexpr double slow_restitution = 0.02;
 constexpr int captured_every = 50;   // steps between two rows of output; a rebound needs every step
+constexpr int pair_every = 5;        // times as many: its steps are shorter
 constexpr double cloud_steps = 200;  // of the shortest contact
 constexpr double cloud_horizon = 6;  // of the longest contact
 
@@ -110,7 +112,7 @@ std::string lag_correction() {
            "dt/2. This force\n# takes the error out: it divides the forces that stand above it by 1 + eta "
            "dt/(2 m).\n"
            "variable         ash_share atom \"(v_ash_overlap>=0)*v_ash_damping*dt/(2*mass)\"\n"
-           "variable         ash_lag atom \"-fz*v_ash_share/(1 + v_ash_share)\"\n"
+           "variable         ash_lag atom \"fz/(1 + v_ash_share) - fz\"\n"
            "fix              ash_lag all addforce 0 0 v_ash_lag\n";
 }
 
@@ -119,8 +121,9 @@ std::string lag_correction() {
 /// a.
 Json powers_of(const ExportSubject& subject, const DemCheck& check) {
     const bool damped = !subject.damping.is_zero();
-    if (damped && check.damping_lags) return {1, 2, 2.5, 3};
-    if (damped && subject.damping.law == DampingLaw::tsuji) return {1.25, 1.5, 2, 2.25};
+    const bool tsuji = subject.damping.law == DampingLaw::tsuji;
+    if (damped && check.damping_lags) return tsuji ? Json{1, 2, 2.5, 3} : Json{1, 2, 3, 4};
+    if (damped && tsuji) return {1.25, 1.5, 2, 2.25};
     const bool square_root =
         is(subject, "brach-dunn") || (damped && subject.damping.law == DampingLaw::contact_radius);
     return square_root ? Json{1.5, 2, 2.5, 3} : Json{2, 2.5, 3.5, 4};
@@ -137,6 +140,13 @@ std::string list_of(const std::vector<ExpectedImpact>& impacts, std::string_view
 
 bool attracts(const ExportSubject& subject) {
     return subject.law.uses_work_of_adhesion() || is(subject, "sjkr");
+}
+
+void require_added_forces(const ExportSubject& subject, std::string_view code) {
+    if (const auto reason = added_forces_refusal(subject))
+        throw InputError(
+            fmt::format("{}: {}", code, *reason),
+            "hertz, dmt, brach-dunn, sjkr with zero-overlap; damping constant, contact-radius, tsuji");
 }
 
 std::optional<std::string> added_forces_refusal(const ExportSubject& subject) {
@@ -200,19 +210,22 @@ ExportFile impact_variables(const ExportSubject& subject) {
     std::string text = "# The impacts of expected.json; SI units.\n";
     text += list_of(impacts, "number", [&](const ExpectedImpact&) { return std::to_string(++number); });
     text += list_of(impacts, "diameter", [](const ExpectedImpact& each) { return exact(each.diameter); });
-    text += list_of(impacts, "mass", [&](const ExpectedImpact& each) {
-        return exact(contact_at(subject, each.diameter).mass);
-    });
+    text += list_of(impacts, "mass",
+                    [&](const ExpectedImpact& each) { return exact(particle_mass(subject, each.diameter)); });
     text += list_of(impacts, "velocity", [](const ExpectedImpact& each) { return exact(each.velocity); });
     text += list_of(impacts, "contact_time", [&](const ExpectedImpact& each) {
         return exact(each.contact_time.value_or(hertz_time(subject, each.diameter, each.velocity)));
     });
     text += list_of(impacts, "horizon", [&](const ExpectedImpact& each) { return exact(horizon_of(each)); });
     text += list_of(impacts, "every", [&](const ExpectedImpact& each) {
-        return std::to_string(is_capture(each) ? captured_every : 1);
+        return std::to_string((is_capture(each) ? captured_every : 1) * (subject.partner ? pair_every : 1));
     });
-    text +=
-        list_of(impacts, "ash_wall_z", [](const ExpectedImpact& each) { return exact(-each.diameter / 2); });
+    text += list_of(impacts, subject.partner ? "partner_z" : "ash_wall_z", [&](const ExpectedImpact& each) {
+        if (!subject.partner) return exact(-each.diameter / 2);
+        // Two spheres touch only where they are closer than the sum of their radii.
+        const double touching = each.diameter / 2 + subject.partner->radius;
+        return exact(-touching * (1 - 2 * std::numeric_limits<double>::epsilon()));
+    });
     return {"impacts.in", text};
 }
 
@@ -228,7 +241,7 @@ TemplateValues dem_values(const ExportSubject& subject) {
     }
     if (!std::isfinite(shortest_contact)) shortest_contact = longest_contact;
     TemplateValues values = common_values(subject);
-    const double size = subject.to_diameter;
+    const double size = subject.to_diameter + (subject.partner ? 2 * subject.partner->radius : 0);
     values.merge(TemplateValues{{"box", exact(5 * size)},
                                 {"skin", exact(0.05 * subject.from_diameter)},
                                 {"shortest", readable(shortest_contact, "s")},
@@ -244,9 +257,9 @@ TemplateValues dem_values(const ExportSubject& subject) {
 }
 
 ExportFile dem_expected(const ExportSubject& subject, const DemCheck& check) {
-    return expected_json(
-        subject, check.code,
-        {{"log", "log.impacts"}, {"powers", powers_of(subject, check)}, {"tolerance", check.tolerance}});
+    Json more{{"log", "log.impacts"}, {"powers", powers_of(subject, check)}, {"tolerance", check.tolerance}};
+    if (check.free_flight) more["end"] = "free-flight";
+    return expected_json(subject, check.code, more);
 }
 
 }  // namespace ashimpact
