@@ -124,8 +124,8 @@ TEST_CASE(
     const auto contact_of = [&](const Json& roughness) {
         Json changed = document;
         if (!roughness.is_null()) changed["roughness"] = roughness;
-        sandbox.write("rough.json", changed.dump());
-        const auto ended = ashimpact_program(sandbox, "run rough.json -o rough -q --no-report");
+        write_example(sandbox, changed);
+        const auto ended = ashimpact_program(sandbox, "run case.json -o rough -q --no-report");
         REQUIRE_MESSAGE(ended.status == 0, ended.err);
         return sandbox.json("rough/2-contact.json")["result"]["samples"][0];
     };
@@ -146,21 +146,19 @@ TEST_CASE(
     // the whole run takes the w that is left
     const Json analytic = sandbox.json("rough/3-analytic.json")["result"]["samples"][0];
     CHECK(number(analytic["separation_energy"]) > 0);
-    sandbox.write("rough.json", [&] {
-        Json changed = document;
-        changed["roughness"] = "50 nm";
-        return changed.dump();
-    }());
-    const auto warned = ashimpact_program(sandbox, "run rough.json -o rough --no-report");
+    Json coarse = document;
+    coarse["roughness"] = "50 nm";
+    write_example(sandbox, coarse);
+    const auto warned = ashimpact_program(sandbox, "run case.json -o rough --no-report");
     CHECK(warned.status == 0);
     CHECK(warned.err.find("meant for an rms") != std::string::npos);
     for (const char* wrong : {"-1 nm", "1 kg"}) {
         Json changed = document;
         changed["roughness"] = wrong;
-        sandbox.write("rough.json", changed.dump());
-        const auto refused = ashimpact_program(sandbox, "run rough.json -o rough --no-report");
+        write_example(sandbox, changed);
+        const auto refused = ashimpact_program(sandbox, "run case.json -o rough --no-report");
         CHECK(refused.status == 2);
-        CHECK(refused.err.find("rough.json: /roughness") == 0);
+        CHECK(refused.err.find("case.json: /roughness") == 0);
     }
 }
 
