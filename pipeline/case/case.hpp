@@ -79,8 +79,7 @@ struct PublishedSample {
     std::vector<std::pair<std::string, Quantity>> volume_fractions{};
     LawMap<DampingPolynomial> damping_fits{};
     std::optional<double> damping_fit_uncertainty{};  ///< standard, of each coefficient [kg/s]
-    LawMap<Quantity> critical_damping{};
-    LawMap<Quantity> critical_velocity{};
+    LawMap<Quantity> critical_damping{}, critical_velocity{};
     std::optional<Quantity> measured_critical_velocity{};
     std::vector<ContactTime> contact_times{};
     LawMap<Quantity> critical_contact_times{};
@@ -138,6 +137,7 @@ struct Case {
     MixtureRule mixture_rule = MixtureRule::parallel;
     std::optional<Wall> wall{};              ///< elasticity of the other body
     std::optional<PartnerSphere> partner{};  ///< the other body is this sphere; none: it is a flat wall
+    std::optional<Stated> roughness{};  ///< rms of both surfaces, see roughness_reduction(); none: smooth [m]
     std::vector<Sample> samples{};
     std::vector<LawChoice> laws{};
     DampingLaw damping_law = DampingLaw::constant;

@@ -202,6 +202,7 @@ Json published_json(const PublishedSample& published) {
 
 Json case_json(const Case& data) {
     Json json{{"name", data.name}, {"mixture_rule", name_of(data.mixture_rule)}};
+    if (data.roughness) json["roughness"] = stated_json(*data.roughness);
     if (data.partner)
         json["partner"] = partner_json(*data.partner, data.wall);
     else if (data.wall)

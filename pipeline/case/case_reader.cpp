@@ -283,6 +283,11 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
     const PublishedSets published(document, files);
     if (const auto rule = document.find("mixture_rule")) data.mixture_rule = named<MixtureRule>(rule->text());
     read_other_body(document, data);
+    if (const auto roughness = document.find("roughness")) {
+        data.roughness = read_stated(*roughness, Dimension::length);
+        roughness->located(
+            [&] { require_not_negative("rms roughness", data.roughness->value(), Dimension::length); });
+    }
     Defaults defaults;
     if (const auto particle = document.find("particle")) defaults.particle = read_particle(*particle);
     defaults.camera = document.find("camera");

@@ -28,11 +28,12 @@ void add_report(CLI::App& program, Action& action) {
 }
 
 void add_figure(CLI::App& program, Action& action) {
-    auto* command = add_command(program, "figure", "One figure of a run for a paper: SVG, PDF or PNG",
-                                "ashimpact figure restitution results -o restitution.pdf\n"
-                                "Figures: composition, static-force, restitution, damping, damping-fit, "
-                                "contact-time, sizes, histories,\n"
-                                "energy, critical-velocity, sensitivity.");
+    auto* command =
+        add_command(program, "figure", "One figure of a run for a paper: SVG, PDF or PNG",
+                    "ashimpact figure restitution results -o restitution.pdf\n"
+                    "Figures: composition, static-force, regime-map, restitution, damping, damping-fit, "
+                    "contact-time, sizes, histories,\n"
+                    "energy, critical-velocity, sensitivity.");
     const auto options = std::make_shared<FigureOptions>();
     command->add_option("name", options->name, "of the figure")->required()->type_name("NAME");
     command

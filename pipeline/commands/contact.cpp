@@ -89,7 +89,7 @@ void run_contact_command(const ContactCommandOptions& options, std::ostream& out
                                    .contact_modulus = pair.contact_modulus};
     const double energy = separation_energy(adhesive);
     const double velocity = std::sqrt(2 * energy / pair.mass);
-    const double tabor = tabor_parameter(adhesive, equilibrium_separation);
+    const double tabor = tabor_parameter(adhesive, usual_separation);
     if (options.json) {
         out << write_json(
             {{"contact_modulus", quantity_json(pair.contact_modulus, Dimension::pressure)},

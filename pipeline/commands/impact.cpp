@@ -139,7 +139,13 @@ std::string regime_text(const Regime& regime) {
                                     ? fmt::format("{} ({})", readable_number(regime.tabor_parameter),
                                                   adhesion_words(regime.adhesion))
                                     : "none: no work of adhesion");
-    list.add("greatest pressure", readable(regime.greatest_pressure, "Pa"));
+    list.add(
+        "greatest pressure",
+        regime.yield_pressure
+            ? fmt::format("{}, {} times the yield pressure of {}", readable(regime.greatest_pressure, "Pa"),
+                          readable_number(regime.greatest_pressure / *regime.yield_pressure),
+                          readable(*regime.yield_pressure, "Pa"))
+            : readable(regime.greatest_pressure, "Pa"));
     list.add("yield velocity", velocity(regime.yield_velocity));
     list.add("contact radius", fmt::format("at most {}, {} of R*", readable(regime.contact_radius, "m"),
                                            readable_number(regime.relative_contact_radius)));

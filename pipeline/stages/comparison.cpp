@@ -176,6 +176,13 @@ Json measured_json(const Sample& sample, const Json& measured) {
     return json;
 }
 
+/// "cohesion range"
+std::string parameter_words(const LawParameter& parameter) {
+    std::string words(parameter.name);
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return words;
+}
+
 /// Properties of the contact of a sample that were not measured: {"quantity", "value", "origin", "why"}.
 Json assumed_json(const Sample& sample, const SampleContact& contact) {
     Json list = Json::array();
@@ -196,16 +203,21 @@ Json assumed_json(const Sample& sample, const SampleContact& contact) {
         add("work of adhesion", contact.work_of_adhesion, stated->origin, "");
     else if (sample.work_of_adhesion)
         add("work of adhesion", contact.work_of_adhesion, "computed", "from surface energies");
+    for (const auto& [parameter, stated] : sample.parameters)
+        add(parameter_words(parameter).c_str(), stated.quantity, stated.origin, "");
     return list;
 }
 
-/// Which of diameter, density and work of adhesion state no uncertainty, so that none goes into intervals.
+/// Which of diameter, density, work of adhesion and parameters of contact laws state no uncertainty, so that
+/// none goes into intervals.
 Json exact_json(const SampleContact& contact) {
     Json list = Json::array();
     if (!contact.radius.standard_uncertainty) list.push_back("diameter");
     if (!contact.density.standard_uncertainty) list.push_back("density");
     if (contact.work_of_adhesion.value > 0 && !contact.work_of_adhesion.standard_uncertainty)
         list.push_back("work of adhesion");
+    for (const auto& [parameter, value] : contact.parameters)
+        if (!value.standard_uncertainty) list.push_back(parameter_words(parameter));
     return list;
 }
 

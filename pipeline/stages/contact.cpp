@@ -1,8 +1,10 @@
 #include "pipeline/stages/contact.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "materials/base/text.hpp"
+#include "materials/roughness.hpp"
 #include "pipeline/case/case_json.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/modulus.hpp"
@@ -76,6 +78,26 @@ Stated adhesion_of(const Sample& sample) {
                     "surface energies, rule " + std::string(name_of(from.rule)));
 }
 
+/// Largest rms roughness for which the reduction of w is meant, absolute [m] and over R* [1].
+constexpr double greatest_roughness = 20e-9;
+constexpr double greatest_relative_roughness = 0.1;
+
+/// The w that roughness leaves, with the uncertainty of both.
+Stated rough_adhesion(const Stated& smooth, const Stated& roughness, double effective_radius) {
+    const double rms = roughness.value();
+    const auto left = [&](double height) { return roughness_reduction(effective_radius, {.rms = height}); };
+    Stated rough = smooth;
+    rough.quantity.value *= left(rms);
+    const double u = roughness.quantity.standard_uncertainty.value_or(0);
+    const double of_rms = 0.5 * (left(rms + u) - left(std::max(0.0, rms - u)));
+    const double both =
+        std::hypot(left(rms) * smooth.quantity.standard_uncertainty.value_or(0), smooth.value() * of_rms);
+    if (both > 0) rough.quantity.standard_uncertainty = both;
+    rough.origin = "computed";
+    rough.source = "work of adhesion of smooth surfaces and their roughness (Rabinovich et al. 2000)";
+    return rough;
+}
+
 Quantity radius_of(const Stated& diameter) {
     Quantity radius = diameter.quantity;
     radius.value /= 2;
@@ -123,6 +145,18 @@ Json contact_json(const Sample& sample, const Case& data, const SampleModulus& m
         {"density_from_phases", quantity_json(density_from_phases(sample, modulus), Dimension::density)},
         {"work_of_adhesion", stated_json(adhesion_of(sample))}};
     if (data.partner) json.update(two_spheres_json(radius, mass, *data.partner));
+    if (data.roughness && data.roughness->value() > 0) {
+        const double effective_radius = json.at("effective_radius").at("value").get<double>();
+        const double rms = data.roughness->value();
+        json["smooth_work_of_adhesion"] = json.at("work_of_adhesion");
+        json["roughness"] = stated_json(*data.roughness);
+        json["work_of_adhesion"] =
+            stated_json(rough_adhesion(adhesion_of(sample), *data.roughness, effective_radius));
+        if (rms > greatest_roughness || rms > greatest_relative_roughness * effective_radius)
+            warnings.push_back(sample.name +
+                               ": the reduction of the work of adhesion by roughness is meant for an rms of "
+                               "20 nm at most, far below the radius");
+    }
     if (poisson_ratio) json["poisson_ratio"] = stated_json(*poisson_ratio);
     if (sample.yield_pressure) json["yield_pressure"] = stated_json(*sample.yield_pressure);
     for (const auto& [parameter, stated] : sample.parameters)
@@ -138,6 +172,8 @@ StageOutput contact_stage(const Artifacts& before) {
     StageOutput output{.citations = {"dong2013, Eqs. 6, 7, 11"}};
     output.options = {{"geometry", data.partner ? "two spheres: 1/R* = 1/r1 + 1/r2, 1/m* = 1/m1 + 1/m2"
                                                 : "sphere on a flat wall: R* = r, m* = m"}};
+    if (data.roughness && data.roughness->value() > 0)
+        output.citations.push_back("rabinovich2000, eq. of the modified Rumpf model: w of rough surfaces");
     output.result["samples"] = Json::array();
     for (const Sample& sample : data.samples) {
         const SampleModulus& modulus = entry_named(moduli, sample.name, before, modulus_artifact);

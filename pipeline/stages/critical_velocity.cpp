@@ -92,7 +92,7 @@ Json sample_json(const Case& data, const Sample& sample, const SampleContact& co
     const auto entries = in_parallel(data.laws, [&](const LawChoice& choice) -> LawEntry {
         const LawFit* fit = fits.laws.find(choice.law);
         if (fit == nullptr) return {};
-        const RandomContact uncertain = uncertain_contact(data, sample, contact);
+        const RandomContact uncertain = uncertain_contact(data, sample, contact, choice.law);
         return law_entry({data, choice, contact, uncertain, restitution.of(choice.law), *fit, measured,
                           sample.measured_critical_velocity.has_value()});
     });

@@ -14,6 +14,7 @@
 #include "solver/damping/damping.hpp"
 #include "solver/motion/momentum_balance.hpp"
 #include "solver/motion/trajectory.hpp"
+#include "solver/regime/regime.hpp"
 
 namespace ashimpact {
 
@@ -88,13 +89,16 @@ Json trajectory_json(const std::vector<TrajectoryPoint>& points) {
 
 Json history_json(const char* part, const Impact& impact, int points) {
     const ImpactResult result = solve_impact(impact);
+    const Regime regime = regime_of(impact, result.maximum_overlap);
     Json json{{"part", part},
               {"velocity", quantity_json(impact.velocity, Dimension::velocity)},
               {"damping", quantity_json(impact.damping.coefficient, unit_of(impact.damping.law))},
               {"outcome", name_of(result.outcome)},
               {"restitution", quantity_json(result.restitution, Dimension::fraction)},
               {"contact_time", quantity_json(result.contact_time, Dimension::time)},
-              {"maximum_overlap", quantity_json(result.maximum_overlap, Dimension::length)}};
+              {"maximum_overlap", quantity_json(result.maximum_overlap, Dimension::length)},
+              {"greatest_pressure", quantity_json(regime.greatest_pressure, Dimension::pressure)},
+              {"yield_pressure", quantity_json(regime.yield_pressure, Dimension::pressure)}};
     if (result.outcome == Outcome::rebound) json["momentum"] = momentum_json(momentum_balance(impact));
     json["trajectory"] = trajectory_json(trajectory(impact, points));
     return json;

@@ -5,6 +5,7 @@
 #include "solver/batch/parallel.hpp"
 #include "solver/batch/tables/restitution_table.hpp"
 #include "solver/batch/task.hpp"
+#include "solver/motion/maugis/cohesive_impact.hpp"
 
 #include <algorithm>
 #include <array>
@@ -79,6 +80,13 @@ class Failures {
     std::vector<FailedImpact> failed_;
 };
 
+/// One impact by the scalar solver; with a cohesive zone in double precision, as good as that of the kernels.
+ImpactResult solve_alone(const Impact& impact) {
+    if (!is_cohesive(impact.law, impact.contact)) return solve_impact(impact);
+    validate(impact);
+    return solve_cohesive_impact(impact, Precision::standard);
+}
+
 /// Solves a task. Impacts that its kernel left undecided or gave an impossible result go through the scalar
 /// solver. @return how many those were
 std::int64_t solve(const ImpactBatch& batch, const ImpactTask& task, std::size_t first, Outcome* outcome,
@@ -90,7 +98,7 @@ std::int64_t solve(const ImpactBatch& batch, const ImpactTask& task, std::size_t
         const bool turn_known = !task.turning_point || (end_known && is_possible_turn(task, i));
         if (!end_known || !turn_known) {
             try {
-                const ImpactResult result = solve_impact(impact_at(batch, task.inputs, i));
+                const ImpactResult result = solve_alone(impact_at(batch, task.inputs, i));
                 if (!end_known) take_end(result, task, i);
                 if (task.turning_point) take_turn(result, task, i);
             } catch (const ConvergenceError& error) {

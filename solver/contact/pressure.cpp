@@ -26,7 +26,7 @@ double PressureProfile::at(double radius) const {
     if (radius > contact_radius) return -cohesive_stress;
     const double root =
         std::sqrt(std::max(0.0, (1.0 - radius / contact_radius) * (1.0 + radius / contact_radius)));
-    double pressure = hertz_pressure * root;
+    double pressure = hertz_pressure * root - even_tension;
     if (rim_tension > 0.0)
         pressure -= root > 0.0 ? rim_tension / root : std::numeric_limits<double>::infinity();
     if (cohesive_stress > 0.0)
@@ -37,7 +37,7 @@ double PressureProfile::at(double radius) const {
 double PressureProfile::force() const {
     const double a = contact_radius;
     const double c = outer_radius;
-    const double punch = 2.0 * pi * a * a * (hertz_pressure / 3.0 - rim_tension);
+    const double punch = 2.0 * pi * a * a * (hertz_pressure / 3.0 - rim_tension - even_tension / 2.0);
     if (!(cohesive_stress > 0.0)) return punch;
     const double reach = std::sqrt((c - a) * (c + a));
     return punch - 2.0 * cohesive_stress * (a * reach + c * c * std::atan2(reach, a));
@@ -56,6 +56,11 @@ PressureProfile jkr_pressure(const ContactPair& contact, double a) {
 }
 
 PressureProfile pressure_profile(Law law, const ContactPair& contact, double a) {
+    if (law == Law::of<Sjkr>()) {
+        PressureProfile profile = hertz_pressure(contact, a);
+        profile.even_tension = contact.parameters[cohesion_energy_density];
+        return profile;
+    }
     if (contact.work_of_adhesion == 0.0 || a == 0.0) return hertz_pressure(contact, a);
     if (law == Law::of<Jkr>() || law == Law::of<ThorntonNing>()) return jkr_pressure(contact, a);
     if (law == Law::of<MaugisDugdale>())

@@ -8,18 +8,19 @@ namespace ashimpact {
 /// Normal pressure under a contact [Pa], positive where it pushes the bodies apart:
 ///
 ///     p(r) = p_0 (1 - r^2/a^2)^(1/2) - p_0' (1 - r^2/a^2)^(-1/2)
-///            - (sigma_0/pi) arccos((2a^2 - c^2 - r^2)/(c^2 - r^2))
+///            - (sigma_0/pi) arccos((2a^2 - c^2 - r^2)/(c^2 - r^2)) - k_c
 ///
 /// for r < a, and -sigma_0 for a < r < c. First term: Hertz, p_0 = 2 E* a/(pi R*) (Dong et al. 2013, Eqs.
-/// 3-5). Second: JKR, p_0' = sqrt(2 w E*/(pi a)) (Eq. 17). Third: Maugis-Dugdale (Maugis 1992). A law has the
-/// first term and at most one of the others. DMT and Brach-Dunn attract around the contact and have only the
-/// first.
+/// 3-5). Second: JKR, p_0' = sqrt(2 w E*/(pi a)) (Eq. 17). Third: Maugis-Dugdale (Maugis 1992). Fourth:
+/// the cohesion of sjkr, the same all over the contact. A law has the first term and at most one of the
+/// others. DMT and Brach-Dunn attract around the contact and have only the first.
 struct PressureProfile {
     double contact_radius = 0;   ///< a [m]
     double outer_radius = 0;     ///< c, beyond which there is no traction; a without a cohesive zone [m]
     double hertz_pressure = 0;   ///< p_0 [Pa]
     double rim_tension = 0;      ///< p_0' [Pa]
     double cohesive_stress = 0;  ///< sigma_0 [Pa]
+    double even_tension = 0;     ///< k_c [Pa]
 
     /// p(r) [Pa]; minus infinity at the rim of a JKR contact. @param radius r >= 0 [m]
     [[nodiscard]] double at(double radius) const;
@@ -36,7 +37,7 @@ struct PressureProfile {
 [[nodiscard]] PressureProfile jkr_pressure(const ContactPair& contact, double a);
 
 /// Returns the pressure by a law under a contact of radius @p a [m] that has not yielded: JKR for jkr and
-/// thornton-ning, Maugis-Dugdale for that law, Hertz for all others.
+/// thornton-ning, Maugis-Dugdale for that law, Hertz less k_c for sjkr, Hertz for all others.
 [[nodiscard]] PressureProfile pressure_profile(Law law, const ContactPair& contact, double a);
 
 /// Returns the pressure under a Maugis-Dugdale contact of radius @p a [m].

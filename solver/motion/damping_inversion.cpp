@@ -113,13 +113,39 @@ std::optional<double> mended(RestitutionCurve& curve, double target, double root
     return next;
 }
 
+struct Bracket {
+    double lower, upper;
+};
+
+/// A narrow bracket of the damping for law maugis-dugdale, whose impacts take a hundred times as long as
+/// those of law jkr, and mostly need nearly the same damping; none for other laws, or where it does not.
+std::optional<Bracket> bracket_by_jkr(const DampingProblem& problem, RestitutionCurve& curve) {
+    if (!is_cohesive(problem.law, problem.contact)) return std::nullopt;
+    DampingProblem similar = problem;
+    similar.law = Law::of<Jkr>();
+    RestitutionCurve other(similar);
+    if (other.at<double>(0.0) <= problem.restitution) return std::nullopt;
+    const double guess =
+        gsl::brent([&](double number) { return other.at<double>(number) - problem.restitution; }, 0.0,
+                   too_much(other, problem.restitution), {.relative = 1e-4})
+            .root;
+    for (const double margin : {0.02, 0.3}) {
+        const Bracket bracket{guess * (1 - margin), guess * (1 + margin)};
+        const bool holds = curve.at<double>(bracket.lower) > problem.restitution &&
+                           curve.at<double>(bracket.upper) < problem.restitution;
+        if (holds) return bracket;
+    }
+    return std::nullopt;
+}
+
 double scaled_solution(const DampingProblem& problem, RestitutionCurve& curve) {
     const double target = problem.restitution;
     if (target == 0.0) return smallest_capturing(problem, curve);
-    const double most = too_much(curve, target);
-    if (curve.at<double>(0.0) <= target) return solution_within(curve, target, 0.0, most);
+    const auto near = bracket_by_jkr(problem, curve);
+    const double most = near ? near->upper : too_much(curve, target);
+    if (!near && curve.at<double>(0.0) <= target) return solution_within(curve, target, 0.0, most);
     const auto miss = [&](double number) { return curve.at<double>(number) - target; };
-    const double root = gsl::brent(miss, 0.0, most).root;
+    const double root = gsl::brent(miss, near ? near->lower : 0.0, most).root;
     if (const auto solution = mended(curve, target, root)) return *solution;
     for (double margin = 1e-12; margin < 0.1; margin *= 100) {
         const double lower = root * (1 - margin);

@@ -89,7 +89,8 @@ std::optional<std::string> refusal(Law law, Detachment detachment) {
         [&]<template <class> class L>() -> std::optional<std::string> {
             if constexpr (!has_polynomials<L>) {
                 // Any zone of short reach; refusal() of a contact takes its own.
-                return cohesive_refusal(CohesiveZone(2), detachment);
+                static const CohesiveZone zone(2);
+                return cohesive_refusal(zone, detachment);
             } else {
                 const L<Extended> numeric{1.0L};  // whether it is admissible depends on no number
                 const auto point = numeric.detachment_point(detachment);

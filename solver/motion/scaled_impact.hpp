@@ -8,6 +8,7 @@
 #include "solver/numeric/extended.hpp"
 
 #include <cmath>
+#include <type_traits>
 
 namespace ashimpact {
 
@@ -58,7 +59,10 @@ template <class Real, class Observer>
 /// Restitution alone of an impact in its own scale, without validation [1].
 template <class Real>
 [[nodiscard]] Real scaled_restitution(const Impact& impact, const Scale& scale) {
-    if (is_cohesive(impact.law, impact.contact)) return static_cast<Real>(cohesive_restitution(impact));
+    if (is_cohesive(impact.law, impact.contact)) {
+        constexpr auto precision = std::is_same_v<Real, double> ? Precision::standard : Precision::extended;
+        return static_cast<Real>(cohesive_restitution(impact, precision));
+    }
     constexpr auto unobserved = [](const Motion<Real>&, const MotionExpansion<Real>&, Real) {};
     const Orbit<Real> orbit = scaled_orbit<Real>(impact, scale, unobserved);
     return orbit.outcome == Outcome::rebound ? std::abs(orbit.end.velocity) : Real(0);

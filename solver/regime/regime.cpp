@@ -60,6 +60,26 @@ double greatest_root(const Motion<double>& motion, double overlap) {
     return touch + sign_change<double>(beyond, step);
 }
 
+/// Whether the pair says how far its cohesion reaches.
+bool states_cohesion(const ContactPair& contact) {
+    const ParameterValues<double>& given = contact.parameters;
+    return given.has(stated_tabor) || given.has(cohesive_stress) || given.has(cohesion_range);
+}
+
+AdhesiveContact numbers_of(const ContactPair& contact) {
+    return {.work_of_adhesion = contact.work_of_adhesion,
+            .effective_radius = contact.effective_radius,
+            .contact_modulus = contact.contact_modulus};
+}
+
+/// Equilibrium separation z0 that the pair says, else the usual one [m]; mu goes with 1/z0.
+double separation_of(const ContactPair& contact) {
+    if (contact.parameters.has(cohesion_range)) return contact.parameters[cohesion_range];
+    if (!states_cohesion(contact) || contact.work_of_adhesion == 0.0) return usual_separation;
+    const double tabor = transition_parameter_of(contact) / transition_per_tabor();
+    return usual_separation * tabor_parameter(numbers_of(contact), usual_separation) / tabor;
+}
+
 /// Judges one impact.
 class Judge {
   public:
@@ -70,10 +90,8 @@ class Judge {
           motion_(static_law(impact, scale_)),
           greatest_(greatest_root(motion_, maximum_overlap / scale_.length)) {
         if (is_cohesive(impact.law, contact_)) greatest_ = cohesive_root(maximum_overlap);
-        regime_.tabor_parameter = tabor_parameter({.work_of_adhesion = contact_.work_of_adhesion,
-                                                   .effective_radius = contact_.effective_radius,
-                                                   .contact_modulus = contact_.contact_modulus},
-                                                  equilibrium_separation);
+        regime_.tabor_parameter = tabor_parameter_of(contact_);
+        regime_.equilibrium_separation = separation_of(contact_);
         regime_.adhesion = adhesion_regime(regime_.tabor_parameter);
         regime_.damping_number = scale_.damping_number(impact.damping);
         regime_.adhesion_number = impact.law.visit<double>(
@@ -82,7 +100,10 @@ class Judge {
         regime_.relative_contact_radius = regime_.contact_radius / contact_.effective_radius;
         regime_.relative_overlap = maximum_overlap / contact_.effective_radius;
         regime_.transition_parameter = transition_parameter_of(contact_);
-        if (std::isfinite(contact_.yield_pressure)) judge_yield();
+        if (std::isfinite(contact_.yield_pressure)) {
+            regime_.yield_pressure = contact_.yield_pressure;
+            judge_yield();
+        }
         regime_.greatest_pressure = greatest_pressure();
     }
 
@@ -210,11 +231,16 @@ class Judge {
 
 double transition_parameter_of(const ContactPair& contact) {
     if (contact.work_of_adhesion == 0.0) return 0.0;
-    const ParameterValues<double>& given = contact.parameters;
-    if (given.has(stated_tabor) || given.has(cohesive_stress) || given.has(cohesion_range))
-        return transition_parameter(contact);
+    if (states_cohesion(contact)) return transition_parameter(contact);
     return transition_parameter(contact,
-                                cohesive_stress_of_range(contact.work_of_adhesion, equilibrium_separation));
+                                cohesive_stress_of_range(contact.work_of_adhesion, usual_separation));
+}
+
+double tabor_parameter_of(const ContactPair& contact) {
+    if (contact.work_of_adhesion == 0.0) return 0.0;
+    const bool by_range = !states_cohesion(contact) || contact.parameters.has(cohesion_range);
+    if (by_range) return tabor_parameter(numbers_of(contact), separation_of(contact));
+    return transition_parameter_of(contact) / transition_per_tabor();
 }
 
 Regime regime_of(const Impact& impact, double maximum_overlap) {

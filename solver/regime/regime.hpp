@@ -25,15 +25,17 @@ struct Names<AdhesionRegime> {
 
 /// The numbers that say whether a contact law applies, and what they say of the law chosen.
 struct Regime {
-    double tabor_parameter = 0.0;  ///< mu = (R* w^2/(E*^2 z0^3))^(1/3), z0 = 0.4 nm [1]; Tabor 1977
+    double tabor_parameter = 0.0;         ///< mu = (R* w^2/(E*^2 z0^3))^(1/3) [1]; Tabor 1977
+    double equilibrium_separation = 0.0;  ///< z0 of that, as the cohesion stated says, or else the usual [m]
     AdhesionRegime adhesion = AdhesionRegime::none;
-    double transition_parameter = 0.0;     ///< lambda of Maugis, see transition_parameter_of() [1]
-    double damping_number = 0.0;           ///< beta, the scaled coefficient of the damping law [1]
-    double adhesion_number = 0.0;          ///< of the law, in the impact's own scale [1]
-    double contact_radius = 0.0;           ///< at greatest overlap, by the law [m]
-    double relative_contact_radius = 0.0;  ///< contact_radius/R* [1]
-    double relative_overlap = 0.0;         ///< greatest overlap over R* [1]
-    double greatest_pressure = 0.0;        ///< in the centre at greatest overlap; p_y if it yields [Pa]
+    double transition_parameter = 0.0;       ///< lambda of Maugis, see transition_parameter_of() [1]
+    double damping_number = 0.0;             ///< beta, the scaled coefficient of the damping law [1]
+    double adhesion_number = 0.0;            ///< of the law, in the impact's own scale [1]
+    double contact_radius = 0.0;             ///< at greatest overlap, by the law [m]
+    double relative_contact_radius = 0.0;    ///< contact_radius/R* [1]
+    double relative_overlap = 0.0;           ///< greatest overlap over R* [1]
+    double greatest_pressure = 0.0;          ///< in the centre at greatest overlap; p_y if it yields [Pa]
+    std::optional<double> yield_pressure{};  ///< p_y, none if the contact never yields [Pa]
     /// V_y of the closed form, without adhesion and damping; none without a yield pressure [m/s]
     std::optional<double> yield_velocity{};
     /// V_y of the law chosen, with its adhesion, without damping; 0 if adhesion alone makes it yield [m/s]
@@ -43,7 +45,7 @@ struct Regime {
 };
 
 /// Equilibrium separation z0 of two surfaces, as usual in the Tabor parameter [m].
-inline constexpr double equilibrium_separation = 0.4e-9;
+inline constexpr double usual_separation = 0.4e-9;
 
 /// Tabor parameters between these belong to neither limit (Johnson & Greenwood 1997): DMT below, JKR above.
 inline constexpr double dmt_limit = 0.1;
@@ -53,8 +55,11 @@ inline constexpr double jkr_limit = 5.0;
 inline constexpr double widest_contact = 0.3;
 
 /// Maugis' transition parameter of a pair [1]: from the cohesion that it states for law maugis-dugdale, else
-/// of surfaces with the usual equilibrium_separation; 0 without adhesion.
+/// of surfaces with the usual_separation; 0 without adhesion.
 [[nodiscard]] double transition_parameter_of(const ContactPair& contact);
+
+/// Tabor parameter of a pair [1], of the same cohesion as transition_parameter_of(): lambda/1.157.
+[[nodiscard]] double tabor_parameter_of(const ContactPair& contact);
 
 /// Judges an impact, solved or to be solved. @p maximum_overlap as in ImpactResult [m]
 ///

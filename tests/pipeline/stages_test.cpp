@@ -205,7 +205,7 @@ TEST_CASE("7-critical-velocity: captured just below, rebounding just above, for 
             CHECK(solve_impact(impact).outcome == Outcome::rebound);
             ++laws;
         }
-        CHECK(laws == 4);
+        CHECK(laws == 5);
     }
 }
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Optional, Union
+from typing import TYPE_CHECKING, Any, Optional, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -118,14 +118,19 @@ class _Columns:
     def shaped(self, numbers: Numbers) -> Numbers:
         return numbers.reshape(self.shape)
 
+    def _mass(self, whose: str) -> Numbers:
+        if f"{whose}mass" in self._arrays:
+            return self[f"{whose}mass"]
+        diameter = 2.0 * self[f"{whose}radius"]
+        # Multiplied in the order of the library, so that results agree bit by bit.
+        mass: Numbers = self[f"{whose}density"] * np.pi / 6.0 * diameter * diameter * diameter
+        return mass
+
     def contact(self) -> tuple[Numbers, Numbers, Numbers, Numbers, Numbers, dict[str, Numbers]]:
-        radius = self["radius"]
-        if "mass" in self._arrays:
-            mass = self["mass"]
-        else:
-            diameter = 2.0 * radius
-            # Multiplied in the order of the library, so that results agree bit by bit.
-            mass = self["density"] * np.pi / 6.0 * diameter * diameter * diameter
+        radius, mass = self["radius"], self._mass("")
+        if "partner_radius" in self._arrays:
+            mass = _joint("mass", mass, self._mass("partner_"))
+            radius = _joint("radius", radius, self["partner_radius"])
         return (
             mass,
             radius,
@@ -136,26 +141,32 @@ class _Columns:
         )
 
 
-def _columns(
-    *,
-    density: Optional[NumbersLike],
-    mass: Optional[NumbersLike],
-    yield_pressure: Optional[NumbersLike],
-    own: dict[str, Optional[NumbersLike]],
-    **others: NumbersLike,
-) -> _Columns:
-    """The columns of a call; own: parameters of laws, None where not given."""
-    if (density is None) == (mass is None):
-        given = "both are" if mass is not None else "neither is"
-        raise _core.InputError(f"density, mass: {given} given; allowed: one of the two")
-    if density is not None:
-        others["density"] = density
-    if mass is not None:
-        others["mass"] = mass
-    for name, value in own.items():
-        if value is not None:
-            others[name] = value
-    return _Columns(yield_pressure=np.inf if yield_pressure is None else yield_pressure, **others)
+def _joint(name: str, one: Numbers, other: Numbers) -> Numbers:
+    """R* or m* of two spheres, 1/(1/one + 1/other)."""
+    for whose, values in (("", one), ("partner_", other)):
+        if not np.all(values > 0.0):
+            raise _core.InputError(f"{whose}{name} is not positive; allowed: > 0")
+    return np.asarray(1.0 / (1.0 / one + 1.0 / other))
+
+
+def _columns(arguments: dict[str, Any], *numbers: str) -> _Columns:
+    """The columns of a call's arguments: those of the contact and these numbers. None was not given."""
+    given = {name: value for name, value in arguments.items() if value is not None}
+    _require_one(given, "density", "mass")
+    if "partner_radius" in given:
+        _require_one(given, "partner_density", "partner_mass")
+    elif "partner_density" in given or "partner_mass" in given:
+        raise _core.InputError("partner_radius is not given; allowed: a radius [m] for the second sphere")
+    columns = {name: arguments[name] for name in ("radius", "contact_modulus", "work_of_adhesion", *numbers)}
+    spheres = ("density", "mass", "partner_radius", "partner_density", "partner_mass")
+    columns |= {name: given[name] for name in (*spheres, *_core.law_parameters()) if name in given}
+    return _Columns(yield_pressure=given.get("yield_pressure", np.inf), **columns)
+
+
+def _require_one(given: dict[str, Any], first: str, second: str) -> None:
+    if (first in given) == (second in given):
+        fault = "both are" if first in given else "neither is"
+        raise _core.InputError(f"{first}, {second}: {fault} given; allowed: one of the two")
 
 
 def impacts(
@@ -173,17 +184,20 @@ def impacts(
     tabor: Optional[NumbersLike] = None,
     cohesive_stress: Optional[NumbersLike] = None,
     cohesion_range: Optional[NumbersLike] = None,
+    partner_radius: Optional[NumbersLike] = None,
+    partner_density: Optional[NumbersLike] = None,
+    partner_mass: Optional[NumbersLike] = None,
     detachment: Optional[str] = None,
     damping_law: str = "constant",
     method: str = "integration",
     threads: int = 0,
 ) -> Impacts:
-    """Normal impacts of spheres on a flat wall; every number may be an array.
+    """Normal impacts of spheres on a flat wall, or on a second sphere; every number may be an array.
 
     Args:
         law: contact law: hertz, dmt, brach-dunn, jkr, ...; laws() lists them.
         radius: of the sphere [m].
-        contact_modulus: E* of sphere and wall, not a Young's modulus [Pa].
+        contact_modulus: E* of both bodies, not a Young's modulus [Pa].
         velocity: of approach, normal to the wall, > 0 [m/s].
         density: of the sphere [kg/m3]; or
         mass: of the sphere [kg].
@@ -194,6 +208,9 @@ def impacts(
         tabor: Tabor parameter mu, for the law maugis-dugdale [1]; or
         cohesive_stress: sigma_0, for that law [Pa]; or
         cohesion_range: z0, for that law [m].
+        partner_radius: of a second sphere in place of the wall; velocities are relative ones then [m].
+        partner_density: of the second sphere [kg/m3]; or
+        partner_mass: of the second sphere [kg].
         detachment: where the contact ends; without it as the law does by default.
         damping_law: constant, contact-radius, tsuji.
         method: integration, or table, some ten times as fast from 100,000 impacts on; a table has neither
@@ -204,22 +221,7 @@ def impacts(
         InputError: naming the first impact it concerns.
         ConvergenceError: where an impact could not be solved.
     """
-    columns = _columns(
-        density=density,
-        mass=mass,
-        yield_pressure=yield_pressure,
-        own=dict(
-            cohesion_energy_density=cohesion_energy_density,
-            tabor=tabor,
-            cohesive_stress=cohesive_stress,
-            cohesion_range=cohesion_range,
-        ),
-        radius=radius,
-        contact_modulus=contact_modulus,
-        velocity=velocity,
-        work_of_adhesion=work_of_adhesion,
-        damping=damping,
-    )
+    columns = _columns(locals(), "velocity", "damping")
     restitution, contact_time, approach_time, maximum_overlap = _core.impacts(
         _core.Choice(law, detachment, damping_law),
         columns.contact(),
@@ -253,6 +255,9 @@ def critical_velocities(
     tabor: Optional[NumbersLike] = None,
     cohesive_stress: Optional[NumbersLike] = None,
     cohesion_range: Optional[NumbersLike] = None,
+    partner_radius: Optional[NumbersLike] = None,
+    partner_density: Optional[NumbersLike] = None,
+    partner_mass: Optional[NumbersLike] = None,
     detachment: Optional[str] = None,
     damping_law: str = "constant",
     threads: int = 0,
@@ -263,21 +268,7 @@ def critical_velocities(
         InputError: naming the first sphere it concerns.
         ConvergenceError: if a velocity could not be found.
     """
-    columns = _columns(
-        density=density,
-        mass=mass,
-        yield_pressure=yield_pressure,
-        own=dict(
-            cohesion_energy_density=cohesion_energy_density,
-            tabor=tabor,
-            cohesive_stress=cohesive_stress,
-            cohesion_range=cohesion_range,
-        ),
-        radius=radius,
-        contact_modulus=contact_modulus,
-        work_of_adhesion=work_of_adhesion,
-        damping=damping,
-    )
+    columns = _columns(locals(), "damping")
     velocity = _core.critical_velocities(
         _core.Choice(law, detachment, damping_law),
         columns.contact(),
@@ -303,6 +294,9 @@ def dampings(
     tabor: Optional[NumbersLike] = None,
     cohesive_stress: Optional[NumbersLike] = None,
     cohesion_range: Optional[NumbersLike] = None,
+    partner_radius: Optional[NumbersLike] = None,
+    partner_density: Optional[NumbersLike] = None,
+    partner_mass: Optional[NumbersLike] = None,
     detachment: Optional[str] = None,
     damping_law: str = "constant",
     threads: int = 0,
@@ -316,22 +310,7 @@ def dampings(
         InputError: naming the first impact it concerns.
         ConvergenceError: if a damping could not be found.
     """
-    columns = _columns(
-        density=density,
-        mass=mass,
-        yield_pressure=yield_pressure,
-        own=dict(
-            cohesion_energy_density=cohesion_energy_density,
-            tabor=tabor,
-            cohesive_stress=cohesive_stress,
-            cohesion_range=cohesion_range,
-        ),
-        radius=radius,
-        contact_modulus=contact_modulus,
-        velocity=velocity,
-        restitution=restitution,
-        work_of_adhesion=work_of_adhesion,
-    )
+    columns = _columns(locals(), "velocity", "restitution")
     damping, greatest = _core.dampings(
         _core.Choice(law, detachment, damping_law),
         columns.contact(),

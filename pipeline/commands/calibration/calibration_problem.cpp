@@ -95,6 +95,10 @@ CalibrationProblem calibration_problem(const Case& data, const Artifacts& before
     if (data.partner)
         throw InputError("a calibration is of particles on a flat wall, not of two spheres", "\"wall\"")
             .at("/partner");
+    if (data.roughness && data.roughness->value() > 0)
+        throw InputError("a calibration finds the work of adhesion that acts, which roughness has reduced",
+                         "a case without \"roughness\"")
+            .at("/roughness");
     require_wall_to_matter(data);
     for (std::size_t i = 0; i < data.samples.size(); ++i) {
         const Sample& sample = data.samples[i];

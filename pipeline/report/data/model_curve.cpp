@@ -7,12 +7,14 @@
 #include "materials/base/error.hpp"
 #include "pipeline/report/data/velocity_search.hpp"
 #include "solver/batch/impact_batch.hpp"
+#include "solver/motion/maugis/cohesive_impact.hpp"
 
 namespace ashimpact::report {
 
 namespace {
 
 constexpr int curve_points = 28;
+constexpr int costly_curve_points = 18;  // of law maugis-dugdale, whose impacts no vector kernel solves
 constexpr double normal_quantile_95 = 1.959963984540054;  // two-sided
 
 using Values = Eigen::ArrayXd;
@@ -22,6 +24,11 @@ double uncertainty_at(const CurveProblem& problem, double e) {
     const Eigen::VectorXd powers = DampingPolynomial::powers(e, problem.damping_fit.order());
     const double variance = powers.dot(problem.covariance * powers);
     return variance > 0 ? std::sqrt(variance) : 0;
+}
+
+/// Velocities, with the greatest in the place of those not found.
+Values solvable(const Values& velocity) {
+    return velocity.isFinite().select(velocity, velocity.maxCoeff<Eigen::PropagateNumbers>());
 }
 
 /// The contact as columns of one value; they refer to it.
@@ -141,6 +148,30 @@ double exponent_of_damping(const CurveProblem& problem) {
     return problem.choice.law == Law::of<Hertz>() ? 5 : 1;
 }
 
+/// A curve v(e) with the ends of its 95 % band; NaN where nothing was found.
+struct Band {
+    Values velocity, lower, upper;
+};
+
+Band band_at(const CurveProblem& problem, const Values& e) {
+    const Eigen::Index count = e.size();
+    const Values nothing = Values::Constant(count, std::numeric_limits<double>::quiet_NaN());
+    const Values eta = e.unaryExpr([&](double each) { return problem.damping_fit(each); });
+    const Values half = e.binaryExpr(eta, [&](double each, double damping) {
+        return std::min(normal_quantile_95 * uncertainty_at(problem, each), 0.9 * damping);
+    });
+    Band band{velocities_of(problem, e, eta, guessed_velocities(problem, e)), nothing, nothing};
+    if (!band.velocity.isFinite().any() || !(half > 0).any()) return band;
+    Values damping(2 * count);
+    damping << eta - half, eta + half;
+    const Values guess = solvable(band.velocity).replicate(2, 1) *
+                         (damping / eta.replicate(2, 1)).pow(exponent_of_damping(problem));
+    const Values ends = velocities_of(problem, e.replicate(2, 1), damping, guess);
+    band.lower = ends.head(count);
+    band.upper = ends.tail(count);
+    return band;
+}
+
 }  // namespace
 
 ModelCurve model_curve(const CurveProblem& problem) {
@@ -148,34 +179,20 @@ ModelCurve model_curve(const CurveProblem& problem) {
     if (problem.damping_law != DampingLaw::constant || !(problem.greatest_restitution > 0) ||
         problem.knots.empty())
         return curve;
-    Values e(curve_points);
-    Values eta(curve_points);
-    Values half(curve_points);
-    for (int i = 0; i < curve_points; ++i) {
-        e[i] = problem.greatest_restitution * std::pow((i + 1.0) / curve_points, 1.6);
-        eta[i] = problem.damping_fit(e[i]);
-        half[i] = std::min(normal_quantile_95 * uncertainty_at(problem, e[i]), 0.9 * eta[i]);
-    }
+    const int points = is_cohesive(problem.choice.law, problem.contact) ? costly_curve_points : curve_points;
+    Values e(points);
+    for (int i = 0; i < points; ++i) e[i] = problem.greatest_restitution * std::pow((i + 1.0) / points, 1.6);
+    const Values eta = e.unaryExpr([&](double each) { return problem.damping_fit(each); });
     if (!(eta > 0).all()) return curve;
     try {
-        const Values velocity = velocities_of(problem, e, eta, guessed_velocities(problem, e));
-        if (!velocity.isFinite().any()) return curve;
-        const Values solvable =
-            velocity.isFinite().select(velocity, velocity.maxCoeff<Eigen::PropagateNumbers>());
-        const Values contact_time = impacts(problem, eta, solvable).contact_time;
-        Values ends = Values::Constant(2 * curve_points, std::numeric_limits<double>::quiet_NaN());
-        if ((half > 0).any()) {
-            Values damping(2 * curve_points);
-            damping << eta - half, eta + half;
-            const Values guess =
-                solvable.replicate(2, 1) * (damping / eta.replicate(2, 1)).pow(exponent_of_damping(problem));
-            ends = velocities_of(problem, e.replicate(2, 1), damping, guess);
-        }
-        for (int i = 0; i < curve_points; ++i)
-            if (std::isfinite(velocity[i]))
-                curve.push_back({.velocity = velocity[i],
-                                 .lower = ends[i],
-                                 .upper = ends[curve_points + i],
+        const Band band = band_at(problem, e);
+        if (!band.velocity.isFinite().any()) return curve;
+        const Values contact_time = impacts(problem, eta, solvable(band.velocity)).contact_time;
+        for (int i = 0; i < points; ++i)
+            if (std::isfinite(band.velocity[i]))
+                curve.push_back({.velocity = band.velocity[i],
+                                 .lower = band.lower[i],
+                                 .upper = band.upper[i],
                                  .restitution = e[i],
                                  .damping = eta[i],
                                  .contact_time = contact_time[i]});

@@ -11,6 +11,7 @@ const std::vector<FigureMaker>& figure_makers() {
         {"sensitivity", sensitivity_figure},
         {"composition", composition_figure},
         {"static-force", static_force_figure},
+        {"regime-map", regime_map_figure},
         {"restitution", restitution_figure},
         {"damping", damping_figure},
         {"damping-fit", damping_fit_figure},

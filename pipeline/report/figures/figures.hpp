@@ -11,6 +11,7 @@ namespace ashimpact::report {
 
 [[nodiscard]] Figure composition_figure(const RunData& run);
 [[nodiscard]] Figure static_force_figure(const RunData& run);
+[[nodiscard]] Figure regime_map_figure(const RunData& run);
 [[nodiscard]] Figure restitution_figure(const RunData& run);
 [[nodiscard]] Figure damping_figure(const RunData& run);
 [[nodiscard]] Figure damping_fit_figure(const RunData& run);

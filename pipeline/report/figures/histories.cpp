@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "materials/base/error.hpp"
 #include "pipeline/report/figures/axis_units.hpp"
 #include "pipeline/report/figures/figures.hpp"
 #include "pipeline/report/figures/law_series.hpp"
 #include "pipeline/stages/in_parallel.hpp"
+#include "pipeline/text/readable.hpp"
 #include "solver/motion/trajectory.hpp"
 
 namespace ashimpact::report {
@@ -15,7 +17,8 @@ namespace ashimpact::report {
 namespace {
 
 constexpr int instants = 41;
-constexpr int fine_instants = 641;  // of an impact at v_c, which may creep far longer than it is drawn
+constexpr std::size_t listed_every = 2;  // of the instants drawn; 8-histories.json has them all
+constexpr int fine_instants = 641;       // of an impact at v_c, which may creep far longer than it is drawn
 
 struct History {
     std::string part;
@@ -146,6 +149,30 @@ XyPanel panel_of(const std::string& title, const std::vector<History>& histories
     return panel;
 }
 
+/// "Greatest pressure under the contact at the critical velocity: 88 um 2.11 GPa (JKR)"; of each sample by
+/// the law whose contact is pressed hardest, beside the yield pressure.
+std::string pressure_sentence(const RunData& run) {
+    std::string text;
+    for (const SampleData& sample : run.samples()) {
+        double greatest = 0;
+        const LawData* by = nullptr;
+        for (const LawData& law : sample.laws) {
+            if (!law.histories.is_array() || law.histories.empty()) continue;
+            const double pressure = number_in(law.histories.front(), "greatest_pressure").value_or(0);
+            if (pressure <= greatest) continue;
+            greatest = pressure;
+            by = &law;
+        }
+        if (by == nullptr) continue;
+        const double yield = sample.contact->pair.yield_pressure;
+        text += fmt::format("{} {} {} ({}, yield pressure {})", text.empty() ? "" : ";", sample.name,
+                            readable(greatest, "Pa"), by->name,
+                            std::isfinite(yield) ? readable(yield, "Pa") : "not given");
+    }
+    return text.empty() ? text
+                        : " Greatest pressure in the centre of the contact just above v_c:" + text + ".";
+}
+
 }  // namespace
 
 Figure histories_figure(const RunData& run) {
@@ -206,12 +233,13 @@ Figure histories_figure(const RunData& run) {
         }
         for (std::size_t i = 0; i < laws.size(); ++i)
             for (const History& history : laws[i])
-                for (std::size_t k = 0; k < history.time.size(); ++k)
+                for (std::size_t k = 0; k < history.time.size(); k += listed_every)
                     figure.numbers.rows.push_back({sample.name, sample.laws[i].name, short_name(history.part),
                                                    history.velocity, history.time[k], history.overlap[k],
                                                    history.force[k]});
     }
-    figure.columns = static_cast<int>(std::clamp<std::size_t>(run.data().laws.size(), 2, 4));
+    figure.columns = static_cast<int>(std::clamp<std::size_t>(run.data().laws.size(), 2, 5));
+    figure.caption += pressure_sentence(run);
     if (!falling) figure.caption += " These data have no falling branch.";
     return figure;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -31,11 +32,21 @@ std::string policy_hash(const std::string& text) {
     return "'sha256-" + base64(bytes) + "'";
 }
 
-std::string cell_html(const Cell& cell, bool head) {
+/// @param in_text whether the whole column is text, which the table's class says once
+std::string cell_html(const Cell& cell, bool head, bool in_text) {
     if (const auto* number = std::get_if<double>(&cell))
         return "<td>" + (std::isfinite(*number) ? fmt::format("{:.5g}", *number) : std::string());
     const std::string text = html_name(std::get<std::string>(cell));
-    return (head ? "<th scope=row>" : "<td class=text>") + text;
+    return (head ? "<th scope=row>" : in_text ? "<td>" : "<td class=text>") + text;
+}
+
+/// How many columns from the left hold nothing but text, at most those that page.css knows.
+std::size_t text_columns(const NumberTable& table) {
+    std::size_t count = std::min<std::size_t>(3, table.columns.size());
+    for (const auto& row : table.rows)
+        for (std::size_t i = 0; i < count; ++i)
+            if (!std::holds_alternative<std::string>(row[i])) count = i;
+    return count;
 }
 
 }  // namespace
@@ -60,9 +71,10 @@ std::string html_name(std::string_view name) {
 }
 
 std::string html_table(const NumberTable& table, const std::string& label) {
+    const std::size_t texts = text_columns(table);
     std::string html = fmt::format(
-        "<div class=\"scroll tall\" role=\"region\" tabindex=\"0\" aria-label=\"{}\"><table><thead><tr>",
-        escaped(label));
+        "<div class=\"scroll tall\" role=\"region\" tabindex=\"0\" aria-label=\"{}\"><table{}><thead><tr>",
+        escaped(label), texts > 1 ? fmt::format(" class=\"text{}\"", texts) : "");
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         const bool text = !table.rows.empty() && std::holds_alternative<std::string>(table.rows.front()[i]);
         html += fmt::format("<th scope=\"col\"{}>{}</th>", text ? " class=\"text\"" : "",
@@ -71,7 +83,8 @@ std::string html_table(const NumberTable& table, const std::string& label) {
     html += "</tr></thead><tbody>";
     for (std::size_t r = 0; r < table.rows.size(); r += static_cast<std::size_t>(table.shown_every)) {
         html += "<tr>";  // the ends of rows and cells are left out, as HTML allows
-        for (std::size_t i = 0; i < table.rows[r].size(); ++i) html += cell_html(table.rows[r][i], i == 0);
+        for (std::size_t i = 0; i < table.rows[r].size(); ++i)
+            html += cell_html(table.rows[r][i], i == 0, i < texts);
     }
     return html + "</tbody></table></div>";
 }

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "materials/base/text.hpp"
-#include "materials/separation_energy.hpp"
 #include "pipeline/text/readable.hpp"
 #include "solver/regime/regime.hpp"
 
@@ -29,13 +28,6 @@ bool is_contradicted(const LawCriticalVelocity& velocity) {
     return verdict == "model-too-low" || verdict == "model-too-high";
 }
 
-double tabor_of(const ContactPair& contact) {
-    return tabor_parameter({.work_of_adhesion = contact.work_of_adhesion,
-                            .effective_radius = contact.effective_radius,
-                            .contact_modulus = contact.contact_modulus},
-                           equilibrium_separation);
-}
-
 /// Whether a Tabor parameter is nearer to the limit of JKR than to that of DMT, in its logarithm.
 bool nearer_to_jkr(double tabor) {
     return tabor * tabor > dmt_limit * jkr_limit;
@@ -54,7 +46,7 @@ Candidate candidate_of(Law law, const LawCriticalVelocity& velocity, const Conta
     const auto ranked = [&](double rank, std::string reason) {
         return Candidate{law, &velocity, rank, std::move(reason), contradicted};
     };
-    const double tabor = tabor_of(contact);
+    const double tabor = tabor_parameter_of(contact);
     const bool soft = nearer_to_jkr(tabor);
     if (law == Law::of<ThorntonNing>() && velocity.plastic > 0) return ranked(0, "the contact yields");
     if (law == Law::of<MaugisDugdale>())

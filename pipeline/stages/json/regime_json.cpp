@@ -6,10 +6,11 @@ namespace ashimpact {
 
 Json regime_json(const Regime& regime) {
     return {{"tabor_parameter", regime.tabor_parameter},
-            {"equilibrium_separation", quantity_json(equilibrium_separation, Dimension::length)},
+            {"equilibrium_separation", quantity_json(regime.equilibrium_separation, Dimension::length)},
             {"adhesion", name_of(regime.adhesion)},
             {"transition_parameter", regime.transition_parameter},
             {"greatest_pressure", quantity_json(regime.greatest_pressure, Dimension::pressure)},
+            {"yield_pressure", quantity_json(regime.yield_pressure, Dimension::pressure)},
             {"damping_number", regime.damping_number},
             {"adhesion_number", regime.adhesion_number},
             {"yield_velocity", quantity_json(regime.yield_velocity, Dimension::velocity)},

@@ -30,7 +30,8 @@ Quantity diameter_of(Quantity radius) {
     return radius;
 }
 
-SphereInContact sphere_of(const SampleContact& contact) {
+/// @param law whose parameters are inputs; those of other laws are only carried along
+SphereInContact sphere_of(const SampleContact& contact, Law law) {
     const Quantity diameter = diameter_of(contact.radius);
     SphereInContact sphere{.diameter = positive("diameter", diameter),
                            .density = positive("density", contact.density),
@@ -39,18 +40,23 @@ SphereInContact sphere_of(const SampleContact& contact) {
     if (contact.partner)
         sphere.partner = {positive("diameter of the partner", diameter_of(contact.partner->radius)),
                           positive("mass of the partner", contact.partner->mass)};
-    for (const auto& [parameter, value] : contact.parameters)
-        sphere.parameters.emplace_back(parameter, positive(std::string(parameter.name), value));
+    for (const auto& [parameter, value] : contact.parameters) {
+        const auto same = [&, &name = parameter.name](const LawParameter& own) { return own.name == name; };
+        if (std::ranges::any_of(law.parameters(), same))
+            sphere.parameters.emplace_back(parameter, positive(std::string(parameter.name), value));
+        else
+            sphere.other_parameters.set(parameter.name, value.value);
+    }
     return sphere;
 }
 
 /// The same contact from its phases and wall, where the case describes it that way.
-std::optional<RandomContact> from_phases(const Case& data, const Sample& sample,
-                                         const SampleContact& contact) {
+std::optional<RandomContact> from_phases(const Case& data, const Sample& sample, const SampleContact& contact,
+                                         Law law) {
     const auto* wall = data.wall ? std::get_if<ElasticWall>(&*data.wall) : nullptr;
     if (wall == nullptr || sample.contact_modulus || !contact.poisson_ratio) return std::nullopt;
     const PhaseCatalogue catalogue({PhaseSet{.name = "case", .phases = data.phases}});
-    SphereInContact sphere = sphere_of(contact);
+    SphereInContact sphere = sphere_of(contact, law);
     sphere.poisson_ratio = ratio("Poisson's ratio", *contact.poisson_ratio);
     sphere.wall_young_modulus = positive("Young's modulus of the wall", wall->young_modulus.quantity);
     sphere.wall_poisson_ratio = ratio("Poisson's ratio of the wall", wall->poisson_ratio.quantity);
@@ -68,9 +74,10 @@ std::optional<RandomContact> from_phases(const Case& data, const Sample& sample,
 
 }  // namespace
 
-RandomContact uncertain_contact(const Case& data, const Sample& sample, const SampleContact& contact) {
-    if (auto random = from_phases(data, sample, contact)) return *std::move(random);
-    SphereInContact sphere = sphere_of(contact);
+RandomContact uncertain_contact(const Case& data, const Sample& sample, const SampleContact& contact,
+                                Law law) {
+    if (auto random = from_phases(data, sample, contact, law)) return *std::move(random);
+    SphereInContact sphere = sphere_of(contact, law);
     sphere.contact_modulus = positive("contact modulus", contact.contact_modulus);
     return random_contact(sphere);
 }

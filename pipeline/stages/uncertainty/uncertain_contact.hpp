@@ -8,8 +8,9 @@ namespace ashimpact {
 
 /// The contact of a sample with what is known of its uncertainty: size, density and w as in 2-contact.json;
 /// the contact modulus from the XRD fractions, phase moduli and the wall of the case where one of those is
-/// uncertain and they give that modulus, else as it stands in 2-contact.json.
+/// uncertain and they give that modulus, else as it stands in 2-contact.json. Of the parameters of contact
+/// laws it has those of @p law.
 [[nodiscard]] RandomContact uncertain_contact(const Case& data, const Sample& sample,
-                                              const SampleContact& contact);
+                                              const SampleContact& contact, Law law);
 
 }  // namespace ashimpact

@@ -8,6 +8,7 @@
 #include "pipeline/stages/json/uncertainty_json.hpp"
 #include "pipeline/stages/uncertainty/contact_models.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/motion/scaled_impact.hpp"
 #include "solver/uncertainty/curve/headline.hpp"
 #include "solver/uncertainty/propagation/critical_velocity_uncertainty.hpp"
 
@@ -82,13 +83,18 @@ Json from_damping(const VelocityTask& task) {
     return json;
 }
 
+/// Whether v_c can be had for thousands of draws: read from tables and maps, which a plastic history has not.
+bool can_propagate(const VelocityTask& task) {
+    return task.data.damping_law == DampingLaw::constant && !can_yield(task.choice.law, task.contact.pair);
+}
+
 }  // namespace
 
 Json velocity_uncertainty_json(const VelocityTask& task, double velocity, std::vector<std::string>& notes) {
     Json json = Json::object();
     const char* method = "critical damping of 6-fit.json";
     const bool measured = task.series != nullptr && (task.fit.extrapolated || task.fit.estimate);
-    if (!has_contact_model(task.choice, task.data.damping_law, task.contact.pair)) {
+    if (!can_propagate(task)) {
         constexpr const char* reason =
             "no interval: that takes constant damping and a contact that does not yield";
         notes.emplace_back(reason);

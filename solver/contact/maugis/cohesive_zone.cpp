@@ -17,8 +17,9 @@ constexpr Extended right_angle = extended_pi / 2;
 constexpr Extended small_angle = 0.5L;
 
 /// sin x - x cos x = sum over k >= 1 of (-1)^(k+1) 2k x^(2k+1)/(2k+1)!
-Extended sine_excess(Extended x) {
-    if (x > 2 * small_angle) return std::sin(x) - x * std::cos(x);
+/// @param sine, cosine of x
+Extended sine_excess(Extended x, Extended sine, Extended cosine) {
+    if (x > 2 * small_angle) return sine - x * cosine;
     Extended sum = 0;
     Extended term = x;  // (-1)^(k+1) x^(2k+1)/(2k+1)!
     for (int k = 1; k < 20; ++k) {
@@ -29,8 +30,9 @@ Extended sine_excess(Extended x) {
 }
 
 /// x sin x + cos x - 1 = sum over k >= 1 of (-1)^(k+1) (2k-1) x^(2k)/(2k)!
-Extended versine_excess(Extended x) {
-    if (x > small_angle) return x * std::sin(x) + std::cos(x) - 1;
+/// @param sine, cosine of x
+Extended versine_excess(Extended x, Extended sine, Extended cosine) {
+    if (x > small_angle) return x * sine + cosine - 1;
     Extended sum = 0;
     Extended term = 1;  // (-1)^(k+1) x^(2k)/(2k)!
     for (int k = 1; k < 20; ++k) {
@@ -69,11 +71,20 @@ Extended CohesiveZone::reach() const {
 }
 
 Extended CohesiveZone::quadratic(Extended theta) const {
-    return lambda_ / 4 * sine_excess(2 * theta);
+    return quadratic({theta, std::sin(theta), std::cos(theta)});
 }
 
 Extended CohesiveZone::linear(Extended theta) const {
-    return 4 * lambda_ * lambda_ / 3 * versine_excess(theta);
+    return linear({theta, std::sin(theta), std::cos(theta)});
+}
+
+Extended CohesiveZone::quadratic(const Angle& at) const {
+    const Extended cosine_of_double = (at.cosine - at.sine) * (at.cosine + at.sine);
+    return lambda_ / 4 * sine_excess(2 * at.angle, 2 * at.sine * at.cosine, cosine_of_double);
+}
+
+Extended CohesiveZone::linear(const Angle& at) const {
+    return 4 * lambda_ * lambda_ / 3 * versine_excess(at.angle, at.sine, at.cosine);
 }
 
 CohesiveState CohesiveZone::at_angle(Extended theta) const {
@@ -90,6 +101,7 @@ CohesiveState CohesiveZone::at_contact_radius(Extended a) const {
     if (a <= 0) return join_;
     // Newton for ln(P c^2 + Q c) = 0 with c = a/cos(theta) in ln(tan theta): nearly a straight line.
     Extended t = 1 / (std::cbrt(lambda_ * a * a / 1.5L) + std::sqrt(lambda_ * lambda_ * a / 1.5L));
+    const Extended enough = 0.1L * std::sqrt(std::numeric_limits<Extended>::epsilon());  // leaves its square
     Extended theta = 0;
     for (int i = 0; i < 60; ++i) {
         const Extended cosine_squared = 1 / (1 + t * t);
@@ -97,14 +109,14 @@ CohesiveState CohesiveZone::at_contact_radius(Extended a) const {
         const Extended sine = t * cosine;
         theta = std::atan(t);
         const Extended c = a / cosine;
-        const Extended p = quadratic(theta);
-        const Extended q = linear(theta);
+        const Extended p = quadratic({theta, sine, cosine});
+        const Extended q = linear({theta, sine, cosine});
         const Extended sum = (p * c + q) * c;
         const Extended rise = theta * cosine * (2 * lambda_ * sine * c + 4 * lambda_ * lambda_ / 3) * c +
                               (2 * p * c + q) * c * t;
         const Extended step = -std::log(sum) * sum / (rise * t * cosine_squared);
         t *= std::exp(std::fmax(-2.0L, std::fmin(2.0L, step)));
-        if (std::abs(step) < 4 * std::numeric_limits<Extended>::epsilon()) break;
+        if (std::abs(step) < enough) break;
     }
     return {.angle = std::atan(t), .cohesive_radius = a * std::sqrt(1 + t * t)};
 }

@@ -1,5 +1,6 @@
 #include "solver/motion/maugis/cohesive_branches.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -7,20 +8,22 @@ namespace ashimpact {
 
 namespace {
 
-using Terms = Series<Extended>;
-constexpr std::size_t term_count = std::tuple_size_v<Terms>;
-
 /// The static law of a touching state as power series of any parameter, from that of the contact radius:
-/// order by order, each new coefficient from those before it. Names as in CohesiveZone.
+/// order by order, each new coefficient from those before it. Names as in CohesiveZone. The first
+/// coefficients come from the zone and have its digits, the others those of Real.
+template <class Real>
 class SeriesOfZone {
   public:
-    SeriesOfZone(Extended lambda, const CohesiveZone& zone, const CohesiveState& state) : lambda_(lambda) {
-        angle_[0] = state.angle;
-        outer_[0] = state.cohesive_radius;
-        sine_[0] = std::sin(state.angle);
-        cosine_[0] = state.contact_radius() / state.cohesive_radius;
-        quadratic_[0] = zone.quadratic(state.angle);
-        linear_[0] = zone.linear(state.angle);
+    using Terms = Series<Real>;
+
+    SeriesOfZone(const CohesiveZone& zone, const CohesiveState& state)
+        : lambda_(static_cast<Real>(zone.lambda())) {
+        angle_[0] = static_cast<Real>(state.angle);
+        outer_[0] = static_cast<Real>(state.cohesive_radius);
+        sine_[0] = static_cast<Real>(std::sin(state.angle));
+        cosine_[0] = static_cast<Real>(state.contact_radius() / state.cohesive_radius);
+        quadratic_[0] = static_cast<Real>(zone.quadratic(state.angle));
+        linear_[0] = static_cast<Real>(zone.linear(state.angle));
     }
 
     /// Computes coefficient @p n of overlap_by_radius and force; @p radius is known up to n.
@@ -49,7 +52,7 @@ class SeriesOfZone {
     /// derivative @p rate by the parameter.
     void follow(const Terms& rate, std::size_t n) {
         const auto product = [n](const Terms& x, const Terms& y) { return product_coefficient(x, y, n); };
-        const Extended factor = Extended(1) / static_cast<Extended>(n + 1);
+        const Real factor = Real(1) / static_cast<Real>(n + 1);
         radius_fall_[n] = -rate[n];
         divide(angle_rate_, radius_fall_, turn_, n);  // d(theta)/da = -1/T
         angle_[n + 1] = factor * angle_rate_[n];
@@ -66,12 +69,12 @@ class SeriesOfZone {
 
   private:
     static void divide(Terms& quotient, const Terms& numerator, const Terms& denominator, std::size_t n) {
-        Extended rest = numerator[n];
+        Real rest = numerator[n];
         for (std::size_t k = 0; k < n; ++k) rest -= quotient[k] * denominator[n - k];
         quotient[n] = rest / denominator[0];
     }
 
-    Extended lambda_;
+    Real lambda_;
     Terms angle_{}, outer_{}, sine_{}, cosine_{}, quadratic_{}, linear_{};
     Terms radius_fall_{}, angle_rate_{}, swing_{}, sine_cosine_{}, angle_cosine_{}, outer_squared_{}, wall_{},
         pull_{};
@@ -80,28 +83,52 @@ class SeriesOfZone {
 };
 
 /// Radius of convergence, under a name that does not read as a contact radius.
-Extended convergence(const Terms& terms) {
-    return radius(terms);
+template <class Real>
+Extended convergence(const Series<Real>& terms) {
+    return static_cast<Extended>(radius(terms));
 }
 
 /// Coefficient n of p(q) for a series q, whose powers are kept in @p powers.
-Extended composed(const Polynomial<Extended>& p, std::array<Terms, Polynomial<Extended>::capacity>& powers,
-                  const Terms& q, std::size_t n) {
-    if (p.degree == 0) return n == 0 ? p[0] : 0;
+template <class Real>
+Real composed(const Polynomial<Extended>& p, std::array<Series<Real>, Polynomial<Extended>::capacity>& powers,
+              const Series<Real>& q, std::size_t n) {
+    const auto coefficient = [&](int power) { return static_cast<Real>(p[power]); };
+    if (p.degree == 0) return n == 0 ? coefficient(0) : 0;
     powers[1][n] = q[n];
-    Extended sum = (n == 0 ? p[0] : 0) + p[1] * q[n];
+    Real sum = (n == 0 ? coefficient(0) : 0) + coefficient(1) * q[n];
     for (int j = 2; j <= p.degree; ++j) {
         const auto i = static_cast<std::size_t>(j);
         powers[i][n] = product_coefficient(powers[i - 1], q, n);
-        sum += p[j] * powers[i][n];
+        sum += coefficient(j) * powers[i][n];
     }
     return sum;
 }
 
+/// The series about @p start, whose first terms keep their digits.
+template <class Real>
+MotionExpansion<Extended> from_start(const MotionState<Extended>& start, const MotionExpansion<Real>& x,
+                                     Extended step) {
+    MotionExpansion<Extended> result{};
+    std::copy(x.position.begin(), x.position.end(), result.position.begin());
+    std::copy(x.velocity.begin(), x.velocity.end(), result.velocity.begin());
+    std::copy(x.time.begin(), x.time.end(), result.time.begin());
+    std::copy(x.dissipation.begin(), x.dissipation.end(), result.dissipation.begin());
+    result.position[0] = start.position;
+    result.velocity[0] = start.velocity;
+    result.time[0] = start.time;
+    result.dissipation[0] = start.dissipation;
+    result.step = step;
+    return result;
+}
+
 }  // namespace
 
-TouchingBranch::TouchingBranch(const CohesiveZone& zone, const Polynomial<Extended>& damping)
-    : zone_(zone), rooted_(!damping.even()), damping_(rooted_ ? damping : damping.of_square()) {}
+TouchingBranch::TouchingBranch(const CohesiveZone& zone, const Polynomial<Extended>& damping,
+                               Precision precision)
+    : zone_(zone),
+      rooted_(!damping.even()),
+      damping_(rooted_ ? damping : damping.of_square()),
+      precision_(precision) {}
 
 Extended TouchingBranch::coordinate(const CohesiveState& state) const {
     const Extended a = state.contact_radius();
@@ -120,12 +147,16 @@ Extended TouchingBranch::slope(Extended q) const {
 }
 
 MotionExpansion<Extended> TouchingBranch::expand(const MotionState<Extended>& state) const {
-    MotionExpansion<Extended> x{};
-    x.position[0] = state.position;
-    x.velocity[0] = state.velocity;
-    x.time[0] = state.time;
-    x.dissipation[0] = state.dissipation;
-    SeriesOfZone zone(zone_.lambda(), zone_, this->state(state.position));
+    return precision_ == Precision::extended ? expanded<Extended>(state) : expanded<double>(state);
+}
+
+template <class Real>
+MotionExpansion<Extended> TouchingBranch::expanded(const MotionState<Extended>& start) const {
+    using Terms = Series<Real>;
+    MotionExpansion<Real> x{};
+    x.position[0] = static_cast<Real>(start.position);
+    x.velocity[0] = static_cast<Real>(start.velocity);
+    SeriesOfZone<Real> zone(zone_, state(start.position));
     std::array<Terms, Polynomial<Extended>::capacity> powers{};
     Terms radius{};
     Terms rate{};  // of the contact radius
@@ -134,7 +165,7 @@ MotionExpansion<Extended> TouchingBranch::expand(const MotionState<Extended>& st
     Terms drag_force{};
     Terms total{};
     Terms power{};
-    for (std::size_t n = 0; n + 1 < term_count; ++n) {
+    for (std::size_t n = 0; n + 1 < radius.size(); ++n) {
         const auto product = [n](const Terms& a, const Terms& b) { return product_coefficient(a, b, n); };
         radius[n] = rooted_ ? product(x.position, x.position) : x.position[n];
         rate[n] = rooted_ ? 2 * product(x.position, x.velocity) : x.velocity[n];
@@ -144,7 +175,7 @@ MotionExpansion<Extended> TouchingBranch::expand(const MotionState<Extended>& st
         drag_force[n] = product(eta, x.velocity);
         total[n] = zone.force[n] + drag_force[n];
         power[n] = product(slope, drag_force);
-        const Extended factor = Extended(1) / static_cast<Extended>(n + 1);
+        const Real factor = Real(1) / static_cast<Real>(n + 1);
         x.position[n + 1] = factor * x.velocity[n];
         x.velocity[n + 1] = -factor * product(slope, total);
         x.time[n + 1] = factor * slope[n];
@@ -152,13 +183,13 @@ MotionExpansion<Extended> TouchingBranch::expand(const MotionState<Extended>& st
         zone.follow(rate, n);
     }
     const Extended within = std::min(convergence(x.position), convergence(x.velocity));
-    x.step = within / (std::numbers::e_v<Extended> * std::numbers::e_v<Extended>);
-    return x;
+    return from_start(start, x, within / (std::numbers::e_v<Extended> * std::numbers::e_v<Extended>));
 }
 
 TouchingBranch::Statics TouchingBranch::statics(Extended q) const {
+    using Terms = Series<Extended>;
     Statics result{};
-    SeriesOfZone zone(zone_.lambda(), zone_, state(q));
+    SeriesOfZone<Extended> zone(zone_, state(q));
     std::array<Terms, Polynomial<Extended>::capacity> powers{};
     Terms place{};  // q itself
     place[0] = q;
@@ -168,7 +199,7 @@ TouchingBranch::Statics TouchingBranch::statics(Extended q) const {
     Terms twice{};
     twice[0] = 2 * q;
     twice[1] = 2;
-    for (std::size_t n = 0; n < term_count; ++n) {
+    for (std::size_t n = 0; n < place.size(); ++n) {
         radius[n] = rooted_ ? product_coefficient(place, place, n) : place[n];
         rate[n] = rooted_ ? twice[n] : Extended(n == 0 ? 1 : 0);
         zone.advance(radius, n);
@@ -176,7 +207,7 @@ TouchingBranch::Statics TouchingBranch::statics(Extended q) const {
         result.slope[n] =
             rooted_ ? product_coefficient(twice, zone.overlap_by_radius, n) : zone.overlap_by_radius[n];
         result.damping[n] = composed(damping_, powers, place, n);
-        if (n + 1 < term_count) zone.follow(rate, n);
+        if (n + 1 < place.size()) zone.follow(rate, n);
     }
     return result;
 }

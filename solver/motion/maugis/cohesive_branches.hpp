@@ -5,6 +5,12 @@
 
 namespace ashimpact {
 
+/// Numbers in which the Taylor series of a step are computed. States and events are Extended in any case.
+enum class Precision {
+    extended,  ///< Extended: exact to the rounding of double
+    standard,  ///< double: a third of the time, for searches and batches
+};
+
 /// The touching part of a Maugis-Dugdale impact (CohesiveZone) in the regularised form of Motion:
 ///
 ///     dq/dtheta = v,   dv/dtheta = -delta'(q) (eta(q) v + F(q)),   dt/dtheta = delta'(q),
@@ -13,7 +19,8 @@ namespace ashimpact {
 class TouchingBranch {
   public:
     /// @param damping eta as a polynomial of sqrt(a)
-    TouchingBranch(const CohesiveZone& zone, const Polynomial<Extended>& damping);
+    TouchingBranch(const CohesiveZone& zone, const Polynomial<Extended>& damping,
+                   Precision precision = Precision::extended);
 
     [[nodiscard]] Extended coordinate(const CohesiveState& state) const;
     [[nodiscard]] CohesiveState state(Extended q) const;
@@ -36,9 +43,13 @@ class TouchingBranch {
     [[nodiscard]] Statics statics(Extended q) const;
 
   private:
+    template <class Real>
+    [[nodiscard]] MotionExpansion<Extended> expanded(const MotionState<Extended>& start) const;
+
     CohesiveZone zone_;
     bool rooted_;  ///< q = sqrt(a)
     Polynomial<Extended> damping_;
+    Precision precision_;
 };
 
 /// The part of the impact in which the surfaces attract one another across a gap, without damping. q is the

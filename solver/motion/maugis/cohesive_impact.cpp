@@ -40,18 +40,18 @@ EnergyLedger ledger_of(const CohesiveOrbit& followed, const CohesiveMotion& moti
 
 }  // namespace
 
-ScaledCohesiveImpact scaled_cohesive_impact(const Impact& impact) {
+ScaledCohesiveImpact scaled_cohesive_impact(const Impact& impact, Precision precision) {
     const double unit = maugis_velocity(impact.contact);
     const Scale scale = Scale::of(impact.contact, unit);
     const ScaledDamping<Extended> damping{impact.damping.law, scale.damping_number(impact.damping)};
     return {scale,
             CohesiveMotion(zone_of(transition_parameter(impact.contact)), damping.polynomial(),
-                           impact.detachment),
+                           impact.detachment, precision),
             static_cast<Extended>(impact.velocity) / static_cast<Extended>(unit)};
 }
 
-ImpactResult solve_cohesive_impact(const Impact& impact) {
-    const auto [scale, motion, velocity] = scaled_cohesive_impact(impact);
+ImpactResult solve_cohesive_impact(const Impact& impact, Precision precision) {
+    const auto [scale, motion, velocity] = scaled_cohesive_impact(impact, precision);
     const CohesiveOrbit followed = follow_cohesive(motion, velocity);
     const Orbit<Extended>& orbit = followed.orbit;
     const bool rebound = orbit.outcome == Outcome::rebound;
@@ -70,8 +70,8 @@ ImpactResult solve_cohesive_impact(const Impact& impact) {
     return result;
 }
 
-Extended cohesive_restitution(const Impact& impact) {
-    const auto [scale, motion, velocity] = scaled_cohesive_impact(impact);
+Extended cohesive_restitution(const Impact& impact, Precision precision) {
+    const auto [scale, motion, velocity] = scaled_cohesive_impact(impact, precision);
     const Orbit<Extended> orbit = follow_cohesive(motion, velocity).orbit;
     return orbit.outcome == Outcome::rebound ? std::abs(orbit.end.velocity) / velocity : 0;
 }

@@ -18,11 +18,13 @@ struct ScaledCohesiveImpact {
 };
 
 /// The impact in units of Maugis. @throws InputError for a transition parameter out of range
-[[nodiscard]] ScaledCohesiveImpact scaled_cohesive_impact(const Impact& impact);
+[[nodiscard]] ScaledCohesiveImpact scaled_cohesive_impact(const Impact& impact,
+                                                          Precision precision = Precision::extended);
 
 /// solve_impact(), restitution_of() and refusal() of an impact that is_cohesive(), without other validation.
-[[nodiscard]] ImpactResult solve_cohesive_impact(const Impact& impact);
-[[nodiscard]] Extended cohesive_restitution(const Impact& impact);
+[[nodiscard]] ImpactResult solve_cohesive_impact(const Impact& impact,
+                                                 Precision precision = Precision::extended);
+[[nodiscard]] Extended cohesive_restitution(const Impact& impact, Precision precision = Precision::extended);
 [[nodiscard]] std::optional<std::string> cohesive_refusal(const ContactPair& contact, Detachment detachment);
 
 }  // namespace ashimpact

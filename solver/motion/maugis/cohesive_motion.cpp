@@ -26,9 +26,9 @@ CohesiveState end_of(const CohesiveZone& zone, Detachment detachment) {
 }  // namespace
 
 CohesiveMotion::CohesiveMotion(const CohesiveZone& zone, const Polynomial<Extended>& damping,
-                               Detachment detachment)
+                               Detachment detachment, Precision precision)
     : zone_(zone),
-      touching_(zone, damping),
+      touching_(zone, damping, precision),
       gap_(zone),
       begin_(zone.touch()),
       end_(end_of(zone, detachment)) {

@@ -19,7 +19,8 @@ namespace ashimpact {
 class CohesiveMotion {
   public:
     /// @param damping eta as a polynomial of sqrt(a)
-    CohesiveMotion(const CohesiveZone& zone, const Polynomial<Extended>& damping, Detachment detachment);
+    CohesiveMotion(const CohesiveZone& zone, const Polynomial<Extended>& damping, Detachment detachment,
+                   Precision precision = Precision::extended);
 
     [[nodiscard]] const CohesiveZone& zone() const { return zone_; }
     [[nodiscard]] const TouchingBranch& touching() const { return touching_; }

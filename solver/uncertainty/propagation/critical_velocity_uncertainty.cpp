@@ -4,7 +4,9 @@
 #include "materials/base/text.hpp"
 #include "solver/batch/critical_batch.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/critical_velocity/maugis/cohesive_velocity_map.hpp"
 #include "solver/gsl/distribution.hpp"
+#include "solver/motion/maugis/cohesive_impact.hpp"
 #include "solver/uncertainty/likelihood/restitution_curve.hpp"
 
 #include <algorithm>
@@ -112,9 +114,30 @@ void require_same(const ContactPair& a, const ContactPair& b) {
     };
     if (differ(a.mass, b.mass) || differ(a.effective_radius, b.effective_radius) ||
         differ(a.contact_modulus, b.contact_modulus) || differ(a.work_of_adhesion, b.work_of_adhesion) ||
-        !std::ranges::equal(a.parameters, b.parameters, same_parameter))
+        !std::ranges::is_permutation(a.parameters, b.parameters, same_parameter))
         throw InputError("the uncertain contact is not the one of the fit",
                          "inputs whose values give the contact of the model");
+}
+
+/// Map for the critical velocities of a propagation with law maugis-dugdale.
+/// @param problem_at the problem at some values of the inputs
+template <class ProblemAt>
+CohesiveVelocityMap cohesive_map(const std::vector<RandomInput>& inputs, ProblemAt&& problem_at) {
+    constexpr double deviations = 5;  // a draw beyond is solved
+    std::vector<double> values;
+    for (const RandomInput& input : inputs) values.push_back(input.value);
+    const CriticalVelocityProblem nominal = problem_at(values);
+    const CohesiveNumbers centre = cohesive_numbers(nominal);
+    std::array<double, 2> variance{};
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        if (inputs[i].standard_uncertainty == 0.0) continue;
+        std::vector<double> moved = values;
+        moved[i] += inputs[i].standard_uncertainty;
+        const CohesiveNumbers numbers = cohesive_numbers(problem_at(moved));
+        variance[0] += std::pow(std::log(numbers.damping / centre.damping), 2);
+        variance[1] += std::pow(std::log(numbers.lambda / centre.lambda), 2);
+    }
+    return {nominal, {deviations * std::sqrt(variance[0]), deviations * std::sqrt(variance[1])}};
 }
 
 }  // namespace
@@ -164,10 +187,21 @@ Propagation propagate_critical_velocity(Law law, Detachment detachment, const Ra
                          std::string(name_of(nominal.verdict)));
     std::vector<RandomInput> inputs{critical_damping};
     inputs.insert(inputs.end(), contact.inputs.begin(), contact.inputs.end());
+    const auto problem_at = [&](std::span<const double> values) -> CriticalVelocityProblem {
+        return {law, detachment, {DampingLaw::constant, values[0]}, contact.contact(values.subspan(1))};
+    };
+    if (is_cohesive(law, contact.nominal())) {
+        const CohesiveVelocityMap map = cohesive_map(inputs, problem_at);
+        return propagate(
+            inputs,
+            [&](std::span<const double> values) -> std::optional<double> {
+                const CriticalVelocityProblem problem = problem_at(values);
+                return is_cohesive(law, problem.contact) ? map(problem) : critical_velocity(problem).value;
+            },
+            options);
+    }
     const auto critical = [&](std::span<const double> values) {
-        return tabulated_critical_velocity(
-                   {law, detachment, {DampingLaw::constant, values[0]}, contact.contact(values.subspan(1))})
-            .value;
+        return tabulated_critical_velocity(problem_at(values)).value;
     };
     return propagate(inputs, critical, options);
 }

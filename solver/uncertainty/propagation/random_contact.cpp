@@ -97,7 +97,8 @@ RandomContact random_contact(const SphereInContact& sphere) {
                          .effective_radius = radius,
                          .contact_modulus = 0.0,
                          .work_of_adhesion = values.next(),
-                         .yield_pressure = sphere.yield_pressure};
+                         .yield_pressure = sphere.yield_pressure,
+                         .parameters = sphere.other_parameters};
         set_modulus(pair, sphere, values);
         if (sphere.partner) {
             pair.effective_radius = effective_radius(radius, 0.5 * values.next());

@@ -50,6 +50,7 @@ struct SphereInContact {
     std::optional<RandomPartner> partner{};                           ///< none: a flat wall
     double yield_pressure = std::numeric_limits<double>::infinity();  ///< [Pa]
     std::vector<std::pair<LawParameter, RandomInput>> parameters{};   ///< of laws that declare their own [SI]
+    ParameterValues<double> other_parameters{};                       ///< that are no inputs [SI]
 };
 
 /// The inputs of a sphere in contact: first its diameter, density, w, and what its contact modulus comes

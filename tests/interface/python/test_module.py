@@ -88,6 +88,40 @@ class Impacts(unittest.TestCase):
                 ashimpact.impacts(**base, **given)
             self.assertIn(expected, str(caught.exception))
 
+    def test_two_spheres(self):
+        contact = dict(ASH, radius=22e-6, partner_radius=100e-6, partner_density=7800.0)
+        words = ["--law", "jkr", "--radius", "22 um", "--density", "2160", "--contact-modulus", "60 GPa"]
+        words += ["--work-of-adhesion", "0.3", "--damping", "2e-6", "--partner-radius", "100 um"]
+        shown = json.loads(program("impact", *words, "--partner-density", "7800", "--velocity", "1.5", "--json"))
+        ours = ashimpact.impacts(velocity=1.5, **contact)
+        self.assertAlmostEqual(float(ours.restitution), shown["restitution"]["value"], delta=1e-10)
+        self.assertAlmostEqual(float(ours.maximum_overlap) / shown["maximum_overlap"]["value"], 1.0, delta=1e-10)
+        # equal spheres: half the mass and half the radius on a wall
+        mass = 2160.0 * np.pi / 6.0 * 44e-6**3
+        pair = ashimpact.critical_velocities(**dict(contact, partner_radius=22e-6, partner_density=2160.0))
+        wall = dict(ASH, radius=11e-6, mass=mass / 2.0)
+        del wall["density"]
+        alone = ashimpact.critical_velocities(**wall)
+        self.assertAlmostEqual(float(pair.critical_velocity / alone.critical_velocity), 1.0, delta=1e-9)
+        # a large partner is a wall; one call takes partners of several sizes
+        wall = ashimpact.critical_velocities(**dict(ASH, radius=22e-6)).critical_velocity
+        pairs = ashimpact.critical_velocities(**dict(contact, partner_radius=[1e-3, 1.0, 1e3])).critical_velocity
+        distance = np.abs(pairs / wall - 1.0)
+        self.assertTrue(np.all(np.diff(distance) < 0.0))
+        self.assertLess(distance[-1], 1e-6)
+        back = ashimpact.dampings(
+            velocity=1.5, restitution=ours.restitution, **{k: v for k, v in contact.items() if k != "damping"}
+        )
+        self.assertAlmostEqual(float(back.damping) / ASH["damping"], 1.0, delta=1e-6)
+        for wrong, said in (
+            (dict(partner_radius=None), "partner_radius is not given"),
+            (dict(partner_density=None), "partner_density, partner_mass: neither is given"),
+            (dict(partner_mass=1e-9), "partner_density, partner_mass: both are given"),
+            (dict(partner_radius=-1e-6), "partner_"),
+        ):
+            with self.assertRaisesRegex(ashimpact.InputError, said):
+                ashimpact.impacts(velocity=1.5, **dict(contact, **wrong))
+
     def test_every_parameter_of_a_law_is_an_argument(self):
         functions = (ashimpact.impacts, ashimpact.critical_velocities, ashimpact.dampings, ashimpact.analyse_impacts)
         for function in functions:

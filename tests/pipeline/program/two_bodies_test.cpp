@@ -115,6 +115,57 @@ const Json steel_ball = Json::parse(R"({"diameter": {"value": 200, "unit": "um",
 
 }  // namespace
 
+TEST_CASE(
+    "a case with rough surfaces: w is reduced as the command does, off by default, with its uncertainty") {
+    const Sandbox sandbox;
+    Json document = example_case();
+    document["laws"] = {"jkr"};
+    for (Json& sample : document["samples"]) sample.erase("restitution");
+    const auto contact_of = [&](const Json& roughness) {
+        Json changed = document;
+        if (!roughness.is_null()) changed["roughness"] = roughness;
+        write_example(sandbox, changed);
+        const auto ended = ashimpact_program(sandbox, "run case.json -o rough -q --no-report");
+        REQUIRE_MESSAGE(ended.status == 0, ended.err);
+        return sandbox.json("rough/2-contact.json")["result"]["samples"][0];
+    };
+    const auto energy = [&] {
+        return number(sandbox.json("rough/3-analytic.json")["result"]["samples"][0]["separation_energy"]);
+    };
+    const Json smooth = contact_of(nullptr);
+    const double smooth_energy = energy();
+    CHECK_FALSE(smooth.contains("roughness"));
+    CHECK_FALSE(smooth.contains("smooth_work_of_adhesion"));
+    CHECK(contact_of(0) == smooth);
+    const double w = number(smooth["work_of_adhesion"]);
+    const double radius = number(smooth["effective_radius"]);
+    const Json rough =
+        contact_of({{"value", 2}, {"unit", "nm"}, {"standard_uncertainty", 0.1}, {"origin", "measured"}});
+    CHECK(number(rough["smooth_work_of_adhesion"]) == w);
+    CHECK(number(rough["roughness"]) == doctest::Approx(2e-9).epsilon(1e-15));
+    const double asperity = 1.48 * 2e-9;
+    const double left = 1 / (1 + radius / asperity) + std::pow(1 + asperity / 0.3e-9, -2);
+    CHECK(relative_difference(number(rough["work_of_adhesion"]), w * left) < 1e-12);
+    CHECK(rough["work_of_adhesion"]["standard_uncertainty"].get<double>() > 0);
+    // The run goes on with the w that is left: W_s goes with w^(5/3).
+    CHECK(relative_difference(energy() / smooth_energy, std::pow(left, 5.0 / 3.0)) < 1e-12);
+    Json coarse = document;
+    coarse["roughness"] = "50 nm";
+    write_example(sandbox, coarse);
+    const auto warned = ashimpact_program(sandbox, "run case.json -o rough --no-report");
+    CHECK(warned.status == 0);
+    CHECK(sandbox.json("rough/2-contact.json")["warnings"].dump().find("meant for an rms") !=
+          std::string::npos);
+    for (const char* wrong : {"-1 nm", "1 kg"}) {
+        Json changed = document;
+        changed["roughness"] = wrong;
+        write_example(sandbox, changed);
+        const auto refused = ashimpact_program(sandbox, "run case.json -o rough --no-report");
+        CHECK(refused.status == 2);
+        CHECK(refused.err.find("case.json: /roughness") == 0);
+    }
+}
+
 TEST_CASE("a case with a second sphere: its contact, the limits of a wall and of equal spheres") {
     const Sandbox sandbox;
     const auto contact_of = [&](const Json& document) {

@@ -99,8 +99,8 @@ TEST_CASE("a run ends with a report that holds every figure, asks for nothing an
     const std::string page = paper().read("results/report.html");
     CHECK(page.size() < 1'000'000);
     for (const char* id :
-         {"composition", "static-force", "restitution", "damping", "damping-fit", "contact-time", "sizes",
-          "histories", "energy", "critical-velocity", "sensitivity"}) {
+         {"composition", "static-force", "regime-map", "restitution", "damping", "damping-fit",
+          "contact-time", "sizes", "histories", "energy", "critical-velocity", "sensitivity"}) {
         CAPTURE(id);
         CHECK(page.find("<figure id=\"" + std::string(id) + "\">") != std::string::npos);
     }
@@ -180,7 +180,7 @@ TEST_CASE("each impact on a model's curve is that of the solver, by every law, w
         const ModelCurve curve = model_curve(problem);
         const bool yields = std::isfinite(problem.contact.yield_pressure);
         // Where yielding takes too much, the greatest restitutions are not reached at any velocity.
-        REQUIRE(curve.size() >= (yields ? 15 : 28));
+        REQUIRE(curve.size() >= (yields ? 15 : law.name() == "maugis-dugdale" ? 18 : 28));
         for (const CurveImpact& impact : curve) {
             CAPTURE(impact.restitution);
             Impact exact{problem.choice.law,
@@ -216,8 +216,8 @@ TEST_CASE("the model's curve gives back the points it was fitted to") {
             CAPTURE(sample.name);
             CAPTURE(law.name);
             REQUIRE(law.curve.size() > 10);
-            const CurveImpact& last = law.curve.back();  // at the greatest restitution of the data
-            if (law.name != "JKR")                       // its points come from another law's fit
+            const CurveImpact& last = law.curve.back();             // at the greatest restitution of the data
+            if (law.name != "JKR" && law.name != "Maugis-Dugdale")  // points of another law's fit
                 CHECK(last.velocity == doctest::Approx(law.damping->velocity.back()).epsilon(1e-6));
             for (const CurveImpact& impact : law.curve) {
                 CHECK(impact.lower < impact.velocity);

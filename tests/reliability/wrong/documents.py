@@ -121,7 +121,8 @@ def cases():
                    cohesive_stress="700 MPa"),
             work_of_adhesion={"surface_energies": {"particle": "40 mJ/m2", "wall": "0.5 J/m2", "interfacial": "0.1 J/m2"},
                               "rule": "dupre"},
-            laws=["dmt", "maugis-dugdale"], particle={"contact_modulus": "90 GPa"}, wall={"rigid": True}),
+            laws=["dmt", "maugis-dugdale"], particle={"contact_modulus": "90 GPa"}, wall={"rigid": True},
+            roughness=quantity(2, "nm", 0.5)),
         "xrd": case(
             sample(composition={"xrd": "ash.csv", "xrd_sample": "fine", "amorphous": {"crystalline_total": "53 %"}},
                    restitution={"file": "impacts.csv", "binning": {"width": "0.05 m/s"},
@@ -168,6 +169,7 @@ CASE_RULES = Rules(
         "a": SIGNED, "b": SIGNED, "c": SIGNED, "poisson_ratio": SIGNED, "velocity_correlation": SIGNED,
         "work_of_adhesion": ("zero",), "particle": ("zero",), "wall": ("zero",), "partner": ("zero",), "interfacial": ("zero",), "cohesion_energy_density": ("zero",),
         "critical_damping": ("zero",), "damping_fit_uncertainty": ("zero",), "coefficient_uncertainty": ("zero",),
+        "roughness": SMALL,
         "weight_fractions": SMALL, "volume_fractions": SMALL, "amorphous": SMALL, "crystalline_total": SMALL,
         "remainder_scale": SMALL, "added_fraction": ("tiny",), "volume_fraction": SMALL, "weight_fraction": SMALL, "value": SMALL,
         "intensity": SMALL,

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "solver/contact/maugis/transition.hpp"
 #include "solver/motion/scale.hpp"
 #include "solver/motion/velocity_scales.hpp"
 #include "tests/relative_difference.hpp"
@@ -18,7 +19,9 @@ using namespace ashimpact::test;
 namespace {
 
 Impact impact_with(Law law, double w, double velocity = 2.0) {
-    return impact_of({law, DampingLaw::constant, law.default_detachment()}, ash(w), 0.3, velocity);
+    ContactPair pair = ash(w);
+    pair.parameters = {};  // no cohesion is stated: the usual range holds
+    return impact_of({law, DampingLaw::constant, law.default_detachment()}, pair, 0.3, velocity);
 }
 
 bool warns(const Regime& regime, const std::string& part) {
@@ -45,6 +48,35 @@ TEST_CASE("the numbers of a regime") {
     CHECK(!regime.yield_velocity);
     CHECK(!regime.law_yield_velocity);
     CHECK(!regime.yields);
+}
+
+TEST_CASE("stated cohesion: one Tabor parameter, whatever states it and whatever the law") {
+    Impact impact = impact_with(Law::of<Jkr>(), 0.3);
+    ContactPair& pair = impact.contact;
+    const double usual = tabor_parameter_of(pair);
+    CHECK(relative_difference(transition_parameter_of(pair), 1.157 * usual) < 1e-4);
+    const auto judged = [&](const LawParameter& parameter, double value) {
+        pair.parameters = {{parameter.name, value}};
+        return regime_of(impact, 1e-7);
+    };
+    for (const Law law : {Law::of<Jkr>(), Law::of<MaugisDugdale>()}) {
+        CAPTURE(law.name());
+        impact.law = law;
+        impact.detachment = law.default_detachment();
+        const double stress = 0.5 * cohesive_stress_of_range(0.3, usual_separation);
+        for (const Regime& regime : {judged(cohesion_range, 2 * usual_separation),
+                                     judged(stated_tabor, usual / 2), judged(cohesive_stress, stress)}) {
+            CHECK(relative_difference(regime.tabor_parameter, usual / 2) < 1e-12);
+            CHECK(relative_difference(regime.equilibrium_separation, 2 * usual_separation) < 1e-12);
+            CHECK(relative_difference(regime.transition_parameter,
+                                      transition_per_tabor() * regime.tabor_parameter) < 1e-12);
+        }
+        CHECK(judged(stated_tabor, 0.05).adhesion == AdhesionRegime::dmt);
+        CHECK(judged(stated_tabor, 7.0).adhesion == AdhesionRegime::jkr);
+    }
+    pair.work_of_adhesion = 0;
+    CHECK(tabor_parameter_of(pair) == 0);
+    CHECK(judged(cohesion_range, 1e-9).adhesion == AdhesionRegime::none);
 }
 
 TEST_CASE("the contact radius is the law's own: JKR's is wider than sqrt(delta R)") {

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/critical_velocity/maugis/cohesive_velocity_map.hpp"
 #include "solver/motion/velocity_scales.hpp"
 #include "solver/uncertainty/propagation/critical_velocity_uncertainty.hpp"
 #include "tests/relative_difference.hpp"
@@ -122,6 +123,61 @@ TEST_CASE("Hertz: v_c goes with eta^5/(m^3 k^2), so relative uncertainties are k
     CHECK(std::abs(influence_of(result, "critical damping").total.value - 0.5) < 0.03);
     CHECK(std::abs(influence_of(result, "density").total.value - 0.18) < 0.03);
     CHECK(std::abs(influence_of(result, "contact modulus").total.value - 0.32) < 0.03);
+}
+
+TEST_CASE("maugis-dugdale: draws are read from a map, that gives each as the solver does") {
+    const RandomContact contact = random_contact(
+        {.diameter = {"diameter", 8e-6},
+         .density = {"density", 2158.5, 20.0},
+         .work_of_adhesion = {"work of adhesion", 0.3, 0.02, lognormal_around},
+         .contact_modulus = RandomInput{"contact modulus", 90e9, 5e9, lognormal_around},
+         .parameters = {{cohesion_range, {"cohesion_range", 0.4e-9, 0.04e-9, lognormal_around}}}});
+    const RandomInput damping{
+        .name = fit_factor, .value = 2e-4, .standard_uncertainty = 1e-5, .distribution = lognormal_around};
+    const Law law = Law::of<MaugisDugdale>();
+    const PropagationOptions few{.samples = 16, .replicates = 4};
+    const Propagation mapped = propagate_critical_velocity(law, Detachment::pull_off, damping, contact, few);
+    std::vector<RandomInput> inputs{damping};
+    inputs.insert(inputs.end(), contact.inputs.begin(), contact.inputs.end());
+    const auto solved = [&](std::span<const double> values) {
+        return critical_velocity({law,
+                                  Detachment::pull_off,
+                                  {DampingLaw::constant, values[0]},
+                                  contact.contact(values.subspan(1))})
+            .value;
+    };
+    const Propagation exact = propagate(inputs, solved, few);
+    CHECK(relative_difference(mapped.interval.value, exact.interval.value) < CohesiveVelocityMap::accuracy());
+    CHECK(relative_difference(mapped.median, exact.median) < CohesiveVelocityMap::accuracy());
+    CHECK(relative_difference(*mapped.interval.lower, *exact.interval.lower) <
+          CohesiveVelocityMap::accuracy());
+    CHECK(relative_difference(*mapped.interval.upper, *exact.interval.upper) <
+          CohesiveVelocityMap::accuracy());
+    CHECK(mapped.influences.size() == 5);
+    CHECK(influence_of(mapped, "cohesion_range").total.value > 1e-6);
+    CHECK(relative_difference(influence_of(mapped, "work of adhesion").total.value,
+                              influence_of(exact, "work of adhesion").total.value) < 1e-4);
+}
+
+TEST_CASE("a map of critical velocities: within its accuracy, beyond it solved, of every damping law") {
+    ContactPair pair{
+        .mass = 1e-12, .effective_radius = 4e-6, .contact_modulus = 90e9, .work_of_adhesion = 0.3};
+    pair.parameters = {{stated_tabor.name, 1.0}};
+    for (const auto& [damping_law, coefficient] :
+         {std::pair{DampingLaw::constant, 2e-4}, std::pair{DampingLaw::tsuji, 0.2}}) {
+        CriticalVelocityProblem problem{
+            Law::of<MaugisDugdale>(), Detachment::pull_off, {damping_law, coefficient}, pair};
+        const CohesiveVelocityMap map(problem, {0.4, 0.3});
+        for (const double share : {0.67, 0.8, 0.99, 1.2, 1.45, 3.0}) {  // the last one lies outside
+            problem.damping.coefficient = coefficient * share;
+            problem.contact.parameters = {{stated_tabor.name, std::pow(share, -0.7)}};
+            problem.contact.mass = pair.mass;
+            const auto read = map(problem);
+            REQUIRE(read.has_value());
+            CHECK(relative_difference(*read, *critical_velocity(problem).value) <
+                  CohesiveVelocityMap::accuracy());
+        }
+    }
 }
 
 TEST_CASE("with the damping read again, errors of the contact cancel in v_c; held, they do not") {
