@@ -222,9 +222,7 @@ std::string laws_text(const View& result, std::size_t width) {
     }
     table.drop_empty_columns();
     std::string text =
-        "All laws [m/s]; the verdict is that of the measured velocity:
-
-" + table.text(0, width);
+        "All laws [m/s]; the verdict is that of the measured velocity:\n\n" + table.text(0, width);
     if (any_miss)
         text += wrapped_line(
             std::string(misses) +
@@ -233,8 +231,7 @@ std::string laws_text(const View& result, std::size_t width) {
     if (any_extrapolated)
         text += wrapped_line(
             "*: extrapolated from the rebounds, as the impacts gave no estimate with this law.", width);
-    return text + "
-";
+    return text + "\n";
 }
 
 std::string contacts_text(const View& result, std::size_t width) {
