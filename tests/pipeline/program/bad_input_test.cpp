@@ -182,7 +182,7 @@ const Spoiled spoiled_cases[]{
      "/samples/1/restitution", "the standard uncertainty of v_in is at least"},
     {"bins without width",
      [](Json& c) {
-         c["samples"][1]["restitution"]["binning"] = {{"width", "1e-300 m/s"}};
+         c["samples"][1]["restitution"]["binning"] = {{"width", "1e-30 m/s"}};
      },
      "/samples/1/restitution/binning", "a width of at least a millionth"},
     {"negative velocity", [](Json& c) { c["samples"][1]["restitution"]["velocity"]["values"][0] = -1; },
