@@ -6,6 +6,7 @@
 #include "solver/batch/tables/restitution_table.hpp"
 #include "solver/batch/task.hpp"
 #include "solver/motion/maugis/cohesive_impact.hpp"
+#include "solver/motion/scale.hpp"
 
 #include <algorithm>
 #include <array>
@@ -80,11 +81,19 @@ class Failures {
     std::vector<FailedImpact> failed_;
 };
 
-/// One impact by the scalar solver; with a cohesive zone in double precision, as good as that of the kernels.
+/// Adhesion numbers for which double precision resolves the motion through a cohesive zone as well as the
+/// kernels do that of their laws; beyond them adhesion or inertia is lost beside the other.
+constexpr double least_adhesion = 1e-6;
+constexpr double most_adhesion = 1e6;
+
+/// One impact by the scalar solver, with a cohesive zone in double precision where that is enough.
 ImpactResult solve_alone(const Impact& impact) {
     if (!is_cohesive(impact.law, impact.contact)) return solve_impact(impact);
     validate(impact);
-    return solve_cohesive_impact(impact, Precision::standard);
+    const double length = Scale::of(impact.contact, impact.velocity).length;
+    const double adhesion = Dmt<double>::adhesion_number(impact.contact, length);
+    const bool enough = adhesion > least_adhesion && adhesion < most_adhesion;
+    return solve_cohesive_impact(impact, enough ? Precision::standard : Precision::extended);
 }
 
 /// Solves a task. Impacts that its kernel left undecided or gave an impossible result go through the scalar
