@@ -159,7 +159,8 @@ TEST_CASE("the first hour: remarks and doubled uncertainties end in the v_c of t
     CHECK(parse_json(own.out).at("critical_velocity") == parse_json(tidy.out).at("critical_velocity"));
 }
 
-TEST_CASE("the first hour: what is still of init's example is told, and nothing else is") {
+TEST_CASE("the first hour: what is still of init's example is told, and nothing else is" *
+          doctest::skip(test::sanitized)) {
     const Sandbox sandbox;
     REQUIRE(ashimpact_program(sandbox, "init mine").status == 0);
     const auto warnings = [&] {
