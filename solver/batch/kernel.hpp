@@ -65,12 +65,8 @@ enum class LaneEnd : std::uint8_t {
     undecided,  ///< left to the scalar solver
 };
 
-/// What a table knows of a critical velocity.
-enum class TableVerdict : std::uint8_t {
-    finite,
-    always_captured,
-    undecided,  ///< left to the scalar solver
-};
+/// What a table knows of a critical velocity; what is undecided is left to the scalar solver.
+enum class TableVerdict : std::uint8_t { finite, always_captured, undecided };
 
 class CriticalTable;
 class RestitutionTable;
