@@ -92,8 +92,12 @@ ImpactResult solve_alone(const Impact& impact) {
     validate(impact);
     const double length = Scale::of(impact.contact, impact.velocity).length;
     const double adhesion = Dmt<double>::adhesion_number(impact.contact, length);
-    const bool enough = adhesion > least_adhesion && adhesion < most_adhesion;
-    return solve_cohesive_impact(impact, enough ? Precision::standard : Precision::extended);
+    try {
+        if (adhesion > least_adhesion && adhesion < most_adhesion)
+            return solve_cohesive_impact(impact, Precision::standard);
+    } catch (const ConvergenceError&) {  // it may in extended precision
+    }
+    return solve_cohesive_impact(impact, Precision::extended);
 }
 
 /// Solves a task. Impacts that its kernel left undecided or gave an impossible result go through the scalar
