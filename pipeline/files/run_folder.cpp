@@ -79,7 +79,7 @@ int go_back(const std::vector<Move>& moves) {
 }
 
 /// How a committed replacement ended.
-enum class Ended : int { replaced = 0, taken_back = 1, undecided = 2 };
+enum class Ended { replaced, taken_back, undecided };
 
 /// Renames all files, and reverts them all if one rename fails. @param error that of the failed rename
 Ended carry_out(const std::vector<Move>& moves, const std::string& journal, const std::string& way_back,

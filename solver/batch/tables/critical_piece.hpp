@@ -24,9 +24,6 @@ class CriticalPiece : public Settled<CriticalState> {
     static constexpr std::size_t terms = 16;  ///< a multiple of the lanes of any register
     using Coefficients = std::array<double, terms>;
 
-    CriticalPiece() = default;
-    CriticalPiece(double lower, double upper) { place(lower, upper); }
-
     [[nodiscard]] double lower() const { return lower_; }
     [[nodiscard]] double upper() const { return lower_ + 2.0 / stretch_; }
     /// From -1 to 1 over the piece.
