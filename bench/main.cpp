@@ -16,6 +16,7 @@
 #include "bench/peers.hpp"
 #include "bench/population.hpp"
 #include "bench/thread_table.hpp"
+#include "bench/viscoelastic.hpp"
 #include "solver/batch/instruction_set.hpp"
 
 namespace ashimpact::bench {
@@ -41,7 +42,7 @@ void print_row(const std::string& name, double rate, const Errors& errors, doubl
                rate / unit);
 }
 
-/// The table of methods: DMT with constant damping.
+/// The tables of methods: DMT with constant damping, and viscoelastic spheres without adhesion.
 void compare_methods(const Options& options) {
     const Population many = population(Law::of<Dmt>(), Detachment::zero_overlap, DampingLaw::constant, 16384);
     const Population few = population(Law::of<Dmt>(), Detachment::zero_overlap, DampingLaw::constant, 512);
@@ -84,6 +85,7 @@ void compare_methods(const Options& options) {
         print_row(peer.name, rates.at(peer.name), errors_of(peer.found, few.restitution), unit);
     for (const DemRate& code : dem_rates(options.repetitions))
         print_row(code.name, code.rate, code.errors, unit);
+    print_viscoelastic(options, unit);
 }
 
 void measure_start_up(const Options& options) {

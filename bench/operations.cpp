@@ -26,7 +26,7 @@ double operations_an_impact(const test::Impacts& impacts) {
             block.adhesion[lane] = L<double>::adhesion_number(impact.contact, scale.length);
             block.damping[lane] = scale.damping_number(impact.damping);
         }
-        follow<Form<L, Damping>>(block, impact.detachment, false);
+        follow<Form<L, Damping>>(block, impact.detachment, Goal::end);
     }
     return static_cast<double>(operation_count) / static_cast<double>(impacts.size()) /
            static_cast<double>(block_size);

@@ -50,7 +50,9 @@ Json as_written(const View& edited, const Json& was, Dimension dimension) {
 /// Converts edited quantities to the form and unit in which they were written.
 /// @throws InputError for a quantity of another dimension
 void to_form_of(const Json& was, Json& now, const std::string& pointer) {
-    for (const auto& [key, written] : was.items()) {
+    for (const auto& entry : was.items()) {
+        const std::string& key = entry.key();
+        const Json& written = entry.value();
         if (!written.is_object() || !now.contains(key)) continue;
         const std::string place = child_pointer(pointer, key);
         if (!written.contains("value")) {

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <numeric>
 #include <utility>
+
+#include "materials/base/decimal/decimal.hpp"
 
 namespace ashimpact {
 
@@ -85,9 +85,7 @@ std::string lower_case(std::string_view text) {
 }
 
 std::string shortest(double value) {
-    std::array<char, 32> buffer{};
-    const auto [end, _] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-    return {buffer.data(), end};
+    return decimal::shortest(value);
 }
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {

@@ -1,10 +1,10 @@
 #include "materials/base/units.hpp"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string>
 
+#include "materials/base/decimal/decimal.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/text.hpp"
 #include "materials/base/unit_system.hpp"
@@ -48,10 +48,8 @@ std::string allowed(Dimension dimension) {
 /// The factor rounded to 15 significant digits, which removes the rounding errors of a product of unit
 /// factors.
 double without_rounding_noise(double factor) {
-    std::array<char, 32> buffer{};
-    const auto [end, _] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), factor,
-                                        std::chars_format::scientific, 14);
-    std::from_chars(buffer.data(), end, factor);
+    const std::string rounded = decimal::scientific(factor, 14);
+    decimal::read(rounded.data(), rounded.data() + rounded.size(), factor);
     return factor;
 }
 
@@ -93,7 +91,7 @@ double parse_quantity(std::string_view text, Dimension expected) {
     std::string_view rest = trimmed(plain);
     if (rest.starts_with('+') && !rest.starts_with("+-")) rest.remove_prefix(1);
     double value = 0;
-    const auto [end, status] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+    const auto [end, status] = decimal::read(rest.data(), rest.data() + rest.size(), value);
     if (status == std::errc::result_out_of_range)
         throw InputError(in_quotes(text) + " is outside the range of numbers", allowed(expected));
     if (status != std::errc{})

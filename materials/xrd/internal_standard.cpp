@@ -24,7 +24,8 @@ XrdSample with_internal_standard(const XrdSample& sample, std::string_view stand
         std::vector<std::string> names;
         names.reserve(phases.size());
         for (const PhaseFraction& phase : phases) names.push_back(phase.name);
-        throw InputError("the internal standard " + in_quotes(standard) + " is not among the phases",
+        const std::string owner = sample.name.empty() ? "" : " of " + in_quotes(sample.name);
+        throw InputError("the internal standard " + in_quotes(standard) + " is not among the phases" + owner,
                          joined(names));
     }
     const PhaseFraction measured = *found;

@@ -208,10 +208,9 @@ XrdSample standardised(const XrdSample& sample, const Group& group, const Table&
 
 void warn_of_ignored(const Table& table, Layout layout, std::vector<std::string>& warnings) {
     if (layout == Layout::one_column_a_phase || layout == Layout::one_column_a_sample) return;
-    std::vector<std::string> ignored;
     for (const Heading& heading : table.headings)
-        if (heading.role == Role::other && !heading.text.empty()) ignored.push_back(heading.text);
-    if (!ignored.empty()) warnings.push_back("columns not read: " + joined(ignored));
+        if (heading.role == Role::other && !heading.text.empty())
+            warnings.push_back("column " + in_quotes(heading.text) + " is not used");
 }
 
 bool by_volume(const Table& table) {

@@ -136,6 +136,7 @@ void add_contact(CLI::App& program, Action& action) {
     add("--density", options->contact.density, "of the sphere, \"2160 kg/m3\"");
     add("--mass", options->contact.mass, "of the sphere, instead of its density");
     add("--partner-radius", options->contact.partner_radius, "of a second sphere instead of a flat wall");
+    add("--partner-diameter", options->contact.partner_diameter, "of it, instead of its radius");
     add("--partner-density", options->contact.partner_density, "of the second sphere");
     add("--partner-mass", options->contact.partner_mass, "of the second sphere, instead of its density");
     add("--contact-modulus", options->contact.contact_modulus, "E* of the pair, instead of what follows");
@@ -173,6 +174,9 @@ void add_contact_options(CLI::App& command, ContactOptions& options, ContactNeed
     command
         .add_option("--partner-radius", options.partner_radius,
                     "of a second sphere, \"60 um\"; without it the partner is a flat wall")
+        ->type_name("Q");
+    command
+        .add_option("--partner-diameter", options.partner_diameter, "of that sphere, instead of its radius")
         ->type_name("Q");
     command.add_option("--partner-density", options.partner_density, "of the second sphere")->type_name("Q");
     command

@@ -38,12 +38,19 @@ struct SphereOptions {
     const std::string& mass;
 };
 
+/// A length of a sphere as typed, with its option.
+struct SizeOption {
+    const char* option;
+    const std::string& text;
+};
+
 /// The radius by either option [m].
-double read_radius(const ContactOptions& options) {
-    if (options.diameter.empty()) return read_positive_option("--radius", options.radius, Dimension::length);
-    if (!options.radius.empty())
-        throw InputError("both are given", "one of the two").at("--diameter, --radius");
-    return 0.5 * read_positive_option("--diameter", options.diameter, Dimension::length);
+double read_radius(const SizeOption& radius, const SizeOption& diameter) {
+    if (diameter.text.empty()) return read_positive_option(radius.option, radius.text, Dimension::length);
+    if (!radius.text.empty())
+        throw InputError("both are given", "one of the two")
+            .at(std::string(diameter.option) + ", " + radius.option);
+    return 0.5 * read_positive_option(diameter.option, diameter.text, Dimension::length);
 }
 
 /// Warns of what is hardly a particle: a unit may have been forgotten.
@@ -77,20 +84,23 @@ Sphere read_sphere(const SphereOptions& options) {
 }
 
 Sphere read_particle(const ContactOptions& options) {
+    const double radius = read_radius({"--radius", options.radius}, {"--diameter", options.diameter});
     const Sphere sphere =
-        read_sphere({"--radius", "--density", "--mass", read_radius(options), options.density, options.mass});
+        read_sphere({"--radius", "--density", "--mass", radius, options.density, options.mass});
     warn_if_implausible(sphere.radius, sphere_density(sphere.radius, sphere.mass));
     return sphere;
 }
 
 std::optional<Sphere> read_partner(const ContactOptions& options) {
-    if (options.partner_radius.empty()) {
+    if (options.partner_radius.empty() && options.partner_diameter.empty()) {
         if (!options.partner_density.empty() || !options.partner_mass.empty())
-            throw InputError("is missing", "the radius of the second sphere").at("--partner-radius");
+            throw InputError("is missing", "the radius of the second sphere; or its --partner-diameter")
+                .at("--partner-radius");
         return std::nullopt;
     }
-    return read_sphere({"--partner-radius", "--partner-density", "--partner-mass",
-                        read_positive_option("--partner-radius", options.partner_radius, Dimension::length),
+    const double radius = read_radius({"--partner-radius", options.partner_radius},
+                                      {"--partner-diameter", options.partner_diameter});
+    return read_sphere({"--partner-radius", "--partner-density", "--partner-mass", radius,
                         options.partner_density, options.partner_mass});
 }
 

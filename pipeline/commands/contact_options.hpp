@@ -18,7 +18,8 @@ struct ContactOptions {
     std::string diameter;  ///< instead of the radius
     std::string density;
     std::string mass;
-    std::string partner_radius;  ///< of a second sphere; a flat wall where it is not given
+    std::string partner_radius;    ///< of a second sphere; a flat wall where it is not given
+    std::string partner_diameter;  ///< instead of its radius
     std::string partner_density;
     std::string partner_mass;
     std::string roughness;  ///< rms of both surfaces

@@ -135,12 +135,13 @@ void read_ranges(const ExportOptions& options, ExportSubject& subject) {
 /// Options of an impact beside a run: a run has them all but the law.
 void refuse_contact_options(const ExportOptions& options) {
     const ContactOptions& contact = options.contact;
-    const std::array<std::pair<const char*, const std::string*>, 13> given{
+    const std::array<std::pair<const char*, const std::string*>, 14> given{
         {{"--radius", &contact.radius},
          {"--diameter", &contact.diameter},
          {"--density", &contact.density},
          {"--mass", &contact.mass},
          {"--partner-radius", &contact.partner_radius},
+         {"--partner-diameter", &contact.partner_diameter},
          {"--partner-density", &contact.partner_density},
          {"--partner-mass", &contact.partner_mass},
          {"--roughness", &contact.roughness},

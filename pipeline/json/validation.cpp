@@ -87,10 +87,36 @@ std::vector<std::string> keys_allowed(const Json& schema, const Path& path) {
     return keys_in(part);
 }
 
+struct SizeKeys {
+    const char* key;
+    const char* other;
+    const char* form;
+};
+
+constexpr SizeKeys size_keys[]{
+    {"diameter", "radius", "\"diameter\": \"88 um\" in place of \"radius\": \"44 um\""},
+    {"radius", "diameter", "\"radius\": \"44 um\" in place of \"diameter\": \"88 um\""}};
+
+/// A sphere's size has one key, "diameter" in a case and "radius" in a sweep: names it where the other
+/// stands.
+void refuse_other_size(const Json& value, const Json& schema, const Path& path, const SizeKeys& size) {
+    if (!value.is_object() || !value.contains(size.other)) return;
+    const auto keys = keys_allowed(schema, path);
+    const auto allowed = [&](const char* key) {
+        return std::find(keys.begin(), keys.end(), key) != keys.end();
+    };
+    if (!allowed(size.key) || allowed(size.other)) return;
+    Path member = path;
+    member.push_back(size.other);
+    throw InputError("unknown key, the size of a sphere is its " + std::string(size.key) + " here", size.form)
+        .at(pointer_to(member));
+}
+
 [[noreturn]] void refuse(const Json& document, const Json& schema, const Error& error) {
     const Path path = path_of(error);
     const Json& value = value_at(document, path);
     const auto says = [&](const char* text) { return error.description.find(text) != std::string::npos; };
+    for (const SizeKeys& size : size_keys) refuse_other_size(value, schema, path, size);
     if (says("Missing required property")) {
         const std::string key = last_quoted(error.description);
         Path member = path;

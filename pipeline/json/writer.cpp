@@ -1,9 +1,9 @@
 #include "pipeline/json/writer.hpp"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
+
+#include "materials/base/decimal/decimal.hpp"
 
 namespace ashimpact {
 
@@ -15,12 +15,7 @@ constexpr std::size_t indent_width = 2;
 std::string number(double value, Digits digits) {
     if (!std::isfinite(value)) throw std::logic_error("a result holds a number that is not finite");
     value += 0.0;  // turns -0 into 0
-    std::array<char, 32> buffer{};
-    char* const end = buffer.data() + buffer.size();
-    const auto written = digits == Digits::shortest
-                             ? std::to_chars(buffer.data(), end, value)
-                             : std::to_chars(buffer.data(), end, value, std::chars_format::general, 17);
-    return {buffer.data(), written.ptr};
+    return digits == Digits::shortest ? decimal::shortest(value) : decimal::general(value, 17);
 }
 
 std::string text(const std::string& value) {

@@ -1,14 +1,13 @@
 #pragma once
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <cstddef>
 #include <exception>
 #include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+#include "solver/batch/parallel.hpp"
 
 namespace ashimpact {
 
@@ -26,10 +25,7 @@ template <class Item, class Work>
             errors[i] = std::current_exception();
         }
     };
-    // Isolated: a thread that waits within the work of one item must not begin another item, which might wait
-    // for something that the first one holds.
-    const auto isolated = [&](std::size_t i) { tbb::this_task_arena::isolate([&] { one(i); }); };
-    tbb::parallel_for(std::size_t{0}, items.size(), isolated, tbb::simple_partitioner{});
+    batch::for_each_item(items.size(), one);
     for (const std::exception_ptr& error : errors)
         if (error) std::rethrow_exception(error);
     std::vector<Result> made;

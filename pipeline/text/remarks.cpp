@@ -56,12 +56,19 @@ std::string kind_of(std::string text) {
     return kind;
 }
 
-/// What a remark says, without reasons and consequences: up to a semicolon, or a colon before words.
+/// What a remark says, without reasons and consequences: up to a semicolon, or a colon before words. What
+/// stands in quotes or brackets is whole, and so is a question, which is what to look at.
 std::string statement_of(const std::string& text) {
+    const bool asks = text.ends_with('?');
+    bool quoted = false;
+    int brackets = 0;
     for (std::size_t i = 0; i + 2 < text.size(); ++i) {
-        if (text[i + 1] != ' ') continue;
+        if (text[i] == '"') quoted = !quoted;
+        if (text[i] == '(') ++brackets;
+        if (text[i] == ')') --brackets;
+        if (quoted || brackets > 0 || text[i + 1] != ' ') continue;
         const bool words = std::isalpha(static_cast<unsigned char>(text[i + 2])) != 0;
-        if (text[i] == ';' || (text[i] == ':' && words)) return text.substr(0, i);
+        if (text[i] == ';' || (text[i] == ':' && words && !asks)) return text.substr(0, i);
     }
     return text;
 }

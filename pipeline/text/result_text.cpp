@@ -118,7 +118,9 @@ class ResultText {
     [[nodiscard]] static std::vector<std::string> entries_of_one_kind(const Json& object) {
         std::vector<std::string> keys;
         const Json* first = nullptr;
-        for (const auto& [key, member] : object.items()) {
+        for (const auto& entry : object.items()) {
+            const std::string& key = entry.key();
+            const Json& member = entry.value();
             if (!member.is_object() || short_text(member) || is_column(member) || is_histogram(member))
                 continue;
             const auto shared = [&] {

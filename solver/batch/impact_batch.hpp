@@ -24,8 +24,8 @@ struct ImpactBatch {
 
 struct BatchOptions {
     int threads = 1;            ///< 0: one for each core
-    bool turning_point = true;  ///< also compute approach time and greatest overlap, in a second pass up to
-                                ///< the turn. Restitution and contact time are the same bits without them
+    bool turning_point = true;  ///< also compute approach time and greatest overlap, by a step of its own
+                                ///< from beside the turn. The other results are the same bits without them
     bool contact_time = true;   ///< also compute contact times, which takes as long again where a table has
                                 ///< the impact. The other results are the same bits without them
     BatchMethod method = BatchMethod::integration;

@@ -11,4 +11,8 @@ namespace ashimpact::batch {
 void for_chunks(std::size_t count, std::size_t chunk, int threads,
                 const std::function<void(std::size_t, std::size_t)>& body);
 
+/// Calls @p body(i) for each of @p count items, which may take very different times, on one thread for each
+/// core. A thread that waits within one item does not begin another one. @p body must not throw.
+void for_each_item(std::size_t count, const std::function<void(std::size_t)>& body);
+
 }  // namespace ashimpact::batch

@@ -13,16 +13,16 @@ namespace {
 
 /// Beyond this coordinate, in units of the equilibrium or of the damping length, a backward orbit has
 /// escaped: no velocity is high enough to rebound.
-constexpr Extended escape = 1e25L;
+constexpr Extended escape = 1e25_ext;
 
 /// Hertz with constant damping beta: the critical orbit arrives along v = -beta x + (2/(3 beta)) F(x), where
 /// x is the overlap beyond the end; slower and slower, it never gets there.
 Arrival at_damped_end(const Motion<Extended>& motion) {
     const Extended beta = motion.damping[0];
     const int power = motion.overlap.degree;
-    const Extended x = 1e-12L * std::pow(beta, 4.0L);
+    const Extended x = 1e-12_ext * std::pow(beta, 4.0_ext);
     Arrival arrival;
-    arrival.state.position = std::pow(x / motion.overlap[power], 1.0L / static_cast<Extended>(power));
+    arrival.state.position = std::pow(x / motion.overlap[power], 1.0_ext / static_cast<Extended>(power));
     arrival.state.velocity = -beta * x + 2 / (3 * beta) * motion.force(arrival.state.position);
     arrival.dissipated_after = beta * beta * x * x / 2;
     arrival.time_after = std::nullopt;
@@ -41,7 +41,7 @@ MotionExpansion<Extended> backward_expansion(const MotionStepper<Extended>& step
 }  // namespace
 
 bool ends_at_rest_point(const Motion<Extended>& motion) {
-    return std::abs(motion.slope(*motion.end)) <= 1e-12L * std::abs(motion.slope(motion.equilibrium));
+    return std::abs(motion.slope(*motion.end)) <= 1e-12_ext * std::abs(motion.slope(motion.equilibrium));
 }
 
 std::optional<Arrival> critical_arrival(const Motion<Extended>& motion) {
@@ -55,7 +55,7 @@ std::optional<Arrival> critical_arrival(const Motion<Extended>& motion) {
 std::optional<MotionState<Extended>> back_to_turn(const Motion<Extended>& motion, MotionState<Extended> state,
                                                   int& steps) {
     const MotionStepper<Extended> stepper(motion);
-    const Extended farthest = escape * std::max({1.0L, motion.equilibrium, state.position});
+    const Extended farthest = escape * std::max({1.0_ext, motion.equilibrium, state.position});
     int own = 0;
     while (state.position < farthest) {
         const MotionExpansion<Extended> x = backward_expansion(stepper, state, own, steps);

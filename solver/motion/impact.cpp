@@ -29,18 +29,18 @@ Solved solved(const Impact& impact, const Scale& scale) {
     constexpr auto unobserved = [](const Motion<Extended>&, const MotionExpansion<Extended>&, Extended) {};
     if (can_yield(impact.law, impact.contact)) {
         const auto motion = scaled_plastic_motion<Extended>(impact, scale);
-        PlasticOrbit<Extended> followed = follow_plastic(motion, 1.0L, unobserved);
+        PlasticOrbit<Extended> followed = follow_plastic(motion, 1.0_ext, unobserved);
         return {followed.orbit, followed.last, motion.touch_potential(), followed.plastic_work,
                 followed.yielded};
     }
     const auto motion = scaled_motion<Extended>(impact, scale);
-    return {follow(motion, 1.0L), motion, motion.potential(motion.touch)};
+    return {follow(motion, 1.0_ext), motion, motion.potential(motion.touch)};
 }
 
 EnergyLedger ledger_of(const Solved& impact, double unit) {
     const bool rebound = impact.orbit.outcome == Outcome::rebound;
     const MotionState<Extended>& last = rebound ? impact.orbit.end : impact.orbit.turn;
-    const Extended incident = 0.5L;  // the scale's velocity is v_in
+    const Extended incident = 0.5_ext;  // the scale's velocity is v_in
     const Extended remaining = last.velocity * last.velocity / 2;
     const Extended potential = impact.last.potential(last.position);
     const Extended spent = last.dissipation + impact.plastic_work;
@@ -92,13 +92,13 @@ std::optional<std::string> refusal(Law law, Detachment detachment) {
                 static const CohesiveZone zone(2);
                 return cohesive_refusal(zone, detachment);
             } else {
-                const L<Extended> numeric{1.0L};  // whether it is admissible depends on no number
+                const L<Extended> numeric{1.0_ext};  // whether it is admissible depends on no number
                 const auto point = numeric.detachment_point(detachment);
                 const std::string subject = std::string(name_of(detachment)) +
                                             " does not end a contact of law " + std::string(law.name());
                 if (!point) return subject + ": the law has no such point";
                 const Motion<Extended> motion =
-                    make_motion<L, Extended>(numeric.adhesion, DampingLaw::constant, 0.0L, detachment);
+                    make_motion<L, Extended>(numeric.adhesion, DampingLaw::constant, 0.0_ext, detachment);
                 if (motion.potential(*motion.end) < motion.potential(motion.touch)) {
                     return subject +
                            ": its potential there is below that at first touch, an undamped impact would "

@@ -61,7 +61,7 @@ void ring(const Motion<Extended>& motion, MotionState<Extended> state, std::size
     const auto energy = [&](const MotionState<Extended>& s) {
         return s.velocity * s.velocity / 2 + motion.potential(s.position) - rest;
     };
-    for (std::size_t i = 0; i < most && energy(state) > 0.5e-4L; ++i) {
+    for (std::size_t i = 0; i < most && energy(state) > 0.5e-4_ext; ++i) {
         const MotionExpansion<Extended> x = stepper.expand(state);
         state = x.at(x.step);
         record(motion, x, x.step);
@@ -94,7 +94,7 @@ class Sampler {
                 .overlap = static_cast<double>(motion.overlap(s.position)) * scale_.length,
                 .velocity = static_cast<double>(s.velocity) * scale_.velocity,
                 .contact_radius = static_cast<double>(u * u) * scale_.radius_length,
-                .repulsive_force = newton(std::max(0.0L, force - attraction)),
+                .repulsive_force = newton(std::max(0.0_ext, force - attraction)),
                 .attractive_force = newton(attraction),
                 .damping_force = newton(motion.damping(s.position) * s.velocity)};
     }
@@ -105,7 +105,7 @@ class Sampler {
     [[nodiscard]] Extended attraction_at(Extended u, Extended force) const {
         const Extended adhesion = adhesion_;
         if (law_ == Law::of<ThorntonNing>()) {
-            const Extended hertz_part = force + 1.5L * adhesion * power<3>(u);
+            const Extended hertz_part = force + 1.5_ext * adhesion * power<3>(u);
             if (2 * hertz_part <= adhesion * power<3>(u)) return force;
             const Extended rim = adhesion * u;
             const Extended flattening = hertz_part / power<6>(u);  // R*/R_p; the Hertz pressure falls with it
@@ -136,7 +136,7 @@ struct CohesiveSampler {
                 .velocity = static_cast<double>(s.velocity) * scale.velocity,
                 .contact_radius = static_cast<double>(a) * scale.radius_length,
                 .repulsive_force = newton(repulsion),
-                .attractive_force = newton(std::min(0.0L, branch.force(s.position) - repulsion)),
+                .attractive_force = newton(std::min(0.0_ext, branch.force(s.position) - repulsion)),
                 .damping_force = newton(branch.damping(s.position) * s.velocity)};
     }
 };
@@ -156,12 +156,12 @@ std::vector<Piece> recorded(const Impact& impact, const Scale& scale, std::size_
     const Sampler sampler(impact, scale);
     Recorder<Sampler> record{sampler};
     if (can_yield(impact.law, impact.contact)) {
-        const auto followed = follow_plastic(scaled_plastic_motion<Extended>(impact, scale), 1.0L, record);
+        const auto followed = follow_plastic(scaled_plastic_motion<Extended>(impact, scale), 1.0_ext, record);
         if (followed.orbit.outcome == Outcome::capture) ring(followed.path, followed.orbit.end, most, record);
         return record.pieces;
     }
     const auto motion = scaled_motion<Extended>(impact, scale);
-    const Orbit<Extended> orbit = follow(motion, 1.0L, record);
+    const Orbit<Extended> orbit = follow(motion, 1.0_ext, record);
     if (orbit.outcome == Outcome::capture) ring(motion, orbit.end, most, record);
     return record.pieces;
 }

@@ -4,30 +4,19 @@
 #include <cmath>
 
 #include "solver/gsl/distribution.hpp"
+#include "solver/statistics/normal_lanes.hpp"
 
 namespace ashimpact {
 
 namespace {
 
-/// The standard normal distribution truncated at both ends.
-class CutNormal {
-  public:
-    CutNormal(double lower, double upper) : lower_(gsl::normal_probability(lower)) {
-        // Probabilities round to 1 in the upper tail, so a range there is mirrored, which keeps its digits.
-        mirrored_ = lower > 0;
-        if (mirrored_) lower_ = gsl::normal_probability(-upper);
-        width_ = gsl::normal_probability(mirrored_ ? -lower : upper) - lower_;
-    }
-    [[nodiscard]] double quantile(double p) const {
-        return mirrored_ ? -gsl::normal_quantile(lower_ + (1 - p) * width_)
-                         : gsl::normal_quantile(lower_ + p * width_);
-    }
-
-  private:
-    double lower_;
-    double width_ = 0;
-    bool mirrored_ = false;
-};
+/// The standard normal distribution between two cuts.
+CutNormal cut_normal(double lower, double upper) {
+    // Probabilities round to 1 in the upper tail, so a range there is mirrored, which keeps its digits.
+    const bool mirrored = lower > 0;
+    const double below = gsl::normal_probability(mirrored ? -upper : lower);
+    return {below, gsl::normal_probability(mirrored ? -lower : upper) - below, mirrored};
+}
 
 void convert(const Choice& choice, std::span<double> values) {
     const auto count = static_cast<double>(choice.values.size());
@@ -47,19 +36,16 @@ void convert(const LogUniform& uniform, std::span<double> values) {
 
 void convert(const Normal& normal, std::span<double> values) {
     const auto standard = [&](double x) { return (x - normal.mean) / normal.standard_deviation; };
-    const CutNormal cut(standard(normal.minimum), standard(normal.maximum));
-    for (double& value : values)
-        value = std::clamp(normal.mean + normal.standard_deviation * cut.quantile(value), normal.minimum,
-                           normal.maximum);
+    to_normal_quantiles(cut_normal(standard(normal.minimum), standard(normal.maximum)),
+                        {normal.mean, normal.standard_deviation, false, normal.minimum, normal.maximum},
+                        values);
 }
 
 void convert(const LogNormal& normal, std::span<double> values) {
     const double spread = std::log(normal.geometric_standard_deviation);
     const auto standard = [&](double x) { return std::log(x / normal.median) / spread; };
-    const CutNormal cut(standard(normal.minimum), standard(normal.maximum));
-    for (double& value : values)
-        value = std::clamp(normal.median * std::exp(spread * cut.quantile(value)), normal.minimum,
-                           normal.maximum);
+    to_normal_quantiles(cut_normal(standard(normal.minimum), standard(normal.maximum)),
+                        {spread, normal.median, true, normal.minimum, normal.maximum}, values);
 }
 
 void convert(const Triangular& triangular, std::span<double> values) {

@@ -1,26 +1,92 @@
 #include "solver/statistics/moments.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 namespace ashimpact {
+
+namespace {
+
+/// Sums of the powers of deviations, and extremes, of a part of the values. In turns in several places, so
+/// that one addition need not wait for the one before.
+struct PowerSums {
+    static constexpr std::size_t places = 4;
+    static constexpr std::size_t longest = 128;  ///< part that is summed without halving it
+
+    double first = 0;
+    double second = 0;
+    double third = 0;
+    double fourth = 0;
+    double minimum = std::numeric_limits<double>::infinity();
+    double maximum = -std::numeric_limits<double>::infinity();
+
+    void add(double value, double centre) {
+        const double deviation = value - centre;
+        const double square = deviation * deviation;
+        first += deviation;
+        second += square;
+        third += square * deviation;
+        fourth += square * square;
+        minimum = std::min(minimum, value);
+        maximum = std::max(maximum, value);
+    }
+    void merge(const PowerSums& other) {
+        first += other.first;
+        second += other.second;
+        third += other.third;
+        fourth += other.fourth;
+        minimum = std::min(minimum, other.minimum);
+        maximum = std::max(maximum, other.maximum);
+    }
+
+    /// By halves: rounding grows with the logarithm of the number of values.
+    [[nodiscard]] static PowerSums of(std::span<const double> values, double centre) {
+        if (values.size() > longest) {
+            PowerSums sums = of(values.first(values.size() / 2), centre);
+            sums.merge(of(values.subspan(values.size() / 2), centre));
+            return sums;
+        }
+        std::array<PowerSums, places> parts;
+        std::size_t i = 0;
+        for (; i + places <= values.size(); i += places)
+            for (std::size_t k = 0; k < places; ++k) parts[k].add(values[i + k], centre);
+        for (std::size_t k = 0; i < values.size(); ++i, ++k) parts[k].add(values[i], centre);
+        for (std::size_t k = 1; k < places; ++k) parts[0].merge(parts[k]);
+        return parts[0];
+    }
+};
+
+double sum_of(std::span<const double> values) {
+    constexpr std::size_t places = PowerSums::places;
+    if (values.size() > PowerSums::longest)
+        return sum_of(values.first(values.size() / 2)) + sum_of(values.subspan(values.size() / 2));
+    std::array<double, places> parts{};
+    std::size_t i = 0;
+    for (; i + places <= values.size(); i += places)
+        for (std::size_t k = 0; k < places; ++k) parts[k] += values[i + k];
+    for (std::size_t k = 0; i < values.size(); ++i, ++k) parts[k] += values[i];
+    return (parts[0] + parts[1]) + (parts[2] + parts[3]);
+}
+
+}  // namespace
 
 Moments Moments::of(std::span<const double> values) {
     Moments moments;
     if (values.empty()) return moments;
-    const auto sum = [&](auto function) { return pairwise_sum(0, values.size(), function); };
     const auto count = static_cast<double>(values.size());
-    const double guess = sum([&](std::size_t i) { return values[i]; }) / count;
-    const double mean = guess + sum([&](std::size_t i) { return values[i] - guess; }) / count;
-    const auto power = [&](std::size_t i) { return (values[i] - mean) * (values[i] - mean); };
+    const double guess = sum_of(values) / count;
+    const PowerSums sums = PowerSums::of(values, guess);
+    const double shift = sums.first / count;  // of the mean from its guess: a rounding
     moments.count = values.size();
-    moments.mean = mean;
-    moments.second = sum(power);
-    moments.third = sum([&](std::size_t i) { return power(i) * (values[i] - mean); });
-    moments.fourth = sum([&](std::size_t i) { return power(i) * power(i); });
-    const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
-    moments.minimum = *least;
-    moments.maximum = *greatest;
+    moments.mean = guess + shift;
+    moments.second = sums.second - shift * sums.first;
+    moments.third = sums.third - shift * (3 * sums.second - 2 * shift * sums.first);
+    moments.fourth =
+        sums.fourth - shift * (4 * sums.third - shift * (6 * sums.second - 3 * shift * sums.first));
+    moments.minimum = sums.minimum;
+    moments.maximum = sums.maximum;
     return moments;
 }
 

@@ -47,11 +47,12 @@ double jackknife_error(const std::vector<std::vector<SobolIndices>>& partial, st
 
 SobolSums SobolSums::of(const SensitivityValues& values) {
     SobolSums sums;
-    const auto& [a, b, mixed] = values;
+    const std::span<const double> a = values.a;
+    const std::span<const double> b = values.b;
     const std::size_t points = a.size();
     sums.values = Moments::of(a);
     sums.values.merge(Moments::of(b));
-    for (const auto& ab : mixed) {
+    for (const auto& ab : values.mixed) {
         const auto change = [&](std::size_t i) { return ab[i] - a[i]; };
         sums.first.push_back(pairwise_sum(0, points, [&](std::size_t i) { return b[i] * change(i); }));
         sums.difference.push_back(pairwise_sum(0, points, change));

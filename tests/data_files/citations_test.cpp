@@ -92,7 +92,7 @@ TEST_CASE(
     for (const auto& [key, count] : entries) CHECK_MESSAGE(count == 1, "twice in references.bib: ", key);
 
     std::set<std::string> cited;
-    for (const char* folder : {"materials", "solver", "pipeline", "data", "docs"}) {
+    for (const char* folder : {"materials", "solver", "pipeline", "data", "docs", "bench"}) {
         for (const fs::path& path : files_below(folder, {".hpp", ".cpp", ".json", ".md"})) {
             const std::string text = text_of(path);
             std::set<std::string> keys = cited_in_words(text);

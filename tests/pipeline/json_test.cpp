@@ -134,7 +134,7 @@ TEST_CASE("every schema is complete in itself and lists what the program knows")
 }
 
 TEST_CASE("a violation is told by pointer, what is wrong and what is allowed") {
-    const auto message = [](const char* text) {
+    const auto message = [](const std::string& text) {
         return message_of([&] { validate_document(parse_json(text), "case"); });
     };
     CHECK(message(R"({"name": "x"})")
@@ -158,6 +158,16 @@ TEST_CASE("a violation is told by pointer, what is wrong and what is allowed") {
         message(
             R"({"name": "x", "samples": [{"name": "a", "diameter": {"value": 1, "units": "m"}, "composition": {}}]})")
             .starts_with("/samples/0/diameter/units: unknown key, did you mean \"unit\"?"));
+    // The size of a sphere: whether its diameter is missing or stands beside it.
+    for (const char* sizes : {R"("radius": "44 um")", R"("radius": "44 um", "diameter": "88 um")"})
+        CHECK(message(R"({"name": "x", "samples": [{"name": "a", "composition": {}, )" + std::string(sizes) +
+                      "}]}")
+                  .starts_with("/samples/0/radius: unknown key, the size of a sphere is its diameter here; "
+                               "allowed: \"diameter\": \"88 um\" in place of \"radius\": \"44 um\""));
+    CHECK(
+        message_of([] {
+            validate_document(parse_json(R"({"impact": {"laws": ["dmt"], "diameter": "88 um"}})"), "sweep");
+        }).starts_with("/impact/diameter: unknown key, the size of a sphere is its radius here; allowed: "));
     CHECK(message(R"({"name": "x", "samples": [{"name": "a", "diameter": 1, "composition": {}}]})").empty());
 }
 

@@ -125,6 +125,15 @@ TEST_CASE("remarks that differ in sample, law and numbers alone are one line") {
     CHECK_FALSE(lines[2].decides);  // the summary says why which law is taken
 }
 
+TEST_CASE("a remark is shortened at its reason, not within a name and not before its question") {
+    const auto shown = [](const char* text) { return remark_lines({{"1-modulus.json", text}}, {})[0].text; };
+    CHECK(shown("the phases leave 0.2 % for the amorphous part: are the fractions of the whole sample?") ==
+          "1 x 1-modulus.json: the phases leave 0.2 % for the amorphous part: are the fractions of the whole "
+          "sample?");
+    CHECK(shown("the column \"Fehler: absolut; in %\" is not read (why: see there): it has no numbers") ==
+          "1 x 1-modulus.json: the column \"Fehler: absolut; in %\" is not read (why: see there)");
+}
+
 TEST_CASE("the summary shows what a verdict compares, and marks a velocity that is only extrapolated") {
     const auto velocity = [](double value) { return Json{{"value", value}, {"unit", "m/s"}}; };
     const auto interval = [&](double lower, double upper) {

@@ -11,8 +11,8 @@ namespace ashimpact::studies {
 /// What the damping of a truth depends on.
 enum class TrueDamping { quadratic_in_restitution, power_of_velocity, bump_in_velocity };
 
-/// Restitution against velocity of one particle, made by GSL's integration in time of the law as its paper has
-/// it: nothing of the program's own solver or fits is in it.
+/// Restitution against velocity of one particle, made by GSL's integration in time of the law as its paper
+/// has it: nothing of the program's own solver or fits is in it.
 class TrueCurve {
   public:
     /// @param diameter over that of the 96 um sample of Dong et al. 2013

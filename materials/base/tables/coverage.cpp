@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <map>
 #include <optional>
 #include <regex>
 
+#include "materials/base/decimal/decimal.hpp"
 #include "materials/base/text.hpp"
 
 namespace ashimpact {
@@ -200,8 +200,8 @@ StatedCoverage read_coverage(std::string_view heading) {
     if (heading.size() > longest || is_number(heading)) return coverage;
     if (const auto multiple = multiple_in(coverage.rest)) {
         coverage.stated = coverage.rest.substr(multiple->begin, multiple->length);
-        std::from_chars(multiple->number.data(), multiple->number.data() + multiple->number.size(),
-                        coverage.factor);
+        decimal::read(multiple->number.data(), multiple->number.data() + multiple->number.size(),
+                      coverage.factor);
         if (!(coverage.factor >= 0.5 && coverage.factor <= 10))
             coverage.problem = std::string("such a multiple is not plausible (") + remedy + ")";
         coverage.rest = without(coverage.rest, *multiple);

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string>
 
+#include "materials/base/decimal/decimal.hpp"
 #include "materials/base/text.hpp"
 
 namespace ashimpact {
@@ -16,7 +16,7 @@ namespace {
 std::optional<double> take_number(std::string_view& text) {
     if (text.starts_with('+') && text.size() > 1 && text[1] != '-' && text[1] != '+') text.remove_prefix(1);
     double value = 0;
-    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const auto [end, status] = decimal::read(text.data(), text.data() + text.size(), value);
     if (status != std::errc{} || !std::isfinite(value)) return std::nullopt;
     text.remove_prefix(static_cast<std::size_t>(end - text.data()));
     return value;
@@ -34,7 +34,7 @@ double last_place(std::string_view printed) {
     unit.erase(0, unit.find_first_not_of("+-"));
     unit += printed.substr(exponent);
     double value = 0;
-    std::from_chars(unit.data(), unit.data() + unit.size(), value);
+    decimal::read(unit.data(), unit.data() + unit.size(), value);
     return value;
 }
 

@@ -37,14 +37,19 @@ Headline headline_of(const Json& entry) {
     return headline;
 }
 
+std::string interval_text(const std::optional<double>& lower, const std::optional<double>& upper) {
+    const auto end = [](const std::optional<double>& value) {
+        return value ? fmt::format("{:#.3g}", *value) : std::string("open");
+    };
+    return end(lower) + " to " + end(upper);
+}
+
 std::string text_of(const Headline& headline) {
     if (!headline.value) return "no finite value";
     std::string text = fmt::format("{:#.3g} m/s", *headline.value);
-    if (!headline.with_interval) return text;
-    const auto end = [](const std::optional<double>& value) {
-        return value ? fmt::format("{:#.3g}", *value) : "open";
-    };
-    return text + fmt::format(" (95 %: {} to {} m/s)", end(headline.lower), end(headline.upper));
+    if (headline.with_interval)
+        text += fmt::format(" (95 %: {} m/s)", interval_text(headline.lower, headline.upper));
+    return text;
 }
 
 }  // namespace ashimpact::report

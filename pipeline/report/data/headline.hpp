@@ -18,6 +18,10 @@ struct Headline {
 /// The headline of one law's entry in 7-critical-velocity.json.
 [[nodiscard]] Headline headline_of(const Json& entry);
 
+/// The ends of an interval of velocities [m/s]: "1.68 to 2.21"; an end that is missing is open.
+[[nodiscard]] std::string interval_text(const std::optional<double>& lower,
+                                        const std::optional<double>& upper);
+
 /// "1.93 m/s (95 %: 1.68 to 2.21 m/s)".
 [[nodiscard]] std::string text_of(const Headline& headline);
 

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include "materials/base/text.hpp"
 #include "pipeline/report/drawing/markup.hpp"
@@ -94,11 +97,19 @@ std::string axis_data(char which, const Axis& axis, const Scale& scale) {
 
 std::string title_text(const std::string& title, const TitlePlace& place) {
     if (title.empty()) return {};
-    const std::string shown = fitted(title, title_size, place.end - place.least);
-    const double x = std::clamp(place.end - text_width(shown, title_size), place.least, place.x);
+    const double room = place.end - place.least;
+    // A long title is set smaller before it is cut: as a class of the style sheet and its share of the size.
+    static constexpr std::array<std::pair<std::string_view, double>, 3> sizes{
+        {{"title", 1.0}, {"title tick", tick_size / label_size}, {"title sub", subscript_size / label_size}}};
+    const auto* const size = std::find_if(sizes.begin(), sizes.end() - 1, [&](const auto& each) {
+        return text_width(title, title_size * each.second) <= room;
+    });
+    const double font_size = title_size * size->second;
+    const std::string shown = fitted(title, font_size, room);
+    const double x = std::clamp(place.end - text_width(shown, font_size), place.least, place.x);
     const std::string whole = shown == title ? "" : "<title>" + escaped(title) + "</title>";
-    return fmt::format("<text class=\"title\" x=\"{}\" y=\"{}\">{}{}</text>", pixels(x), pixels(place.y),
-                       isolated(shown), whole);
+    return fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">{}{}</text>", size->first, pixels(x),
+                       pixels(place.y), isolated(shown), whole);
 }
 
 }  // namespace ashimpact::report

@@ -6,8 +6,9 @@
 
 namespace ashimpact::report {
 
-inline constexpr double tick_size = 11;   ///< font size of ticks [px]
-inline constexpr double label_size = 12;  ///< font size of labels and titles [px]
+inline constexpr double tick_size = 11;      ///< font size of ticks [px]
+inline constexpr double subscript_size = 9;  ///< of subscripts and the smallest titles [px]
+inline constexpr double label_size = 12;     ///< font size of labels and titles [px]
 inline constexpr double title_size =
     13.5;  ///< of a bold title, whose letters are wider, as a plain font size [px]
 inline constexpr double title_height = 20;  ///< [px]

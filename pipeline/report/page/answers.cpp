@@ -47,28 +47,56 @@ std::string measured_sentence(const SampleData& sample) {
     return text + ".";
 }
 
-std::string answer(const SampleData& sample) {
-    std::vector<double> velocities;
-    std::vector<std::string> by_law;
-    for (const LawData& law : sample.laws) {
-        if (law.headline.value) velocities.push_back(*law.headline.value);
-        by_law.push_back(fmt::format("{} {}", law.name, text_of(law.headline)));
+/// The velocity to report, or the bounds that the impacts give instead.
+struct Answer {
+    std::string before;    ///< what it is a velocity of
+    std::string velocity;  ///< "1.86 m/s"
+    std::string after;     ///< "(95 %: 1.60 to 2.16 m/s), by Maugis-Dugdale, ..."
+};
+
+std::string reason_in(const Json& reported) {
+    return reported.value("reason", std::string());
+}
+
+/// @param reported of a sample in comparison.json
+std::optional<Answer> answer_of(const Json& reported) {
+    const Json nothing;
+    const Json& interval = reported.contains("interval") ? reported.at("interval") : nothing;
+    const auto lower = number_in(interval, "lower");
+    const auto upper = number_in(interval, "upper");
+    if (const auto velocity = number_in(reported, "critical_velocity")) {
+        const bool modelled = reported.contains("law") && reported.at("law").is_string();
+        const std::string by =
+            modelled ? ", by " + display_name(reported.at("law").get<std::string>()) : std::string();
+        return Answer{"a particle sticks when it is slower than", fmt::format("{:#.3g} m/s", *velocity),
+                      (lower || upper ? fmt::format(" (95 %: {} m/s)", interval_text(lower, upper)) : "") +
+                          by + ": " + reason_in(reported) + "."};
     }
-    if (velocities.empty())
-        return fmt::format(
-            "<li><strong>{}</strong>: no law gives a finite critical velocity.<span "
-            "class=\"rest\">{}.</span></li>\n",
-            html_name(sample.name), escaped(listed(by_law)));
-    const auto [least, greatest] = std::minmax_element(velocities.begin(), velocities.end());
-    const std::string range = velocities.size() == 1 || *greatest - *least < 5e-4 * *greatest
-                                  ? fmt::format("{:#.3g} m/s", *greatest)
-                                  : fmt::format("{:#.3g} to {:#.3g} m/s", *least, *greatest);
+    if (lower)
+        return Answer{"the critical velocity lies above", fmt::format("{:#.3g} m/s", *lower),
+                      ": " + reason_in(reported) + "."};
+    if (upper)
+        return Answer{"the critical velocity lies below", fmt::format("{:#.3g} m/s", *upper),
+                      ": " + reason_in(reported) + "."};
+    return std::nullopt;
+}
+
+/// What to take home of a sample: the velocity to report as the summary of the run names it, then all laws.
+std::string answer(const SampleData& sample) {
+    std::vector<std::string> by_law;
+    for (const LawData& law : sample.laws)
+        by_law.push_back(fmt::format("{} {}", law.name, text_of(law.headline)));
+    const auto reported = sample.comparison.find("reported");
+    const std::optional<Answer> found =
+        reported == sample.comparison.end() ? std::nullopt : answer_of(*reported);
+    const std::string first =
+        found ? fmt::format("{} <span class=\"value\">{}</span>{}", escaped(found->before),
+                            escaped(found->velocity), escaped(found->after))
+              : "no law gives a finite critical velocity.";
     return fmt::format(
-        "<li><strong>{}</strong>: a particle sticks when it is slower than <span "
-        "class=\"value\">{}</span>{}"
-        "<span class=\"rest\">{}.</span><span class=\"rest\">{}</span></li>\n",
-        html_name(sample.name), range, velocities.size() > 1 ? ", depending on the contact law." : ".",
-        escaped(listed(by_law)), escaped(measured_sentence(sample)));
+        "<li><strong>{}</strong>: {}<span class=\"rest\">By each law: {}.</span><span "
+        "class=\"rest\">{}</span></li>\n",
+        html_name(sample.name), first, escaped(listed(by_law)), escaped(measured_sentence(sample)));
 }
 
 /// What a cell says where there is nothing to say.
@@ -92,10 +120,19 @@ std::string velocity_cell(const LawData& law) {
 
 std::string interval_cell(const LawData& law) {
     if (!law.headline.value || !law.headline.with_interval) return std::string(no_value);
-    const auto end = [](const std::optional<double>& value) {
-        return value ? fmt::format("{:#.3g}", *value) : std::string("open");
-    };
-    return end(law.headline.lower) + " to " + end(law.headline.upper);
+    return interval_text(law.headline.lower, law.headline.upper);
+}
+
+/// The measured velocity, and its 95 % interval below where it has one.
+std::string measured_cell(const SampleData& sample) {
+    const auto measured = number_in(sample.measured, "critical_velocity");
+    if (!measured) return std::string(no_value);
+    const std::string velocity = fmt::format("{:#.3g}", *measured);
+    const auto interval = sample.measured.find("interval");
+    if (interval == sample.measured.end()) return velocity;
+    const auto lower = number_in(*interval, "lower");
+    const auto upper = number_in(*interval, "upper");
+    return lower || upper ? fmt::format("{}<br>({})", velocity, interval_text(lower, upper)) : velocity;
 }
 
 struct Column {
@@ -139,9 +176,9 @@ constexpr Column columns[] = {
              return text_or_dash(printed != nullptr ? std::optional(printed->value) : std::nullopt);
          },
      .always = false},
-    {.head = "measured",
-     .cell = [](const SampleData& sample,
-                const LawData&) { return text_or_dash(number_in(sample.measured, "critical_velocity")); },
+    {.head = "measured (95&nbsp;%)",
+     .cell = [](const SampleData& sample, const LawData&) { return measured_cell(sample); },
+     .of_sample = true,
      .always = false},
     {.head = "verdict",
      .cell = [](const SampleData&, const LawData& law) { return verdict_words(law); },

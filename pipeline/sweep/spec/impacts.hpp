@@ -10,7 +10,7 @@
 
 namespace ashimpact {
 
-/// Many impacts, one entry each [SI].
+/// Many impacts [SI]: a value for each of them, or a single one for all; velocities are always one for each.
 struct ImpactColumns {
     std::vector<double> mass;  ///< m*
     std::vector<double> effective_radius;
@@ -21,6 +21,11 @@ struct ImpactColumns {
     std::vector<double> velocity;
     std::vector<std::pair<std::string_view, std::vector<double>>> parameters;  ///< of contact laws, by name
 };
+
+/// The value of impact @p i of a column.
+[[nodiscard]] inline double value_at(const std::vector<double>& column, std::size_t i) {
+    return column.size() == 1 ? column.front() : column[i];
+}
 
 /// Contact law, detachment and damping law of many impacts.
 struct ImpactModel {

@@ -13,17 +13,17 @@ namespace {
 
 Impact impact_at(const ImpactModel& model, const ImpactColumns& impacts, std::size_t i) {
     ParameterValues<double> parameters;
-    for (const auto& [name, values] : impacts.parameters) parameters.set(name, values[i]);
+    for (const auto& [name, values] : impacts.parameters) parameters.set(name, value_at(values, i));
     return {.law = model.law,
             .detachment = model.detachment,
-            .damping = {model.damping_law, impacts.damping[i]},
-            .contact = {.mass = impacts.mass[i],
-                        .effective_radius = impacts.effective_radius[i],
-                        .contact_modulus = impacts.contact_modulus[i],
-                        .work_of_adhesion = impacts.work_of_adhesion[i],
-                        .yield_pressure = impacts.yield_pressure[i],
+            .damping = {model.damping_law, value_at(impacts.damping, i)},
+            .contact = {.mass = value_at(impacts.mass, i),
+                        .effective_radius = value_at(impacts.effective_radius, i),
+                        .contact_modulus = value_at(impacts.contact_modulus, i),
+                        .work_of_adhesion = value_at(impacts.work_of_adhesion, i),
+                        .yield_pressure = value_at(impacts.yield_pressure, i),
                         .parameters = parameters},
-            .velocity = impacts.velocity[i]};
+            .velocity = value_at(impacts.velocity, i)};
 }
 
 /// The command that computes an impact alone.

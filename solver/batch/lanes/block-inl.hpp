@@ -45,44 +45,69 @@ struct Block {
     return bytes[0];
 }
 
-/// Integrates the impacts of a block to their ends, or only to their turning points.
+/// One step of each orbit.
 template <class F>
-HWY_NOINLINE void follow(Block& block, Detachment detachment, bool to_turn) {
+HWY_INLINE void advance(Groups<LaneOrbit<F>>& orbits) {
+    Groups<LaneStep> steps;
+    ExtrapolatedLeapfrog<F, LaneOrbit<F>::sequences, LaneOrbit<F>>::step(orbits, steps);
+    for (std::size_t group = 0; group < group_count; ++group) orbits[group].take(steps[group]);
+}
+
+/// Steps orbits until none is active. @param pass count of the steps that each lane has tried at least
+template <class F>
+HWY_INLINE void integrate(Groups<LaneOrbit<F>>& orbits, int pass) {
+    for (; pass < most_passes; ++pass) {
+        Mask active = none();
+        for (LaneOrbit<F>& orbit : orbits) {
+            orbit.observe(pass);
+            active = either(active, orbit.active());
+        }
+        if (!any(active)) break;
+        advance<F>(orbits);
+    }
+}
+
+template <class F>
+HWY_INLINE void store_ends(const Groups<LaneOrbit<F>>& orbits, Block& block) {
+    for (std::size_t group = 0; group < group_count; ++group) {
+        const std::size_t first = group * lane_count;
+        const LaneArrival end = orbits[group].end_point();
+        end.time.store(block.time + first);
+        end.speed.store(block.speed + first);
+        block.rebound |= bits_of(orbits[group].surely_ended(end)) << first;
+        block.capture |= bits_of(orbits[group].surely_captured()) << first;
+    }
+}
+
+template <class F>
+HWY_INLINE void store_turns(const Groups<LaneOrbit<F>>& orbits, Block& block) {
+    for (std::size_t group = 0; group < group_count; ++group) {
+        const std::size_t first = group * lane_count;
+        const LaneTurn turn = orbits[group].turning_point();
+        block.turn |= bits_of(orbits[group].surely_turned(turn.time)) << first;
+        turn.time.store(block.turn_time + first);
+        turn.overlap.store(block.turn_overlap + first);
+    }
+}
+
+/// Integrates the impacts of a block.
+template <class F>
+HWY_NOINLINE void follow(Block& block, Detachment detachment, Goal goal) {
     using Orbit = LaneOrbit<F>;
     Groups<Orbit> orbits;
     for (std::size_t group = 0; group < group_count; ++group) {
         const std::size_t first = group * lane_count;
         const Equation<F> equation(Lanes::load(block.adhesion + first), Lanes::load(block.damping + first));
-        orbits[group] = Orbit(equation, detachment, to_turn);
-    }
-    for (int pass = 0; pass < most_passes; ++pass) {
-        Mask active = none();
-        for (Orbit& orbit : orbits) {
-            orbit.observe(pass);
-            active = either(active, orbit.active());
-        }
-        if (!any(active)) break;
-        Groups<LaneStep> steps;
-        ExtrapolatedLeapfrog<F, Orbit::sequences, Orbit>::step(orbits, steps);
-        for (std::size_t group = 0; group < group_count; ++group) orbits[group].take(steps[group]);
+        orbits[group] = Orbit(equation, detachment, goal);
     }
     block.rebound = block.capture = block.turn = 0;
-    for (std::size_t group = 0; group < group_count; ++group) {
-        const Orbit& orbit = orbits[group];
-        const std::size_t first = group * lane_count;
-        if (to_turn) {
-            const LaneTurn turn = orbit.turning_point();
-            block.turn |= bits_of(orbit.surely_turned(turn.time)) << first;
-            turn.time.store(block.turn_time + first);
-            turn.overlap.store(block.turn_overlap + first);
-            continue;
-        }
-        const LaneArrival end = orbit.end_point();
-        end.time.store(block.time + first);
-        end.speed.store(block.speed + first);
-        block.rebound |= bits_of(orbit.surely_ended(end)) << first;
-        block.capture |= bits_of(orbit.surely_captured()) << first;
-    }
+    integrate<F>(orbits, 0);
+    if (goal != Goal::turn) store_ends<F>(orbits, block);
+    if (goal == Goal::end) return;
+    for (Orbit& orbit : orbits) orbit.return_to_turn();
+    advance<F>(orbits);
+    integrate<F>(orbits, Orbit::late);
+    store_turns<F>(orbits, block);
 }
 
 }  // namespace ashimpact::HWY_NAMESPACE

@@ -40,7 +40,7 @@ inline void write_turn(const batch::ImpactTask& task, const ScaledTask& scaled, 
 /// @param write called with (place of the impact, block, lane) for each impact integrated
 template <class F, class Write>
 HWY_INLINE void follow_all(const batch::NumberColumns& numbers, std::span<const std::uint16_t> impacts,
-                           Detachment detachment, bool to_turn, const Write& write) {
+                           Detachment detachment, Goal goal, const Write& write) {
     batch::Order order;
     order.sort(numbers, impacts);
     for (std::size_t first = 0; first < impacts.size(); first += block_size) {
@@ -51,35 +51,41 @@ HWY_INLINE void follow_all(const batch::NumberColumns& numbers, std::span<const 
             block.adhesion[lane] = numbers.adhesion[i];
             block.damping[lane] = numbers.damping[i];
         }
-        follow<F>(block, detachment, to_turn);
+        follow<F>(block, detachment, goal);
         for (std::size_t lane = 0; lane < used; ++lane) write(order[first + lane], block, lane);
     }
 }
 
 /// Solves the impacts of a task: scales them, reads results from the table if there is one, and integrates
-/// the others. Turning points are found in a second pass, so that asking for them changes no other result.
+/// the others. A table knows no turning points, so that with one these are found in a pass of their own.
 template <class F>
 HWY_NOINLINE void solve_task(const batch::ImpactTask& task) {
     ScaledTask scaled;
     scale_task<F>(task.inputs, task.count, scaled);
-    const PlaceList open = task.table == nullptr    ? PlaceList::all(task.count)
-                           : task.with_contact_time ? look_up<true>(task, scaled)
-                                                    : look_up<false>(task, scaled);
     const batch::NumberColumns numbers{scaled.adhesion, scaled.damping};
-    follow_all<F>(numbers, open.places(), task.detachment, false,
-                  [&](std::size_t i, const Block& block, std::size_t lane)
-                      HWY_ATTR { write_end(task, scaled, i, block, lane); });
-    if (!task.turning_point) return;
-    follow_all<F>(numbers, PlaceList::all(task.count).places(), task.detachment, true,
-                  [&](std::size_t i, const Block& block, std::size_t lane)
-                      HWY_ATTR { write_turn(task, scaled, i, block, lane); });
+    const auto follow_to = [&](Goal goal, std::span<const std::uint16_t> impacts) HWY_ATTR {
+        follow_all<F>(numbers, impacts, task.detachment, goal,
+                      [&](std::size_t i, const Block& block, std::size_t lane) HWY_ATTR {
+                          if (goal != Goal::turn) write_end(task, scaled, i, block, lane);
+                          if (goal != Goal::end) write_turn(task, scaled, i, block, lane);
+                      });
+    };
+    const PlaceList all = PlaceList::all(task.count);
+    if (task.table == nullptr) {
+        follow_to(task.turning_point ? Goal::end_and_turn : Goal::end, all.places());
+        return;
+    }
+    const PlaceList open =
+        task.with_contact_time ? look_up<true>(task, scaled) : look_up<false>(task, scaled);
+    follow_to(Goal::end, open.places());
+    if (task.turning_point) follow_to(Goal::turn, all.places());
 }
 
 /// Solves impacts given by their numbers.
 template <class F>
 HWY_NOINLINE void solve_numbers(const batch::NumberTask& task) {
     const PlaceList all = PlaceList::all(task.count);
-    follow_all<F>({task.adhesion, task.damping}, all.places(), task.detachment, false,
+    follow_all<F>({task.adhesion, task.damping}, all.places(), task.detachment, Goal::end,
                   [&](std::size_t i, const Block& block, std::size_t lane) HWY_ATTR {
                       task.end[i] = block.end(lane);
                       task.speed[i] = block.speed[lane];

@@ -39,7 +39,7 @@ HWY_INLINE void search(Block& block, Detachment detachment, batch::DampingSearch
             block.damping[lane] = searches[lane].number();
         }
         if (all_found) return;
-        follow<F>(block, detachment, false);
+        follow<F>(block, detachment, Goal::end);
         for (std::size_t lane = 0; lane < block_size; ++lane) {
             if (searches[lane].found()) continue;
             searches[lane].observe(block.rebounds(lane) ? block.speed[lane] : 0.0);

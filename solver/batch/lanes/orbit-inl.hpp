@@ -10,6 +10,7 @@
 #include "solver/batch/lanes/events-inl.hpp"
 #include "solver/batch/lanes/groups-inl.hpp"
 #include "solver/batch/lanes/pilot-inl.hpp"
+#include "solver/batch/lanes/turn-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
@@ -22,19 +23,32 @@ class LaneOrbit {
     static constexpr int late = 5;  ///< creeping is tested only from this step on; it is rare and slow
 
     LaneOrbit() = default;
-    /// @param to_turn whether to stop at the turning points, where a step then ends
-    HWY_INLINE LaneOrbit(const Equation<F>& equation, Detachment detachment, bool to_turn)
+    /// @param goal what is to be found; for the turn alone the motion ends soon after it
+    HWY_INLINE LaneOrbit(const Equation<F>& equation, Detachment detachment, Goal goal)
         : equation_(equation),
           places_(places_of(equation, detachment)),
           pilot_(inward_step(equation, places_)),
           error_scale_(Lanes(F::Damping::error_weight) / places_.speed_squared),
-          to_turn_(to_turn),
+          goal_(goal),
           approaching_(every()),
           active_(every()) {
         state_.position = places_.touch;
         state_.momentum = Lanes(1.0) + equation.damping_impulse(places_.touch);
         state_.time = 0.0;
         turn_ = end_ = state_;
+    }
+
+    /// Goes back to the last state before the turn, to end at the turning point; the step from there is
+    /// chosen. What was found before is forgotten.
+    HWY_INLINE void return_to_turn() {
+        state_ = around_.state();
+        step_ = around_.step_to_turn();
+        speed_ = around_.speed();
+        stiffness_ = 0.0;
+        pilot_ = Pilot(around_.usual());
+        to_turn_ = true;
+        approaching_ = active_ = every();
+        captured_ = turned_ = ended_ = doubtful_ = none();
     }
 
     [[nodiscard]] HWY_INLINE const Equation<F>& equation() const { return equation_; }
@@ -48,7 +62,12 @@ class LaneOrbit {
         const Lanes v = equation_.velocity(state_);
         const Rates r = rates_of(equation_, q, v);
         const Lanes usual = pilot_.step();
-        if (!to_turn_) approaching_ = without(approaching_, v <= Lanes(0.0));
+        if (!to_turn_) {
+            if (goal_ != Goal::end && any(approaching_))
+                around_.observe(approaching_, state_, v, r.acceleration, usual, step_);
+            approaching_ = without(approaching_, v <= Lanes(0.0));
+            if (goal_ == Goal::turn) active_ = both(active_, approaching_);
+        }
         const NextEvent next(places_, approaching_);
         Lanes event = next.time(q, v, r);
         if (!to_turn_) event = select(approaching_, NextEvent::out_of_sight, event);
@@ -132,10 +151,12 @@ class LaneOrbit {
     LaneState state_;
     LaneState turn_;  ///< next to the turning point
     LaneState end_;   ///< next to the end of contact
+    AroundTurn around_;
     Lanes step_;
     Lanes speed_;
     Lanes stiffness_;
-    bool to_turn_ = false;
+    Goal goal_ = Goal::end;
+    bool to_turn_ = false;  ///< whether it returned and stops at the turning point
     Mask approaching_;
     Mask active_;
     Mask captured_ = none();

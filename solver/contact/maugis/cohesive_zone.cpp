@@ -14,7 +14,7 @@ constexpr Extended extended_pi = std::numbers::pi_v<Extended>;
 constexpr Extended right_angle = extended_pi / 2;
 
 /// Below this angle P and Q are summed as power series: their closed forms cancel.
-constexpr Extended small_angle = 0.5L;
+constexpr Extended small_angle = 0.5_ext;
 
 /// sin x - x cos x = sum over k >= 1 of (-1)^(k+1) 2k x^(2k+1)/(2k+1)!
 /// @param sine, cosine of x
@@ -100,8 +100,9 @@ CohesiveState CohesiveZone::in_gap(Extended c) {
 CohesiveState CohesiveZone::at_contact_radius(Extended a) const {
     if (a <= 0) return join_;
     // Newton for ln(P c^2 + Q c) = 0 with c = a/cos(theta) in ln(tan theta): nearly a straight line.
-    Extended t = 1 / (std::cbrt(lambda_ * a * a / 1.5L) + std::sqrt(lambda_ * lambda_ * a / 1.5L));
-    const Extended enough = 0.1L * std::sqrt(std::numeric_limits<Extended>::epsilon());  // leaves its square
+    Extended t = 1 / (std::cbrt(lambda_ * a * a / 1.5_ext) + std::sqrt(lambda_ * lambda_ * a / 1.5_ext));
+    const Extended enough =
+        0.1_ext * std::sqrt(std::numeric_limits<Extended>::epsilon());  // leaves its square
     Extended theta = 0;
     for (int i = 0; i < 60; ++i) {
         const Extended cosine_squared = 1 / (1 + t * t);
@@ -115,7 +116,7 @@ CohesiveState CohesiveZone::at_contact_radius(Extended a) const {
         const Extended rise = theta * cosine * (2 * lambda_ * sine * c + 4 * lambda_ * lambda_ / 3) * c +
                               (2 * p * c + q) * c * t;
         const Extended step = -std::log(sum) * sum / (rise * t * cosine_squared);
-        t *= std::exp(std::fmax(-2.0L, std::fmin(2.0L, step)));
+        t *= std::exp(std::fmax(-2.0_ext, std::fmin(2.0_ext, step)));
         if (std::abs(step) < enough) break;
     }
     return {.angle = std::atan(t), .cohesive_radius = a * std::sqrt(1 + t * t)};
@@ -181,7 +182,7 @@ Extended CohesiveZone::stiffness(const CohesiveState& state) const {
 
 Polynomial<Extended> CohesiveZone::gap_overlap() const {
     const auto c = Polynomial<Extended>::identity();
-    return 0.5L * (c * c) - (8 * lambda_ / (3 * extended_pi)) * c - Polynomial<Extended>(reach());
+    return 0.5_ext * (c * c) - (8 * lambda_ / (3 * extended_pi)) * c - Polynomial<Extended>(reach());
 }
 
 Polynomial<Extended> CohesiveZone::gap_force() const {

@@ -13,7 +13,7 @@ namespace {
 using Terms = Series<Extended>;
 
 /// Beyond this coordinate, in units of the equilibrium, a backward orbit has escaped.
-constexpr Extended farthest_escape = 1e25L;
+constexpr Extended farthest_escape = 1e25_ext;
 
 /// The critical orbit near the fold of the touching branch, where delta'(q) = 0: v is a power series of
 /// x = q - q_fold with v dv/dx = -delta' (eta v + F), the root that arrives (v < 0 for x > 0).
@@ -154,7 +154,7 @@ std::optional<CriticalCohesiveImpact> critical_cohesive_impact(const CohesiveMot
     const Arrival arrival = arrival_of(motion);
     MotionState<Extended> state = arrival.state;
     const Extended farthest =
-        farthest_escape * std::max({1.0L, branch.coordinate(motion.zone().equilibrium()), state.position});
+        farthest_escape * std::max({1.0_ext, branch.coordinate(motion.zone().equilibrium()), state.position});
     if (!backward.to_rest(branch, state, farthest)) return std::nullopt;
     CriticalCohesiveImpact result;
     result.maximum_overlap = branch.overlap(state.position);

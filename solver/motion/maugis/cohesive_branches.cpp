@@ -213,6 +213,7 @@ TouchingBranch::Statics TouchingBranch::statics(Extended q) const {
 }
 
 GapBranch::GapBranch(const CohesiveZone& zone)
-    : motion_(branch_motion<Extended>(zone.gap_overlap(), zone.gap_force(), {DampingLaw::constant, 0.0L})) {}
+    : motion_(
+          branch_motion<Extended>(zone.gap_overlap(), zone.gap_force(), {DampingLaw::constant, 0.0_ext})) {}
 
 }  // namespace ashimpact

@@ -13,7 +13,7 @@ void ring(const CohesiveMotion& motion, const CohesiveOrbit& captured, Extended 
     const CohesiveZone& zone = motion.zone();
     const CohesiveState join = zone.join();
     const Extended rest = zone.potential(zone.equilibrium());
-    const Extended enough = 0.5e-4L * velocity * velocity;  // 1 % of the velocity
+    const Extended enough = 0.5e-4_ext * velocity * velocity;  // 1 % of the velocity
     MotionState<Extended> state = captured.orbit.end;
     bool touching = captured.end.touching();
     const auto energy = [&] {

@@ -87,6 +87,23 @@ TEST_CASE("two spheres: m* and R* of both, the wall as the limit of a large part
         sandbox, "critical-velocity --law dmt --radius '40 um' --density 2600 --partner-density 2600" + rest);
     CHECK(lonely.status == 2);
     CHECK(lonely.err.find("--partner-radius") != std::string::npos);
+
+    // The second sphere by its diameter, wherever it may be given by its radius.
+    for (const std::string command : {"critical-velocity --law dmt --damping 0.001", "contact",
+                                      "impact --law jkr --velocity 1 --damping 0"}) {
+        CAPTURE(command);
+        const std::string spheres = command +
+                                    " --json --diameter '80 um' --density 2600 --partner-density 2600 "
+                                    "--contact-modulus '90 GPa' --work-of-adhesion 0.3";
+        const auto by_radius = ashimpact_program(sandbox, spheres + " --partner-radius '30 um'");
+        const auto by_diameter = ashimpact_program(sandbox, spheres + " --partner-diameter '60 um'");
+        CHECK_MESSAGE(by_diameter.status == 0, by_diameter.err);
+        CHECK(by_diameter.out == by_radius.out);
+        const auto both =
+            ashimpact_program(sandbox, spheres + " --partner-radius '30 um' --partner-diameter '60 um'");
+        CHECK(both.status == 2);
+        CHECK(both.err.find("--partner-diameter, --partner-radius: both are given") != std::string::npos);
+    }
 }
 
 TEST_CASE("rough surfaces: less adhesion, never by default") {

@@ -75,12 +75,16 @@ TEST_CASE("no output on the case of init is wider than 80 columns" * doctest::sk
           "7-critical-velocity", "8-histories", "comparison", "manifest"})
         for (const char* options : {"", " -v", " --all", " -v --all"})
             check_fits(sandbox, std::string("inspect r/") + artifact + ".json" + options);
-    for (const char* law : {"hertz", "dmt", "brach-dunn", "jkr"}) {
+    for (const char* law :
+         {"hertz", "dmt", "brach-dunn", "jkr", "thornton-ning --yield-pressure '5 GPa'",
+          "sjkr --cohesion-energy-density '1e6 J/m3'", "maugis-dugdale --cohesion-range '0.4 nm'",
+          "jkr --partner-diameter '60 um' --partner-density '7800 kg/m3' --roughness '1 nm'"}) {
         const std::string pair = std::string(" --law ") + law + particle_and_wall;
         check_fits(sandbox, "impact --damping '0.005 kg/s' --velocity '2 m/s'" + pair);
         check_fits(sandbox, "critical-velocity --damping '0.005 kg/s'" + pair);
         check_fits(sandbox, "damping --velocity '2 m/s' --restitution 0.2" + pair);
-        check_fits(sandbox, "damping --impacts mine/impacts.csv" + pair);
+        if (pair.find("maugis") == std::string::npos)  // which refuses fits, in one line
+            check_fits(sandbox, "damping --impacts mine/impacts.csv" + pair);
     }
     check_fits(sandbox, std::string("contact") + particle_and_wall);
     for (const char* code : {"openfoam", "lammps", "liggghts", "yade", "fluent"})

@@ -14,7 +14,7 @@ namespace {
 ResultColumns formula(const ImpactModel& model, const ImpactColumns& impacts, const WantedResults& wanted) {
     ResultColumns results;
     for (std::size_t i = 0; i < impacts.velocity.size(); ++i) {
-        const double x = impacts.velocity[i] * impacts.effective_radius[i] * 1e4 /
+        const double x = impacts.velocity[i] * value_at(impacts.effective_radius, i) * 1e4 /
                          (1.0 + static_cast<double>(model.law.index()));
         results.restitution.push_back(std::max(0.0, 1 - 1 / (0.7 + x)));
         if (wanted.contact_time)

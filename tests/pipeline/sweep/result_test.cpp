@@ -33,8 +33,9 @@ ResultColumns ishigami(const ImpactModel&, const ImpactColumns& impacts, const W
     ResultColumns results;
     for (std::size_t i = 0; i < impacts.velocity.size(); ++i) {
         const double x1 = std::sin(angle(impacts.velocity[i]));
-        const double x2 = std::sin(angle(impacts.damping[i]));
-        const double f = x1 + 7 * x2 * x2 + 0.1 * std::pow(angle(impacts.contact_modulus[i]), 4) * x1;
+        const double x2 = std::sin(angle(value_at(impacts.damping, i)));
+        const double f =
+            x1 + 7 * x2 * x2 + 0.1 * std::pow(angle(value_at(impacts.contact_modulus, i)), 4) * x1;
         results.restitution.push_back((f + 12) / 32);
     }
     return results;

@@ -63,8 +63,9 @@ ResultColumns stand_in(const ImpactModel& model, const ImpactColumns& impacts, c
         results.restitution[i] = e;
         if (wanted.contact_time)
             results.contact_time[i] =
-                e > 0 ? impacts.effective_radius[i] / v : std::numeric_limits<double>::quiet_NaN();
-        if (wanted.maximum_overlap) results.maximum_overlap[i] = impacts.effective_radius[i] * v * 1e-3;
+                e > 0 ? value_at(impacts.effective_radius, i) / v : std::numeric_limits<double>::quiet_NaN();
+        if (wanted.maximum_overlap)
+            results.maximum_overlap[i] = value_at(impacts.effective_radius, i) * v * 1e-3;
     }
     return results;
 }

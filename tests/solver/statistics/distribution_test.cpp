@@ -2,8 +2,14 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <vector>
+
+#include "solver/gsl/distribution.hpp"
 
 using namespace ashimpact;
 
@@ -38,6 +44,26 @@ TEST_CASE("quantiles are the inverse of what is below them, at fly-ash scale") {
         const double below =
             x < 0.25 ? (x - 0.1) * (x - 0.1) / (0.3 * 0.15) : 1 - (0.4 - x) * (0.4 - x) / (0.3 * 0.15);
         CHECK(below == doctest::Approx(p).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("normal quantiles in lanes are those of GSL, over the whole range and one by one") {
+    std::vector<double> probabilities;
+    for (double p = 0x1p-1070; p < 0.5; p *= 1.37) probabilities.push_back(p);
+    for (double p = 0.0003; p < 1.0; p += 0.0007) probabilities.push_back(p);
+    for (double p = 0x1p-53; p < 0.1; p *= 3.0) probabilities.push_back(1.0 - p);
+    std::vector<double> together = probabilities;
+    to_quantiles(Normal{0.0, 1.0}, together);
+    std::vector<double> sizes = probabilities;
+    to_quantiles(LogNormal{44e-6, 1.5}, sizes);
+    for (std::size_t i = 0; i < probabilities.size(); ++i) {
+        const double p = probabilities[i];
+        CAPTURE(p);
+        const double expected = gsl::normal_quantile(p);
+        CHECK(std::abs(together[i] - expected) <= 4e-15 * std::max(std::abs(expected), 0x1p-10));
+        CHECK(quantile(Normal{0.0, 1.0}, p) == together[i]);
+        CHECK(sizes[i] == doctest::Approx(44e-6 * std::pow(1.5, expected)).epsilon(2e-14));
+        CHECK(quantile(LogNormal{44e-6, 1.5}, p) == sizes[i]);
     }
 }
 

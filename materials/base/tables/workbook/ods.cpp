@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "materials/base/decimal/decimal.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/tables/workbook/formats.hpp"
 
@@ -49,7 +50,7 @@ std::string text_of_cell(const pugi::xml_node& cell) {
     if (type == "float" || type == "percentage" || type == "currency") {
         const std::string value = attribute_of(cell, "value").value_or("");
         double number = 0;
-        const auto [end, status] = std::from_chars(value.data(), value.data() + value.size(), number);
+        const auto [end, status] = decimal::read(value.data(), value.data() + value.size(), number);
         if (status == std::errc{} && end == value.data() + value.size())
             return type == "percentage" ? shown_per_cent(number) : shown_number(number);
     }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "materials/base/decimal/decimal.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/tables/workbook/formats.hpp"
 #include "materials/base/text.hpp"
@@ -157,7 +158,7 @@ std::string date_of(double serial, bool since_1904) {
 
 std::string shown_value(const std::string& value, const pugi::xml_node& cell, const Shared& shared) {
     double number = 0;
-    const auto [end, status] = std::from_chars(value.data(), value.data() + value.size(), number);
+    const auto [end, status] = decimal::read(value.data(), value.data() + value.size(), number);
     if (status != std::errc{} || end != value.data() + value.size()) return value;
     const auto style = whole_number(attribute_of(cell, "s").value_or("0")).value_or(0);
     const Format format = style < shared.formats.size() ? shared.formats[style] : Format::number;

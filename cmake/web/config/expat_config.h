@@ -1,0 +1,7 @@
+/* For Expat compiled to WebAssembly; it reads nothing but the database of units. */
+#define BYTEORDER 1234
+#define HAVE_MEMMOVE 1
+#define XML_CONTEXT_BYTES 1024
+#define XML_DTD 1
+#define XML_NS 1
+#define XML_POOR_ENTROPY 1

@@ -1,0 +1,151 @@
+// What a page calls: four functions on files in emscripten's file system in memory. The page writes the case
+// and what it names there, and reads artifacts and report from there. Each function returns one JSON object,
+// docs/web.md.
+#include <spdlog/sinks/ostream_sink.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <sstream>
+
+#include "materials/base/error.hpp"
+#include "pipeline/case/case_reader.hpp"
+#include "pipeline/files/file.hpp"
+#include "pipeline/json/document.hpp"
+#include "pipeline/json/writer.hpp"
+#include "pipeline/report/figure_file.hpp"
+#include "pipeline/report/figures/figures.hpp"
+#include "pipeline/report/report.hpp"
+#include "pipeline/run.hpp"
+#include "pipeline/text/comparison_table.hpp"
+#include "pipeline/text/remarks.hpp"
+
+namespace {
+
+using ashimpact::Json;
+
+/// Columns of the summary in a page.
+constexpr std::size_t text_width = 100;
+
+/// The lines that a computation logs.
+class Messages {
+  public:
+    Messages() {
+        auto sink = std::make_shared<spdlog::sinks::ostream_sink_st>(text_);
+        auto logger = std::make_shared<spdlog::logger>("ashimpact", sink);
+        logger->set_pattern("%v");
+        spdlog::set_default_logger(logger);
+    }
+
+    [[nodiscard]] Json lines() const {
+        Json all = Json::array();
+        std::istringstream text(text_.str());
+        for (std::string line; std::getline(text, line);) all.push_back(line);
+        return all;
+    }
+
+  private:
+    std::ostringstream text_;
+};
+
+Json failure(int status, const std::exception& error) {
+    return {{"status", status}, {"error", {{"message", error.what()}}}};
+}
+
+/// Runs a function of the page; its exit status and errors are those of the program.
+/// @return JSON text, valid until the next call
+const char* answered(const std::function<Json()>& work) {
+    static std::string answer;
+    const Messages messages;
+    Json result;
+    try {
+        result = work();
+        result["status"] = 0;
+    } catch (const ashimpact::InputError& error) {
+        result = failure(2, error);
+        result["error"].update(
+            {{"place", error.place()}, {"problem", error.problem()}, {"allowed", error.allowed()}});
+    } catch (const ashimpact::ConvergenceError& error) {
+        result = failure(3, error);
+    } catch (const std::exception& error) {
+        result = failure(1, error);
+    }
+    result["messages"] = messages.lines();
+    answer = result.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return answer.c_str();
+}
+
+std::optional<std::string> case_named(const char* file) {
+    return *file == '\0' ? std::nullopt : std::optional<std::string>(file);
+}
+
+/// What a page shows of a run before it opens an artifact.
+Json shown(const ashimpact::RunSummary& run) {
+    Json result{{"files", Json::array()}, {"samples", run.samples}, {"remarks", Json::array()}};
+    for (const ashimpact::Artifact& artifact : run.written) {
+        result["files"].push_back(artifact.file);
+        if (artifact.file == ashimpact::comparison_artifact)
+            result["text"] =
+                ashimpact::comparison_text(ashimpact::View(artifact.document).at("result"), text_width);
+    }
+    if (!run.report.empty()) result["files"].push_back(ashimpact::report::report_file);
+    for (const ashimpact::RemarkLine& line : ashimpact::remark_lines(run.remarks, run.samples))
+        result["remarks"].push_back({{"text", line.text}, {"decides", line.decides}});
+    return result;
+}
+
+/// The case without its measured impacts, as a file beside it.
+std::string without_impacts(const std::string& file) {
+    Json document = ashimpact::in_file(
+        file, [&] { return ashimpact::without_comments(ashimpact::parse_json(ashimpact::read_file(file))); });
+    if (document.is_object() && document.contains("samples") && document.at("samples").is_array())
+        for (Json& sample : document.at("samples"))
+            if (sample.is_object()) sample.erase("restitution");
+    const auto beside = std::filesystem::path(file).parent_path() / "without-impacts.json";
+    ashimpact::write_file(beside, document.dump());
+    return beside.string();
+}
+
+}  // namespace
+
+extern "C" {
+
+/// All stages of a case, as `ashimpact run`; an empty @p case_file is the built-in case.
+const char* ashimpact_run(const char* case_file, const char* folder) {
+    return answered(
+        [&] { return shown(ashimpact::run_stages({.case_file = case_named(case_file), .folder = folder})); });
+}
+
+/// What needs no measured impacts: modulus, contact, analytic critical velocity. No report.
+const char* ashimpact_evaluate(const char* case_file, const char* folder) {
+    return answered([&] {
+        static_cast<void>(ashimpact::load_case(case_file));  // whose messages name the case itself
+        return shown(ashimpact::run_stages(
+            {.case_file = without_impacts(case_file), .folder = folder, .report = false}));
+    });
+}
+
+/// Reads and checks a case and every file that it names.
+const char* ashimpact_validate(const char* case_file) {
+    return answered([&] {
+        const ashimpact::LoadedCase loaded = ashimpact::load_case(case_named(case_file));
+        Json samples = Json::array();
+        for (const auto& sample : loaded.data.samples) samples.push_back(sample.name);
+        return Json{{"name", loaded.data.name}, {"samples", samples}, {"warnings", loaded.warnings}};
+    });
+}
+
+/// One figure of a finished run as SVG, @p width "single" or "double".
+const char* ashimpact_figure(const char* folder, const char* name, const char* width) {
+    return answered([&] {
+        namespace report = ashimpact::report;
+        const report::RunData run(ashimpact::load_artifacts(folder, report::report_artifacts()), "");
+        const report::Figure figure = report::figure_named(name, run);
+        const auto wide = std::string_view(width) == "single" ? report::Width::narrow : report::Width::wide;
+        return Json{{"svg", figure.panels.empty() ? "" : report::svg_of(figure, wide)},
+                    {"title", figure.title},
+                    {"caption", figure.caption}};
+    });
+}
+}

@@ -1,0 +1,126 @@
+#include "solver/statistics/normal_lanes.hpp"
+
+#include <array>
+#include <cstddef>
+
+// This file once more for each instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "solver/statistics/normal_lanes.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include <hwy/contrib/math/math-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace ashimpact::HWY_NAMESPACE {
+
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Tag = hn::ScalableTag<double>;
+using Lanes = hn::Vec<Tag>;
+
+/// P(x)/Q(x) of degree 7, from the highest power.
+struct Ratio {
+    std::array<double, 8> above;
+    std::array<double, 8> below;
+
+    [[nodiscard]] HWY_INLINE Lanes at(Lanes x) const {
+        const Tag d;
+        Lanes p = hn::Set(d, above[0]);
+        Lanes q = hn::Set(d, below[0]);
+        for (std::size_t i = 1; i < above.size(); ++i) {
+            p = hn::MulAdd(p, x, hn::Set(d, above[i]));
+            q = hn::MulAdd(q, x, hn::Set(d, below[i]));
+        }
+        return hn::Div(p, q);
+    }
+};
+
+// Wichura 1988: the middle, the tails, and the tails beyond a probability of exp(-25).
+constexpr Ratio middle{
+    {2.5090809287301226727e3, 3.3430575583588128105e4, 6.7265770927008700853e4, 4.5921953931549871457e4,
+     1.3731693765509461125e4, 1.9715909503065514427e3, 1.3314166789178437745e2, 3.3871328727963666080e0},
+    {5.2264952788528545610e3, 2.8729085735721942674e4, 3.9307895800092710610e4, 2.1213794301586595867e4,
+     5.3941960214247511077e3, 6.8718700749205790830e2, 4.2313330701600911252e1, 1.0}};
+constexpr Ratio tail{{7.74545014278341407640e-4, 2.27238449892691845833e-2, 2.41780725177450611770e-1,
+                      1.27045825245236838258e0, 3.64784832476320460504e0, 5.76949722146069140550e0,
+                      4.63033784615654529590e0, 1.42343711074968357734e0},
+                     {1.05075007164441684324e-9, 5.47593808499534494600e-4, 1.51986665636164571966e-2,
+                      1.48103976427480074590e-1, 6.89767334985100004550e-1, 1.67638483018380384940e0,
+                      2.05319162663775882187e0, 1.0}};
+constexpr Ratio far_tail{{2.01033439929228813265e-7, 2.71155556874348757815e-5, 1.24266094738807843860e-3,
+                          2.65321895265761230930e-2, 2.96560571828504891230e-1, 1.78482653991729133580e0,
+                          5.46378491116411436990e0, 6.65790464350110377720e0},
+                         {2.04426310338993978564e-15, 1.42151175831644588870e-7, 1.84631831751005468180e-5,
+                          7.86869131145613259100e-4, 1.48753612908506148525e-2, 1.36929880922735805310e-1,
+                          5.99832206555887937690e-1, 1.0}};
+
+constexpr double middle_half = 0.425;
+constexpr double far_from = 5.0;
+constexpr double least_probability = 0x1p-1074;
+constexpr double greatest_exponent = 705.0;
+
+/// Standard normal quantile.
+HWY_INLINE Lanes quantile(Lanes p) {
+    const Tag d;
+    const Lanes q = hn::Sub(p, hn::Set(d, 0.5));
+    const auto in_middle = hn::Le(hn::Abs(q), hn::Set(d, middle_half));
+    const Lanes near = hn::Mul(q, middle.at(hn::NegMulAdd(q, q, hn::Set(d, middle_half * middle_half))));
+    if (hn::AllTrue(d, in_middle)) return near;
+    const Lanes beyond = hn::Max(hn::Min(p, hn::Sub(hn::Set(d, 1.0), p)), hn::Set(d, least_probability));
+    const Lanes root = hn::Sqrt(hn::Neg(hn::Log(d, beyond)));
+    const Lanes split = hn::Set(d, far_from);
+    Lanes out = tail.at(hn::Sub(root, hn::Set(d, 1.6)));
+    const auto is_far = hn::Gt(root, split);
+    if (!hn::AllFalse(d, is_far)) out = hn::IfThenElse(is_far, far_tail.at(hn::Sub(root, split)), out);
+    return hn::IfThenElse(in_middle, near, hn::CopySign(out, q));
+}
+
+HWY_INLINE Lanes convert(const CutNormal& cut, const NormalScale& scale, Lanes p) {
+    const Tag d;
+    if (cut.mirrored) p = hn::Sub(hn::Set(d, 1.0), p);
+    Lanes z = quantile(hn::MulAdd(p, hn::Set(d, cut.width), hn::Set(d, cut.lower)));
+    if (cut.mirrored) z = hn::Neg(z);
+    const Lanes offset = hn::Set(d, scale.offset);
+    const Lanes unit = hn::Set(d, scale.scale);
+    Lanes x;
+    if (scale.logarithmic) {
+        const Lanes most = hn::Set(d, greatest_exponent);
+        x = hn::Mul(unit, hn::Exp(d, hn::Min(hn::Max(hn::Mul(offset, z), hn::Neg(most)), most)));
+    } else {
+        x = hn::MulAdd(unit, z, offset);
+    }
+    return hn::Min(hn::Max(x, hn::Set(d, scale.minimum)), hn::Set(d, scale.maximum));
+}
+
+}  // namespace
+
+void normal_quantiles(const CutNormal& cut, const NormalScale& scale, double* values, std::size_t count) {
+    const Tag d;
+    const std::size_t width = hn::Lanes(d);
+    std::size_t i = 0;
+    for (; i + width <= count; i += width)
+        hn::StoreU(convert(cut, scale, hn::LoadU(d, values + i)), d, values + i);
+    if (i == count) return;
+    HWY_ALIGN std::array<double, hn::MaxLanes(d)> rest;
+    rest.fill(0.5);
+    for (std::size_t k = i; k < count; ++k) rest[k - i] = values[k];
+    hn::Store(convert(cut, scale, hn::Load(d, rest.data())), d, rest.data());
+    for (std::size_t k = i; k < count; ++k) values[k] = rest[k - i];
+}
+
+}  // namespace ashimpact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ashimpact {
+
+HWY_EXPORT(normal_quantiles);
+
+void to_normal_quantiles(const CutNormal& cut, const NormalScale& scale, std::span<double> probabilities) {
+    HWY_DYNAMIC_DISPATCH(normal_quantiles)(cut, scale, probabilities.data(), probabilities.size());
+}
+
+}  // namespace ashimpact
+#endif
