@@ -104,12 +104,14 @@ struct Losses {
 };
 
 Losses losses_of(const CurveProblem& problem, double damping, double velocity) {
-    const EnergyLedger energy = solve_impact({problem.choice.law,
-                                              problem.choice.detachment,
-                                              {problem.damping_law, damping},
-                                              problem.contact,
-                                              velocity})
-                                    .energy;
+    const Impact impact{problem.choice.law,
+                        problem.choice.detachment,
+                        {problem.damping_law, damping},
+                        problem.contact,
+                        velocity};
+    const bool costly = is_cohesive(problem.choice.law, problem.contact);
+    const EnergyLedger energy =
+        (costly ? solve_cohesive_impact(impact, Precision::standard) : solve_impact(impact)).energy;
     return {energy.potential - energy.at_touch + energy.jumps, energy.plastic};
 }
 

@@ -28,7 +28,7 @@ class VelocitySearch {
     enum class State { open, found, failed };
     static constexpr std::size_t most_points = 4;
     static constexpr int most_steps = 60;
-    static constexpr double enough = 1e-6;  ///< change of x after which the next one is below 1e-10
+    static constexpr double enough = 1e-5;  ///< change of x after which the next one is below 1e-9
     struct Point {
         double height;  ///< e, or e^2 with adhesion
         double place;

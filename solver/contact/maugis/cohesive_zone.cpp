@@ -16,30 +16,91 @@ constexpr Extended right_angle = extended_pi / 2;
 /// Below this angle P and Q are summed as power series: their closed forms cancel.
 constexpr Extended small_angle = 0.5_ext;
 
-/// sin x - x cos x = sum over k >= 1 of (-1)^(k+1) 2k x^(2k+1)/(2k+1)!
-/// @param sine, cosine of x
-Extended sine_excess(Extended x, Extended sine, Extended cosine) {
-    if (x > 2 * small_angle) return sine - x * cosine;
-    Extended sum = 0;
-    Extended term = x;  // (-1)^(k+1) x^(2k+1)/(2k+1)!
+/// Sum of alternating terms that fall from the first on: @p next(k) gives the k-th, k = 1, 2, ...; the first
+/// that does not count ends it.
+template <class Real, class Next>
+Real falling_sum(Next&& next) {
+    Real sum = 0;
     for (int k = 1; k < 20; ++k) {
-        term *= (k == 1 ? 1 : -1) * x * x / static_cast<Extended>(2 * k * (2 * k + 1));
-        sum += static_cast<Extended>(2 * k) * term;
+        const Real term = next(k);
+        sum += term;
+        if (std::abs(term) < std::numeric_limits<Real>::epsilon() / 64 * std::abs(sum)) break;
     }
     return sum;
 }
 
+/// sin x - x cos x = sum over k >= 1 of (-1)^(k+1) 2k x^(2k+1)/(2k+1)!
+/// @param sine, cosine of x
+template <class Real>
+Real sine_excess(Real x, Real sine, Real cosine) {
+    if (x > 2 * static_cast<Real>(small_angle)) return sine - x * cosine;
+    Real power = x;  // (-1)^(k+1) x^(2k+1)/(2k+1)!
+    return falling_sum<Real>([&](int k) {
+        power *= static_cast<Real>(k == 1 ? 1 : -1) * x * x / static_cast<Real>(2 * k * (2 * k + 1));
+        return static_cast<Real>(2 * k) * power;
+    });
+}
+
 /// x sin x + cos x - 1 = sum over k >= 1 of (-1)^(k+1) (2k-1) x^(2k)/(2k)!
 /// @param sine, cosine of x
-Extended versine_excess(Extended x, Extended sine, Extended cosine) {
-    if (x > small_angle) return x * sine + cosine - 1;
-    Extended sum = 0;
-    Extended term = 1;  // (-1)^(k+1) x^(2k)/(2k)!
-    for (int k = 1; k < 20; ++k) {
-        term *= (k == 1 ? 1 : -1) * x * x / static_cast<Extended>((2 * k - 1) * 2 * k);
-        sum += static_cast<Extended>(2 * k - 1) * term;
+template <class Real>
+Real versine_excess(Real x, Real sine, Real cosine) {
+    if (x > static_cast<Real>(small_angle)) return x * sine + cosine - 1;
+    Real power = 1;  // (-1)^(k+1) x^(2k)/(2k)!
+    return falling_sum<Real>([&](int k) {
+        power *= static_cast<Real>(k == 1 ? 1 : -1) * x * x / static_cast<Real>((2 * k - 1) * 2 * k);
+        return static_cast<Real>(2 * k - 1) * power;
+    });
+}
+
+/// An angle theta with its sine and cosine.
+template <class Real>
+struct Angle {
+    Real angle;
+    Real sine;
+    Real cosine;
+};
+
+/// P of the class's comment.
+template <class Real>
+Real quadratic_of(Real lambda, const Angle<Real>& at) {
+    const Real cosine_of_double = (at.cosine - at.sine) * (at.cosine + at.sine);
+    return lambda / 4 * sine_excess(2 * at.angle, 2 * at.sine * at.cosine, cosine_of_double);
+}
+
+/// Q of the class's comment.
+template <class Real>
+Real linear_of(Real lambda, const Angle<Real>& at) {
+    return 4 * lambda * lambda / 3 * versine_excess(at.angle, at.sine, at.cosine);
+}
+
+/// A step of Newton for ln(P c^2 + Q c) = 0 with c = a/cos(theta) in ln(tan theta), nearly a straight line,
+/// at tan(theta) = @p t.
+template <class Real>
+Real step_to_radius(Real lambda, Real a, Real t) {
+    const Real cosine_squared = 1 / (1 + t * t);
+    const Real cosine = std::sqrt(cosine_squared);
+    const Real sine = t * cosine;
+    const Real theta = std::atan(t);
+    const Real c = a / cosine;
+    const Real p = quadratic_of<Real>(lambda, {theta, sine, cosine});
+    const Real q = linear_of<Real>(lambda, {theta, sine, cosine});
+    const Real sum = (p * c + q) * c;
+    const Real rise =
+        theta * cosine * (2 * lambda * sine * c + 4 * lambda * lambda / 3) * c + (2 * p * c + q) * c * t;
+    return -std::log(sum) * sum / (rise * t * cosine_squared);
+}
+
+/// Steps from @p t on until one leaves no more than the rounding of Real.
+template <class Real>
+Real tangent_at_radius(Real lambda, Real a, Real t) {
+    const Real enough = Real(0.1) * std::sqrt(std::numeric_limits<Real>::epsilon());  // leaves its square
+    for (int i = 0; i < 60; ++i) {
+        const Real step = step_to_radius(lambda, a, t);
+        t *= std::exp(std::fmax(Real(-2), std::fmin(Real(2), step)));
+        if (std::abs(step) < enough) break;
     }
-    return sum;
+    return t;
 }
 
 /// cos(theta) that vanishes exactly at the right angle of this number type.
@@ -71,20 +132,11 @@ Extended CohesiveZone::reach() const {
 }
 
 Extended CohesiveZone::quadratic(Extended theta) const {
-    return quadratic({theta, std::sin(theta), std::cos(theta)});
+    return quadratic_of<Extended>(lambda_, {theta, std::sin(theta), std::cos(theta)});
 }
 
 Extended CohesiveZone::linear(Extended theta) const {
-    return linear({theta, std::sin(theta), std::cos(theta)});
-}
-
-Extended CohesiveZone::quadratic(const Angle& at) const {
-    const Extended cosine_of_double = (at.cosine - at.sine) * (at.cosine + at.sine);
-    return lambda_ / 4 * sine_excess(2 * at.angle, 2 * at.sine * at.cosine, cosine_of_double);
-}
-
-Extended CohesiveZone::linear(const Angle& at) const {
-    return 4 * lambda_ * lambda_ / 3 * versine_excess(at.angle, at.sine, at.cosine);
+    return linear_of<Extended>(lambda_, {theta, std::sin(theta), std::cos(theta)});
 }
 
 CohesiveState CohesiveZone::at_angle(Extended theta) const {
@@ -99,26 +151,13 @@ CohesiveState CohesiveZone::in_gap(Extended c) {
 
 CohesiveState CohesiveZone::at_contact_radius(Extended a) const {
     if (a <= 0) return join_;
-    // Newton for ln(P c^2 + Q c) = 0 with c = a/cos(theta) in ln(tan theta): nearly a straight line.
-    Extended t = 1 / (std::cbrt(lambda_ * a * a / 1.5_ext) + std::sqrt(lambda_ * lambda_ * a / 1.5_ext));
-    const Extended enough =
-        0.1_ext * std::sqrt(std::numeric_limits<Extended>::epsilon());  // leaves its square
-    Extended theta = 0;
-    for (int i = 0; i < 60; ++i) {
-        const Extended cosine_squared = 1 / (1 + t * t);
-        const Extended cosine = std::sqrt(cosine_squared);
-        const Extended sine = t * cosine;
-        theta = std::atan(t);
-        const Extended c = a / cosine;
-        const Extended p = quadratic({theta, sine, cosine});
-        const Extended q = linear({theta, sine, cosine});
-        const Extended sum = (p * c + q) * c;
-        const Extended rise = theta * cosine * (2 * lambda_ * sine * c + 4 * lambda_ * lambda_ / 3) * c +
-                              (2 * p * c + q) * c * t;
-        const Extended step = -std::log(sum) * sum / (rise * t * cosine_squared);
-        t *= std::exp(std::fmax(-2.0_ext, std::fmin(2.0_ext, step)));
-        if (std::abs(step) < enough) break;
-    }
+    const Extended guess =
+        1 / (std::cbrt(lambda_ * a * a / 1.5_ext) + std::sqrt(lambda_ * lambda_ * a / 1.5_ext));
+    // Most of the way in double, which is several times as fast.
+    const double near =
+        tangent_at_radius(static_cast<double>(lambda_), static_cast<double>(a), static_cast<double>(guess));
+    const bool known = std::isnormal(near) && near > 0;
+    const Extended t = tangent_at_radius<Extended>(lambda_, a, known ? static_cast<Extended>(near) : guess);
     return {.angle = std::atan(t), .cohesive_radius = a * std::sqrt(1 + t * t)};
 }
 

@@ -90,12 +90,6 @@ class CohesiveZone {
     [[nodiscard]] Extended linear(Extended theta) const;
 
   private:
-    /// theta with its sine and cosine.
-    struct Angle {
-        Extended angle, sine, cosine;
-    };
-    [[nodiscard]] Extended quadratic(const Angle& at) const;
-    [[nodiscard]] Extended linear(const Angle& at) const;
     template <class Function>
     [[nodiscard]] CohesiveState contact_where(Function&& function, Extended from) const;
 
