@@ -26,6 +26,7 @@ struct LaneArrival {
 };
 
 inline constexpr int landing_order = 10;  ///< of the Taylor series about a state next to an event
+inline constexpr int turn_order = 7;      ///< of that at a turn, which the state is nearer to
 inline constexpr int newton_steps = 4;
 
 /// Greatest overlap and its time, from a state next to the turn. A lane that never @p turned gets the
@@ -33,9 +34,9 @@ inline constexpr int newton_steps = 4;
 template <class F>
 [[nodiscard]] HWY_INLINE LaneTurn turning_point(const Equation<F>& equation, const Places& places,
                                                 const LaneState& near, Mask turned) {
-    const LaneSeries<F, landing_order> x(equation, near);
+    const LaneSeries<F, turn_order> x(equation, near);
     Lanes h = 0.0;
-    for (int i = 0; i < newton_steps; ++i) h = h - x.velocity_at(h) / x.acceleration_at(h);
+    for (int i = 1; i < newton_steps; ++i) h = h - x.velocity_at(h) / x.acceleration_at(h);
     LaneTurn turn;
     turn.time = select(turned, x.time_at(h), Lanes(hn::NaN(Tag())));
     turn.overlap = equation.overlap(select(turned, x.position_at(h), places.equilibrium));

@@ -46,10 +46,10 @@ struct Block {
 }
 
 /// One step of each orbit.
-template <class F>
+template <class F, int sequences = LaneOrbit<F>::sequences>
 HWY_INLINE void advance(Groups<LaneOrbit<F>>& orbits) {
     Groups<LaneStep> steps;
-    ExtrapolatedLeapfrog<F, LaneOrbit<F>::sequences, LaneOrbit<F>>::step(orbits, steps);
+    ExtrapolatedLeapfrog<F, sequences, LaneOrbit<F>>::step(orbits, steps);
     for (std::size_t group = 0; group < group_count; ++group) orbits[group].take(steps[group]);
 }
 
@@ -105,7 +105,7 @@ HWY_NOINLINE void follow(Block& block, Detachment detachment, Goal goal) {
     if (goal != Goal::turn) store_ends<F>(orbits, block);
     if (goal == Goal::end) return;
     for (Orbit& orbit : orbits) orbit.return_to_turn();
-    advance<F>(orbits);
+    advance<F, Orbit::sequences_to_turn>(orbits);
     integrate<F>(orbits, Orbit::late);
     store_turns<F>(orbits, block);
 }

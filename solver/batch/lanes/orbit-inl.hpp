@@ -7,7 +7,7 @@
 #endif
 
 #include "solver/batch/lanes/arrivals-inl.hpp"
-#include "solver/batch/lanes/events-inl.hpp"
+#include "solver/batch/lanes/findings-inl.hpp"
 #include "solver/batch/lanes/groups-inl.hpp"
 #include "solver/batch/lanes/pilot-inl.hpp"
 #include "solver/batch/lanes/turn-inl.hpp"
@@ -20,6 +20,7 @@ template <class F>
 class LaneOrbit {
   public:
     static constexpr int sequences = 8;
+    static constexpr int sequences_to_turn = 6;  ///< of the step to the turn, half as long or less
     static constexpr int late = 5;  ///< creeping is tested only from this step on; it is rare and slow
 
     LaneOrbit() = default;
@@ -35,20 +36,21 @@ class LaneOrbit {
         state_.position = places_.touch;
         state_.momentum = Lanes(1.0) + equation.damping_impulse(places_.touch);
         state_.time = 0.0;
-        turn_ = end_ = state_;
+        found_.turn = found_.end = state_;
     }
 
-    /// Goes back to the last state before the turn, to end at the turning point; the step from there is
-    /// chosen. What was found before is forgotten.
+    /// Goes back to a state beside the turn, to end at the turning point; the step from there is chosen. What
+    /// was found before is forgotten.
     HWY_INLINE void return_to_turn() {
-        state_ = around_.state();
-        step_ = around_.step_to_turn();
-        speed_ = around_.speed();
+        const StepToTurn next = around_.step_to_turn();
+        state_ = next.state;
+        step_ = next.step;
+        speed_ = abs(next.velocity);
         stiffness_ = 0.0;
-        pilot_ = Pilot(around_.usual());
+        pilot_ = Pilot(next.usual);
         to_turn_ = true;
         approaching_ = active_ = every();
-        captured_ = turned_ = ended_ = doubtful_ = none();
+        found_.forget();
     }
 
     [[nodiscard]] HWY_INLINE const Equation<F>& equation() const { return equation_; }
@@ -71,17 +73,18 @@ class LaneOrbit {
         const NextEvent next(places_, approaching_);
         Lanes event = next.time(q, v, r);
         if (!to_turn_) event = select(approaching_, NextEvent::out_of_sight, event);
-        const Mask near = both(active_, abs(event) <= next.reach(q, v, usual));
+        const Lanes reach = next.reach(q, v, usual);
+        const Mask near = both(active_, abs(event) <= (to_turn_ ? reach * Lanes(turn_reach) : reach));
         const Mask turning = both(near, approaching_);
         const Mask ending = both(without(near, approaching_), v < Lanes(0.0));
-        turn_ = select(turning, state_, turn_);
-        end_ = select(ending, state_, end_);
-        turned_ = either(turned_, turning);
-        ended_ = either(ended_, ending);
+        found_.record(turning, ending, state_);
         active_ = without(active_, ending);
         approaching_ = without(approaching_, turning);
         if (to_turn_) active_ = without(active_, turning);
-        detect_capture(q, v, pass);
+        const LaneVerdict verdict =
+            LaneCapture<F>(equation_, places_).verdict(q, v, active_, approaching_, pass >= late);
+        found_.record(verdict);
+        active_ = without(active_, verdict.captured);
         const Mask within = without(event < usual * pilot_.reach(), turning);
         step_ = select(within, max(event, -usual), usual);
         speed_ = abs(v);
@@ -108,49 +111,29 @@ class LaneOrbit {
 
     /// Greatest overlap and its time; for a lane that never turns the supremum, and NaN for the time.
     [[nodiscard]] HWY_INLINE LaneTurn turning_point() const {
-        return HWY_NAMESPACE::turning_point(equation_, places_, turn_, turned_);
+        return HWY_NAMESPACE::turning_point(equation_, places_, found_.turn, found_.turned);
     }
     /// Speed and time at the end of contact.
     [[nodiscard]] HWY_INLINE LaneArrival end_point() const {
-        return HWY_NAMESPACE::end_point(equation_, places_, end_);
+        return HWY_NAMESPACE::end_point(equation_, places_, found_.end);
     }
-
-    /// Lanes that have certainly ended, with a reliable speed.
     [[nodiscard]] HWY_INLINE Mask surely_ended(const LaneArrival& end) const {
-        return both(both(ended_, end.found),
-                    end.speed * end.speed > places_.speed_squared * Lanes(energy_doubt));
+        return found_.surely_ended(end, places_);
     }
-    /// Lanes whose turning point, or its absence, is certain.
     [[nodiscard]] HWY_INLINE Mask surely_turned(Lanes time) const {
-        return either(without(turned_, turns_in_doubt(time)), surely_captured());
+        return found_.surely_turned(time, equation_, places_);
     }
-    /// Captured lanes, except those in doubt for lack of digits in the energy.
-    [[nodiscard]] HWY_INLINE Mask surely_captured() const { return without(captured_, doubtful_); }
+    [[nodiscard]] HWY_INLINE Mask surely_captured() const { return found_.surely_captured(); }
 
   private:
-    /// Lanes that turn while hardly anything pulls them back, so that rounding moves the time of the turn.
-    [[nodiscard]] HWY_INLINE Mask turns_in_doubt(Lanes time) const {
-        const Lanes pull = rates_of(equation_, turn_.position, Lanes(0.0)).acceleration * time;
-        return both(turned_, pull * pull < places_.speed_squared * Lanes(1e-3));
-    }
-
     static constexpr double returned_error = 1.0;  ///< so large that the pilot shortens the step most
-
-    HWY_INLINE void detect_capture(Lanes q, Lanes v, int pass) {
-        const LaneVerdict verdict =
-            LaneCapture<F>(equation_, places_).verdict(q, v, active_, approaching_, pass >= late);
-        doubtful_ = either(doubtful_, verdict.doubtful);
-        captured_ = either(captured_, verdict.captured);
-        active_ = without(active_, verdict.captured);
-    }
 
     Equation<F> equation_;
     Places places_;
     Pilot pilot_;
     Lanes error_scale_;  ///< error_weight (3 for Tsuji, whose estimates can be too low) over v^2 in the well
     LaneState state_;
-    LaneState turn_;  ///< next to the turning point
-    LaneState end_;   ///< next to the end of contact
+    LaneFindings found_;
     AroundTurn around_;
     Lanes step_;
     Lanes speed_;
@@ -159,10 +142,6 @@ class LaneOrbit {
     bool to_turn_ = false;  ///< whether it returned and stops at the turning point
     Mask approaching_;
     Mask active_;
-    Mask captured_ = none();
-    Mask turned_ = none();
-    Mask ended_ = none();
-    Mask doubtful_ = none();
 };
 
 }  // namespace ashimpact::HWY_NAMESPACE

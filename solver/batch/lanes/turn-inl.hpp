@@ -16,6 +16,9 @@ namespace ashimpact::HWY_NAMESPACE {
 /// the one does not change the other.
 enum class Goal { end, turn, end_and_turn };
 
+/// How near to the turn the series is used, as a part of how near to other events: turn_order is lower.
+inline constexpr double turn_reach = 1.0 / 3.0;
+
 /// Where on the way from 0 to 1 the cubic with the values @p f0 > 0 and @p f1 <= 0 and the slopes @p d0 and
 /// @p d1 at the ends vanishes.
 [[nodiscard]] HWY_INLINE Lanes falling_root(Lanes f0, Lanes d0, Lanes f1, Lanes d1) {
@@ -31,8 +34,16 @@ enum class Goal { end, turn, end_and_turn };
     return s;
 }
 
-/// The last state of each lane before its turn, and what is known at the first one after it. From there a
-/// single step reaches the turning point.
+/// Where and how a step to the turning point begins.
+struct StepToTurn {
+    LaneState state;
+    Lanes velocity;
+    Lanes step;   ///< below zero from a state after the turn; the usual one for a lane that has not turned
+    Lanes usual;  ///< step that the pilot chose before the turn
+};
+
+/// The last state of each lane before its turn and the first one after it. From the nearer one a single step
+/// reaches the turning point.
 class AroundTurn {
   public:
     AroundTurn() = default;
@@ -44,36 +55,36 @@ class AroundTurn {
                             Lanes usual, Lanes taken) {
         const Mask passed = both(approaching, v <= Lanes(0.0));
         const Mask inward = without(approaching, passed);
-        state_ = select(inward, state, state_);
+        before_ = select(inward, state, before_);
         velocity_ = select(inward, v, velocity_);
         acceleration_ = select(inward, acceleration, acceleration_);
         usual_ = select(inward, usual, usual_);
-        step_ = select(inward, usual, select(passed, taken, step_));
+        if (!any(passed)) return;
+        after_ = select(passed, state, after_);
+        step_ = select(passed, taken, step_);
         later_velocity_ = select(passed, v, later_velocity_);
         later_acceleration_ = select(passed, acceleration, later_acceleration_);
         passed_ = either(passed_, passed);
     }
 
-    /// The last state before the turn.
-    [[nodiscard]] HWY_INLINE const LaneState& state() const { return state_; }
-    [[nodiscard]] HWY_INLINE Lanes speed() const { return velocity_; }
-    /// The step that the pilot chose there.
-    [[nodiscard]] HWY_INLINE Lanes usual() const { return usual_; }
-    /// Step from there to the turning point; the usual one for a lane that has not turned.
-    [[nodiscard]] HWY_INLINE Lanes step_to_turn() const {
+    [[nodiscard]] HWY_INLINE StepToTurn step_to_turn() const {
         const Lanes part =
             falling_root(velocity_, acceleration_ * step_, later_velocity_, later_acceleration_ * step_);
-        return select(passed_, part * step_, step_);
+        const Mask late = both(passed_, part > Lanes(0.5));
+        const Lanes step = select(late, (part - Lanes(1.0)) * step_, part * step_);
+        return {select(late, after_, before_), select(late, later_velocity_, velocity_),
+                select(passed_, step, usual_), usual_};
     }
 
   private:
-    LaneState state_;
+    LaneState before_;
+    LaneState after_;
     Lanes velocity_;
     Lanes acceleration_;
     Lanes usual_;
-    Lanes step_;
-    Lanes later_velocity_;
-    Lanes later_acceleration_;
+    Lanes step_{1.0};
+    Lanes later_velocity_{0.0};
+    Lanes later_acceleration_{0.0};
     Mask passed_ = none();
 };
 
