@@ -14,6 +14,8 @@ namespace ashimpact::HWY_NAMESPACE {
 
 /// What was found of the impacts of the lanes.
 struct LaneFindings {
+    LaneFindings() = default;
+
     LaneState turn;  ///< next to the turning point
     LaneState end;   ///< next to the end of contact
     Mask captured = none();
