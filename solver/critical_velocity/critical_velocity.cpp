@@ -63,12 +63,20 @@ CriticalVelocity cohesive_critical_velocity(const CriticalVelocityProblem& probl
 
 std::optional<CaptureVerdict> verdict_without_adhesion(const Damping& damping, const ContactPair& contact) {
     if (damping.coefficient == 0.0) return CaptureVerdict::never_captured;
-    if (!vanishes_at_touch(damping.law)) return std::nullopt;
-    const bool has_limit = std::isfinite(overdamped_squared(damping.law));
-    // Such a law's scaled coefficient is the same at every velocity.
-    return has_limit && is_overdamped(damping.law, Scale::of(contact, 1.0).damping_number(damping))
-               ? CaptureVerdict::always_captured
-               : CaptureVerdict::never_captured;
+    using Verdict = std::optional<CaptureVerdict>;
+    return RegisteredDampings::visit<Verdict>(damping.law, [&]<class D>() -> Verdict {
+        if constexpr (D::shape(0.0) != 0.0) {
+            return std::nullopt;
+        } else if constexpr (D::overdamped_squared == std::numeric_limits<double>::infinity()) {
+            return CaptureVerdict::never_captured;
+        } else {
+            // Such a law's scaled coefficient is the same at every velocity.
+            const Scale any = Scale::of_length(contact, contact.effective_radius);
+            const double number = damping.coefficient / D::unit(any);
+            return number * number >= D::overdamped_squared ? CaptureVerdict::always_captured
+                                                            : CaptureVerdict::never_captured;
+        }
+    });
 }
 
 CriticalVelocity critical_velocity(const CriticalVelocityProblem& problem) {

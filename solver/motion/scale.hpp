@@ -29,6 +29,17 @@ struct BasicScale {
                 .radius_length = root<2>(pair.effective_radius * length)};
     }
 
+    /// The same units from their length, for numbers that do not depend on the velocity. @param length L > 0
+    /// [m]
+    [[nodiscard]] static BasicScale of_length(const BasicContactPair<Real>& pair, const Real& length) {
+        const Real stiffness = hertz_stiffness(pair);
+        return {.mass = pair.mass,
+                .stiffness = stiffness,
+                .velocity = root<2>(stiffness * root<2>(length) / pair.mass) * length,
+                .length = length,
+                .radius_length = root<2>(pair.effective_radius * length)};
+    }
+
     [[nodiscard]] Real time() const { return length / velocity; }             ///< [s]
     [[nodiscard]] Real energy() const { return mass * velocity * velocity; }  ///< [J]
     [[nodiscard]] Real force() const { return energy() / length; }            ///< [N]
