@@ -11,10 +11,12 @@ namespace {
 
 constexpr std::chrono::milliseconds period{250};
 
-std::string rate_text(double rate) {
-    if (rate >= 1e6) return fmt::format("{:.3g} million", rate / 1e6);
-    if (rate >= 1e3) return fmt::format("{:.3g} thousand", rate / 1e3);
-    return fmt::format("{:.3g}", rate);
+/// "3.2 million impacts/s"; what takes more than a second each, "12 s for each of 6 hypotheses".
+std::string rate_text(double rate, std::uint64_t total, const char* noun) {
+    if (rate >= 1e6) return fmt::format("{:.3g} million {}/s", rate / 1e6, noun);
+    if (rate >= 1e3) return fmt::format("{:.3g} thousand {}/s", rate / 1e3, noun);
+    if (rate >= 1.0) return fmt::format("{:.3g} {}/s", rate, noun);
+    return fmt::format("{:.{}f} s for each of {} {}", 1.0 / rate, rate > 0.1 ? 1 : 0, total, noun);
 }
 
 std::string time_text(double seconds) {
@@ -39,8 +41,9 @@ void Progress::update(std::uint64_t done) {
     const double rate =
         static_cast<double>(done - before_) / std::chrono::duration<double>(now - start_).count();
     const double part = static_cast<double>(done) / static_cast<double>(total_);
-    const std::string line = fmt::format("\r\x1b[K{:5.1f} %, {} {}/s, {} left", 100 * part, rate_text(rate),
-                                         noun_, time_text(static_cast<double>(total_ - done) / rate));
+    const std::string line =
+        fmt::format("\r\x1b[K{:5.1f} %, {}, {} left", 100 * part, rate_text(rate, total_, noun_),
+                    time_text(static_cast<double>(total_ - done) / rate));
     std::fputs(line.c_str(), stderr);
     dirty_ = true;
 }

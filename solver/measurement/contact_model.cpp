@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace ashimpact {
 
@@ -16,11 +17,22 @@ namespace {
 
 constexpr int most_iterations = 60;
 
+std::string names_of_self_similar_laws() {
+    std::string names;
+    for (std::size_t i = 0; i < Law::count(); ++i) {
+        if (!Law::at(i).self_similar()) continue;
+        if (!names.empty()) names += ", ";
+        names += Law::at(i).name();
+    }
+    return names;
+}
+
 void require_memoryless(Law law, const ContactPair& contact) {
     if (is_self_similar(law, contact)) return;
     if (!law.self_similar())
-        throw InputError("the impacts of law '" + std::string(law.name()) + "' have more than two numbers",
-                         "another law for fits of damping");
+        throw InputError("damping cannot be found from impacts with law '" + std::string(law.name()) +
+                             "', whose adhesion has a range of its own",
+                         names_of_self_similar_laws());
     throw InputError("law '" + std::string(law.name()) + "' with a finite yield pressure has a history",
                      "a law without one for fits of damping");
 }

@@ -26,12 +26,20 @@ constexpr std::array aliases{
     Alias{"incidentvelocity", MeasuredQuantity::velocity},
     Alias{"incidentnormalvelocity", MeasuredQuantity::velocity},
     Alias{"normalincidentvelocity", MeasuredQuantity::velocity},
+    Alias{"incomingvelocity", MeasuredQuantity::velocity},
+    Alias{"approachvelocity", MeasuredQuantity::velocity},
     Alias{"impactvelocity", MeasuredQuantity::velocity},
+    Alias{"impactspeed", MeasuredQuantity::velocity},
+    Alias{"incidentspeed", MeasuredQuantity::velocity},
+    Alias{"vimpact", MeasuredQuantity::velocity},
     Alias{"vein", MeasuredQuantity::velocity},
     Alias{"veinfall", MeasuredQuantity::velocity},
     Alias{"einfallsgeschwindigkeit", MeasuredQuantity::velocity},
     Alias{"aufprallgeschwindigkeit", MeasuredQuantity::velocity},
     Alias{"auftreffgeschwindigkeit", MeasuredQuantity::velocity},
+    Alias{"anfluggeschwindigkeit", MeasuredQuantity::velocity},
+    Alias{"einfall", MeasuredQuantity::velocity},
+    Alias{"aufprall", MeasuredQuantity::velocity},
     Alias{"geschwindigkeit", MeasuredQuantity::velocity},
     Alias{"vitesse", MeasuredQuantity::velocity},
     Alias{"vitesseincidente", MeasuredQuantity::velocity},
@@ -44,10 +52,19 @@ constexpr std::array aliases{
     Alias{"rebound", MeasuredQuantity::rebound},
     Alias{"reboundvelocity", MeasuredQuantity::rebound},
     Alias{"normalreboundvelocity", MeasuredQuantity::rebound},
+    Alias{"reboundspeed", MeasuredQuantity::rebound},
+    Alias{"outgoingvelocity", MeasuredQuantity::rebound},
+    Alias{"vrebound", MeasuredQuantity::rebound},
     Alias{"vaus", MeasuredQuantity::rebound},
     Alias{"vab", MeasuredQuantity::rebound},
     Alias{"vrck", MeasuredQuantity::rebound},  // "v_rück"
     Alias{"vrueck", MeasuredQuantity::rebound},
+    Alias{"rckprall", MeasuredQuantity::rebound},  // "Rückprall"
+    Alias{"rueckprall", MeasuredQuantity::rebound},
+    Alias{"vrckprall", MeasuredQuantity::rebound},  // "v_Rückprall"
+    Alias{"vrueckprall", MeasuredQuantity::rebound},
+    Alias{"abprall", MeasuredQuantity::rebound},
+    Alias{"rebond", MeasuredQuantity::rebound},
     Alias{"rckprallgeschwindigkeit", MeasuredQuantity::rebound},  // "Rückprallgeschwindigkeit"
     Alias{"rueckprallgeschwindigkeit", MeasuredQuantity::rebound},
     Alias{"abprallgeschwindigkeit", MeasuredQuantity::rebound},
@@ -62,6 +79,12 @@ constexpr std::array aliases{
     Alias{"normalrestitution", MeasuredQuantity::restitution},
     Alias{"stosszahl", MeasuredQuantity::restitution},
     Alias{"stozahl", MeasuredQuantity::restitution},  // "Stoßzahl"
+    Alias{"stosskoeffizient", MeasuredQuantity::restitution},
+    Alias{"stokoeffizient", MeasuredQuantity::restitution},  // "Stoßkoeffizient"
+    Alias{"restitutionszahl", MeasuredQuantity::restitution},
+    Alias{"coefficientofnormalrestitution", MeasuredQuantity::restitution},
+    Alias{"normalcoefficientofrestitution", MeasuredQuantity::restitution},
+    Alias{"restitutioncoefficient", MeasuredQuantity::restitution},
     Alias{"restitutionskoeffizient", MeasuredQuantity::restitution},
     Alias{"coefficientderestitution", MeasuredQuantity::restitution},
 };

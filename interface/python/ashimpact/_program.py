@@ -43,15 +43,26 @@ def _program() -> str:
     return installed
 
 
+def _messages(text: str) -> list[str]:
+    """The messages in what the program wrote; it breaks long ones into lines, of which all but the first are indented."""
+    messages: list[str] = []
+    for line in text.splitlines():
+        if line.startswith("  ") and messages:
+            messages[-1] += " " + line.strip()
+        elif line.strip():
+            messages.append(line.strip())
+    return messages
+
+
 def _call(command: str, *arguments: str) -> str:
     """Standard output of a command; its messages become warnings, its errors exceptions."""
     finished = subprocess.run(
         [_program(), command, *arguments], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False
     )
-    messages = [line for line in finished.stderr.splitlines() if line.strip()]
+    messages = _messages(finished.stderr)
     if finished.returncode == 0:
-        for line in messages:
-            warnings.warn(line.removeprefix("warning: "), UserWarning, stacklevel=3)
+        for message in messages:
+            warnings.warn(message.removeprefix("warning: "), UserWarning, stacklevel=3)
         return finished.stdout
     message = messages[-1] if messages else f"ashimpact {command} ended with status {finished.returncode}"
     if finished.returncode == _WRONG_INPUT:

@@ -288,6 +288,15 @@ class Documents(unittest.TestCase):
         with self.assertRaises(ashimpact.InputError):
             ashimpact.modulus("/nowhere/ash.csv")
 
+    def test_a_long_warning_is_one(self):
+        from ashimpact._program import _messages
+
+        written = "warning: one that is so long that it\n  goes on in a second line\n  and a third\nwarning: another\n"
+        self.assertEqual(
+            _messages(written),
+            ["warning: one that is so long that it goes on in a second line and a third", "warning: another"],
+        )
+
     def test_modulus_of_a_file(self, ):
         import tempfile
 

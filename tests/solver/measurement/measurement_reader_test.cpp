@@ -147,3 +147,25 @@ TEST_CASE("uncertainties of unclear coverage are not read, and one line says why
         CHECK_MESSAGE(told.find(why) != std::string::npos, told);
     }
 }
+
+TEST_CASE("the usual headings of impacts are known, in English, German and French") {
+    for (const char* heading :
+         {"v_in [m/s];v_r [m/s]", "Einfallsgeschwindigkeit [m/s];Rückprall [m/s]",
+          "Aufprall [m/s];Rueckprall [m/s]", "Einfall (m/s);Abprall (m/s)",
+          "Anfluggeschwindigkeit;v_Rückprall", "impact speed [m/s];rebound speed [m/s]",
+          "incoming velocity;outgoing velocity", "v_impact;v_rebound", "vitesse d'impact;rebond"}) {
+        CAPTURE(heading);
+        const MeasurementSet set = read_measurements(std::string(heading) + "\n2,1;0,4\n", "t.csv");
+        REQUIRE(set.points.size() == 1);
+        CHECK(set.points.front().velocity == 2.1);
+        CHECK(set.points.front().rebound == 0.4);
+    }
+    for (const char* heading : {"Stoßkoeffizient", "Restitutionszahl", "restitution coefficient",
+                                "coefficient of normal restitution"}) {
+        CAPTURE(heading);
+        const MeasurementSet set =
+            read_measurements("v_in [m/s];" + std::string(heading) + "\n2;0,5\n", "t.csv");
+        REQUIRE(set.points.size() == 1);
+        CHECK(set.points.front().rebound == doctest::Approx(1.0));
+    }
+}
