@@ -119,9 +119,12 @@ std::int64_t solve(const ImpactBatch& batch, const ImpactTask& task, std::size_t
             }
             ++solved_alone;
         }
-        if (!task.with_contact_time) task.contact_time[i] = nothing;
-        if (!task.turning_point) task.approach_time[i] = task.maximum_overlap[i] = nothing;
         outcome[i] = task.end[i] == LaneEnd::rebound ? Outcome::rebound : Outcome::capture;
+    }
+    if (!task.with_contact_time) std::fill_n(task.contact_time, task.count, nothing);
+    if (!task.turning_point) {
+        std::fill_n(task.approach_time, task.count, nothing);
+        std::fill_n(task.maximum_overlap, task.count, nothing);
     }
     return solved_alone;
 }

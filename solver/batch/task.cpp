@@ -35,7 +35,13 @@ template <class Holds>
 std::size_t count_until(const Input& column, std::size_t count, const Holds& holds) {
     if (column.values == nullptr) return count;
     if (column.single) return holds(column.values[0]) ? count : 0;
+    constexpr std::size_t together = 8;  // with one branch for all of them
     std::size_t i = 0;
+    for (; i + together <= count; i += together) {
+        unsigned held = 0;
+        for (std::size_t k = 0; k < together; ++k) held += holds(column.values[i + k]) ? 1U : 0U;
+        if (held < together) break;
+    }
     while (i < count && holds(column.values[i])) ++i;
     return i;
 }

@@ -9,8 +9,10 @@
 #include "solver/batch/tables/power_row-inl.hpp"
 #include "solver/batch/tables/restitution_table.hpp"
 #include "solver/batch/tables/scaled_task-inl.hpp"
+#include "solver/numeric/power.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -26,24 +28,46 @@ namespace ashimpact::HWY_NAMESPACE {
 /// Evaluates the polynomials of a piece at one place.
 class PlaceInPiece {
   public:
-    HWY_INLINE PlaceInPiece(double t, double u) : t_(t), powers_(u) {}
+    HWY_INLINE PlaceInPiece(double t, double u)
+        : t_(t), row_of_high_(power<static_cast<int>(low_rows)>(t)), powers_(u) {}
 
-    [[nodiscard]] HWY_INLINE double value(const batch::RestitutionPolynomials::Coefficients& c) const {
-        constexpr std::size_t columns = batch::RestitutionPolynomials::columns;
-        constexpr std::size_t registers = columns / lane_count;
-        const auto at = [&](std::size_t i, std::size_t k)
-                            HWY_ATTR { return Lanes::load(c.data() + i * columns + k * lane_count); };
-        std::size_t i = batch::RestitutionPolynomials::rows - 1;
-        std::array<Lanes, registers> row;
-        for (std::size_t k = 0; k < registers; ++k) row[k] = at(i, k);
-        while (i-- > 0) {
-            for (std::size_t k = 0; k < registers; ++k) row[k] = multiply_add(row[k], t_, at(i, k));
+    [[nodiscard]] HWY_INLINE double value(const batch::SquarePolynomial& c) const {
+        HWY_ALIGN float high[columns];
+        add_rows_of_high(c, high);
+        const hn::Rebind<float, Tag> singles;
+        const auto high_at = [&](std::size_t j) HWY_ATTR {
+            return Lanes(hn::PromoteTo(Tag(), hn::Load(singles, high + j)));
+        };
+        std::array<Lanes, columns / lane_count> row;
+        for (std::size_t j = 0; j < low_columns; j += lane_count) {
+            Lanes low = Lanes::load(c.low.data() + (low_rows - 1) * low_columns + j);
+            for (std::size_t i = low_rows - 1; i-- > 0;)
+                low = multiply_add(low, t_, Lanes::load(c.low.data() + i * low_columns + j));
+            row[j / lane_count] = multiply_add(high_at(j), row_of_high_, low);
+            row[(low_columns + j) / lane_count] = high_at(low_columns + j);
         }
         return powers_.sum(row);
     }
 
   private:
+    static constexpr std::size_t columns = batch::SquarePolynomial::columns;
+    static constexpr std::size_t low_rows = batch::SquarePolynomial::low_rows;
+    static constexpr std::size_t low_columns = batch::SquarePolynomial::low_columns;
+
+    /// The sums over the rows of c.high, in single precision.
+    HWY_INLINE void add_rows_of_high(const batch::SquarePolynomial& c, float* sums) const {
+        const hn::ScalableTag<float> singles;
+        const auto t = hn::Set(singles, static_cast<float>(hn::GetLane(t_.v)));
+        for (std::size_t j = 0; j < columns; j += hn::MaxLanes(singles)) {
+            auto sum = hn::LoadU(singles, c.high.data() + (low_rows - 1) * columns + j);
+            for (std::size_t i = low_rows - 1; i-- > 0;)
+                sum = hn::MulAdd(sum, t, hn::LoadU(singles, c.high.data() + i * columns + j));
+            hn::Store(sum, singles, sums + j);
+        }
+    }
+
     Lanes t_;
+    Lanes row_of_high_;  ///< t^low_rows
     PowerRow powers_;
 };
 

@@ -10,16 +10,24 @@
 
 namespace ashimpact::batch {
 
-/// e^2 and the scaled contact time on a square of a table: polynomials in t and u, which go from -1 to 1 over
-/// its sides.
-struct RestitutionPolynomials {
+/// A polynomial in t and u, which go from -1 to 1 over the sides of a square of a table. Terms of high powers
+/// are so small that single precision holds them; those that are high in both are negligible.
+struct alignas(64) SquarePolynomial {
     static constexpr std::size_t rows = 12;     ///< powers of t
-    static constexpr std::size_t columns = 16;  ///< powers of u: a multiple of the lanes of any register
-    /// Of t^i u^j at [i columns + j].
-    using Coefficients = std::array<double, rows * columns>;
+    static constexpr std::size_t columns = 16;  ///< powers of u
+    static constexpr std::size_t low_rows = rows / 2;
+    static constexpr std::size_t low_columns = columns / 2;  ///< a multiple of the lanes of any register
 
-    Coefficients restitution_squared;
-    Coefficients contact_time;  ///< in units of the scale's time
+    /// Of t^i u^j at [i low_columns + j].
+    std::array<double, low_rows * low_columns> low;
+    /// At [i columns + j], of t^(low_rows + i) u^j where j < low_columns, and of t^i u^j from there on.
+    std::array<float, low_rows * columns> high;
+};
+
+/// What a table holds of a square.
+struct RestitutionPolynomials {
+    SquarePolynomial restitution_squared;
+    SquarePolynomial contact_time;  ///< in units of the scale's time
 };
 
 enum class RestitutionState : std::uint8_t {

@@ -4,6 +4,7 @@
 #include "solver/numeric/chebyshev.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -65,21 +66,40 @@ struct Coordinate {
     }
 };
 
-constexpr int rows = RestitutionPolynomials::rows;
-constexpr int columns = RestitutionPolynomials::columns;
+constexpr int rows = SquarePolynomial::rows;
+constexpr int columns = SquarePolynomial::columns;
+constexpr int low_rows = SquarePolynomial::low_rows;
+constexpr int low_columns = SquarePolynomial::low_columns;
 using Values = Eigen::Matrix<double, rows, columns>;
 
-/// Fits values at the nodes. @return whether the last coefficients are below @p allowed
-bool fit(const Values& values, double allowed, RestitutionPolynomials::Coefficients& out) {
+/// Bound of the error of a sum in single precision, over the sum of the magnitudes of its terms.
+constexpr double single_precision = 4.0 * std::numeric_limits<float>::epsilon();
+
+/// Sorts coefficients of powers into double and single precision.
+/// @return whether the latter represents its part within @p allowed
+bool store(const Values& powers, double allowed, SquarePolynomial& out) {
+    Eigen::Matrix<double, low_rows, columns> high;
+    high.leftCols<low_columns>() = powers.bottomLeftCorner<low_rows, low_columns>();
+    high.rightCols<low_columns>() = powers.topRightCorner<low_rows, low_columns>();
+    if (!(high.cwiseAbs().sum() * single_precision < allowed)) return false;
+    Eigen::Map<Eigen::Matrix<float, low_rows, columns, Eigen::RowMajor>>(out.high.data()) =
+        high.cast<float>();
+    Eigen::Map<Eigen::Matrix<double, low_rows, low_columns, Eigen::RowMajor>>(out.low.data()) =
+        powers.topLeftCorner<low_rows, low_columns>();
+    return true;
+}
+
+/// Fits values at the nodes. @return whether what the polynomial leaves out is below @p allowed
+bool fit(const Values& values, double allowed, SquarePolynomial& out) {
     const auto& t = Coordinate<rows>::the();
     const auto& u = Coordinate<columns>::the();
-    const Values spectrum = t.chebyshev * values * u.chebyshev.transpose();
+    Values spectrum = t.chebyshev * values * u.chebyshev.transpose();
     const double last =
         std::max(spectrum.bottomRows(2).cwiseAbs().maxCoeff(), spectrum.rightCols(2).cwiseAbs().maxCoeff());
-    if (!(last < allowed)) return false;
-    Eigen::Map<Eigen::Matrix<double, rows, columns, Eigen::RowMajor>>(out.data()) =
-        t.powers * spectrum * u.powers.transpose();
-    return true;
+    auto high_in_both = spectrum.bottomRightCorner<rows - low_rows, columns - low_columns>();
+    if (!(last < allowed && high_in_both.cwiseAbs().sum() < allowed)) return false;
+    high_in_both.setZero();
+    return store(t.powers * spectrum * u.powers.transpose(), allowed, out);
 }
 
 }  // namespace

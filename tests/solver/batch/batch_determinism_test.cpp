@@ -153,8 +153,10 @@ TEST_CASE("a piece of a table is the same, in every bit, whoever asked for it fi
             REQUIRE(a.t(x) == b.t(x));
             REQUIRE(a.u(y) == b.u(y));
             if (a.state() != batch::RestitutionPiece::State::rebound) continue;
-            REQUIRE(a.polynomials().restitution_squared == b.polynomials().restitution_squared);
-            REQUIRE(a.polynomials().contact_time == b.polynomials().contact_time);
+            REQUIRE(a.polynomials().restitution_squared.low == b.polynomials().restitution_squared.low);
+            REQUIRE(a.polynomials().restitution_squared.high == b.polynomials().restitution_squared.high);
+            REQUIRE(a.polynomials().contact_time.low == b.polynomials().contact_time.low);
+            REQUIRE(a.polynomials().contact_time.high == b.polynomials().contact_time.high);
         }
         rebounds += a.state() == batch::RestitutionPiece::State::rebound ? 1 : 0;
         captures += a.state() == batch::RestitutionPiece::State::capture ? 1 : 0;
