@@ -1,3 +1,5 @@
+#include <malloc.h>
+
 #include "pipeline/cli/program.hpp"
 #include "pipeline/sweep/command.hpp"
 #include "pipeline/sweep/mpi/session.hpp"
@@ -6,6 +8,9 @@
 /// ashimpact-sweep: ashimpact with MPI and HDF5, whose libraries take longer to load than other
 /// commands take to run. `ashimpact sweep` and `ashimpact export table` become this program.
 int main(int argc, char** argv) {
+    // The columns of one chunk after another: memory goes from one to the next, not to the system and back.
+    mallopt(M_MMAP_THRESHOLD, 32 << 20);
+    mallopt(M_TRIM_THRESHOLD, 64 << 20);
     ashimpact::MpiSession session;
     const int status = ashimpact::run_program(
         argc, argv,

@@ -5,6 +5,7 @@
 
 #include "materials/base/error.hpp"
 #include "solver/statistics/philox.hpp"
+#include "solver/statistics/random_lanes.hpp"
 
 namespace ashimpact {
 
@@ -64,7 +65,8 @@ void Design::fill(std::size_t sample, std::size_t variable, std::uint64_t first,
             fill_grid(variable, first, values);
             return;
         case SamplingMethod::random:
-            fill_random(axis, first, values);
+            fill_uniform(sampling_.seed, first, static_cast<std::uint32_t>(axis), RandomStream::points,
+                         values);
             break;
         case SamplingMethod::quasi_random:
             fill_quasi_random(axis, first, values);
@@ -79,19 +81,6 @@ void Design::fill_grid(std::size_t variable, std::uint64_t first, std::span<doub
         stride *= choices_of(variables_[later]).size();
     const auto& grid = choices_of(variables_[variable]);
     for (double& value : values) value = grid[first++ / stride % grid.size()];
-}
-
-void Design::fill_random(std::size_t axis, std::uint64_t first, std::span<double> values) const {
-    const auto bits_of = [&](std::uint64_t point) {
-        return random_bits(sampling_.seed, point / 2, static_cast<std::uint32_t>(axis), RandomStream::points);
-    };
-    std::size_t i = 0;
-    if (first % 2 == 1 && !values.empty()) values[i++] = unit_interval(bits_of(first)[1]);
-    for (; i < values.size(); i += 2) {
-        const auto bits = bits_of(first + i);
-        values[i] = unit_interval(bits[0]);
-        if (i + 1 < values.size()) values[i + 1] = unit_interval(bits[1]);
-    }
 }
 
 void Design::fill_quasi_random(std::size_t axis, std::uint64_t first, std::span<double> values) const {

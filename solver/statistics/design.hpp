@@ -45,7 +45,6 @@ class Design {
 
   private:
     void fill_grid(std::size_t variable, std::uint64_t first, std::span<double> values) const;
-    void fill_random(std::size_t axis, std::uint64_t first, std::span<double> values) const;
     void fill_quasi_random(std::size_t axis, std::uint64_t first, std::span<double> values) const;
 
     std::vector<Distribution> variables_;

@@ -30,18 +30,22 @@ double Bins::edge(std::uint32_t bin) const {
 }
 
 void Histogram::count(const Bins& bins, std::span<const double> values) {
-    std::vector<std::uint32_t> numbers;
-    numbers.reserve(values.size());
-    for (const double value : values) {
-        if (value > 0)
-            numbers.push_back(bins.bin_of(value));
-        else if (value == 0)
-            ++zeros_;
+    std::vector<std::uint32_t> numbers(values.size());
+    std::size_t positive = 0;
+    std::uint32_t lowest = std::numeric_limits<std::uint32_t>::max();
+    std::uint32_t highest = 0;
+    for (const double value : values) {  // without branches, which captures among rebounds would make costly
+        const bool counts = value > 0;
+        const std::uint32_t bin = bins.bin_of(counts ? value : 1.0);
+        numbers[positive] = bin;
+        positive += counts ? 1 : 0;
+        zeros_ += value == 0 ? 1 : 0;
+        lowest = counts ? std::min(lowest, bin) : lowest;
+        highest = counts ? std::max(highest, bin) : highest;
     }
-    if (numbers.empty()) return;
-    const auto [lowest, highest] = std::minmax_element(numbers.begin(), numbers.end());
-    cover(*lowest, *highest);
-    for (const std::uint32_t bin : numbers) ++counts_[bin - first_];
+    if (positive == 0) return;
+    cover(lowest, highest);
+    for (std::size_t i = 0; i < positive; ++i) ++counts_[numbers[i] - first_];
 }
 
 void Histogram::merge(const Histogram& other) {

@@ -2,6 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <vector>
+
+#include "solver/statistics/random_lanes.hpp"
+
 using namespace ashimpact;
 
 namespace {
@@ -30,4 +34,19 @@ TEST_CASE("seed, sample, axis and stream each change the bits") {
     CHECK(bits != random_bits(1, 2, 4, RandomStream::points));
     CHECK(bits != random_bits(1, 2, 3, RandomStream::shifts));
     CHECK(bits != random_bits(1, 2 + (std::uint64_t{1} << 32U), 3, RandomStream::points));
+}
+
+TEST_CASE("many random numbers at once are those drawn one by one, bit for bit") {
+    constexpr std::uint64_t seed = 0xfedcba9876543210;
+    for (const std::uint64_t first : {std::uint64_t{0}, std::uint64_t{7}, (std::uint64_t{1} << 33U) - 9}) {
+        for (const std::size_t count : {0U, 1U, 2U, 3U, 16U, 17U, 31U, 64U, 101U}) {
+            std::vector<double> values(count);
+            fill_uniform(seed, first, 3, RandomStream::points, values);
+            for (std::size_t i = 0; i < count; ++i) {
+                const std::uint64_t sample = first + i;
+                const auto bits = random_bits(seed, sample / 2, 3, RandomStream::points);
+                CHECK(values[i] == unit_interval(bits[sample % 2]));
+            }
+        }
+    }
 }

@@ -1,0 +1,108 @@
+#include "solver/statistics/random_lanes.hpp"
+
+#include <cstddef>
+
+// This file once more for each instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "solver/statistics/random_lanes.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#if HWY_TARGET != HWY_SCALAR
+HWY_BEFORE_NAMESPACE();
+namespace ashimpact::HWY_NAMESPACE {
+
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Words = hn::ScalableTag<std::uint64_t>;
+using Halves = hn::Repartition<std::uint32_t, Words>;
+using Word = hn::Vec<Words>;
+
+/// What philox() makes of one counter in each lane: its four parts, in the lower halves of words. The upper
+/// halves of even and odd parts hold anything.
+struct Counters {
+    Word part[4];
+
+    HWY_INLINE void round(Word key0, Word key1) {
+        const Words d;
+        const Halves halves;
+        const auto product = [&](Word a, std::uint64_t factor) HWY_ATTR {
+            return hn::MulEven(hn::BitCast(halves, a), hn::BitCast(halves, hn::Set(d, factor)));
+        };
+        const Word even = product(part[0], 0xD2511F53);
+        const Word odd = product(part[2], 0xCD9E8D57);
+        part[0] = hn::Xor(hn::Xor(hn::ShiftRight<32>(odd), part[1]), key0);
+        part[1] = odd;
+        part[2] = hn::Xor(hn::Xor(hn::ShiftRight<32>(even), part[3]), key1);
+        part[3] = even;
+    }
+};
+
+/// unit_interval() of the word of two parts.
+HWY_INLINE hn::Vec<hn::ScalableTag<double>> unit_interval_of(Word lower, Word upper) {
+    const Words d;
+    const hn::ScalableTag<double> doubles;
+    const Word word = hn::Or(hn::And(lower, hn::Set(d, 0xFFFFFFFF)), hn::ShiftLeft<32>(upper));
+    // The upper 52 bits as digits of a number from 1 to 2: both operations that follow are exact.
+    const Word digits = hn::Or(hn::ShiftRight<12>(word), hn::Set(d, 0x3FF0000000000000));
+    const auto from_zero = hn::Sub(hn::BitCast(doubles, digits), hn::Set(doubles, 1.0));
+    return hn::Add(from_zero, hn::Set(doubles, 0x1p-53));
+}
+
+}  // namespace
+
+/// Fills in pairs of samples, as many as whole registers hold. @return how many values those are
+std::size_t fill_pairs(std::uint64_t seed, std::uint64_t first_pair, std::uint32_t axis, std::uint32_t stream,
+                       double* values, std::size_t count) {
+    const Words d;
+    const hn::ScalableTag<double> doubles;
+    const std::size_t lanes = hn::Lanes(d);
+    std::size_t done = 0;
+    for (; done + 2 * lanes <= count; done += 2 * lanes) {
+        const Word pair = hn::Iota(d, first_pair + done / 2);
+        Counters counters{{pair, hn::ShiftRight<32>(pair), hn::Set(d, axis), hn::Set(d, stream)}};
+        auto key0 = static_cast<std::uint32_t>(seed);
+        auto key1 = static_cast<std::uint32_t>(seed >> 32U);
+        for (int round = 0; round < 10; ++round) {
+            counters.round(hn::Set(d, key0), hn::Set(d, key1));
+            key0 += 0x9E3779B9;
+            key1 += 0xBB67AE85;
+        }
+        hn::StoreInterleaved2(unit_interval_of(counters.part[0], counters.part[1]),
+                              unit_interval_of(counters.part[2], counters.part[3]), doubles, values + done);
+    }
+    return done;
+}
+
+}  // namespace ashimpact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#else
+namespace ashimpact::HWY_NAMESPACE {
+std::size_t fill_pairs(std::uint64_t, std::uint64_t, std::uint32_t, std::uint32_t, double*, std::size_t) {
+    return 0;
+}
+}  // namespace ashimpact::HWY_NAMESPACE
+#endif
+
+#if HWY_ONCE
+namespace ashimpact {
+
+HWY_EXPORT(fill_pairs);
+
+void fill_uniform(std::uint64_t seed, std::uint64_t first, std::uint32_t axis, RandomStream stream,
+                  std::span<double> values) {
+    const auto bits_of = [&](std::size_t i) { return random_bits(seed, (first + i) / 2, axis, stream); };
+    std::size_t i = 0;
+    if (first % 2 == 1 && !values.empty()) values[i++] = unit_interval(bits_of(0)[1]);
+    i += HWY_DYNAMIC_DISPATCH(fill_pairs)(seed, (first + i) / 2, axis, static_cast<std::uint32_t>(stream),
+                                          values.data() + i, values.size() - i);
+    for (; i < values.size(); i += 2) {
+        const auto bits = bits_of(i);
+        values[i] = unit_interval(bits[0]);
+        if (i + 1 < values.size()) values[i + 1] = unit_interval(bits[1]);
+    }
+}
+
+}  // namespace ashimpact
+#endif
