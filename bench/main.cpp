@@ -15,6 +15,7 @@
 #include "bench/measured.hpp"
 #include "bench/peers.hpp"
 #include "bench/population.hpp"
+#include "bench/seams.hpp"
 #include "bench/thread_table.hpp"
 #include "bench/viscoelastic.hpp"
 #include "solver/batch/instruction_set.hpp"
@@ -119,6 +120,7 @@ void run(const Options& options) {
     print_tabulated_laws(options);  // while there are no tables
     compare_methods(options);
     print_integrated_laws(options);
+    print_seams(options);
     print_thread_table(options.repetitions);
 }
 
