@@ -67,7 +67,7 @@ struct SweptImpacts {
 double batch_seconds(const ImpactBatch& batch, ImpactBatchResult& result, bool contact_time) {
     const std::clock_t start = std::clock();
     solve_impacts(batch, result,
-                  {.contact_time = contact_time, .turning_point = false, .method = BatchMethod::table});
+                  {.turning_point = false, .contact_time = contact_time, .method = BatchMethod::table});
     return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
@@ -81,7 +81,7 @@ double sweep_seconds() {
 
 /// Seconds of CPU time of one call from Python, or none where the module is not built.
 std::vector<double> python_seconds(const std::string& arrays, int calls) {
-    const std::string command = fmt::format("PYTHONPATH='{}' python3 '{}' '{}' {} 2>/dev/null",
+    const std::string command = fmt::format("PYTHONPATH='{}' /usr/bin/python3 '{}' '{}' {} 2>/dev/null",
                                             ASHIMPACT_PYTHON_FOLDER, ASHIMPACT_PYTHON_BENCH, arrays, calls);
     const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
     std::vector<double> seconds;
