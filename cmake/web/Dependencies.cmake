@@ -58,20 +58,11 @@ web_library(web_nettle FOLDER "${sources}/nettle" SOURCES sha256.c sha256-compre
   DEFINE HAVE_CONFIG_H)
 add_library(nettle::nettle ALIAS web_nettle)
 
-web_library(web_expat FOLDER "${sources}/expat/expat/lib" SOURCES xmlparse.c xmlrole.c xmltok.c HEADERS expat.h expat_external.h
-  DEFINE HAVE_EXPAT_CONFIG_H)
-web_library(web_udunits2 FOLDER "${sources}/udunits/lib"
-  SOURCES converter.c error.c formatter.c idToUnitMap.c parser.c prefix.c status.c systemMap.c unitAndId.c unitcore.c
-          unitToIdMap.c ut_free_system.c xml.c
-  HEADERS udunits2.h converter.h)
-target_link_libraries(web_udunits2 PRIVATE web_expat)
-# It asks the dynamic linker of Linux where it lies; with none, it takes the path in config.h.
-set_source_files_properties("${sources}/udunits/lib/xml.c" PROPERTIES COMPILE_DEFINITIONS "__linux__;_GNU_SOURCE")
-add_library(ashimpact::udunits2 ALIAS web_udunits2)
-# Its database, where the program looks for it in the file system in memory.
+# The database of UDUNITS-2, which materials/base/unit_database.cpp reads, where the program looks for it in the file system
+# in memory.
 set(ASHIMPACT_UNIT_DATABASE)
-foreach(part "" -accepted -base -common -derived -prefixes)
-  list(APPEND ASHIMPACT_UNIT_DATABASE "${sources}/udunits/lib/udunits2${part}.xml@/units/udunits2${part}.xml")
+foreach(part -prefixes -base -derived -accepted -common)
+  list(APPEND ASHIMPACT_UNIT_DATABASE "/usr/share/xml/udunits/udunits2${part}.xml@/units/udunits2${part}.xml")
 endforeach()
 
 web_library(web_highway FOLDER "${sources}/highway" SOURCES hwy/aligned_allocator.cc hwy/per_target.cc hwy/targets.cc

@@ -2,15 +2,15 @@
 # libraries.sh FOLDER: what the build for browsers takes from Debian, into FOLDER.
 #   source/NAME    source packages of the libraries that have to be compiled for WebAssembly
 #   include        links to the header-only libraries of this machine, so that nothing else of /usr/include is seen
-# A folder source/NAME that is there already is taken as it is; UDUNITS2_SOURCE names a source tree of UDUNITS-2 for
-# machines whose mirror lacks that package. Does nothing when all is there.
+# A folder source/NAME that is there already is taken as it is. Does nothing when all is there.
 set -euo pipefail
-folder=$1
-names=(gsl udunits expat zlib minizip nettle pugixml highway)
+mkdir -p "$1"
+folder=$(readlink -f "$1")
+names=(gsl zlib minizip nettle pugixml highway)
 headers=(fmt spdlog nlohmann valijson eigen3 boost fast_float)
 
 sources=$folder/source
-mkdir -p "$sources/.apt/partial" "$folder/include"
+mkdir -p "$folder/apt/lists/partial" "$folder/include" "$sources"
 log=$folder/libraries.log
 
 for header in "${headers[@]}"; do
@@ -18,16 +18,15 @@ for header in "${headers[@]}"; do
     ln -sfn "/usr/include/$header" "$folder/include/$header"
 done
 
-if [[ ${UDUNITS2_SOURCE:-} && ! -e $sources/udunits ]]; then cp -r "$UDUNITS2_SOURCE" "$sources/udunits"; fi
-
 missing=()
 for name in "${names[@]}"; do [[ -d $sources/$name ]] || missing+=("$name"); done
 if ((${#missing[@]})); then
     # shellcheck source=/dev/null
     . /etc/os-release
-    echo "deb-src http://deb.debian.org/debian $VERSION_CODENAME main" >"$sources/.apt/sources.list"
-    apt=(apt-get -q -o "Dir::Etc::sourcelist=$sources/.apt/sources.list" -o Dir::Etc::sourceparts=-
-         -o "Dir::State::lists=$sources/.apt" -o APT::Sandbox::User=root)
+    echo "deb-src http://deb.debian.org/debian $VERSION_CODENAME main" >"$folder/apt/sources.list"
+    # The list of sources stands beside the folder of lists: apt-get update empties that of whatever it does not know.
+    apt=(apt-get -q -o "Dir::Etc::sourcelist=$folder/apt/sources.list" -o Dir::Etc::sourceparts=-
+         -o "Dir::State::lists=$folder/apt/lists" -o APT::Sandbox::User=root)
     "${apt[@]}" update >"$log" 2>&1 || { tail -n 3 "$log" >&2; exit 1; }
     for name in "${missing[@]}"; do
         echo "libraries.sh: fetching the source package of $name" >&2

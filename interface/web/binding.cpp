@@ -1,4 +1,4 @@
-// What a page calls: four functions on files in emscripten's file system in memory. The page writes the case
+// What a page calls: functions on files in emscripten's file system in memory. The page writes the case
 // and what it names there, and reads artifacts and report from there. Each function returns one JSON object,
 // docs/web.md.
 #include <spdlog/sinks/ostream_sink.h>
@@ -9,6 +9,7 @@
 #include <functional>
 #include <sstream>
 
+#include "interface/web/curve.hpp"
 #include "materials/base/error.hpp"
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/files/file.hpp"
@@ -134,6 +135,11 @@ const char* ashimpact_validate(const char* case_file) {
         for (const auto& sample : loaded.data.samples) samples.push_back(sample.name);
         return Json{{"name", loaded.data.name}, {"samples", samples}, {"warnings", loaded.warnings}};
     });
+}
+
+/// Restitution and critical velocity of one contact, JSON in and out; interface/web/curve.hpp has the keys.
+const char* ashimpact_curve(const char* contact) {
+    return answered([&] { return ashimpact::curve_json(ashimpact::parse_json(contact)); });
 }
 
 /// One figure of a finished run as SVG, @p width "single" or "double".

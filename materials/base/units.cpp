@@ -7,7 +7,7 @@
 #include "materials/base/decimal/decimal.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/text.hpp"
-#include "materials/base/unit_system.hpp"
+#include "materials/base/units/unit_system.hpp"
 
 namespace ashimpact {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "materials/base/error.hpp"
-#include "materials/base/unit_system.hpp"
+#include "materials/base/units/unit_system.hpp"
 #include "tests/relative_difference.hpp"
 
 namespace ashimpact::test {
