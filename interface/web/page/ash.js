@@ -1,0 +1,111 @@
+// Step 1: which sample, and what it is made of.
+const amorphousChoices = [
+    ['', 'not stated'], ['remainder', 'all that is missing to 100 %'], ['none', 'none'], ['fraction', 'a fraction, typed below'],
+];
+
+function amorphousChosen(amorphous) {
+    if (amorphous === undefined) return '';
+    return amorphous === 'remainder' || amorphous === 'none' ? amorphous : 'fraction';
+}
+
+function weightRows() {
+    const fractions = valueAt('/samples/#/composition/weight_fractions');
+    return Object.entries(isObject(fractions) ? fractions : {}).filter(([name]) => !name.startsWith('//')).map(([name, fraction]) => {
+        const { number, unit } = shownQuantity(fraction, 'fraction');
+        return [name, unit === '%' || number === '' ? number : isNumber(number) ? String(Number((Number(number) * 100).toPrecision(12))) : number];
+    });
+}
+
+function typedWeights(rows) {
+    const fractions = {};
+    for (const [name, fraction] of rows) if (name !== '' || fraction !== '') fractions[name] = fraction === '' ? '' : `${fraction} %`;
+    setAt('/samples/#/composition/weight_fractions', fractions);
+    changed();
+}
+
+function takeXrd(name, bytes) {
+    state.files.set(name, bytes);
+    const { amorphous } = valueAt('/samples/#/composition') ?? {};
+    setAt('/samples/#/composition', { xrd: name, ...(amorphous === undefined ? {} : { amorphous }) });
+    showForm();
+    changed();
+}
+
+function exampleAsh() {
+    state.files.set('ash.csv', new TextEncoder().encode(embedded.example['ash.csv']));
+    setAt('/samples/#/diameter', '88 um');
+    setAt('/samples/#/density', '2300 kg/m3');
+    setAt('/samples/#/composition', { xrd: 'ash.csv', xrd_sample: 'fine', amorphous: '47 %' });
+    showForm();
+    changed();
+}
+
+function compositionFields() {
+    const composition = valueAt('/samples/#/composition');
+    const amorphous = composition?.amorphous;
+    const file = composition?.xrd;
+    const parts = [
+        fileField('XRD result', '/samples/#/composition/xrd', file, (chosen) => takeFile(chosen, 'xrd')),
+        file === undefined ? null : textField('Sample in the file', '/samples/#/composition/xrd_sample', 'Needed only where the file has several.'),
+        choiceField('Amorphous (glass)', '/samples/#/composition/amorphous', amorphousChoices, amorphousChosen(amorphous), (choice) => {
+            setAt('/samples/#/composition/amorphous', choice === 'fraction' ? '50 %' : choice || undefined);
+            showForm();
+            changed();
+        }, 'Diffraction does not see glass: say how much there is.'),
+    ];
+    if (amorphousChosen(amorphous) === 'fraction') parts.push(quantityField('Amorphous fraction', '/samples/#/composition/amorphous', 'fraction'));
+    return parts;
+}
+
+function weightTable() {
+    const path = '/samples/#/composition/weight_fractions';
+    const file = valueAt('/samples/#/composition/xrd');
+    const table = typingGrid('Weight fractions', [{ title: 'Phase', name: 'name', list: 'app-phases' }, { title: 'Weight [%]' }], weightRows(), typedWeights);
+    const wrong = wrongAt(path);
+    if (file === undefined) return make('div', {}, make('p', { class: 'hint' }, 'Or type the phases and their weight fractions:'), table, wrong);
+    return make('p', { class: 'buttons' }, make('button', {
+        type: 'button', class: 'small', click: () => {
+            const kept = valueAt('/samples/#/composition/amorphous');
+            setAt('/samples/#/composition', { weight_fractions: { quartz: '10 %' }, ...(kept === undefined ? {} : { amorphous: kept }) });
+            showForm();
+            changed();
+        },
+    }, 'Type the phases instead'), wrong);
+}
+
+function showAsh() {
+    byId('app-ash').replaceChildren(
+        make('div', { class: 'fields' },
+            textField('Name of the sample', '/samples/#/name'),
+            quantityField('Particle diameter', '/samples/#/diameter', 'length'),
+            quantityField('Particle density', '/samples/#/density', 'density', 'With its pores. Left empty: that of the phases.'),
+            ...compositionFields()),
+        weightTable(), exampleButton('an ash', exampleAsh));
+}
+
+// The choice among samples, and their number.
+function showSamples() {
+    const select = make('select', {
+        id: 'app-sample', change: () => {
+            state.sample = Number(select.value);
+            showForm();
+            changed();
+        },
+    });
+    state.document.samples.forEach((sample, i) => select.append(make('option', { value: i, selected: i === state.sample }, String(sample.name ?? `sample ${i + 1}`))));
+    const add = () => {
+        state.document.samples.push(emptySample(`sample ${state.document.samples.length + 1}`));
+        state.sample = state.document.samples.length - 1;
+        showForm();
+        changed();
+    };
+    const remove = () => {
+        state.document.samples.splice(state.sample, 1);
+        state.sample = 0;
+        showForm();
+        changed();
+    };
+    byId('app-samples').replaceChildren(make('label', { for: 'app-sample' }, 'Sample'), select,
+        make('button', { type: 'button', class: 'small', click: add }, 'Add a sample'),
+        make('button', { type: 'button', class: 'small', click: remove, disabled: state.document.samples.length < 2 }, 'Remove this sample'));
+}

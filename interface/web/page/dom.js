@@ -1,0 +1,42 @@
+// Small helpers for the elements of the page.
+const byId = (id) => document.getElementById(id);
+
+// make('p', {class: 'hint'}, 'text', child): attributes that are functions listen to the event of their name.
+function make(name, attributes = {}, ...children) {
+    const element = document.createElement(name);
+    for (const [key, value] of Object.entries(attributes)) {
+        if (typeof value === 'function') element.addEventListener(key, value);
+        else if (value === true) element.setAttribute(key, '');
+        else if (value !== false && value !== undefined) element.setAttribute(key, value);
+    }
+    element.append(...children.filter((child) => child !== undefined && child !== null));
+    return element;
+}
+
+const svgName = 'http://www.w3.org/2000/svg';
+function draw(name, attributes = {}, ...children) {
+    const element = document.createElementNS(svgName, name);
+    for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
+    element.append(...children);
+    return element;
+}
+
+let lastId = 0;
+const newId = () => `app-${++lastId}`;
+
+function save(name, content, type) {
+    const link = make('a', { href: URL.createObjectURL(new Blob([content], { type })), download: name });
+    document.body.append(link);
+    link.click();
+    link.remove();
+    setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+}
+
+// Calls a function when nothing new has come for a while.
+function afterPause(milliseconds, work) {
+    let timer = 0;
+    return () => {
+        clearTimeout(timer);
+        timer = setTimeout(work, milliseconds);
+    };
+}

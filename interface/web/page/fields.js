@@ -1,0 +1,84 @@
+// Fields of the form. Each knows its path in the case, so that a message of the program finds it.
+function unitChoice(kind, chosen, label, changedUnit) {
+    const known = units[kind].includes(chosen) ? units[kind] : [...units[kind], chosen];
+    const select = make('select', { 'aria-label': label, change: () => changedUnit(select.value) });
+    for (const unit of known) select.append(make('option', { value: unit, selected: unit === chosen }, unit === '1' ? 'fraction' : unit));
+    return select;
+}
+
+// The message below a field, empty while nothing is wrong.
+function wrongAt(path) {
+    return make('p', { class: 'wrong', id: newId(), 'data-path': path });
+}
+
+function fieldAround(label, path, hint, ...inside) {
+    const wrong = wrongAt(path);
+    const input = inside[0];
+    input.id ||= newId();
+    const told = hint ? make('p', { class: 'hint', id: newId() }, hint) : null;
+    input.setAttribute('aria-describedby', [told?.id, wrong.id].filter(Boolean).join(' '));
+    return make('div', { class: 'field' }, make('label', { for: input.id }, label), make('div', { class: 'row' }, ...inside), told, wrong);
+}
+
+// A number with its unit beside it.
+function quantityField(label, path, kind, hint) {
+    const shown = shownQuantity(valueAt(path), kind);
+    const write = () => {
+        setAt(path, writtenQuantity(valueAt(path), input.value, unit));
+        changed();
+    };
+    let unit = shown.unit;
+    const input = make('input', { type: 'text', inputmode: 'decimal', autocomplete: 'off', value: shown.number, input: write });
+    if (units[kind].length === 1) return fieldAround(label, path, hint, input);
+    const select = unitChoice(kind, unit, `Unit of: ${label}`, (chosen) => {
+        unit = chosen;
+        if (input.value.trim() !== '') write();
+    });
+    return fieldAround(label, path, hint, input, select);
+}
+
+function textField(label, path, hint) {
+    const write = () => {
+        setAt(path, input.value === '' ? undefined : input.value);
+        changed();
+    };
+    const input = make('input', { type: 'text', autocomplete: 'off', value: String(valueAt(path) ?? ''), input: write });
+    return fieldAround(label, path, hint, input);
+}
+
+// One of several; options: [value, text].
+function choiceField(label, path, options, chosen, choose, hint) {
+    const select = make('select', { change: () => choose(select.value) });
+    for (const [value, text] of options) select.append(make('option', { value, selected: value === chosen }, text));
+    return fieldAround(label, path, hint, select);
+}
+
+// A file by choice, or by a drop on the page.
+function fileField(label, path, name, take) {
+    const input = make('input', { type: 'file', class: 'file', id: newId(), change: () => input.files[0] && take(input.files[0]) });
+    const wrong = wrongAt(path);
+    input.setAttribute('aria-describedby', wrong.id);
+    return make('div', { class: 'field' },
+        make('p', { class: 'hint' }, name ? `${label}: ${name}` : `${label}: none yet`),
+        make('label', { class: 'button', for: input.id }, name ? 'Choose another file' : 'Choose a file', make('span', { class: 'visually-hidden' }, ` for: ${label}`)),
+        input, wrong);
+}
+
+const exampleButton = (what, fill) => make('p', { class: 'buttons' }, make('button', { type: 'button', class: 'small', click: fill }, `Fill in an example of ${what}`));
+
+// Takes every message away, and shows one at the field whose path is nearest; false if there is none.
+function tellAtField(path, text) {
+    for (const old of document.querySelectorAll('.wrong')) old.textContent = '';
+    for (const old of document.querySelectorAll('[aria-invalid]')) old.removeAttribute('aria-invalid');
+    if (!path) return false;
+    let nearest = null;
+    for (const wrong of document.querySelectorAll('.wrong[data-path]')) {
+        const own = pathNow(wrong.dataset.path);
+        const fits = path === own || path.startsWith(own + '/') || own.startsWith(path + '/');
+        if (fits && (!nearest || own.length > pathNow(nearest.dataset.path).length)) nearest = wrong;
+    }
+    if (!nearest) return false;
+    nearest.textContent = text;
+    document.querySelector(`[aria-describedby~="${nearest.id}"]`)?.setAttribute('aria-invalid', 'true');
+    return true;
+}

@@ -1,0 +1,43 @@
+// A table to type into. columns: {title, name (class), suggestions}; rows: lists of texts. Calls typed(rows) on every change.
+// A paste of several cells, as from a spreadsheet, fills the cells from there on.
+function typingGrid(caption, columns, rows, typed, heads = []) {
+    const body = make('tbody');
+    const cells = () => [...body.rows].map((row) => [...row.querySelectorAll('input')]);
+    const texts = () => cells().map((row) => row.map((input) => input.value.trim()));
+    const tell = () => {
+        const last = texts().at(-1);
+        if (!last || last.some((text) => text !== '')) addRow([]);
+        typed(texts());
+    };
+    const addRow = (values) => {
+        const place = body.rows.length;
+        const row = make('tr');
+        columns.forEach((column, i) => {
+            const input = make('input', {
+                type: 'text', autocomplete: 'off', value: values[i] ?? '', inputmode: column.name === 'name' ? 'text' : 'decimal',
+                list: column.list, 'aria-label': `${column.title}, row ${place + 1}`, input: tell, paste,
+            });
+            row.append(make('td', { class: column.name ?? '' }, input));
+        });
+        body.append(row);
+    };
+    const paste = (event) => {
+        const text = event.clipboardData?.getData('text') ?? '';
+        if (!/[\t\n;]/.test(text.trim())) return;
+        event.preventDefault();
+        const all = cells();
+        const first = all.findIndex((row) => row.includes(event.target));
+        const left = all[first].indexOf(event.target);
+        text.trim().split(/\r?\n/).slice(0, 2000).forEach((line, i) => {
+            while (body.rows.length <= first + i) addRow([]);
+            const inputs = [...body.rows[first + i].querySelectorAll('input')];
+            line.split(/[\t;]/).forEach((cell, j) => inputs[left + j] && (inputs[left + j].value = cell.trim()));
+        });
+        tell();
+    };
+    rows.forEach(addRow);
+    addRow([]);
+    const head = make('tr', {}, ...columns.map((column, i) => make('th', { scope: 'col' }, column.title, heads[i])));
+    return make('div', { class: 'scroll tall', role: 'region', tabindex: '0', 'aria-label': caption },
+        make('table', { class: 'grid' }, make('thead', {}, head), body));
+}

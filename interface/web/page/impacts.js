@@ -1,0 +1,81 @@
+// Step 3: impacts measured with this sample, as a file or typed.
+const columnOfTable = (name) => valueAt(`/samples/#/restitution/${name}`);
+
+function takeImpacts(name, bytes) {
+    state.files.set(name, bytes);
+    setAt('/samples/#/restitution', { file: name });
+    showForm();
+    changed();
+}
+
+function exampleImpacts() {
+    takeImpacts('impacts.csv', new TextEncoder().encode(embedded.example['impacts.csv']));
+}
+
+const listOf = (column) => (Array.isArray(column) ? column : Array.isArray(column?.values) ? column.values : []);
+const unitOf = (column, otherwise) => (typeof column?.unit === 'string' ? column.unit : otherwise);
+
+// Rows [v_in, v_r or e] of the case; which of the two stands in the second column is that of the case.
+function typedColumns() {
+    const second = columnOfTable('restitution') !== undefined ? 'restitution' : 'rebound_velocity';
+    const [first, other] = [columnOfTable('velocity'), columnOfTable(second)];
+    const values = listOf(other);
+    return { second, unit: unitOf(first, 'm/s'), otherUnit: unitOf(other, 'm/s'), rows: listOf(first).map((value, i) => [String(value), String(values[i] ?? '')]) };
+}
+
+function impactTable() {
+    const { second, unit, otherUnit, rows } = typedColumns();
+    const chosen = { unit, otherUnit };
+    const number = (text) => (isNumber(text) ? Number(text) : text);
+    let last = rows;
+    const typed = (all) => {
+        last = all.filter((row) => row.some((text) => text !== ''));
+        const column = (i, of) => ({ values: last.map((row) => number(row[i])), unit: of });
+        const before = valueAt('/samples/#/restitution');
+        const kept = isObject(before) && !before.file && !before.reconstruct ? before : {};
+        setAt('/samples/#/restitution', last.length === 0 ? undefined
+            : { ...kept, velocity: column(0, chosen.unit), [second]: column(1, second === 'restitution' ? '1' : chosen.otherUnit) });
+        changed();
+    };
+    const head = (label, key) => unitChoice('velocity', chosen[key], label, (choice) => {
+        chosen[key] = choice;
+        typed(last);
+    });
+    const other = second === 'restitution' ? 'Restitution e' : 'Rebound velocity';
+    return typingGrid('Measured impacts', [{ title: 'Velocity' }, { title: other }], rows, typed,
+        [head('Unit of the velocities', 'unit'), second === 'restitution' ? null : head('Unit of the rebound velocities', 'otherUnit')]);
+}
+
+function cameraFields() {
+    return make('details', { open: valueAt('/camera') !== undefined }, make('summary', {}, 'Camera: where velocities state no uncertainty'),
+        make('div', { class: 'fields' },
+            quantityField('Frames per second', '/camera/frame_rate', 'rate'),
+            quantityField('Size of a pixel', '/camera/pixel_size', 'length', 'In the plane of the particle.'),
+            quantityField('Frames for each velocity', '/camera/frames', 'rate')));
+}
+
+function showImpacts() {
+    const impacts = valueAt('/samples/#/restitution');
+    const file = impacts?.file;
+    const reconstructed = isObject(impacts?.reconstruct);
+    const typeInstead = make('button', {
+        type: 'button', class: 'small', click: () => {
+            setAt('/samples/#/restitution', undefined);
+            showForm();
+            changed();
+        },
+    }, 'Type the impacts instead');
+    byId('app-impacts').replaceChildren(...[
+        make('p', {}, 'Velocities before and after single impacts. A rebound of 0 is a particle that stayed. Without impacts there is no damping, and no dynamic critical velocity.'),
+        make('div', { class: 'fields' }, fileField('Measured impacts', '/samples/#/restitution', file, (chosen) => takeFile(chosen, 'impacts'))),
+        reconstructed ? make('p', { class: 'hint' }, 'The impacts of this sample are reconstructed from published fits.') : null,
+        file === undefined && !reconstructed ? impactTable() : make('p', { class: 'buttons' }, typeInstead),
+        cameraFields(), exampleButton('measured impacts', exampleImpacts)].filter(Boolean));
+}
+
+function showForm() {
+    showSamples();
+    showAsh();
+    showWall();
+    showImpacts();
+}

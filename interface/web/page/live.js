@@ -1,0 +1,70 @@
+// What follows at once, while one types: the program's own messages at their fields, modulus and contact of each sample.
+const live = { busy: false, again: false, turn: 0, milliseconds: 0 };
+
+// Where a message of the program belongs: "case.json: /samples/0/diameter: ..." or "impacts.csv:3: ...".
+function placeOf(error) {
+    const pointer = /(?:^|: )(\/[^\s:]*)/.exec(error.message);
+    if (pointer) return pointer[1];
+    for (const [i, sample] of state.document.samples.entries()) {
+        if (sample.composition?.xrd && error.message.startsWith(sample.composition.xrd)) return `/samples/${i}/composition/xrd`;
+        if (sample.restitution?.file && error.message.startsWith(sample.restitution.file)) return `/samples/${i}/restitution`;
+    }
+    return null;
+}
+
+// A message for a sample that is not shown is told above, with its name.
+function tellError(error) {
+    const place = placeOf(error);
+    const other = /^\/samples\/(\d+)/.exec(place ?? '');
+    const elsewhere = other && Number(other[1]) !== state.sample;
+    const found = !elsewhere && tellAtField(place, error.message);
+    if (!found) tellAtField(null);
+    const name = elsewhere ? `Sample ${state.document.samples[Number(other[1])]?.name ?? Number(other[1]) + 1}: ` : '';
+    byId('app-problem').textContent = name + error.message;
+}
+
+function liveTable(artifacts) {
+    const rows = (file) => JSON.parse(artifacts[file]).result.samples;
+    const [moduli, contacts, analytic] = ['1-modulus.json', '2-contact.json', '3-analytic.json'].map(rows);
+    const cell = (quantity, scale) => make('td', {}, quantity ? readable(quantity.value * scale) : '');
+    const body = moduli.map((modulus, i) => make('tr', {}, make('th', { scope: 'row' }, modulus.name), cell(modulus.young_modulus, 1e-9),
+        cell(contacts[i].density, 1), cell(contacts[i].contact_modulus, 1e-9), cell(contacts[i].mass, 1e9), cell(analytic[i]?.critical_velocity, 1e3)));
+    const heads = ['Sample', 'Young’s modulus [GPa]', 'Density [kg/m3]', 'E* [GPa]', 'Mass [µg]', 'v_c of adhesion alone [mm/s]'];
+    return make('div', { class: 'scroll', role: 'region', tabindex: '0', 'aria-label': 'What follows at once' },
+        make('table', {}, make('thead', {}, make('tr', {}, ...heads.map((text) => make('th', { scope: 'col' }, text)))), make('tbody', {}, ...body)));
+}
+
+async function answerOnce() {
+    const begin = performance.now();
+    const { answer, artifacts } = await quick.askOfCase('evaluate', 'at-once', ['1-modulus.json', '2-contact.json', '3-analytic.json', '4-restitution.json']);
+    live.milliseconds = performance.now() - begin;
+    live.turn += 1;
+    document.documentElement.dataset.answers = String(live.turn);
+    byId('app-run').disabled = answer.status !== 0 || run.going;
+    if (answer.status !== 0) {
+        tellError(answer.error);
+        return;
+    }
+    tellAtField(null);
+    byId('app-problem').textContent = '';
+    byId('app-live').replaceChildren(liveTable(artifacts));
+    offerWhatIf(run.artifacts ? { ...run.artifacts, ...artifacts, '4-restitution.json': run.artifacts['4-restitution.json'] } : artifacts);
+}
+
+// Asks for the newest case; what changed meanwhile is asked for after the answer.
+async function answerAtOnce() {
+    if (live.busy) {
+        live.again = true;
+        return;
+    }
+    live.busy = true;
+    do {
+        live.again = false;
+        try {
+            await answerOnce();
+        } catch (error) {
+            byId('app-problem').textContent = `The program cannot go on: ${error.message}`;
+        }
+    } while (live.again);
+    live.busy = false;
+}

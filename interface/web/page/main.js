@@ -1,0 +1,35 @@
+// Puts the page together.
+function openEmbedded(name) {
+    const files = Object.entries(embedded[name]).filter(([file]) => file !== 'case.json').map(([file, text]) => [file, new TextEncoder().encode(text)]);
+    openCase(JSON.parse(embedded[name]['case.json']), new Map(files));
+    showForm();
+    tell(name === 'paper' ? 'The three sieve sizes of Dong et al. 2013 are open.' : 'The example is open: two sieve sizes with invented numbers.');
+}
+
+function begin() {
+    if (typeof DecompressionStream === 'undefined' || typeof WebAssembly === 'undefined') {
+        tell('This browser is too old for this page: it needs one of 2023 or later.', true);
+        return;
+    }
+    document.body.append(make('datalist', { id: 'app-phases' }, ...embedded.phases.map((name) => make('option', { value: name }))));
+    state.document = emptyCase();
+    showForm();
+    watchers.push(afterPause(80, answerAtOnce));
+    byId('app-files').addEventListener('change', (event) => takeFiles([...event.target.files]).then(() => { event.target.value = ''; }));
+    byId('app-example').addEventListener('click', () => openEmbedded('example'));
+    byId('app-paper').addEventListener('click', () => openEmbedded('paper'));
+    byId('app-new').addEventListener('click', () => {
+        openCase(emptyCase(), new Map());
+        showForm();
+        tell('A new case.');
+    });
+    byId('app-form').addEventListener('submit', (event) => event.preventDefault());
+    byId('app-run').addEventListener('click', compute);
+    byId('app-stop').addEventListener('click', stopRun);
+    byId('app-save-report').addEventListener('click', () => save('report.html', run.artifacts['report.html'], 'text/html'));
+    byId('app-save-case').addEventListener('click', () => save('case.json', textOfCase(), 'application/json'));
+    byId('app-save-all').addEventListener('click', saveAll);
+    listenForDrops();
+    answerAtOnce();
+}
+begin();

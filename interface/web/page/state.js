@@ -1,0 +1,64 @@
+// What the page knows: the case as the JSON document that is saved, and the files it names.
+const state = { document: null, files: new Map(), sample: 0 };
+
+const isObject = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
+
+// A case to begin with: one sample on a steel wall.
+function emptyCase() {
+    return {
+        name: 'A case of my own',
+        wall: { young_modulus: '193 GPa', poisson_ratio: 0.29 },
+        work_of_adhesion: { value: 0.3, unit: 'J/m2', origin: 'assumed' },
+        laws: ['hertz', 'dmt', 'brach-dunn', 'jkr'],
+        samples: [emptySample('sample 1')],
+    };
+}
+function emptySample(name) {
+    return { name, diameter: '88 um', composition: { weight_fractions: { quartz: '10 %', mullite: '59 %' }, amorphous: 'remainder' } };
+}
+
+// Whether a document has the outline that the form can show; what is wrong inside is told at its field.
+function isCase(document) {
+    return isObject(document) && Array.isArray(document.samples) && document.samples.length > 0 && document.samples.every(isObject);
+}
+
+const sampleNow = () => state.document.samples[state.sample];
+
+// A path is written as in the program's messages, "/samples/#/diameter"; "#" is the sample that is shown.
+const pathNow = (path) => path.replace('#', state.sample);
+const keysOf = (path) => pathNow(path).split('/').slice(1);
+
+function valueAt(path) {
+    return keysOf(path).reduce((inner, key) => (inner === null || inner === undefined ? undefined : inner[key]), state.document);
+}
+
+// Sets what stands at a path; undefined takes it away, and with it the objects that are left empty.
+function setAt(path, value) {
+    const keys = keysOf(path);
+    const last = keys.pop();
+    let inner = state.document;
+    for (const key of keys) {
+        if (typeof inner[key] !== 'object' || inner[key] === null) {
+            if (value === undefined) return;
+            inner[key] = {};
+        }
+        inner = inner[key];
+    }
+    if (value === undefined) delete inner[last];
+    else inner[last] = value;
+    if (value === undefined && keys.length > 0 && isObject(inner) && Object.keys(inner).length === 0) setAt('/' + keys.join('/'), undefined);
+}
+
+// Calls every function that was told to watch the case.
+const watchers = [];
+const changed = () => watchers.forEach((watcher) => watcher());
+
+const textOfCase = () => JSON.stringify(state.document, null, 2) + '\n';
+
+// Another case in the place of this one.
+function openCase(document, files) {
+    state.document = document;
+    state.files = files;
+    state.sample = 0;
+    changed();
+}

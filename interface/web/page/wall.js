@@ -1,0 +1,70 @@
+// Step 2: the wall, what holds the surfaces together, and the laws to compute with.
+const laws = [['hertz', 'Hertz'], ['dmt', 'DMT'], ['brach-dunn', 'Brach-Dunn'], ['jkr', 'JKR'], ['maugis-dugdale', 'Maugis-Dugdale'], ['thornton-ning', 'Thornton-Ning'], ['sjkr', 'SJKR']];
+const defaultLaws = ['hertz', 'dmt', 'brach-dunn', 'jkr'];
+const lawName = (id) => laws.find(([name]) => name === id)?.[1] ?? id;
+
+function chosenLaws() {
+    const chosen = valueAt('/laws');
+    return Array.isArray(chosen) ? chosen : defaultLaws;
+}
+
+function lawChoices() {
+    const boxes = laws.map(([id, name]) => {
+        const box = make('input', {
+            type: 'checkbox', checked: chosenLaws().includes(id), change: () => {
+                const others = chosenLaws().filter((each) => each !== id);
+                setAt('/laws', box.checked ? laws.map(([each]) => each).filter((each) => each === id || others.includes(each)) : others);
+                if (id === 'maugis-dugdale' || id === 'thornton-ning' || id === 'sjkr') showWall();
+                changed();
+            },
+        });
+        return make('label', {}, box, name);
+    });
+    return make('fieldset', { class: 'choices' }, make('legend', {}, 'Contact laws'), ...boxes, wrongAt('/laws'));
+}
+
+// What single laws need besides.
+function lawParameters() {
+    const chosen = chosenLaws();
+    return [
+        chosen.includes('maugis-dugdale') ? quantityField('Range of cohesion', '/particle/cohesion_range', 'length', 'For Maugis-Dugdale, e.g. 0.4 nm.') : null,
+        chosen.includes('thornton-ning') ? quantityField('Yield pressure', '/particle/yield_pressure', 'pressure', 'For Thornton-Ning.') : null,
+        chosen.includes('sjkr') ? textField('Cohesion energy density', '/particle/cohesion_energy_density', 'For SJKR, e.g. 20 MJ/m3.') : null,
+    ].filter(Boolean);
+}
+
+function exampleWall() {
+    const { wall, work_of_adhesion: adhesion } = JSON.parse(embedded.example['case.json']);
+    setAt('/wall', wall);
+    setAt('/work_of_adhesion', adhesion);
+    showForm();
+    changed();
+}
+
+function wallFields() {
+    const wall = valueAt('/wall');
+    const rigid = wall?.rigid === true;
+    const choice = choiceField('Wall', '/wall', [['elastic', 'elastic'], ['rigid', 'rigid']], rigid ? 'rigid' : 'elastic', (kind) => {
+        setAt('/wall', kind === 'rigid' ? { rigid: true } : { young_modulus: '193 GPa', poisson_ratio: 0.29 });
+        showForm();
+        changed();
+    });
+    if (wall?.contact_modulus !== undefined) return [quantityField('Contact modulus E*', '/wall/contact_modulus', 'pressure')];
+    return rigid ? [choice] : [choice,
+        quantityField('Young’s modulus of the wall', '/wall/young_modulus', 'pressure', 'Stainless steel: 193 GPa.'),
+        quantityField('Poisson ratio of the wall', '/wall/poisson_ratio', 'ratio', 'Stainless steel: 0.29.')];
+}
+
+function adhesionField() {
+    const adhesion = valueAt('/work_of_adhesion');
+    if (isObject(adhesion) && adhesion.surface_energies)
+        return [quantityField('Surface energy of the particle', '/work_of_adhesion/surface_energies/particle', 'adhesion'),
+            quantityField('Surface energy of the wall', '/work_of_adhesion/surface_energies/wall', 'adhesion')];
+    return [quantityField('Work of adhesion w', '/work_of_adhesion', 'adhesion', 'The energy to part unit area of particle and wall.')];
+}
+
+function showWall() {
+    byId('app-wall').replaceChildren(
+        make('div', { class: 'fields' }, ...wallFields(), ...adhesionField(), ...lawParameters()),
+        lawChoices(), exampleButton('a steel wall', exampleWall));
+}

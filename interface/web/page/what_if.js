@@ -1,0 +1,125 @@
+// Sliders for one sample and law: what would be beside what is.
+const sliders = [
+    { key: 'work_of_adhesion', label: 'Work of adhesion w', unit: 'J/m2', scale: 1 },
+    { key: 'density', label: 'Density', unit: 'kg/m3', scale: 1 },
+    { key: 'damping', label: 'Damping', unit: 'g/s', scale: 1e3 },
+    { key: 'contact_modulus', label: 'Contact modulus E*', unit: 'GPa', scale: 1e-9 },
+];
+const whatIf = { factors: {}, law: null, contact: null, points: [], measured: false, nodes: null };
+
+// The damping that a first guess takes before any was measured: that of a sphere at 1 m/s whose contact it damps critically,
+// give or take.
+const guessedDamping = (mass, modulus, radius) => Math.pow(mass ** 3 * modulus ** 2 * radius, 0.2);
+
+// The contact of the sample that is shown, from artifacts of a run or of the answer at once; null where there is none.
+function contactOf(artifacts, law) {
+    const inArtifact = (file) => artifacts[file] && JSON.parse(artifacts[file]).result.samples?.[state.sample];
+    const contact = inArtifact('2-contact.json');
+    const modulus = inArtifact('1-modulus.json');
+    if (!contact || !modulus || !contact.density) return null;
+    const measured = inArtifact('7-critical-velocity.json')?.[law]?.damping?.value;
+    const parameters = {};
+    for (const key of ['cohesion_range', 'cohesive_stress', 'tabor', 'cohesion_energy_density', 'yield_pressure'])
+        if (contact[key]) parameters[key] = contact[key].value ?? contact[key];
+    return {
+        ...parameters, law, diameter: modulus.diameter.value, density: contact.density.value,
+        contact_modulus: contact.contact_modulus.value, work_of_adhesion: contact.work_of_adhesion?.value ?? null,
+        damping: measured ?? guessedDamping(contact.mass.value, contact.contact_modulus.value, contact.effective_radius.value),
+        measured: measured !== undefined,
+    };
+}
+
+function measuredPoints(artifacts) {
+    const sample = artifacts['4-restitution.json'] && JSON.parse(artifacts['4-restitution.json']).result.samples?.[state.sample];
+    return (sample?.series ?? []).flatMap((series) => series.velocity.values.map((v, i) => [v, series.restitution.values[i]]));
+}
+
+const withFactors = (contact) => Object.fromEntries(Object.entries(contact).map(([key, value]) => [key, typeof value === 'number' ? value * (whatIf.factors[key] ?? 1) : value]));
+
+async function curveOf(contact, velocities) {
+    const { measured, ...asked } = contact;
+    if (asked.work_of_adhesion === null) delete asked.work_of_adhesion;
+    const { answer } = await quick.ask({ name: 'curve', words: [JSON.stringify({ ...asked, velocities })] });
+    return answer;
+}
+
+function velocitiesUpTo(most) {
+    return Array.from({ length: 120 }, (_, i) => (most * (i + 1)) / 120);
+}
+
+let drawn = 0;
+async function drawWhatIf() {
+    const turn = ++drawn;
+    const contact = whatIf.contact;
+    if (!contact) return;
+    const fastest = Math.max(0, ...whatIf.points.map(([v]) => v));
+    const base = await curveOf(contact, [1]);
+    const most = fastest > 0 ? fastest * 1.05 : Math.min(100, 4 * (base.critical_velocity || 1));
+    const velocities = velocitiesUpTo(most);
+    const answers = await Promise.all([curveOf(contact, velocities), curveOf(withFactors(contact), velocities)]);
+    if (turn !== drawn) return;
+    const wrong = answers.find((answer) => answer.status !== 0);
+    if (wrong) {
+        whatIf.nodes.text.textContent = wrong.error.message;
+        return;
+    }
+    const [was, would] = answers;
+    const said = (answer) => (answer.critical_velocity === null ? (answer.always_captured ? 'every particle stays' : 'none') : `${readable(answer.critical_velocity, 3)} m/s`);
+    const name = contact.measured ? 'as measured' : 'as typed, with a guessed damping';
+    whatIf.nodes.text.textContent = `Critical velocity ${name}: ${said(was)}. What if: ${said(would)}.`;
+    const mostY = Math.max(0.5, ...whatIf.points.map(([, e]) => e), ...was.restitution, ...would.restitution) > 0.8 ? 1 : 0.8;
+    const markers = [[was, 'base'], [would, 'new']].filter(([answer]) => answer.critical_velocity !== null).map(([answer, kind]) => ({ x: answer.critical_velocity, class: kind }));
+    whatIf.nodes.plot.replaceChildren(curvePlot('Restitution over velocity, as it is and what if', most, mostY,
+        [{ class: 'base', x: velocities, y: was.restitution }, { class: 'new', x: velocities, y: would.restitution }], whatIf.points, markers));
+}
+
+function sliderFor({ key, label, unit, scale }) {
+    const output = make('output', {});
+    const tell = () => {
+        output.textContent = whatIf.contact?.[key] === null ? 'not used' : `${readable((whatIf.contact?.[key] ?? 0) * scale * (whatIf.factors[key] ?? 1), 3)} ${unit}`;
+        input.setAttribute('aria-valuetext', output.textContent);
+    };
+    const input = make('input', {
+        type: 'range', id: `app-slider-${key}`, min: '-1', max: '1', step: '0.02', value: '0', input: () => {
+            whatIf.factors[key] = 5 ** Number(input.value);
+            tell();
+            drawWhatIf();
+        },
+    });
+    tell();
+    return { key, input, tell, node: make('div', {}, make('label', { for: input.id }, label), input, output) };
+}
+
+function buildWhatIf() {
+    const law = make('select', { id: 'app-what-if-law', change: () => offerWhatIf(whatIf.artifacts, law.value) });
+    const parts = sliders.map(sliderFor);
+    const reset = make('button', {
+        type: 'button', class: 'small', click: () => {
+            whatIf.factors = {};
+            for (const part of parts) part.input.value = '0';
+            parts.forEach((part) => part.tell());
+            drawWhatIf();
+        },
+    }, 'Back to what it is');
+    const plot = make('div', {});
+    const text = make('p', { class: 'answer', role: 'status' });
+    whatIf.nodes = { law, parts, plot, text };
+    byId('app-what-if-body').append(make('p', { class: 'buttons' }, make('label', { for: 'app-what-if-law' }, 'Contact law'), law, reset),
+        make('div', { class: 'sliders' }, ...parts.map((part) => part.node)), text, plot);
+}
+
+// Shows the sliders for what the artifacts hold.
+function offerWhatIf(artifacts, chosen) {
+    if (!whatIf.nodes) buildWhatIf();
+    const names = chosenLaws().filter((law) => typeof law === 'string');
+    const law = names.includes(chosen ?? whatIf.law) ? chosen ?? whatIf.law : names.at(-1);
+    whatIf.artifacts = artifacts;
+    whatIf.law = law;
+    whatIf.contact = law ? contactOf(artifacts, law) : null;
+    whatIf.points = measuredPoints(artifacts);
+    byId('app-what-if').hidden = !whatIf.contact;
+    if (!whatIf.contact) return;
+    whatIf.nodes.law.replaceChildren(...names.map((name) => make('option', { value: name, selected: name === law }, lawName(name))));
+    whatIf.nodes.parts.forEach((part) => part.tell());
+    drawWhatIf();
+}
