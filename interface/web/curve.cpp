@@ -50,14 +50,18 @@ Json curve_json(const Json& contact) {
                   .damping = read_damping(options),
                   .contact = choice.contact,
                   .velocity = 1};
+    const CriticalVelocity critical = critical_velocity({.law = impact.law,
+                                                         .detachment = impact.detachment,
+                                                         .damping = impact.damping,
+                                                         .contact = impact.contact});
+    const Json& velocities = contact.at("velocities");
     Json restitution = Json::array();
-    for (const Json& velocity : contact.at("velocities")) {
-        impact.velocity = velocity.get<double>();
+    for (std::size_t i = 0; i < velocities.size(); ++i) {
+        impact.velocity = velocities[i].get<double>();
+        if (contact.contains("dampings")) impact.damping.coefficient = contact.at("dampings").at(i).get<double>();
         validate(impact);
         restitution.push_back(restitution_of(impact));
     }
-    const CriticalVelocity critical = critical_velocity(
-        {.law = impact.law, .detachment = impact.detachment, .damping = impact.damping, .contact = impact.contact});
     return {{"restitution", restitution},
             {"critical_velocity", critical.value ? Json(*critical.value) : Json(nullptr)},
             {"always_captured", critical.verdict == CaptureVerdict::always_captured}};

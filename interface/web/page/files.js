@@ -55,6 +55,7 @@ async function takeFile(file, kind) {
 
 // Any number of files at once: with a case among them the others are what it names.
 async function takeFiles(list) {
+    tell('');
     const files = [];
     for (const file of list) {
         if (file.size > mostBytes) {

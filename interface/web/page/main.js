@@ -30,6 +30,6 @@ function begin() {
     byId('app-save-case').addEventListener('click', () => save('case.json', textOfCase(), 'application/json'));
     byId('app-save-all').addEventListener('click', saveAll);
     listenForDrops();
-    answerAtOnce();
+    changed();
 }
 begin();

@@ -1,5 +1,6 @@
 // Curves over velocity: restitution between 0 and 1.
-const plotSize = { width: 720, height: 340, left: 56, right: 14, top: 12, bottom: 46 };
+// Drawn for the width at hand, so that its text has the same size on a telephone.
+const plotSize = (wide) => ({ width: wide ? 720 : 340, height: wide ? 340 : 280, left: 56, right: 14, top: 12, bottom: 46 });
 
 function niceStep(most) {
     const power = 10 ** Math.floor(Math.log10(most));
@@ -7,8 +8,8 @@ function niceStep(most) {
 }
 
 // curves: {name, class, x, y}; points: [[x, y], ...]; markers: {x, class}.
-function curvePlot(title, mostX, mostY, curves, points, markers) {
-    const { width, height, left, right, top, bottom } = plotSize;
+function curvePlot(wide, title, mostX, mostY, curves, points, markers) {
+    const { width, height, left, right, top, bottom } = plotSize(wide);
     const atX = (x) => left + (x / mostX) * (width - left - right);
     const atY = (y) => height - bottom - (y / mostY) * (height - top - bottom);
     const svg = draw('svg', { class: 'curve', viewBox: `0 0 ${width} ${height}`, role: 'img', 'aria-label': title });

@@ -24,9 +24,10 @@ function stopRun() {
 
 // The report as the program writes it, its head and its provenance at the end left to the downloaded file.
 function showReport(text) {
-    const report = new DOMParser().parseFromString(text, 'text/html');
-    const sheet = new CSSStyleSheet();
-    sheet.replaceSync([...report.querySelectorAll('style')].map((style) => style.textContent).join('\n'));
+    const [element, style] = /<style>([^]*?)<\/style>/.exec(text);
+    const report = new DOMParser().parseFromString(text.replace(element, ''), 'text/html');
+    const sheet = new CSSStyleSheet();  // which the policy of the page admits, as it does not a style element
+    sheet.replaceSync(style);
     document.adoptedStyleSheets = [sheet];
     byId('app-markers').replaceChildren(...(report.querySelector('svg.defs')?.childNodes ?? []));
     const answers = report.querySelector('header .answers');
@@ -38,7 +39,7 @@ async function compute() {
     showRunning(true);
     run.worker = new Program();
     try {
-        const { answer, artifacts } = await run.worker.askOfCase('run', 'results', 'all');
+        const { answer, artifacts } = await run.worker.askOfCase('run', '/results', 'all');
         if (answer.status !== 0) {
             tellError(answer.error);
             byId('app-progress').textContent = '';

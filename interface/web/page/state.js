@@ -49,9 +49,13 @@ function setAt(path, value) {
     if (value === undefined && keys.length > 0 && isObject(inner) && Object.keys(inner).length === 0) setAt('/' + keys.join('/'), undefined);
 }
 
-// Calls every function that was told to watch the case.
+// Calls every function that was told to watch the case. How often it changed stands at the root of the page, as does how
+// many of the changes are answered.
 const watchers = [];
-const changed = () => watchers.forEach((watcher) => watcher());
+function changed() {
+    document.documentElement.dataset.changes = String(Number(document.documentElement.dataset.changes ?? 0) + 1);
+    watchers.forEach((watcher) => watcher());
+}
 
 const textOfCase = () => JSON.stringify(state.document, null, 2) + '\n';
 

@@ -18,6 +18,7 @@ function contactOf(artifacts, law) {
     const modulus = inArtifact('1-modulus.json');
     if (!contact || !modulus || !contact.density) return null;
     const measured = inArtifact('7-critical-velocity.json')?.[law]?.damping?.value;
+    const course = measured === undefined ? null : dampingCourse(inArtifact('7-critical-velocity.json')[law], inArtifact('5-damping.json')?.[law]);
     const parameters = {};
     for (const key of ['cohesion_range', 'cohesive_stress', 'tabor', 'cohesion_energy_density', 'yield_pressure'])
         if (contact[key]) parameters[key] = contact[key].value ?? contact[key];
@@ -25,8 +26,23 @@ function contactOf(artifacts, law) {
         ...parameters, law, diameter: modulus.diameter.value, density: contact.density.value,
         contact_modulus: contact.contact_modulus.value, work_of_adhesion: contact.work_of_adhesion?.value ?? null,
         damping: measured ?? guessedDamping(contact.mass.value, contact.contact_modulus.value, contact.effective_radius.value),
-        measured: measured !== undefined,
+        course,
     };
+}
+
+// Damping over velocity as measured: [v, damping] from the critical velocity on.
+function dampingCourse(critical, measured) {
+    const points = (measured?.velocity.values ?? []).map((v, i) => [v, measured.damping.values[i]]);
+    const begin = critical.critical_velocity?.value;
+    return [...(begin === undefined ? [] : [[begin, critical.damping.value]]), ...points.filter(([v]) => begin === undefined || v > begin)].sort((a, b) => a[0] - b[0]);
+}
+
+// Straight between its points, constant beyond them.
+function dampingAt(course, v) {
+    const after = course.findIndex(([at]) => at >= v);
+    if (after <= 0) return course.at(after)[1];
+    const [[v1, one], [v2, other]] = [course[after - 1], course[after]];
+    return one + ((other - one) * (v - v1)) / (v2 - v1);
 }
 
 function measuredPoints(artifacts) {
@@ -36,8 +52,10 @@ function measuredPoints(artifacts) {
 
 const withFactors = (contact) => Object.fromEntries(Object.entries(contact).map(([key, value]) => [key, typeof value === 'number' ? value * (whatIf.factors[key] ?? 1) : value]));
 
-async function curveOf(contact, velocities) {
-    const { measured, ...asked } = contact;
+// The damping at each velocity, where it was measured, is times a factor.
+async function curveOf(contact, velocities, factor = 1) {
+    const { course, ...asked } = contact;
+    if (course?.length) asked.dampings = velocities.map((v) => dampingAt(course, v) * factor);
     if (asked.work_of_adhesion === null) delete asked.work_of_adhesion;
     const { answer } = await quick.ask({ name: 'curve', words: [JSON.stringify({ ...asked, velocities })] });
     return answer;
@@ -56,7 +74,7 @@ async function drawWhatIf() {
     const base = await curveOf(contact, [1]);
     const most = fastest > 0 ? fastest * 1.05 : Math.min(100, 4 * (base.critical_velocity || 1));
     const velocities = velocitiesUpTo(most);
-    const answers = await Promise.all([curveOf(contact, velocities), curveOf(withFactors(contact), velocities)]);
+    const answers = await Promise.all([curveOf(contact, velocities), curveOf(withFactors(contact), velocities, whatIf.factors.damping ?? 1)]);
     if (turn !== drawn) return;
     const wrong = answers.find((answer) => answer.status !== 0);
     if (wrong) {
@@ -65,11 +83,11 @@ async function drawWhatIf() {
     }
     const [was, would] = answers;
     const said = (answer) => (answer.critical_velocity === null ? (answer.always_captured ? 'every particle stays' : 'none') : `${readable(answer.critical_velocity, 3)} m/s`);
-    const name = contact.measured ? 'as measured' : 'as typed, with a guessed damping';
+    const name = contact.course ? 'as measured' : 'as typed, with a guessed damping';
     whatIf.nodes.text.textContent = `Critical velocity ${name}: ${said(was)}. What if: ${said(would)}.`;
     const mostY = Math.max(0.5, ...whatIf.points.map(([, e]) => e), ...was.restitution, ...would.restitution) > 0.8 ? 1 : 0.8;
     const markers = [[was, 'base'], [would, 'new']].filter(([answer]) => answer.critical_velocity !== null).map(([answer, kind]) => ({ x: answer.critical_velocity, class: kind }));
-    whatIf.nodes.plot.replaceChildren(curvePlot('Restitution over velocity, as it is and what if', most, mostY,
+    whatIf.nodes.plot.replaceChildren(curvePlot(byId('app-what-if').clientWidth > 560, 'Restitution over velocity, as it is and what if', most, mostY,
         [{ class: 'base', x: velocities, y: was.restitution }, { class: 'new', x: velocities, y: would.restitution }], whatIf.points, markers));
 }
 
