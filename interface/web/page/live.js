@@ -30,7 +30,7 @@ function liveTable(artifacts) {
     const body = moduli.map((modulus, i) => make('tr', {}, make('th', { scope: 'row' }, modulus.name), cell(modulus.young_modulus, 1e-9),
         cell(contacts[i].density, 1), cell(contacts[i].contact_modulus, 1e-9), cell(contacts[i].mass, 1e9), cell(analytic[i]?.critical_velocity, 1e3)));
     const heads = ['Sample', 'Young’s modulus [GPa]', 'Density [kg/m3]', 'E* [GPa]', 'Mass [µg]', 'v_c of adhesion alone [mm/s]'];
-    return make('div', { class: 'scroll', role: 'region', tabindex: '0', 'aria-label': 'What follows at once' },
+    return make('div', { class: 'scroll', role: 'region', tabindex: '0', 'aria-label': 'Modulus and contact of each sample' },
         make('table', {}, make('thead', {}, make('tr', {}, ...heads.map((text) => make('th', { scope: 'col' }, text)))), make('tbody', {}, ...body)));
 }
 

@@ -1,0 +1,216 @@
+// page.test.cjs PAGE FOLDER: ashimpact.html as its users meet it, in headless Chromium. FOLDER/example is a case of `ashimpact init`
+// with the artifacts of the native program in "results".
+'use strict';
+const assert = require('node:assert/strict');
+const fs = require('node:fs');
+const path = require('node:path');
+const { agree, allowedForImpacts, headlinesAgree, withoutHeadline } = require('./agree.cjs');
+const { downloaded, drop, launch, minute, openPage, press, settled, sidewaysScroll, tabTo, violations, wrongTold } = require('./browser_page.cjs');
+const { unzip } = require('./unzip.cjs');
+const { wrongFiles } = require('./wrong_files.cjs');
+
+const [file, folder] = process.argv.slice(2);
+const whole = Boolean(process.env.ASHIMPACT_WHOLE);  // all wrong files, not every fifth
+const example = path.join(folder, 'example');
+const inputs = fs.readdirSync(example).filter(name => /\.(json|csv)$/.test(name)).map(name => ({ name, bytes: fs.readFileSync(path.join(example, name)) }));
+const caseText = fs.readFileSync(path.join(example, 'case.json'), 'utf8');
+
+const opened = page => page.evaluate(() => document.getElementById('app-told').textContent);
+
+async function isClean({ context, page, complaints }, where) {
+    assert.deepEqual(await violations(context, page), [], `${where}: axe`);
+    assert.deepEqual(complaints, [], where);
+    assert.ok((await sidewaysScroll(page)) <= 0, `${where}: scrolls sideways`);
+}
+
+function oneStrictFile() {
+    assert.ok(fs.statSync(file).size < 6e6, `${fs.statSync(file).size} bytes`);
+    const text = fs.readFileSync(file, 'utf8');
+    const policy = /http-equiv="Content-Security-Policy" content="([^"]*)"/.exec(text)[1];
+    assert.match(policy, /^default-src 'none'; /);
+    assert.doesNotMatch(policy, /unsafe-inline|'unsafe-eval'|https?:|\*/);
+    console.log(`one file of ${(fs.statSync(file).size / 1e6).toFixed(2)} MB`);
+}
+
+// From dropping the files of `init`'s case to the downloaded report, by the keyboard alone.
+async function journey(browser, width, scheme) {
+    const where = `${width} px, ${scheme}`;
+    const opening = await openPage(browser, file, width, scheme);
+    const { context, page } = opening;
+    await isClean(opening, `${where}, empty`);
+    await drop(page, inputs);
+    while ((await opened(page)) !== 'case.json is open.') await page.waitForTimeout(20);
+    await settled(page);
+    assert.equal(await wrongTold(page), '', where);
+    await press(page, '#app-run');
+    await page.waitForSelector('#app-results:not([hidden])', { timeout: 5 * minute });
+    assert.match(await page.locator('#app-report .answers').textContent(), /a particle sticks when it is slower than/);
+    await isClean(opening, `${where}, with results`);
+    const report = await downloaded(page, '#app-save-report');
+    assert.equal(report.name, 'report.html');
+    assert.match(report.bytes.toString(), /<figure id="critical-velocity"/);
+    const saved = await downloaded(page, '#app-save-case');
+    assert.deepEqual(JSON.parse(saved.bytes), JSON.parse(caseText), `${where}: the case is saved as it was`);
+    const files = unzip((await downloaded(page, '#app-save-all')).bytes);
+    for (const { name, bytes } of inputs) if (name !== 'case.json') assert.equal(files.get(name), bytes.toString(), `${where}: ${name} in the archive`);
+    const native = path.join(example, 'results');
+    const read = name => files.get(`results/${name}`);
+    agree(`Chromium at ${where}`, native, read, withoutHeadline, allowedForImpacts);
+    headlinesAgree(native, read);
+    await context.close();
+    console.log(`from files to report by keyboard at ${where}`);
+}
+
+// What a new user types, told at its field when it is wrong, and the answer as fast as it is typed.
+async function typing(browser) {
+    const opening = await openPage(browser, file, 1000);
+    const { context, page } = opening;
+    const field = label => page.getByLabel(label, { exact: true });
+    const times = [];
+    for (const diameter of ['40', '50', '60', '70', '80']) {
+        const begin = Date.now();
+        await field('Particle diameter').fill(diameter);
+        await settled(page);
+        times.push(Date.now() - begin);
+    }
+    console.log(`answers after ${times.join(', ')} ms, a pause of 80 ms among them`);
+    assert.ok(Math.min(...times) < 300, `the fastest answer takes ${Math.min(...times)} ms`);
+    const before = await page.locator('#app-live').textContent();
+    await field('Particle diameter').fill('eighty');
+    await settled(page);
+    const told = await page.locator('.field:has-text("Particle diameter") .wrong').textContent();
+    assert.match(told, /^case\.json: \/samples\/0\/diameter: .*allowed: a length/);
+    assert.equal(await field('Particle diameter').getAttribute('aria-invalid'), 'true');
+    assert.ok(await page.locator('#app-run').isDisabled(), 'a wrong case cannot be computed');
+    await field('Particle diameter').fill('0.08');
+    await page.getByLabel('Unit of: Particle diameter').selectOption('mm');
+    await settled(page);
+    assert.equal(await wrongTold(page), '');
+    assert.equal(await page.locator('#app-live').textContent(), before, '0.08 mm are 80 um');
+    await field('Velocity, row 1').fill('1.5');
+    await field('Rebound velocity, row 1').fill('fast');
+    await settled(page);
+    assert.match(await wrongTold(page), /\/samples\/0\/restitution/);
+    await field('Rebound velocity, row 1').fill('0.2');
+    await settled(page);
+    assert.equal(await wrongTold(page), '');
+    assert.deepEqual(opening.complaints, []);
+    await context.close();
+}
+
+// Each step has an example at a click, and together they are a case that can be computed.
+async function examples(browser) {
+    const { context, page, complaints } = await openPage(browser, file, 1000);
+    for (const step of ['an ash', 'a steel wall', 'measured impacts']) await page.getByText(`Fill in an example of ${step}`).click();
+    await settled(page);
+    assert.equal(await wrongTold(page), '');
+    await page.click('#app-paper');
+    await settled(page);
+    assert.equal(await wrongTold(page), '');
+    assert.equal(await page.locator('#app-live tbody tr').count(), 3);
+    await page.selectOption('#app-sample', '2');
+    await settled(page);
+    assert.equal(await page.getByLabel('Name of the sample').inputValue(), '104 um');
+    assert.deepEqual(complaints, []);
+    await context.close();
+}
+
+// Sliders move the dashed curve alone, and come back; a long computation stops.
+async function slidersAndStop(browser) {
+    const { context, page, complaints } = await openPage(browser, file, 1000);
+    await page.click('#app-example');
+    await settled(page);
+    const curve = kind => page.locator(`#app-what-if path.${kind}`).first().getAttribute('d');
+    await page.waitForSelector('#app-what-if path.new');
+    for (const key of ['work_of_adhesion', 'density', 'damping', 'contact_modulus']) {
+        const [base, start] = [await curve('base'), await curve('new')];
+        await page.focus(`#app-slider-${key}`);
+        await page.keyboard.press('End');
+        for (let i = 0; i < 200 && (await curve('new')) === start; ++i) await page.waitForTimeout(20);
+        assert.notEqual(await curve('new'), start, `${key} moves the curve`);
+        assert.equal(await curve('base'), base, `${key} leaves the other curve`);
+        await page.getByText('Back to what it is').click();
+        for (let i = 0; i < 200 && (await curve('new')) !== start; ++i) await page.waitForTimeout(20);
+        assert.equal(await curve('new'), start, `${key} comes back`);
+    }
+    await page.click('#app-run');
+    await page.click('#app-stop');
+    assert.equal(await page.locator('#app-progress').textContent(), 'Stopped.');
+    await page.waitForTimeout(500);
+    assert.ok(await page.locator('#app-results').isHidden());
+    assert.ok(await page.locator('#app-run').isEnabled());
+    assert.deepEqual(complaints, []);
+    await context.close();
+}
+
+async function wrongOnes(browser) {
+    const { context, page, complaints } = await openPage(browser, file, 1000);
+    const files = wrongFiles(caseText).filter((_, i) => whole || i % 5 === 0);
+    const untold = [];
+    for (const wrong of files) {
+        await page.click('#app-example');
+        await settled(page);
+        assert.equal(await wrongTold(page), '', `before ${wrong.name}`);
+        await drop(page, [wrong]);
+        let told = '';
+        for (const begin = Date.now(); told === '' && Date.now() - begin < minute / 20; await page.waitForTimeout(20)) told = await wrongTold(page);
+        if (told === '') untold.push(`${wrong.name}: ${wrong.bytes.toString('utf8').slice(-200)}`);
+        assert.doesNotMatch(told, /cannot go on/, `${wrong.name} breaks the program: ${told}`);
+        await settled(page);
+    }
+    assert.deepEqual(untold, [], 'files that are not told');
+    await page.click('#app-example');
+    await settled(page);
+    assert.equal(await wrongTold(page), '', 'after all of them');
+    assert.deepEqual(complaints, []);
+    await context.close();
+    console.log(`${files.length} wrong files, each told`);
+}
+
+// A million impacts: the page answers its user meanwhile, within a fifth of a second.
+async function millionLines(browser) {
+    const { context, page, complaints } = await openPage(browser, file, 1000);
+    await page.click('#app-example');
+    await settled(page);
+    const table = path.join(folder, 'impacts-million.csv');
+    const lines = Array.from({ length: 1e6 }, (_, i) => `${(1.4 + (i % 4000) / 1000).toFixed(3)},${((i % 4000) / 2500).toFixed(3)}`);
+    fs.writeFileSync(table, `velocity [m/s],rebound_velocity [m/s]\n${lines.join('\n')}\n`);
+    await page.evaluate(() => {
+        let last = performance.now();
+        window.longestPause = 0;
+        window.beating = setInterval(() => {
+            window.longestPause = Math.max(window.longestPause, performance.now() - last);
+            last = performance.now();
+        }, 10);
+    });
+    await page.setInputFiles('#app-files', table);
+    const begin = Date.now();
+    while (!(await opened(page)).startsWith('impacts-million.csv')) await page.waitForTimeout(50);
+    await settled(page, 5 * minute);
+    const pause = await page.evaluate(() => window.longestPause);
+    console.log(`a million lines read after ${((Date.now() - begin) / 1000).toFixed(1)} s, the longest pause of the page ${pause.toFixed(0)} ms; ${await wrongTold(page) || 'nothing wrong'}`);
+    assert.ok(pause < 1000, `the page freezes for ${pause} ms`);
+    assert.doesNotMatch(await wrongTold(page), /cannot go on/);
+    await page.click('#app-example');
+    await settled(page);
+    assert.equal(await wrongTold(page), '');
+    assert.deepEqual(complaints, []);
+    await context.close();
+}
+
+(async () => {
+    oneStrictFile();
+    const browser = await launch();
+    const parts = { typing, examples, slidersAndStop, small: each => journey(each, 360, 'dark'), large: each => journey(each, 1440, 'light'), wrongOnes, millionLines };
+    const chosen = process.env.ASHIMPACT_PAGE_PART;
+    for (const [name, part] of Object.entries(parts)) {
+        if (chosen && chosen !== name) continue;
+        const begin = Date.now();
+        await part(browser);
+        console.log(`${name}: passed in ${((Date.now() - begin) / 1000).toFixed(1)} s`);
+    }
+    await browser.close();
+})().catch(error => {
+    console.error(error);
+    process.exit(1);
+});
