@@ -9,7 +9,7 @@
 #include <functional>
 #include <sstream>
 
-#include "interface/web/curve.hpp"
+#include "interface/web/single_contact.hpp"
 #include "materials/base/error.hpp"
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/files/file.hpp"
@@ -137,9 +137,14 @@ const char* ashimpact_validate(const char* case_file) {
     });
 }
 
-/// Restitution and critical velocity of one contact, JSON in and out; interface/web/curve.hpp has the keys.
+/// Restitution and critical velocity of one contact, JSON in and out; single_contact.hpp has the keys.
 const char* ashimpact_curve(const char* contact) {
     return answered([&] { return ashimpact::curve_json(ashimpact::parse_json(contact)); });
+}
+
+/// One impact, JSON in and out; single_contact.hpp has the keys.
+const char* ashimpact_impact(const char* contact) {
+    return answered([&] { return ashimpact::single_impact_json(ashimpact::parse_json(contact)); });
 }
 
 /// One figure of a finished run as SVG, @p width "single" or "double".

@@ -22,8 +22,8 @@ struct Comparison {
     void compare(const std::string& unit) {
         for (const std::string target : targets) {
             const UnitScale theirs = database_scale_to(unit, target);
-            const UnitScale ours =
-                names_a_unit(unit) ? database.scale(unit, target) : UnitScale{.problem = UnitProblem::unknown};
+            const UnitScale ours = names_a_unit(unit) ? database.scale(unit, target)
+                                                      : UnitScale{.problem = UnitProblem::unknown};
             CAPTURE(unit);
             CAPTURE(target);
             CHECK(ours.problem == theirs.problem);
@@ -47,12 +47,73 @@ TEST_CASE("every unit of the database is what UDUNITS-2 takes it for") {
 
 TEST_CASE("units are combined by the grammar of UDUNITS-2") {
     Comparison comparison;
-    for (const char* unit :
-         {"kg.m-3", "kg m-3", "kg/m^3", "kg m^-3", "g/cm3", "kg*m^-3", "kg/(m.s)", "kg/m/s2", "N-s", "Pa s",
-          "lb/ft3", "mm/ms", "J/(m2)", "(m)(s-1)", "m per s", "m  per  s", "meters/second", "MICROMETERS", "um",
-          "mmm", "kkg", "m^", "m^ 2", "m . s", "m ", " m", "m..s", "()", "m/", "/m", "perm", "percent", "m256",
-          "m255", "m-255", "degC", "J/degC", "dBm", "m^+2", "m+2", "m()", "((m))", "(m", "m)", "m))", "m)s", "%", "%m", "m%", "%%", "% m",
-          "oven", "", "1", "s-1", "Hz", "mo", "m_", "_m", "d", "da", "dam", "Mg", "mg", "MG", "pa", "PA"})
+    for (const char* unit : {"kg.m-3",
+                             "kg m-3",
+                             "kg/m^3",
+                             "kg m^-3",
+                             "g/cm3",
+                             "kg*m^-3",
+                             "kg/(m.s)",
+                             "kg/m/s2",
+                             "N-s",
+                             "Pa s",
+                             "lb/ft3",
+                             "mm/ms",
+                             "J/(m2)",
+                             "(m)(s-1)",
+                             "m per s",
+                             "m  per  s",
+                             "meters/second",
+                             "MICROMETERS",
+                             "um",
+                             "mmm",
+                             "kkg",
+                             "m^",
+                             "m^ 2",
+                             "m . s",
+                             "m ",
+                             " m",
+                             "m..s",
+                             "()",
+                             "m/",
+                             "/m",
+                             "perm",
+                             "percent",
+                             "m256",
+                             "m255",
+                             "m-255",
+                             "degC",
+                             "J/degC",
+                             "dBm",
+                             "m^+2",
+                             "m+2",
+                             "m()",
+                             "((m))",
+                             "(m",
+                             "m)",
+                             "m))",
+                             "m)s",
+                             "%",
+                             "%m",
+                             "m%",
+                             "%%",
+                             "% m",
+                             "oven",
+                             "",
+                             "1",
+                             "s-1",
+                             "Hz",
+                             "mo",
+                             "m_",
+                             "_m",
+                             "d",
+                             "da",
+                             "dam",
+                             "Mg",
+                             "mg",
+                             "MG",
+                             "pa",
+                             "PA"})
         comparison.compare(unit);
     CHECK(comparison.convertible > 20);
 }

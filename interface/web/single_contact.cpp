@@ -1,5 +1,4 @@
-// Restitution over velocity for one contact and the critical velocity, for the sliders of a page.
-#include "interface/web/curve.hpp"
+#include "interface/web/single_contact.hpp"
 
 #include <fmt/format.h>
 
@@ -7,6 +6,7 @@
 #include <string_view>
 
 #include "pipeline/commands/contact_options.hpp"
+#include "pipeline/commands/impact.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/impact.hpp"
 
@@ -27,6 +27,8 @@ ContactOptions options_of(const Json& contact) {
         std::pair{"law", &ContactOptions::law},
         std::pair{"detachment", &ContactOptions::detachment},
         std::pair{"diameter", &ContactOptions::diameter},
+        std::pair{"radius", &ContactOptions::radius},
+        std::pair{"mass", &ContactOptions::mass},
         std::pair{"density", &ContactOptions::density},
         std::pair{"contact_modulus", &ContactOptions::contact_modulus},
         std::pair{"work_of_adhesion", &ContactOptions::work_of_adhesion},
@@ -41,6 +43,17 @@ ContactOptions options_of(const Json& contact) {
 }
 
 }  // namespace
+
+Json single_impact_json(const Json& contact) {
+    const ContactOptions options = options_of(contact);
+    const ContactChoice choice = read_contact(options);
+    const Impact impact{.law = choice.law,
+                        .detachment = choice.detachment,
+                        .damping = read_damping(options),
+                        .contact = choice.contact,
+                        .velocity = contact.at("velocity").get<double>()};
+    return impact_json(impact, solve_impact(impact));
+}
 
 Json curve_json(const Json& contact) {
     const ContactOptions options = options_of(contact);
@@ -58,7 +71,8 @@ Json curve_json(const Json& contact) {
     Json restitution = Json::array();
     for (std::size_t i = 0; i < velocities.size(); ++i) {
         impact.velocity = velocities[i].get<double>();
-        if (contact.contains("dampings")) impact.damping.coefficient = contact.at("dampings").at(i).get<double>();
+        if (contact.contains("dampings"))
+            impact.damping.coefficient = contact.at("dampings").at(i).get<double>();
         validate(impact);
         restitution.push_back(restitution_of(impact));
     }

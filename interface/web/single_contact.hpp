@@ -1,0 +1,17 @@
+#pragma once
+
+#include "pipeline/json/document.hpp"
+
+namespace ashimpact {
+
+/// One impact, as `ashimpact impact --json`. Keys as the options of that command (`law`, `radius`, `mass`,
+/// `damping`, ...), numbers in SI.
+[[nodiscard]] Json single_impact_json(const Json& contact);
+
+/// Restitution at velocities [m/s] and the critical velocity of one contact. Keys as above, but
+/// `velocities` for `velocity`, and, if the damping is not the same at all of them, `dampings`; the critical
+/// velocity is that of `damping`.
+/// @return `restitution`, `critical_velocity` (null if there is none), `always_captured`
+[[nodiscard]] Json curve_json(const Json& contact);
+
+}  // namespace ashimpact
