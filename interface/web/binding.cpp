@@ -1,6 +1,9 @@
 // What a page calls: functions on files in emscripten's file system in memory. The page writes the case
 // and what it names there, and reads artifacts and report from there. Each function returns one JSON object,
 // docs/web.md.
+#include <emscripten/emscripten.h>
+#include <spdlog/details/null_mutex.h>
+#include <spdlog/sinks/base_sink.h>
 #include <spdlog/sinks/ostream_sink.h>
 #include <spdlog/spdlog.h>
 
@@ -22,6 +25,11 @@
 #include "pipeline/text/comparison_table.hpp"
 #include "pipeline/text/remarks.hpp"
 
+// Tells the page a line while a computation goes on, if it listens.
+EM_JS(void, tell_page, (const char* line), {
+    if (Module["onProgress"]) Module["onProgress"](UTF8ToString(line));
+});
+
 namespace {
 
 using ashimpact::Json;
@@ -29,13 +37,25 @@ using ashimpact::Json;
 /// Columns of the summary in a page.
 constexpr std::size_t text_width = 100;
 
+/// Hands on what is logged below the level of messages: which stage is done.
+class ProgressSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
+    void sink_it_(const spdlog::details::log_msg& line) override {
+        if (line.level < spdlog::level::info)
+            tell_page(std::string(line.payload.data(), line.payload.size()).c_str());
+    }
+    void flush_() override {}
+};
+
 /// The lines that a computation logs.
 class Messages {
   public:
     Messages() {
-        auto sink = std::make_shared<spdlog::sinks::ostream_sink_st>(text_);
-        auto logger = std::make_shared<spdlog::logger>("ashimpact", sink);
+        auto text = std::make_shared<spdlog::sinks::ostream_sink_st>(text_);
+        text->set_level(spdlog::level::info);
+        auto logger = std::make_shared<spdlog::logger>(
+            "ashimpact", spdlog::sinks_init_list{text, std::make_shared<ProgressSink>()});
         logger->set_pattern("%v");
+        logger->set_level(spdlog::level::debug);
         spdlog::set_default_logger(logger);
     }
 

@@ -73,9 +73,25 @@ function showImpacts() {
         cameraFields(), exampleButton('measured impacts', exampleImpacts)].filter(Boolean));
 }
 
+// What a reader knows a control by; the same after the form is made anew.
+const nameOfControl = (control) => `${control.tagName} ${control.labels?.[0]?.textContent ?? control.getAttribute('aria-label') ?? control.textContent}`;
+
+// Makes a part of the form anew, and leaves the focus where it was.
+function keepFocus(work) {
+    const control = document.activeElement;
+    const section = control?.closest('#app-form > *');
+    const name = section && nameOfControl(control);
+    work();
+    if (!section || control.isConnected) return;
+    const controls = [...section.querySelectorAll('input, select, button')];
+    (controls.find((each) => nameOfControl(each) === name) ?? controls[0])?.focus();
+}
+
 function showForm() {
-    showSamples();
-    showAsh();
-    showWall();
-    showImpacts();
+    keepFocus(() => {
+        showSamples();
+        showAsh();
+        showWall();
+        showImpacts();
+    });
 }

@@ -14,7 +14,9 @@ function begin() {
     document.body.append(make('datalist', { id: 'app-phases' }, ...embedded.phases.map((name) => make('option', { value: name }))));
     state.document = emptyCase();
     showForm();
-    watchers.push(afterPause(80, answerAtOnce));
+    watchers.push(afterPause(80, answerAtOnce), showStale, () => {
+        byId('app-sample').selectedOptions[0].textContent = String(sampleNow().name ?? '');
+    });
     byId('app-files').addEventListener('change', (event) => takeFiles([...event.target.files]).then(() => { event.target.value = ''; }));
     byId('app-example').addEventListener('click', () => openEmbedded('example'));
     byId('app-paper').addEventListener('click', () => openEmbedded('paper'));

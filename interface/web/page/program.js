@@ -17,7 +17,9 @@ async function newWorker() {
 
 // One worker and the questions it has not answered yet.
 class Program {
-    constructor() {
+    // progress(line): what the program says while it computes.
+    constructor(progress = () => {}) {
+        this.progress = progress;
         this.waiting = new Map();
         this.last = 0;
         this.had = new Map();
@@ -50,7 +52,11 @@ class Program {
         return this.ask({ name, files, remove, words: folder === undefined ? ['case.json'] : ['case.json', folder], read });
     }
 
-    answered({ id, answer, artifacts, broken }) {
+    answered({ id, answer, artifacts, broken, progress }) {
+        if (progress !== undefined) {
+            this.progress(progress);
+            return;
+        }
         const waiting = this.waiting.get(id);
         this.waiting.delete(id);
         if (broken !== undefined) {

@@ -1,19 +1,21 @@
 // The whole computation in a worker of its own, which can be stopped, and its report.
-const run = { going: false, worker: null, artifacts: null, clock: 0 };
+const run = { going: false, worker: null, artifacts: null };
 
 function showRunning(going) {
     run.going = going;
     byId('app-run').disabled = going;
     byId('app-stop').hidden = !going;
-    clearInterval(run.clock);
-    const begin = Date.now();
-    const tell = () => {
-        byId('app-progress').textContent = `Computing for ${Math.round((Date.now() - begin) / 1000)} s. Fits of measured impacts take up to a minute.`;
-    };
-    if (going) {
-        tell();
-        run.clock = setInterval(tell, 5000);
-    }
+    byId('app-bar').hidden = !going;
+    byId('app-bar').value = 0;
+    if (going) byId('app-progress').textContent = 'Computing. Fits of measured impacts take up to a minute.';
+}
+
+// The program says "damping: done" after each stage.
+function showStage(line) {
+    const stage = /^(.*): done$/.exec(line);
+    if (!stage || !run.going) return;
+    byId('app-bar').value += 1;
+    byId('app-progress').textContent = `Computing. Done: ${stage[1].replaceAll('-', ' ')}.`;
 }
 
 function stopRun() {
@@ -37,7 +39,8 @@ function showReport(text) {
 
 async function compute() {
     showRunning(true);
-    run.worker = new Program();
+    run.worker = new Program(showStage);
+    const asked = { document: state.document, files: new Map([...state.files, ['case.json', textOfCase()]]) };
     try {
         const { answer, artifacts } = await run.worker.askOfCase('run', '/results', 'all');
         if (answer.status !== 0) {
@@ -46,7 +49,9 @@ async function compute() {
             return;
         }
         run.artifacts = artifacts;
-        run.files = new Map([...state.files, ['case.json', textOfCase()]]);
+        run.document = asked.document;
+        run.files = asked.files;
+        showStale();
         showReport(artifacts['report.html']);
         byId('app-results').hidden = false;
         byId('app-progress').textContent = 'Done; the results are below.';
@@ -58,6 +63,15 @@ async function compute() {
         run.worker.stop();
         showRunning(false);
     }
+}
+
+// After a change the results are those of the case before it.
+function showStale() {
+    byId('app-stale').hidden = !run.artifacts || state.document !== run.document || textOfCase() === run.files.get('case.json');
+    if (!run.artifacts || state.document === run.document) return;
+    run.artifacts = null;
+    byId('app-results').hidden = true;
+    byId('app-progress').textContent = '';
 }
 
 function saveAll() {

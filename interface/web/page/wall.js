@@ -14,7 +14,7 @@ function lawChoices() {
             type: 'checkbox', checked: chosenLaws().includes(id), change: () => {
                 const others = chosenLaws().filter((each) => each !== id);
                 setAt('/laws', box.checked ? laws.map(([each]) => each).filter((each) => each === id || others.includes(each)) : others);
-                if (id === 'maugis-dugdale' || id === 'thornton-ning' || id === 'sjkr') showWall();
+                if (id === 'maugis-dugdale' || id === 'thornton-ning' || id === 'sjkr') keepFocus(showWall);
                 changed();
             },
         });

@@ -45,9 +45,9 @@ function dampingAt(course, v) {
     return one + ((other - one) * (v - v1)) / (v2 - v1);
 }
 
-function measuredPoints(artifacts) {
+function measuredPoints(artifacts, law) {
     const sample = artifacts['4-restitution.json'] && JSON.parse(artifacts['4-restitution.json']).result.samples?.[state.sample];
-    return (sample?.series ?? []).flatMap((series) => series.velocity.values.map((v, i) => [v, series.restitution.values[i]]));
+    return (sample?.series ?? []).filter((series) => series.laws.includes(law)).flatMap((series) => series.velocity.values.map((v, i) => [v, series.restitution.values[i]]));
 }
 
 const withFactors = (contact) => Object.fromEntries(Object.entries(contact).map(([key, value]) => [key, typeof value === 'number' ? value * (whatIf.factors[key] ?? 1) : value]));
@@ -134,7 +134,7 @@ function offerWhatIf(artifacts, chosen) {
     whatIf.artifacts = artifacts;
     whatIf.law = law;
     whatIf.contact = law ? contactOf(artifacts, law) : null;
-    whatIf.points = measuredPoints(artifacts);
+    whatIf.points = law ? measuredPoints(artifacts, law) : [];
     byId('app-what-if').hidden = !whatIf.contact;
     if (!whatIf.contact) return;
     whatIf.nodes.law.replaceChildren(...names.map((name) => make('option', { value: name, selected: name === law }, lawName(name))));

@@ -4,7 +4,8 @@
 let program;
 
 async function start(wasmBinary) {
-    program = await createAshimpact({ wasmBinary, print: () => {}, printErr: () => {} });
+    const onProgress = (line) => self.postMessage({ progress: line });
+    program = await createAshimpact({ wasmBinary, onProgress, print: () => {}, printErr: () => {} });
     program.FS.mkdir('/case');
     program.FS.chdir('/case');
 }

@@ -46,6 +46,7 @@ async function journey(browser, width, scheme) {
     await page.waitForSelector('#app-results:not([hidden])', { timeout: 5 * minute });
     assert.match(await page.locator('#app-report .answers').textContent(), /a particle sticks when it is slower than/);
     await isClean(opening, `${where}, with results`);
+    assert.ok(await page.locator('#app-stale').isHidden(), where);
     const report = await downloaded(page, '#app-save-report');
     assert.equal(report.name, 'report.html');
     assert.match(report.bytes.toString(), /<figure id="critical-velocity"/);
@@ -57,6 +58,8 @@ async function journey(browser, width, scheme) {
     const read = name => files.get(`results/${name}`);
     agree(`Chromium at ${where}`, native, read, withoutHeadline, allowedForImpacts);
     headlinesAgree(native, read);
+    await page.getByLabel('Particle diameter').fill('90');
+    assert.ok(await page.locator('#app-stale').isVisible(), `${where}: results of another case are told`);
     await context.close();
     console.log(`from files to report by keyboard at ${where}`);
 }
@@ -87,6 +90,13 @@ async function typing(browser) {
     await settled(page);
     assert.equal(await wrongTold(page), '');
     assert.equal(await page.locator('#app-live').textContent(), before, '0.08 mm are 80 um');
+    await page.getByLabel('Amorphous (glass)').focus();
+    await page.keyboard.press('ArrowDown');
+    await page.keyboard.press('ArrowDown');
+    await settled(page);
+    const focused = await page.evaluate(() => document.activeElement.labels?.[0]?.textContent);
+    assert.equal(focused, 'Amorphous (glass)', 'the focus stays where the form is made anew');
+    assert.ok(await field('Amorphous fraction').isVisible());
     await field('Velocity, row 1').fill('1.5');
     await field('Rebound velocity, row 1').fill('fast');
     await settled(page);

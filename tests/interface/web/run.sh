@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The program for pages against the program of this machine: run.sh PROGRAM. The built-in case and init's example give the
-# same results under node. Builds the page's program as `./dev web` does. Exits with 77, after saying why, where
+# The program for pages against the program of this machine: run.sh PROGRAM. The reference impacts, the built-in case and
+# init's example give the same results under node. Builds the page's program as `./dev web` does. Exits with 77, after saying why, where
 # emscripten or node is missing (`./dev deps web`); in CI that is a failure.
 set -euo pipefail
 program=$(readlink -f "$1")
@@ -27,3 +27,4 @@ mkdir built-in
 flags=()
 node --no-experimental-fetch -e 0 2>/dev/null && flags=(--no-experimental-fetch)
 node "${flags[@]}" "$here/agreement.test.cjs" "$module" "$work"
+node "${flags[@]}" "$here/reference.test.cjs" "$module" "$program" 1e-9
