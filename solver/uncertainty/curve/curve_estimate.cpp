@@ -43,8 +43,21 @@ Mode with_covariance(Mode mode, const Matrix& hessian) {
     return mode;
 }
 
-/// Newton's method with a Hessian made positive definite. The mode need not be exact: the weights of the
-/// draws correct for it.
+/// Holds noise and scatter: the posterior has a narrow peak where both are small, which holds little of its
+/// weight. They get widths of about their priors.
+void hold_scales(CurvePosterior::Curvature& curvature) {
+    constexpr double noise_deviation = 0.5;
+    for (const int scale : {CurvePosterior::noise, CurvePosterior::scatter}) {
+        curvature.gradient[scale] = 0.0;
+        curvature.hessian.row(scale).setZero();
+        curvature.hessian.col(scale).setZero();
+        curvature.hessian(scale, scale) = 1.0;
+    }
+    curvature.hessian(CurvePosterior::noise, CurvePosterior::noise) /= noise_deviation * noise_deviation;
+}
+
+/// The mode at the noise and scatter of @p start, by Newton's method with a Hessian made positive definite.
+/// It need not be exact: the weights of the draws correct for it.
 Mode find_mode(const CurvePosterior& posterior, const Vector& start) {
     Mode mode;
     mode.normal.mean = start;
@@ -53,7 +66,8 @@ Mode find_mode(const CurvePosterior& posterior, const Vector& start) {
     differences[CurvePosterior::critical] = 2e-3;
     for (int i = 0; i < 25; ++i) {
         Vector& point = mode.normal.mean;
-        const auto curvature = posterior.curvature(point, mode.value, differences);
+        auto curvature = posterior.curvature(point, mode.value, differences);
+        hold_scales(curvature);
         mode = with_covariance(mode, curvature.hessian);
         const Vector deviations = mode.normal.covariance.diagonal().cwiseSqrt();
         differences = (0.2 * deviations).cwiseMin(0.03).cwiseMax(1e-7);
@@ -128,12 +142,18 @@ class Draws {
         for (std::size_t i = 0; i < point_.size(); ++i)
             sorted.emplace_back(point_[i][CurvePosterior::critical], weight[i]);
         std::sort(sorted.begin(), sorted.end());
+        // Interpolated, half of a draw's weight lying below it, so that rounding moves no result.
         const auto quantile = [&](double probability) {
-            double sum = 0.0;
+            double before = 0.0;
             for (std::size_t i = 0; i < sorted.size(); ++i) {
-                const double next = sum + sorted[i].second;
-                if (next >= probability) return sorted[i].first;
-                sum = next;
+                const double here =
+                    (i > 0 ? before + 0.5 * sorted[i - 1].second : 0.0) + 0.5 * sorted[i].second;
+                if (here >= probability) {
+                    if (i == 0) return sorted[0].first;
+                    const double share = (probability - before) / (here - before);
+                    return sorted[i - 1].first + share * (sorted[i].first - sorted[i - 1].first);
+                }
+                before = here;
             }
             return sorted.back().first;
         };
@@ -200,7 +220,19 @@ class Draws {
     std::vector<double> log_weight_;
 };
 
-/// The modes found from the two best starting velocities, the one of greater weight first.
+/// Modes at ever less noise, each found from the one before. Where the noise is large, no impact is an
+/// outlier that the curve can do without, so that there are hardly any false modes.
+std::vector<Mode> modes_from(const CurvePosterior& posterior, Vector point) {
+    std::vector<Mode> modes;
+    for (const double noise : {1.6, 0.8, 0.0}) {
+        point[CurvePosterior::noise] = noise;
+        modes.push_back(find_mode(posterior, point));
+        point = modes.back().normal.mean;
+    }
+    return modes;
+}
+
+/// The modes found from the two best starting velocities, the one of greatest weight first.
 std::vector<Mode> modes_of(const CurvePosterior& posterior, const std::vector<double>& velocities) {
     std::vector<std::pair<double, Vector>> starts;
     for (const double v : velocities) {
@@ -209,7 +241,8 @@ std::vector<Mode> modes_of(const CurvePosterior& posterior, const std::vector<do
         starts.emplace_back(posterior(point), point);
     }
     std::sort(starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<Mode> modes{find_mode(posterior, starts[0].second), find_mode(posterior, starts[1].second)};
+    std::vector<Mode> modes = modes_from(posterior, starts[0].second);
+    for (Mode& mode : modes_from(posterior, starts[1].second)) modes.push_back(std::move(mode));
     std::sort(modes.begin(), modes.end(),
               [](const Mode& a, const Mode& b) { return a.log_weight > b.log_weight; });
     return modes;
