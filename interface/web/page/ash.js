@@ -16,6 +16,12 @@ function weightRows() {
     });
 }
 
+// A fraction to begin with: what the typed phases leave.
+function likelyAmorphous() {
+    const left = 100 - weightRows().reduce((sum, [, percent]) => sum + (Number(percent) || 0), 0);
+    return `${left > 0 && left < 100 ? readable(left) : 50} %`;
+}
+
 function typedWeights(rows) {
     const fractions = {};
     for (const [name, fraction] of rows) if (name !== '' || fraction !== '') fractions[name] = fraction === '' ? '' : `${fraction} %`;
@@ -48,7 +54,7 @@ function compositionFields() {
         fileField('XRD result', '/samples/#/composition/xrd', file, (chosen) => takeFile(chosen, 'xrd')),
         file === undefined ? null : textField('Sample in the file', '/samples/#/composition/xrd_sample', 'Needed only where the file has several.'),
         choiceField('Amorphous (glass)', '/samples/#/composition/amorphous', amorphousChoices, amorphousChosen(amorphous), (choice) => {
-            setAt('/samples/#/composition/amorphous', choice === 'fraction' ? '50 %' : choice || undefined);
+            setAt('/samples/#/composition/amorphous', choice === 'fraction' ? likelyAmorphous() : choice || undefined);
             showForm();
             changed();
         }, 'Diffraction does not see glass: say how much there is.'),
