@@ -58,7 +58,7 @@ async function journey(browser, width, scheme) {
     const read = name => files.get(`results/${name}`);
     agree(`Chromium at ${where}`, native, read, withoutHeadline, allowedForImpacts);
     headlinesAgree(native, read);
-    await page.getByLabel('Particle diameter').fill('90');
+    await page.getByLabel('Particle diameter', { exact: true }).fill('90');
     assert.ok(await page.locator('#app-stale').isVisible(), `${where}: results of another case are told`);
     await context.close();
     console.log(`from files to report by keyboard at ${where}`);
