@@ -6,8 +6,7 @@
 #include <span>
 
 #include "materials/base/error.hpp"
-#include "pipeline/report/data/velocity_search.hpp"
-#include "solver/batch/impact_batch.hpp"
+#include "pipeline/report/data/impact_search.hpp"
 #include "solver/measurement/interpolation.hpp"
 #include "solver/motion/maugis/cohesive_impact.hpp"
 
@@ -20,6 +19,9 @@ constexpr int curve_points = 28;
 // at every fourth of them and interpolated.
 constexpr int costly_curve_points = 13;
 constexpr int costly_band_stride = 4;
+// Changes of ln v that end a search: the step after one of 1e-5 is below 1e-9, that after 1e-3 below 1e-5.
+constexpr double enough_for_curve = 1e-5;
+constexpr double enough_for_costly_band = 1e-3;
 static_assert((costly_curve_points - 1) % costly_band_stride == 0, "the band ends where the curve does");
 constexpr double normal_quantile_95 = 1.959963984540054;  // two-sided
 
@@ -35,65 +37,6 @@ double uncertainty_at(const CurveProblem& problem, double e) {
 /// Velocities, with the greatest in the place of those not found.
 Values solvable(const Values& velocity) {
     return velocity.isFinite().select(velocity, velocity.maxCoeff<Eigen::PropagateNumbers>());
-}
-
-/// The contact as columns of one value; they refer to it.
-struct ContactValues {
-    explicit ContactValues(const ContactPair& pair)
-        : mass(Values::Constant(1, pair.mass)),
-          radius(Values::Constant(1, pair.effective_radius)),
-          modulus(Values::Constant(1, pair.contact_modulus)),
-          adhesion(Values::Constant(1, pair.work_of_adhesion)),
-          yield(Values::Constant(1, pair.yield_pressure)) {}
-
-    Values mass, radius, modulus, adhesion, yield;
-};
-
-ImpactBatchResult impacts(const CurveProblem& problem, const Values& damping, const Values& velocity) {
-    const BatchOptions options{.threads = 1, .turning_point = false};
-    const ContactValues contact(problem.contact);
-    return solve_impacts({.law = problem.choice.law,
-                          .detachment = problem.choice.detachment,
-                          .damping_law = problem.damping_law,
-                          .contact = {contact.mass, contact.radius, contact.modulus, contact.adhesion,
-                                      contact.yield, single_columns(problem.contact.parameters)},
-                          .damping = damping,
-                          .velocity = velocity},
-                         options);
-}
-
-/// The velocities at which impacts of these dampings give these restitutions, all at once. NaN where none was
-/// found.
-/// @param guess of the velocities [m/s]
-Values velocities_of(const CurveProblem& problem, const Values& e, const Values& damping,
-                     const Values& guess) {
-    const Eigen::Index count = e.size();
-    const bool adhesive = problem.contact.work_of_adhesion > 0 && problem.choice.law != Law::of<Hertz>();
-    std::vector<VelocitySearch> searches;
-    std::vector<Eigen::Index> open;
-    for (Eigen::Index i = 0; i < count; ++i) {
-        searches.emplace_back(e[i], std::log(guess[i]), adhesive);
-        open.push_back(i);
-    }
-    const auto search = [&](Eigen::Index i) -> VelocitySearch& {
-        return searches[static_cast<std::size_t>(i)];
-    };
-    while (!open.empty()) {
-        Values velocity(static_cast<Eigen::Index>(open.size()));
-        for (Eigen::Index k = 0; k < velocity.size(); ++k)
-            velocity[k] = std::exp(search(open[static_cast<std::size_t>(k)]).place());
-        const Values found = impacts(problem, damping(open), velocity).restitution;
-        for (Eigen::Index k = 0; k < found.size(); ++k)
-            search(open[static_cast<std::size_t>(k)]).observe(found[k]);
-        open.erase(
-            std::remove_if(open.begin(), open.end(), [&](Eigen::Index i) { return !search(i).is_open(); }),
-            open.end());
-    }
-    Values velocity(count);
-    for (Eigen::Index i = 0; i < count; ++i)
-        velocity[i] =
-            search(i).is_found() ? std::exp(search(i).place()) : std::numeric_limits<double>::quiet_NaN();
-    return velocity;
 }
 
 /// Where the energy of an impact goes [J]; what surfaces lose that jump together and apart counts as
@@ -156,9 +99,14 @@ double exponent_of_damping(const CurveProblem& problem) {
     return problem.choice.law == Law::of<Hertz>() ? 5 : 1;
 }
 
+SearchedContact contact_of(const CurveProblem& problem) {
+    return {problem.choice, problem.damping_law, problem.contact};
+}
+
 /// A curve v(e) with the ends of its 95 % band; NaN where nothing was found.
 struct Band {
-    Values velocity, lower, upper;
+    FoundImpacts impacts;
+    Values lower, upper;
 };
 
 /// ln of a ratio of velocities at @p every restitution, from those solved at some of them. All NaN where one
@@ -175,8 +123,10 @@ Values interpolated(const Values& e, const Values& log_ratio, const Values& ever
 Band band_at(const CurveProblem& problem, const Values& e) {
     const Values nothing = Values::Constant(e.size(), std::numeric_limits<double>::quiet_NaN());
     const auto damping_at = [&](double each) { return problem.damping_fit(each); };
-    Band band{velocities_of(problem, e, e.unaryExpr(damping_at), guessed_velocities(problem, e)), nothing,
-              nothing};
+    Band band{impacts_with(e, contact_of(problem), e.unaryExpr(damping_at), guessed_velocities(problem, e),
+                           enough_for_curve),
+              nothing, nothing};
+    const Values& found = band.impacts.velocity;
     const bool costly = is_cohesive(problem.choice.law, problem.contact);
     const Eigen::Index stride = costly ? costly_band_stride : 1;
     const auto some = Eigen::seq(0, e.size() - 1, stride);
@@ -185,18 +135,20 @@ Band band_at(const CurveProblem& problem, const Values& e) {
     const Values half = at.binaryExpr(eta, [&](double each, double damping) {
         return std::min(normal_quantile_95 * uncertainty_at(problem, each), 0.9 * damping);
     });
-    if (!band.velocity.isFinite().any() || !(half > 0).any()) return band;
+    if (!found.isFinite().any() || !(half > 0).any()) return band;
     Values damping(2 * at.size());
     damping << eta - half, eta + half;
-    const Values velocity = solvable(band.velocity)(some);
+    const Values velocity = solvable(found)(some);
     const Values guess =
         velocity.replicate(2, 1) * (damping / eta.replicate(2, 1)).pow(exponent_of_damping(problem));
-    const Values ends = velocities_of(problem, at.replicate(2, 1), damping, guess);
+    const Values ends = impacts_with(at.replicate(2, 1), contact_of(problem), damping, guess,
+                                     costly ? enough_for_costly_band : enough_for_curve)
+                            .velocity;
     band.lower = ends.head(at.size());
     band.upper = ends.tail(at.size());
     if (!costly) return band;
     for (Values* end : {&band.lower, &band.upper})
-        *end = band.velocity * interpolated(at, (*end / velocity).log(), e).exp();
+        *end = found * interpolated(at, (*end / velocity).log(), e).exp();
     return band;
 }
 
@@ -214,11 +166,10 @@ ModelCurve model_curve(const CurveProblem& problem) {
     if (!(eta > 0).all()) return curve;
     try {
         const Band band = band_at(problem, e);
-        if (!band.velocity.isFinite().any()) return curve;
-        const Values contact_time = impacts(problem, eta, solvable(band.velocity)).contact_time;
+        const auto& [velocity, contact_time] = band.impacts;
         for (int i = 0; i < points; ++i)
-            if (std::isfinite(band.velocity[i]))
-                curve.push_back({.velocity = band.velocity[i],
+            if (std::isfinite(velocity[i]))
+                curve.push_back({.velocity = velocity[i],
                                  .lower = band.lower[i],
                                  .upper = band.upper[i],
                                  .restitution = e[i],

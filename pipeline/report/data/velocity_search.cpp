@@ -12,8 +12,8 @@ constexpr double farthest_step = 0.5;  ///< of x where an end of the bracket is 
 
 }  // namespace
 
-VelocitySearch::VelocitySearch(double restitution, double guess, bool adhesive)
-    : adhesive_(adhesive), wanted_(height(restitution)), place_(guess) {}
+VelocitySearch::VelocitySearch(double restitution, double guess, bool adhesive, double enough)
+    : adhesive_(adhesive), enough_(enough), wanted_(height(restitution)), place_(guess) {}
 
 double VelocitySearch::height(double restitution) const {
     return adhesive_ ? restitution * restitution : restitution;
@@ -63,7 +63,7 @@ void VelocitySearch::observe(double restitution) {
     if (restitution > 0) {
         keep({height(restitution), place_});
         next = interpolated();
-        const bool met = count_ > 1 ? std::abs(next - place_) <= enough
+        const bool met = count_ > 1 ? std::abs(next - place_) <= enough_
                                     : std::abs(points_[0].height - wanted_) <= 1e-12 * wanted_;
         if (met) {
             place_ = next;

@@ -14,7 +14,8 @@ class VelocitySearch {
     /// @param restitution wanted, above 0 [1]
     /// @param guess of x
     /// @param adhesive with adhesion e^2 is nearly linear in v above capture, without it e is
-    VelocitySearch(double restitution, double guess, bool adhesive);
+    /// @param enough change of x that ends the search
+    VelocitySearch(double restitution, double guess, bool adhesive, double enough);
 
     /// x to try next, or the answer.
     [[nodiscard]] double place() const { return place_; }
@@ -28,7 +29,6 @@ class VelocitySearch {
     enum class State { open, found, failed };
     static constexpr std::size_t most_points = 4;
     static constexpr int most_steps = 60;
-    static constexpr double enough = 1e-5;  ///< change of x after which the next one is below 1e-9
     struct Point {
         double height;  ///< e, or e^2 with adhesion
         double place;
@@ -42,6 +42,7 @@ class VelocitySearch {
     [[nodiscard]] double inside(double next) const;
 
     bool adhesive_ = false;
+    double enough_ = 0;  ///< change of x
     double wanted_ = 0;  ///< height
     double place_ = 0;
     double too_slow_ = 0, too_fast_ = 0;  ///< the bracket, where known
