@@ -91,13 +91,14 @@ std::optional<DampingSmoothing> DampingSmoothing::with_intervals(const Rows& row
 std::optional<DampingSmoothing> DampingSmoothing::of(const std::vector<InvertedImpact>& inverted,
                                                      std::optional<int> intervals) {
     std::vector<const InvertedImpact*> ordered;
+    constexpr std::size_t least_velocities = 4;
     std::set<double> velocities;
     for (const InvertedImpact& impact : inverted) {
         if (!impact.damping || impact.restitution == 0.0) continue;
         ordered.push_back(&impact);
-        velocities.insert(impact.velocity);
+        if (velocities.size() < least_velocities) velocities.insert(impact.velocity);
     }
-    if (ordered.size() < least_smoothed || velocities.size() < 4) return std::nullopt;
+    if (ordered.size() < least_smoothed || velocities.size() < least_velocities) return std::nullopt;
     std::sort(ordered.begin(), ordered.end(),
               [](const InvertedImpact* a, const InvertedImpact* b) { return a->velocity < b->velocity; });
     Rows rows;

@@ -2,6 +2,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/text.hpp"
+#include "solver/batch/parallel.hpp"
 #include "solver/gsl/distribution.hpp"
 #include "solver/statistics/philox.hpp"
 #include "solver/statistics/quasi_random.hpp"
@@ -106,11 +107,12 @@ class Draws {
             for (std::size_t i = 0; i < count; ++i)
                 point_[first + i][axis] = gsl::normal_quantile(unit_interval(digits[i]));
         }
-        for (std::size_t i = 0; i < count; ++i) {
-            const double scale = scales[i % scales.size()];
-            point_[first + i] = normal.mean + scale * (proposal.factor * point_[first + i]);
-            value_.push_back(posterior_(point_[first + i]));
-        }
+        value_.resize(point_.size());
+        batch::for_each_item(count, [&](std::size_t i) {
+            Vector& point = point_[first + i];
+            point = normal.mean + scales[i % scales.size()] * (proposal.factor * point);
+            value_[first + i] = posterior_(point);
+        });
         weigh();
     }
 

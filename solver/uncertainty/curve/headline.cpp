@@ -28,11 +28,12 @@ std::vector<double> starts_of(const std::vector<RecordedImpact>& impacts) {
 
 /// Refuses rebounds that are too few for a curve. @throws InputError
 void require_enough(const std::vector<RecordedImpact>& impacts, bool noise_known) {
-    std::set<double> distinct;
-    for (const RecordedImpact& impact : impacts)
-        if (impact.recorded == Recorded::rebound) distinct.insert(impact.rebound / impact.velocity);
     const std::size_t needed = noise_known ? 3 : 5;
-    if (distinct.size() >= needed) return;
+    std::set<double> distinct;
+    for (const RecordedImpact& impact : impacts) {
+        if (impact.recorded == Recorded::rebound) distinct.insert(impact.rebound / impact.velocity);
+        if (distinct.size() >= needed) return;
+    }
     throw InputError(std::to_string(distinct.size()) + " different restitutions" +
                          (noise_known ? "" : " without stated uncertainties"),
                      "at least " + std::to_string(needed));

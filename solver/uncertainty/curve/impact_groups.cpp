@@ -44,15 +44,23 @@ struct Sums {
     }
 };
 
-/// Merges impacts in cells half as wide as the noise, but at least a thousandth of the velocity.
+/// The cell of a value. Widths are rounded down to a power of the fourth root of two, so that values whose
+/// widths differ little share the borders of their cells.
+std::tuple<long, long> cell_of(double value, double width) {
+    const double level = std::floor(4.0 * std::log2(width));
+    return {std::lround(level), std::lround(value / std::exp2(0.25 * level))};
+}
+
+/// Merges impacts in cells at most half as wide as the noise, but at least a thousandth of the velocity.
 std::vector<RecordedImpact> in_cells(const std::vector<RecordedImpact>& impacts) {
-    std::map<std::tuple<Recorded, long, long>, std::pair<RecordedImpact, Sums>> cells;
+    using Cell = std::tuple<long, long>;
+    std::map<std::tuple<Recorded, Cell, Cell>, std::pair<RecordedImpact, Sums>> cells;
     for (const RecordedImpact& impact : impacts) {
         const double width = std::max(0.5 * impact.incident_u, 1e-3 * impact.velocity);
         const double height = std::max(0.5 * impact.rebound_u, 1e-3 * impact.velocity);
         const bool reading = impact.recorded == Recorded::rebound;
-        const auto key = std::tuple(impact.recorded, std::lround(impact.velocity / width),
-                                    reading ? std::lround(impact.rebound / height) : 0L);
+        const auto key = std::tuple(impact.recorded, cell_of(impact.velocity, width),
+                                    reading ? cell_of(impact.rebound, height) : Cell{});
         auto& cell = cells.try_emplace(key, impact, Sums{}).first->second;
         cell.second.add(impact);
     }

@@ -23,13 +23,28 @@ Eigen::MatrixXd coefficients_from_values(double greatest_restitution, Eigen::Ind
     return powers.inverse();
 }
 
+/// Some of many rebounds, evenly over the file.
+RestitutionData thinned(const RestitutionData& data, std::size_t count) {
+    RestitutionData some{{}, {}, data.greatest_restitution};
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t place = i * data.rebounds.size() / count;
+        some.rebounds.push_back(data.rebounds[place]);
+        some.weights.push_back(data.weights[place]);
+    }
+    return some;
+}
+
 }  // namespace
 
 Eigen::VectorXd closest(const ContactModel& model, const RestitutionData& data,
                         const Eigen::VectorXd& start) {
     const RestitutionDistances distances(model, data);
     const Eigen::MatrixXd to_coefficients = coefficients_from_values(data.greatest_restitution, start.size());
-    const Eigen::VectorXd values = to_coefficients.partialPivLu().solve(start);
+    constexpr std::size_t many = 20000;
+    constexpr std::size_t some = 2000;  // give a start from which few steps through all are left
+    const Eigen::VectorXd near =
+        data.rebounds.size() > many ? closest(model, thinned(data, some), start) : start;
+    const Eigen::VectorXd values = to_coefficients.partialPivLu().solve(near);
     const gsl::NonlinearFit fit = gsl::fit_nonlinear(
         {.residuals = [&](const Eigen::VectorXd& x) { return distances.rows(to_coefficients * x).residuals; },
          .jacobian = [&](const Eigen::VectorXd& x) -> Eigen::MatrixXd {

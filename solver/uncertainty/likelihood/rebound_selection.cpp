@@ -52,9 +52,11 @@ ReboundSelection select_rebounds(const ContactModel& model, const MeasurementSet
 
 void require_enough(const ReboundSelection& selection, const MeasurementSet& set, int order) {
     std::set<double> distinct;
-    for (const Measurement& point : selection.data.rebounds) distinct.insert(point.restitution());
     const auto needed = static_cast<std::size_t>(order) + (selection.noise_known ? 1 : 2);
-    if (distinct.size() >= needed) return;
+    for (const Measurement& point : selection.data.rebounds) {
+        distinct.insert(point.restitution());
+        if (distinct.size() >= needed) return;
+    }
     std::string problem = std::to_string(distinct.size()) + " distinct restitutions of " +
                           std::to_string(selection.data.rebounds.size()) +
                           " rebounds for a damping curve of order " + std::to_string(order);

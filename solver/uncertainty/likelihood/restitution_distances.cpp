@@ -1,5 +1,7 @@
 #include "solver/uncertainty/likelihood/restitution_distances.hpp"
 
+#include "solver/batch/parallel.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -29,16 +31,21 @@ RestitutionDistances::Rows RestitutionDistances::computed(const Eigen::VectorXd&
     const auto curve = RestitutionCurve::of(*model_, {coefficients}, data_->greatest_restitution,
                                             curve_ ? &*curve_ : nullptr);
     if (!curve) return rows;
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const auto point = static_cast<std::size_t>(i);
+    rows.restitutions.resize(data_->rebounds.size());
+    const auto add = [&](std::size_t point) {
+        const auto i = static_cast<Eigen::Index>(point);
         const Measurement& rebound = data_->rebounds[point];
         const auto nearest = curve->project(rebound, *rebound.noise, start_of(point));
         const double weight = std::sqrt(data_->weights[point]);
         rows.residuals[i] = weight * nearest.distance;
         rows.jacobian.row(i) =
             weight * nearest.by_damping * DampingPolynomial::powers(nearest.restitution, order).transpose();
-        rows.restitutions.push_back(nearest.restitution);
-    }
+        rows.restitutions[point] = nearest.restitution;
+    };
+    constexpr std::size_t chunk = 1000;
+    batch::for_chunks(data_->rebounds.size(), chunk, 0, [&](std::size_t first, std::size_t size) {
+        for (std::size_t point = first; point < first + size; ++point) add(point);
+    });
     curve_ = curve;
     return rows;
 }

@@ -6,74 +6,105 @@
 #include "solver/uncertainty/interval.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 namespace ashimpact {
 
 namespace {
 
-std::array<double, 2> velocity_range(const MeasurementSet& set) {
-    const auto [slowest, fastest] = std::ranges::minmax_element(set.points, {}, &Measurement::velocity);
-    return {slowest->velocity, fastest->velocity};
-}
-
-double middle_of_outcomes(const MeasurementSet& set) {
-    double capture = 0.0;
-    double rebound = velocity_range(set)[1];
-    for (const Measurement& point : set.points) {
-        if (point.captured())
-            capture = std::max(capture, point.velocity);
-        else
-            rebound = std::min(rebound, point.velocity);
-    }
-    return 0.5 * (capture + rebound);
-}
+constexpr std::size_t few_outcomes = 2500;
 
 }  // namespace
 
-double OutcomeLikelihood::deviation_of(const Measurement& point, double extra_variance) const {
-    return std::sqrt((point.noise ? point.noise->incident : least_ * least_) + extra_variance);
+OutcomeLikelihood::OutcomeLikelihood(const MeasurementSet& set, double least)
+    : captured_(static_cast<double>(set.captures()) / static_cast<double>(set.points.size())),
+      reversed_(reversed_share(set)) {
+    for (const Measurement& point : set.points)
+        outcomes_.push_back({.velocity = point.velocity,
+                             .variance = point.noise ? point.noise->incident : least * least,
+                             .sign = point.captured() ? 1.0 : -1.0});
+    noise_ = outcomes_.front().variance;
+    const auto [first, last] = std::ranges::minmax_element(outcomes_, {}, &Outcome::velocity);
+    slowest_ = first->velocity;
+    fastest_ = last->velocity;
+    double capture = 0.0;
+    double rebound = fastest_;
+    for (const Outcome& outcome : outcomes_) {
+        if (outcome.sign > 0.0)
+            capture = std::max(capture, outcome.velocity);
+        else
+            rebound = std::min(rebound, outcome.velocity);
+    }
+    middle_ = 0.5 * (capture + rebound);
+    if (outcomes_.size() > few_outcomes) merge();
+}
+
+void OutcomeLikelihood::merge() {
+    constexpr double cell = 0.1;            // of the standard deviation
+    constexpr double like_variances = 1.2;  // greatest ratio
+    std::ranges::sort(outcomes_, {},
+                      [](const Outcome& o) { return std::tuple(o.sign, o.velocity, o.variance); });
+    std::vector<Outcome> merged;
+    std::optional<Outcome> first;
+    for (const Outcome& outcome : outcomes_) {
+        const bool alike = first && outcome.sign == first->sign &&
+                           outcome.velocity - first->velocity <= cell * std::sqrt(first->variance) &&
+                           outcome.variance <= like_variances * first->variance &&
+                           first->variance <= like_variances * outcome.variance;
+        if (!alike) {
+            first = outcome;
+            merged.push_back(outcome);
+            continue;
+        }
+        Outcome& mean = merged.back();
+        mean.count += 1.0;
+        mean.velocity += (outcome.velocity - mean.velocity) / mean.count;
+        mean.variance += (outcome.variance - mean.variance) / mean.count;
+    }
+    outcomes_ = std::move(merged);
+}
+
+double OutcomeLikelihood::Outcome::deviation(double extra_variance) const {
+    return std::sqrt(variance + extra_variance);
 }
 
 double OutcomeLikelihood::at(const CaptureTransition& transition) const {
     double sum = 0.0;
-    for (const Measurement& point : set_->points) {
+    for (const Outcome& outcome : outcomes_) {
         const double z =
-            (transition.center - point.velocity) / deviation_of(point, transition.extra_variance);
-        sum -= 2.0 * gsl::normal_log_probability(point.captured() ? z : -z);
+            (transition.center - outcome.velocity) / outcome.deviation(transition.extra_variance);
+        sum -= 2.0 * outcome.count * gsl::normal_log_probability(outcome.sign * z);
     }
     return sum;
 }
 
 double OutcomeLikelihood::slope(const CaptureTransition& transition) const {
     double sum = 0.0;
-    for (const Measurement& point : set_->points) {
-        const double deviation = deviation_of(point, transition.extra_variance);
-        const double sign = point.captured() ? 1.0 : -1.0;
-        const double z = sign * (transition.center - point.velocity) / deviation;
-        sum -= 2.0 * sign * gsl::normal_log_probability_slope(z) / deviation;
+    for (const Outcome& outcome : outcomes_) {
+        const double deviation = outcome.deviation(transition.extra_variance);
+        const double z = outcome.sign * (transition.center - outcome.velocity) / deviation;
+        sum -= 2.0 * outcome.count * outcome.sign * gsl::normal_log_probability_slope(z) / deviation;
     }
     return sum;
 }
 
 double OutcomeLikelihood::variance_slope(const CaptureTransition& transition) const {
     double sum = 0.0;
-    for (const Measurement& point : set_->points) {
-        const double deviation = deviation_of(point, transition.extra_variance);
-        const double z = (point.captured() ? 1.0 : -1.0) * (transition.center - point.velocity) / deviation;
-        sum += gsl::normal_log_probability_slope(z) * z / (deviation * deviation);
+    for (const Outcome& outcome : outcomes_) {
+        const double deviation = outcome.deviation(transition.extra_variance);
+        const double z = outcome.sign * (transition.center - outcome.velocity) / deviation;
+        sum += outcome.count * gsl::normal_log_probability_slope(z) * z / (deviation * deviation);
     }
     return sum;
 }
 
 double OutcomeLikelihood::best_extra_variance(double center) const {
-    const auto [slowest, fastest] = velocity_range(*set_);
-    const double noise = std::pow(deviation_of(set_->points.front(), 0.0), 2);
     // -2 ln L is convex in 1/width where all have the same noise: one minimum, or an end.
-    const auto variance = [&](double log_growth) { return noise * std::expm1(log_growth); };
+    const auto variance = [&](double log_growth) { return noise_ * std::expm1(log_growth); };
     const auto slope_at = [&](double log_growth) { return variance_slope({center, variance(log_growth)}); };
-    const double most = std::log1p(std::pow(fastest - slowest, 2) / noise);
+    const double most = std::log1p(std::pow(fastest_ - slowest_, 2) / noise_);
     if (slope_at(0.0) >= 0.0) return 0.0;
     if (slope_at(most) <= 0.0) return variance(most);
     return variance(gsl::brent(slope_at, 0.0, most, {.relative = 0.0, .absolute = 1e-3}).root);
@@ -84,11 +115,11 @@ double OutcomeLikelihood::profile(double center) const {
 }
 
 double OutcomeLikelihood::best_center(double extra_variance) const {
-    const double middle = middle_of_outcomes(*set_);
     const auto slope_at = [&](double center) { return slope({center, extra_variance}); };
-    const double deviation = deviation_of(set_->points.front(), extra_variance);
-    if (std::abs(slope_at(middle)) * deviation < 1e-9) return middle;
-    auto [lower, upper] = velocity_range(*set_);
+    const double deviation = std::sqrt(noise_ + extra_variance);
+    if (std::abs(slope_at(middle_)) * deviation < 1e-9) return middle_;
+    double lower = slowest_;
+    double upper = fastest_;
     for (double step = deviation; slope_at(lower) > 0.0; step *= 2.0) lower -= step;
     for (double step = deviation; slope_at(upper) < 0.0; step *= 2.0) upper += step;
     if (lower == upper) return lower;
@@ -96,15 +127,14 @@ double OutcomeLikelihood::best_center(double extra_variance) const {
 }
 
 double OutcomeLikelihood::without_threshold() const {
-    const auto all = static_cast<double>(set_->points.size());
-    const auto captures = static_cast<double>(set_->captures());
-    return -2.0 * (captures * std::log(captures / all) + (all - captures) * std::log1p(-captures / all));
+    double all = 0.0;
+    for (const Outcome& outcome : outcomes_) all += outcome.count;
+    return -2.0 * all * (captured_ * std::log(captured_) + (1.0 - captured_) * std::log1p(-captured_));
 }
 
 CaptureTransition OutcomeLikelihood::at_best_width() const {
     constexpr int steps = 24;
-    const auto [slowest, fastest] = velocity_range(*set_);
-    const double most = std::log(fastest - slowest);
+    const double most = std::log(fastest_ - slowest_);
     const double step = std::log(1e4) / steps;
     const auto misfit = [&](double log_width) {
         const double variance = std::exp(2.0 * log_width);
@@ -128,14 +158,13 @@ CaptureTransition OutcomeLikelihood::at_best_width() const {
 }
 
 std::optional<CaptureTransition> OutcomeLikelihood::best() const {
-    const auto [slowest, fastest] = velocity_range(*set_);
     const CaptureTransition sharp{best_center(0.0), 0.0};
     const double allowed = std::pow(confidence_quantile(), 2);
     const bool noise_explains = at(sharp) <= without_threshold() + allowed;
     std::optional<CaptureTransition> found;
-    if (fastest > slowest && reversed_share(*set_) < 0.5) {
+    if (fastest_ > slowest_ && reversed_ < 0.5) {
         const CaptureTransition widened = at_best_width();
-        if (std::sqrt(widened.extra_variance) < 0.99 * (fastest - slowest)) found = widened;
+        if (std::sqrt(widened.extra_variance) < 0.99 * (fastest_ - slowest_)) found = widened;
     }
     if (!found && noise_explains) found = sharp;
     if (found && !(found->center > 0.0)) found.reset();

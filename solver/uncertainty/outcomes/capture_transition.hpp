@@ -3,6 +3,7 @@
 #include "solver/measurement/measurement.hpp"
 
 #include <optional>
+#include <vector>
 
 namespace ashimpact {
 
@@ -13,12 +14,13 @@ struct CaptureTransition {
     double extra_variance;  ///< in addition to the noise; 0 if the noise explains the mixing [m2/s2]
 };
 
-/// -2 ln L of the outcomes of a series with captures and rebounds.
+/// -2 ln L of the outcomes of a series with captures and rebounds. Of large sets, neighbours of the same
+/// outcome within a tenth of their noise are merged.
 class OutcomeLikelihood {
   public:
     /// @param set with captures and rebounds, validated
     /// @param least standard deviation of v_in in place of an unknown noise [m/s]
-    OutcomeLikelihood(const MeasurementSet& set, double least) : set_(&set), least_(least) {}
+    OutcomeLikelihood(const MeasurementSet& set, double least);
 
     [[nodiscard]] double at(const CaptureTransition& transition) const;
 
@@ -35,15 +37,29 @@ class OutcomeLikelihood {
     [[nodiscard]] std::optional<CaptureTransition> best() const;
 
   private:
+    struct Outcome {
+        double velocity;
+        double variance;     ///< of v_in
+        double sign;         ///< 1 for a capture, -1 for a rebound
+        double count = 1.0;  ///< impacts that it stands for
+
+        [[nodiscard]] double deviation(double extra_variance) const;
+    };
+
+    void merge();
     [[nodiscard]] double slope(const CaptureTransition& transition) const;
     [[nodiscard]] double variance_slope(const CaptureTransition& transition) const;
     [[nodiscard]] double best_extra_variance(double center) const;
-    [[nodiscard]] double deviation_of(const Measurement& point, double extra_variance) const;
     [[nodiscard]] double without_threshold() const;
     [[nodiscard]] CaptureTransition at_best_width() const;
 
-    const MeasurementSet* set_;
-    double least_;
+    std::vector<Outcome> outcomes_;
+    double noise_;     ///< variance of v_in of the first impact
+    double slowest_;   ///< v_in
+    double fastest_;   ///< v_in
+    double middle_;    ///< between the fastest capture and the slowest rebound
+    double captured_;  ///< share of captures
+    double reversed_;  ///< reversed_share()
 };
 
 /// Share of the pairs of a capture and a rebound in which the capture is the faster (Mann and Whitney 1947);

@@ -171,3 +171,30 @@ TEST_CASE("many impacts: groups count for all, and the interval shrinks as it sh
     CHECK(std::abs(many.value / critical - 1.0) < 0.03);
     CHECK(many.standard_uncertainty < 0.35 * few.standard_uncertainty);
 }
+
+TEST_CASE("many impacts: groups keep impacts apart whose noise is a share of their velocity") {
+    const ContactModel model = ash_model(Law::of<BrachDunn>());
+    const SyntheticLaboratory laboratory = ash_laboratory(model, TrueDamping::quadratic);
+    Random random(12);
+    MeasurementSet set{.source = "lab", .points = {}};
+    constexpr double share = 0.02;
+    for (int i = 0; i < 4000; ++i) {
+        const double v = random.log_uniform(laboratory.slowest, laboratory.fastest);
+        const double rebound = v * laboratory.restitution(v);
+        Measurement point{.velocity = v * (1.0 + random.normal(share)), .rebound = 0.0};
+        if (rebound > 0.0) point.rebound = std::max(1e-4, rebound * (1.0 + random.normal(share)));
+        point.noise =
+            VelocityNoise::of_velocities(share * point.velocity, share * std::max(1e-3, point.rebound));
+        set.points.push_back(point);
+    }
+    int captures = 0;
+    for (const RecordedImpact& group : grouped(recorded_impacts(set))) {
+        if (group.recorded == Recorded::rebound) continue;
+        ++captures;
+        CHECK(std::abs(group.incident_u / (share * group.velocity) - 1.0) < 0.01);
+    }
+    CHECK(captures > 20);
+    const Interval found = estimate_critical_velocity(model, set).curve.critical_velocity;
+    CHECK(std::abs(found.value - laboratory.critical_velocity()) < 3.0 * found.standard_uncertainty);
+    CHECK(found.standard_uncertainty < 0.01 * found.value);
+}

@@ -302,3 +302,28 @@ TEST_CASE("Gauss-Legendre nodes integrate polynomials exactly") {
         sum += weight * std::pow(position, 11);
     CHECK(relative_difference(sum, (std::pow(3.0, 12) - 1.0) / 12.0) < 1e-13);
 }
+
+TEST_CASE("the outcomes of many impacts are merged without a loss") {
+    Random random(8);
+    constexpr double u = 0.05;
+    std::vector<Measurement> points;
+    for (int i = 0; i < 6000; ++i) {
+        const double v = random.uniform(0.8, 2.0);
+        points.push_back(impact(v + random.normal(u), v > 1.4 ? 0.3 : 0.0, u));
+    }
+    const auto measured = measured_critical_velocity(set_of(points));
+    REQUIRE(measured.value);
+    // -2 ln L of each single impact, with the width found.
+    const auto misfit = [&](double center) {
+        double sum = 0.0;
+        for (const Measurement& point : points) {
+            const double z = (center - point.velocity) / *measured.width;
+            sum -= 2.0 * gsl::normal_log_probability(point.captured() ? z : -z);
+        }
+        return sum;
+    };
+    const double center = gsl::minimise_between(misfit, 1.3, *measured.value + 1e-4, 1.5);
+    CHECK(std::abs(*measured.value - center) < 0.03 * *measured.standard_uncertainty);
+    CHECK(std::abs(misfit(*measured.upper) - misfit(center) - 3.84) < 0.1);
+    CHECK(std::abs(misfit(*measured.lower) - misfit(center) - 3.84) < 0.1);
+}
