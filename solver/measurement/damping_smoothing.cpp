@@ -19,6 +19,12 @@ namespace {
 constexpr std::size_t rows_per_interval = 8;
 constexpr std::size_t most_rows = 200;  ///< more rebounds are averaged in groups before the curve is fitted
 
+double root_mean_square(const std::vector<double>& values) {
+    double sum = 0.0;
+    for (const double value : values) sum += value * value;
+    return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
 }  // namespace
 
 /// The data of the smoothing, ordered by velocity.
@@ -35,7 +41,26 @@ struct DampingSmoothing::Rows {
         index.push_back(from);
     }
     [[nodiscard]] Rows averaged() const;
+    [[nodiscard]] std::vector<double> misfit_of_neighbours() const;
 };
+
+/// Difference of each row, but for two at either end, from the cubic through its four neighbours, in units of
+/// its uncertainty.
+std::vector<double> DampingSmoothing::Rows::misfit_of_neighbours() const {
+    std::vector<double> misfit;
+    for (std::size_t i = 2; i + 2 < position.size(); ++i) {
+        const std::array around{i - 2, i - 1, i + 1, i + 2};
+        double cubic = 0.0;
+        for (const std::size_t a : around) {
+            double share = damping[a];
+            for (const std::size_t b : around)
+                if (a != b) share *= (position[i] - position[b]) / (position[a] - position[b]);
+            cubic += share;
+        }
+        misfit.push_back((damping[i] - cubic) * weight[i]);
+    }
+    return misfit;
+}
 
 DampingSmoothing::Rows DampingSmoothing::Rows::averaged() const {
     if (position.size() <= most_rows) return *this;
@@ -88,6 +113,49 @@ std::optional<DampingSmoothing> DampingSmoothing::with_intervals(const Rows& row
     return result;
 }
 
+std::optional<DampingSmoothing> DampingSmoothing::robust(const Rows& rows, std::optional<int> intervals) {
+    std::optional<DampingSmoothing> best;
+    const auto most =
+        static_cast<int>(std::clamp<std::size_t>(rows.position.size() / rows_per_interval, 1, 40));
+    for (int tried = intervals.value_or(1); tried <= intervals.value_or(most); tried += 1 + tried / 3) {
+        auto candidate = with_intervals(rows, tried);
+        if (candidate && (!best || candidate->criterion_ < best->criterion_)) best = std::move(candidate);
+    }
+    if (!best) return std::nullopt;
+    best->first_ = rows.position.front();
+    best->last_ = rows.position.back();
+    return best;
+}
+
+/// The spline through all rows, with knots at all of them but the second and the last but one.
+DampingSmoothing DampingSmoothing::through(const Rows& rows) {
+    std::vector<double> breaks = rows.position;
+    breaks.erase(breaks.end() - 2);
+    breaks.erase(breaks.begin() + 1);
+    DampingSmoothing result{gsl::BSpline(breaks)};
+    const Eigen::Index size = result.splines_.size();
+    Eigen::MatrixXd design(size, size);
+    for (Eigen::Index i = 0; i < size; ++i)
+        design.row(i) = result.splines_.values(rows.position[static_cast<std::size_t>(i)]).transpose();
+    result.coefficients_ =
+        design.partialPivLu().solve(Eigen::Map<const Eigen::VectorXd>(rows.damping.data(), size));
+    result.covariance_ = Eigen::MatrixXd::Zero(size, size);
+    result.intervals_ = static_cast<int>(breaks.size()) - 1;
+    result.first_ = rows.position.front();
+    result.last_ = rows.position.back();
+    return result;
+}
+
+/// Residuals in units of the uncertainty of each row.
+std::vector<double> DampingSmoothing::scaled_residuals(const Rows& rows) const {
+    std::vector<double> scaled;
+    for (std::size_t i = 0; i < rows.position.size(); ++i) {
+        const double x = std::clamp(rows.position[i], first_, last_);
+        scaled.push_back((rows.damping[i] - splines_.values(x).dot(coefficients_)) * rows.weight[i]);
+    }
+    return scaled;
+}
+
 std::optional<DampingSmoothing> DampingSmoothing::of(const std::vector<InvertedImpact>& inverted,
                                                      std::optional<int> intervals) {
     std::vector<const InvertedImpact*> ordered;
@@ -106,30 +174,25 @@ std::optional<DampingSmoothing> DampingSmoothing::of(const std::vector<InvertedI
         rows.add(std::log(impact->velocity), *impact->damping,
                  1.0 / impact->standard_uncertainty.value_or(*ordered.front()->damping), impact->index);
     }
-    const Rows averaged = rows.averaged();
-    std::optional<DampingSmoothing> best;
-    const auto most =
-        static_cast<int>(std::clamp<std::size_t>(averaged.position.size() / rows_per_interval, 1, 40));
-    for (int tried = intervals.value_or(1); tried <= intervals.value_or(most); tried += 1 + tried / 3) {
-        auto candidate = with_intervals(averaged, tried);
-        if (candidate && (!best || candidate->criterion_ < best->criterion_)) best = std::move(candidate);
-    }
-    if (!best) return std::nullopt;
-    best->first_ = averaged.position.front();
-    best->last_ = averaged.position.back();
-    std::vector<double> scaled;
-    for (std::size_t i = 0; i < rows.position.size(); ++i) {
-        const double x = std::clamp(rows.position[i], best->first_, best->last_);
-        const double smooth = best->splines_.values(x).dot(best->coefficients_);
-        scaled.push_back((rows.damping[i] - smooth) * rows.weight[i]);
+    auto smooth = robust(rows.averaged(), intervals);
+    if (!smooth) return std::nullopt;
+    std::vector<double> scaled = smooth->scaled_residuals(rows);
+    // Of noisy data the difference from the neighbours is 1.4 times the noise.
+    constexpr double clearly = 0.5;
+    const bool distinct = std::adjacent_find(rows.position.begin(), rows.position.end(),
+                                             std::greater_equal<>()) == rows.position.end();
+    if (!intervals && distinct && rows.position.size() <= most_rows &&
+        root_mean_square(rows.misfit_of_neighbours()) < clearly * root_mean_square(scaled)) {
+        smooth = through(rows);
+        std::ranges::fill(scaled, 0.0);
     }
     // The misfit of the spline itself must not make outliers of data that hardly scatter.
     const bool known = ordered.front()->standard_uncertainty.has_value();
     const double least = known ? 0.5 : 1e-3;  // in standard uncertainties, or of the damping
     const double deviation = std::max(gsl::robust_deviation(scaled), least);
     for (std::size_t i = 0; i < scaled.size(); ++i)
-        best->residuals_.push_back({rows.index[i], scaled[i] / deviation});
-    return best;
+        smooth->residuals_.push_back({rows.index[i], scaled[i] / deviation});
+    return smooth;
 }
 
 double DampingSmoothing::slowest() const {

@@ -14,7 +14,8 @@ namespace ashimpact {
 inline constexpr std::size_t least_smoothed = 8;
 
 /// Damping over the logarithm of velocity as a robust cubic spline. Its knots lie at quantiles of the data,
-/// and the corrected Akaike criterion chooses their number.
+/// and the corrected Akaike criterion chooses their number. Data without noise, each of which its neighbours
+/// tell better than such a spline does, are interpolated.
 class DampingSmoothing {
   public:
     /// The smoothing of inverted impacts; none if fewer than least_smoothed rebounds have a damping, or fewer
@@ -54,6 +55,10 @@ class DampingSmoothing {
 
     struct Rows;
     [[nodiscard]] static std::optional<DampingSmoothing> with_intervals(const Rows& rows, int intervals);
+    [[nodiscard]] static std::optional<DampingSmoothing> robust(const Rows& rows,
+                                                                std::optional<int> intervals);
+    [[nodiscard]] static DampingSmoothing through(const Rows& rows);
+    [[nodiscard]] std::vector<double> scaled_residuals(const Rows& rows) const;
 };
 
 }  // namespace ashimpact

@@ -62,6 +62,29 @@ void bound_one_side(const MeasurementSet& set, MeasuredCriticalVelocity& result)
     }
 }
 
+/// Whether recorded captures may be rebounds too slow to be told from rest: unless they were seen to stick,
+/// if the slowest particles that rebounded were hardly faster than that.
+bool may_be_slow_rebounds(const MeasurementSet& set) {
+    std::vector<const Measurement*> rebounds;
+    bool seen_to_stick = true;
+    for (const Measurement& point : set.points) {
+        if (!point.captured())
+            rebounds.push_back(&point);
+        else if (point.outcome != NotedOutcome::capture)
+            seen_to_stick = false;
+    }
+    const std::size_t slowest = std::min(rebounds.size(), std::max<std::size_t>(3, rebounds.size() / 10));
+    if (seen_to_stick || slowest < 3) return false;
+    std::ranges::sort(rebounds, {}, &Measurement::velocity);
+    const auto hardly_seen = [](const Measurement* point) {
+        const double noise = point->noise ? std::sqrt(point->noise->rebound) : 0.0;
+        return point->rebound < std::max(3.0 * noise, point->resolution);
+    };
+    return 2 * std::count_if(rebounds.begin(), rebounds.begin() + static_cast<std::ptrdiff_t>(slowest),
+                             hardly_seen) >
+           static_cast<std::ptrdiff_t>(slowest);
+}
+
 void take_gap(MeasuredCriticalVelocity& result) {
     result.lower = result.fastest_capture;
     result.upper = result.slowest_rebound;
@@ -125,6 +148,11 @@ MeasuredCriticalVelocity measured_critical_velocity(const MeasurementSet& stated
         take_common_velocity(result);
     else
         take_transition(set, noise, mixed, result);
+    if (result.lower && may_be_slow_rebounds(set)) {
+        result.lower.reset();
+        result.note +=
+            "; v_c may be lower, as the slowest rebounds can hardly be told from captures, which may be rebounds";
+    }
     return result;
 }
 
@@ -142,11 +170,11 @@ CriticalVelocityCheck check(const Interval& model, const MeasuredCriticalVelocit
                                       : std::hypot(model.standard_uncertainty, own);
     if (!(joint > 0.0)) return {CriticalVelocityVerdict::not_comparable, {}};
     const double deviation = (model.value - *measured.value) / joint;
-    const double limit = confidence_quantile();
-    if (std::abs(deviation) <= limit) return {CriticalVelocityVerdict::agrees, deviation};
-    return {
-        deviation < 0.0 ? CriticalVelocityVerdict::model_too_low : CriticalVelocityVerdict::model_too_high,
-        deviation};
+    if (std::abs(deviation) <= confidence_quantile()) return {CriticalVelocityVerdict::agrees, deviation};
+    if (deviation > 0.0) return {CriticalVelocityVerdict::model_too_high, deviation};
+    const bool from_above = measured.upper && !measured.lower;
+    return {from_above ? CriticalVelocityVerdict::not_comparable : CriticalVelocityVerdict::model_too_low,
+            deviation};
 }
 
 }  // namespace ashimpact

@@ -27,7 +27,8 @@ struct MeasuredCriticalVelocity {
 /// outcomes mix over a wider range, as when particles differ. The interval is that of the profile likelihood,
 /// with the width that is likeliest at each v_c. Without known noise and without mixing it is the gap between
 /// the fastest capture and the slowest rebound. Outcomes that contradict a threshold (captures faster than
-/// rebounds beyond their noise) give no value, and the note says so.
+/// rebounds beyond their noise) give no value, and the note says so. Where captures may be rebounds too slow
+/// to be seen, the interval has no lower end.
 ///
 /// Captures alone bound v_c from below, by the greatest v_in - z u(v_in) of an impact, z the normal quantile
 /// of 1 - 0.05/n for n impacts; rebounds alone bound it from above, by the least v_in + z u(v_in). If all
@@ -44,7 +45,8 @@ struct Names<CriticalVelocityVerdict> {
                                                          "not-comparable"};
 };
 
-/// Whether a modelled v_c agrees with the measured one within their joint 95 % uncertainty.
+/// Whether a modelled v_c agrees with the measured one within their joint 95 % uncertainty. One below a
+/// measured v_c whose interval has no lower end is not comparable with it.
 struct CriticalVelocityCheck {
     CriticalVelocityVerdict verdict;
     std::optional<double> deviation;  ///< model less measurement, in joint standard uncertainties
