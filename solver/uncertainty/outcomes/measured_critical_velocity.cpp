@@ -77,8 +77,9 @@ bool may_be_slow_rebounds(const MeasurementSet& set) {
     if (seen_to_stick || slowest < 3) return false;
     std::ranges::sort(rebounds, {}, &Measurement::velocity);
     const auto hardly_seen = [](const Measurement* point) {
+        constexpr double often = 1.5;  // below so many standard uncertainties 7 % or more read zero or less
         const double noise = point->noise ? std::sqrt(point->noise->rebound) : 0.0;
-        return point->rebound < std::max(3.0 * noise, point->resolution);
+        return point->rebound < std::max(often * noise, point->resolution);
     };
     return 2 * std::count_if(rebounds.begin(), rebounds.begin() + static_cast<std::ptrdiff_t>(slowest),
                              hardly_seen) >
@@ -151,7 +152,8 @@ MeasuredCriticalVelocity measured_critical_velocity(const MeasurementSet& stated
     if (result.lower && may_be_slow_rebounds(set)) {
         result.lower.reset();
         result.note +=
-            "; v_c may be lower, as the slowest rebounds can hardly be told from captures, which may be rebounds";
+            "; v_c may be lower, as the slowest rebounds can hardly be told from captures, which may be "
+            "rebounds";
     }
     return result;
 }

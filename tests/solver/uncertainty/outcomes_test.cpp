@@ -71,6 +71,29 @@ TEST_CASE("outcomes with noise: symmetric ones put v_c in the middle, wider than
     CHECK(std::abs((*measured.lower + *measured.upper) / 2 - 1.05) < 1e-3);
 }
 
+TEST_CASE("captures that may be slow rebounds leave the measured v_c without a lower end") {
+    // v_r grows from 0 at 1 m/s, so slowly that the slowest rebounds read zero as often as not.
+    Random random(6);
+    std::vector<Measurement> points;
+    for (int i = 0; i < 60; ++i) {
+        const double v = 0.5 + 0.04 * i;
+        const double rebound = v > 1.0 ? std::max(0.0, 0.03 * (v - 1.0) + random.normal(0.05)) : 0.0;
+        points.push_back(impact(v, rebound, 0.05));
+    }
+    const auto blurred = measured_critical_velocity(set_of(points));
+    REQUIRE(blurred.value);
+    CHECK_FALSE(blurred.lower);
+    CHECK(*blurred.upper > 1.0);
+    CHECK(contains(blurred.note, "may be rebounds"));
+    CHECK(check({0.5 * *blurred.value, 0.01, 0.1, 0.6}, blurred).verdict ==
+          CriticalVelocityVerdict::not_comparable);
+    CHECK(check({4.0 * *blurred.value, 0.01, 5.0, 6.0}, blurred).verdict ==
+          CriticalVelocityVerdict::model_too_high);
+    for (Measurement& point : points)  // seen to stick
+        if (point.captured()) point.outcome = NotedOutcome::capture;
+    CHECK(measured_critical_velocity(set_of(points)).lower);
+}
+
 TEST_CASE("mixed outcomes widen the transition") {
     std::vector<Measurement> points;
     for (int i = 0; i < 20; ++i)
