@@ -17,6 +17,7 @@
 #include "pipeline/stages/json/uncertainty_json.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
 #include "pipeline/stages/restitution.hpp"
+#include "pipeline/stages/uncertainty/calibrated_constants.hpp"
 #include "pipeline/stages/uncertainty/uncertain_contact.hpp"
 #include "pipeline/stages/uncertainty/velocity_uncertainty.hpp"
 #include "solver/damping/damping.hpp"
@@ -80,7 +81,7 @@ LawEntry law_entry(const VelocityTask& task) {
 
 Json sample_json(const Case& data, const Sample& sample, const SampleContact& contact,
                  const SampleRestitution& restitution, const SampleFit& fits,
-                 std::vector<std::string>& warnings) {
+                 const CalibrationResponse& response, std::vector<std::string>& warnings) {
     Json json{{"name", sample.name}};
     const RestitutionSeries* first = restitution.series.empty() ? nullptr : &restitution.series.front();
     std::vector<std::string> notes;
@@ -92,9 +93,9 @@ Json sample_json(const Case& data, const Sample& sample, const SampleContact& co
     const auto entries = in_parallel(data.laws, [&](const LawChoice& choice) -> LawEntry {
         const LawFit* fit = fits.laws.find(choice.law);
         if (fit == nullptr) return {};
-        const RandomContact uncertain = uncertain_contact(data, sample, contact, choice.law);
-        return law_entry({data, choice, contact, uncertain, restitution.of(choice.law), *fit, measured,
-                          sample.measured_critical_velocity.has_value()});
+        const RandomContact uncertain = uncertain_contact(data, sample, contact, choice.law, response);
+        return law_entry({data, choice, contact, uncertain, response, restitution.of(choice.law), *fit,
+                          measured, sample.measured_critical_velocity.has_value()});
     });
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const std::string law(data.laws[i].law.name());
@@ -141,16 +142,20 @@ StageOutput critical_velocity_stage(const Artifacts& before) {
         {"samples", propagation.samples},
         {"replicates", propagation.replicates},
         {"seed", propagation.seed},
-        {"inputs", "taken as independent"}};
+        {"inputs",
+         "taken as independent, but inferred constants follow the contact modulus they were calibrated at"}};
     output.result["samples"] = Json::array();
     const auto read = [&](const View& result) { return read_fits(result, dimension_of(data.damping_law)); };
     const auto fits = before.read(fit_artifact, read);
     const auto restitutions = before.read(restitution_artifact, read_restitutions);
-    for (const Sample& sample : data.samples)
+    const auto responses = calibrated_constants(data, before, output.warnings);
+    for (std::size_t i = 0; i < data.samples.size(); ++i) {
+        const Sample& sample = data.samples[i];
         output.result["samples"].push_back(
             sample_json(data, sample, entry_named(contacts, sample.name, before, contact_artifact),
                         entry_named(restitutions, sample.name, before, restitution_artifact),
-                        entry_named(fits, sample.name, before, fit_artifact), output.warnings));
+                        entry_named(fits, sample.name, before, fit_artifact), responses[i], output.warnings));
+    }
     return output;
 }
 

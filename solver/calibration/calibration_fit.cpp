@@ -1,8 +1,10 @@
 #include "solver/calibration/calibration_fit.hpp"
 
+#include "materials/base/error.hpp"
 #include "solver/calibration/calibration_residuals.hpp"
 
 #include <cmath>
+#include <string>
 
 namespace ashimpact {
 
@@ -47,6 +49,23 @@ std::vector<CalibrationSlot> slots_of(const CalibrationProblem& problem) {
     return slots;
 }
 
+void require_solvable(const CalibrationProblem& problem) {
+    const std::size_t constants = slots_of(problem).size();
+    const std::size_t observations = problem.critical_velocities.size() + problem.contact_times.size();
+    const auto known = [&](const auto& observation) { return observation.sample < problem.samples.size(); };
+    for (const auto& o : problem.critical_velocities) {
+        if (!known(o)) throw InputError("an observation names a sample that does not exist");
+    }
+    for (const auto& o : problem.contact_times) {
+        if (!known(o)) throw InputError("an observation names a sample that does not exist");
+    }
+    if (constants == 0 || observations < constants) {
+        throw InputError("the calibration has " + std::to_string(observations) + " observations for " +
+                             std::to_string(constants) + " free constants",
+                         "at least one free constant and as many observations");
+    }
+}
+
 std::vector<CalibrationSample> samples_with(const CalibrationProblem& problem,
                                             const std::vector<CalibrationSlot>& slots,
                                             const Eigen::VectorXd& logarithms) {
@@ -77,8 +96,13 @@ CalibrationObjective::CalibrationObjective(const CalibrationProblem& problem,
 }
 
 Eigen::VectorXd CalibrationObjective::residuals(const Eigen::VectorXd& logarithms) const {
+    return residuals(*problem_, logarithms);
+}
+
+Eigen::VectorXd CalibrationObjective::residuals(const CalibrationProblem& problem,
+                                                const Eigen::VectorXd& logarithms) const {
     return covariance_.matrixL().solve(
-        logarithmic_residuals(*problem_, samples_with(*problem_, slots_, logarithms)));
+        logarithmic_residuals(problem, samples_with(problem, slots_, logarithms)));
 }
 
 gsl::NonlinearFit CalibrationObjective::fit(const Eigen::VectorXd& start,

@@ -18,6 +18,9 @@ struct CalibrationSlot {
 
 [[nodiscard]] std::vector<CalibrationSlot> slots_of(const CalibrationProblem& problem);
 
+/// @throws InputError without free constants, with fewer observations than those, or with unknown samples
+void require_solvable(const CalibrationProblem& problem);
+
 /// The logarithms of a problem's starting values.
 [[nodiscard]] Eigen::VectorXd starting_logarithms(const CalibrationProblem& problem);
 
@@ -33,6 +36,9 @@ class CalibrationObjective {
     CalibrationObjective(const CalibrationProblem& problem, const Eigen::VectorXd& logarithms);
 
     [[nodiscard]] Eigen::VectorXd residuals(const Eigen::VectorXd& logarithms) const;
+    /// Those of another problem with the same observations, with the weights of this one.
+    [[nodiscard]] Eigen::VectorXd residuals(const CalibrationProblem& problem,
+                                            const Eigen::VectorXd& logarithms) const;
     /// Fit from @p start; the number at index @p held, if given, keeps its value. @throws ConvergenceError
     [[nodiscard]] gsl::NonlinearFit fit(const Eigen::VectorXd& start,
                                         std::optional<Eigen::Index> held = std::nullopt) const;

@@ -70,8 +70,8 @@ Measurement Laboratories::seen(test::Random& random, double velocity, double reb
     const double u = proportional ? 0.02 * velocity : told;
     const double rebound_u = proportional ? 0.02 * std::max(rebound, 1e-3) : told;
     Measurement point{.velocity = velocity + random.normal(u), .rebound = 0.0};
-    // A reading of zero or below is no rebound to the reader of tables.
-    if (rebound > 0.0) point.rebound = std::max(0.0, rebound + random.normal(rebound_u));
+    // The particle is seen to leave, so that a reading of zero or below is written as a very small one.
+    if (rebound > 0.0) point.rebound = std::max(1e-6, rebound + random.normal(rebound_u));
     if (row_.flaw == Flaw::outliers && random.uniform(0.0, 1.0) < 0.05)
         point.rebound = random.uniform(0.0, point.velocity);
     if (row_.flaw != Flaw::nothing_told && row_.flaw != Flaw::scatter_of_size)

@@ -13,6 +13,7 @@
 #include "pipeline/json/writer.hpp"
 #include "pipeline/run.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
+#include "pipeline/stages/uncertainty/calibration_problem.hpp"
 #include "pipeline/text/progress.hpp"
 #include "pipeline/text/readable.hpp"
 #include "pipeline/text/table.hpp"

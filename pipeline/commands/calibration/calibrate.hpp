@@ -4,10 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/case/case.hpp"
-#include "pipeline/json/document.hpp"
-#include "pipeline/stages/stage.hpp"
-#include "solver/calibration/calibration.hpp"
 
 namespace ashimpact {
 
@@ -22,8 +18,5 @@ struct CalibrateOptions {
 /// `ashimpact calibrate`: the unknown constants of a case, from its published critical velocities and contact
 /// times.
 void run_calibrate_command(const CalibrateOptions& options, std::ostream& out);
-
-/// The calibration a case asks for; starts from its modulus and contact artifacts.
-[[nodiscard]] CalibrationProblem calibration_problem(const Case& data, const Artifacts& before);
 
 }  // namespace ashimpact

@@ -72,14 +72,29 @@ std::optional<RandomContact> from_phases(const Case& data, const Sample& sample,
     return random;
 }
 
-}  // namespace
-
-RandomContact uncertain_contact(const Case& data, const Sample& sample, const SampleContact& contact,
-                                Law law) {
+RandomContact independent_contact(const Case& data, const Sample& sample, const SampleContact& contact,
+                                  Law law) {
     if (auto random = from_phases(data, sample, contact, law)) return *std::move(random);
     SphereInContact sphere = sphere_of(contact, law);
     sphere.contact_modulus = positive("contact modulus", contact.contact_modulus);
     return random_contact(sphere);
+}
+
+}  // namespace
+
+RandomContact uncertain_contact(const Case& data, const Sample& sample, const SampleContact& contact, Law law,
+                                const CalibrationResponse& response) {
+    RandomContact random = independent_contact(data, sample, contact, law);
+    if (response.density == 0 && response.work_of_adhesion == 0) return random;
+    random.contact = [independent = std::move(random.contact), response,
+                      calibrated_at = contact.pair.contact_modulus](std::span<const double> values) {
+        ContactPair pair = independent(values);
+        const double ratio = pair.contact_modulus / calibrated_at;
+        pair.mass *= std::pow(ratio, response.density);
+        pair.work_of_adhesion *= std::pow(ratio, response.work_of_adhesion);
+        return pair;
+    };
+    return random;
 }
 
 }  // namespace ashimpact

@@ -2,6 +2,7 @@
 
 #include "pipeline/case/case.hpp"
 #include "pipeline/stages/contact.hpp"
+#include "solver/calibration/calibration_response.hpp"
 #include "solver/uncertainty/propagation/random_contact.hpp"
 
 namespace ashimpact {
@@ -10,7 +11,9 @@ namespace ashimpact {
 /// the contact modulus from the XRD fractions, phase moduli and the wall of the case where one of those is
 /// uncertain and they give that modulus, else as it stands in 2-contact.json. Of the parameters of contact
 /// laws it has those of @p law.
+/// @param response of the density and w to the contact modulus, for constants that were calibrated at it
 [[nodiscard]] RandomContact uncertain_contact(const Case& data, const Sample& sample,
-                                              const SampleContact& contact, Law law);
+                                              const SampleContact& contact, Law law,
+                                              const CalibrationResponse& response);
 
 }  // namespace ashimpact

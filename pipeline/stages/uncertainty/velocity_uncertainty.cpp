@@ -23,6 +23,10 @@ Json propagated_json(const VelocityTask& task, const Propagation& propagation,
     Json json{{"critical_velocity", estimate_json(propagation.interval, si_unit(Dimension::velocity))},
               {"interval", interval_json(propagation.interval, si_unit(Dimension::velocity))},
               {"uncertainty", propagation_json(propagation, inputs)}};
+    const CalibrationResponse& response = task.response;
+    if (response.density != 0 || response.work_of_adhesion != 0)
+        json["uncertainty"]["powers_of_contact_modulus"] = {{"density", response.density},
+                                                            {"work_of_adhesion", response.work_of_adhesion}};
     if (task.measured)
         json["check"] = check_json(propagation.interval, *task.measured,
                                    task.from_impacts() && !task.measured_is_reported);

@@ -7,6 +7,7 @@
 #include "pipeline/stages/contact.hpp"
 #include "pipeline/stages/fit.hpp"
 #include "pipeline/stages/restitution.hpp"
+#include "solver/calibration/calibration_response.hpp"
 #include "solver/uncertainty/outcomes/measured_critical_velocity.hpp"
 #include "solver/uncertainty/propagation/random_contact.hpp"
 
@@ -18,6 +19,7 @@ struct VelocityTask {
     const LawChoice& choice;
     const SampleContact& contact;
     const RandomContact& uncertain;
+    const CalibrationResponse& response;
     const RestitutionSeries* series;  ///< null: none was given
     const LawFit& fit;
     const std::optional<MeasuredCriticalVelocity>& measured;

@@ -10,12 +10,14 @@
 
 #include "solver/calibration/calibration_profile.hpp"
 #include "solver/calibration/calibration_residuals.hpp"
+#include "solver/calibration/calibration_response.hpp"
 #include "solver/calibration/reconstruction.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/gsl/distribution.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/published.hpp"
+#include "tests/support/random.hpp"
 
 using namespace ashimpact;
 using namespace ashimpact::test;
@@ -353,4 +355,53 @@ TEST_CASE("problems that cannot be solved are refused") {
     problem.free = {{CalibrationQuantity::density, false}};
     problem.critical_velocities[0].critical_damping = -0.01;
     CHECK(contains(message(problem), "damping is -0.01"));
+}
+
+TEST_CASE("calibrated constants follow the contact modulus: the linear response against recalibrations") {
+    CalibrationProblem problem = paper_problem();
+    problem.free = {{CalibrationQuantity::work_of_adhesion}, {CalibrationQuantity::density, true}};
+    problem.samples = calibrate(problem).samples;
+    const auto responses = response_to_contact_modulus(problem);
+    // Contact times fix density^3 modulus^2 (see ContactTimeObservation): the density goes nearly with the
+    // power -2/3.
+    for (const CalibrationResponse& response : responses)
+        CHECK(std::abs(response.density + 2.0 / 3.0) < 0.05);
+
+    const auto velocities_of = [&](const std::vector<CalibrationSample>& samples) {
+        std::vector<double> velocities;
+        for (const CriticalVelocityObservation& o : problem.critical_velocities)
+            velocities.push_back(critical_velocity({o.law,
+                                                    o.law.default_detachment(),
+                                                    {DampingLaw::constant, o.critical_damping},
+                                                    samples[o.sample].contact()})
+                                     .value.value());
+        return velocities;
+    };
+    const std::vector<double> nominal = velocities_of(problem.samples);
+    const int draws = test::repetitions(10);   // 50 took a minute and gave the same
+    constexpr double deviation = 0.047;        // of ln E*, from the range of mullite's modulus
+    std::vector<double> full(nominal.size());  // sums of squares
+    std::vector<double> apart(nominal.size());
+    for (int k = 0; k < draws; ++k) {
+        const double ratio = std::exp(deviation * gsl::normal_quantile((k + 0.5) / draws));
+        CalibrationProblem moved = problem;
+        for (CalibrationSample& sample : moved.samples)
+            sample.contact_modulus = ratio * sample.contact().contact_modulus;
+        std::vector<CalibrationSample> linear = moved.samples;
+        for (std::size_t s = 0; s < linear.size(); ++s) {
+            linear[s].density *= std::pow(ratio, responses[s].density);
+            linear[s].work_of_adhesion *= std::pow(ratio, responses[s].work_of_adhesion);
+        }
+        const std::vector<double> recalibrated = velocities_of(calibrate(moved).samples);
+        const std::vector<double> responded = velocities_of(linear);
+        for (std::size_t i = 0; i < nominal.size(); ++i) {
+            full[i] += std::pow(std::log(recalibrated[i] / nominal[i]), 2);
+            apart[i] += std::pow(std::log(responded[i] / recalibrated[i]), 2);
+        }
+    }
+    for (std::size_t i = 0; i < nominal.size(); ++i) {
+        CAPTURE(i);
+        CHECK(std::sqrt(full[i] / draws) < 0.0065);
+        CHECK(std::sqrt(apart[i] / draws) < 0.02 * std::sqrt(full[i] / draws) + 2e-5);
+    }
 }

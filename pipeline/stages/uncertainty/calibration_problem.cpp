@@ -1,6 +1,7 @@
+#include "pipeline/stages/uncertainty/calibration_problem.hpp"
+
 #include <algorithm>
 
-#include "pipeline/commands/calibration/calibrate.hpp"
 #include "pipeline/stages/contact.hpp"
 #include "pipeline/stages/modulus.hpp"
 #include "pipeline/stages/read_case_artifact.hpp"
