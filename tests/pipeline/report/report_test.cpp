@@ -243,10 +243,11 @@ TEST_CASE("the page's answer is the velocity that the summary of the run names")
     for (const Json& sample : compared) {
         const Json& reported = sample.at("reported");
         const std::string velocity = fmt::format(
-            "<span class=\"value\">{:#.3g} m/s</span> (95 %: {:#.3g} to {:#.3g} m/s), by Maugis-Dugdale",
+            "<span class=\"value\">{:#.3g} m/s</span> (95 %: {:#.3g} to {:#.3g} m/s), by {}",
             reported.at("critical_velocity").at("value").get<double>(),
             reported.at("interval").at("lower").at("value").get<double>(),
-            reported.at("interval").at("upper").at("value").get<double>());
+            reported.at("interval").at("upper").at("value").get<double>(),
+            report::display_name(reported.at("law").get<std::string>()));
         CAPTURE(velocity);
         CHECK(page.find(velocity) != std::string::npos);
     }
