@@ -1,10 +1,13 @@
 #include "solver/statistics/histogram.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
+
+#include "solver/statistics/histogram_lanes.hpp"
 
 namespace ashimpact {
 
@@ -30,22 +33,26 @@ double Bins::edge(std::uint32_t bin) const {
 }
 
 void Histogram::count(const Bins& bins, std::span<const double> values) {
-    std::vector<std::uint32_t> numbers(values.size());
-    std::size_t positive = 0;
-    std::uint32_t lowest = std::numeric_limits<std::uint32_t>::max();
-    std::uint32_t highest = 0;
-    for (const double value : values) {  // without branches, which captures among rebounds would make costly
-        const bool counts = value > 0;
-        const std::uint32_t bin = bins.bin_of(counts ? value : 1.0);
-        numbers[positive] = bin;
-        positive += counts ? 1 : 0;
-        zeros_ += value == 0 ? 1 : 0;
-        lowest = counts ? std::min(lowest, bin) : lowest;
-        highest = counts ? std::max(highest, bin) : highest;
+    constexpr std::size_t together = 512;
+    const PositiveRange range = positive_range(values);
+    zeros_ += range.zeros;
+    if (range.positive == 0) return;
+    const std::uint32_t highest = bins.bin_of(range.greatest);
+    cover(bins.bin_of(range.least), highest);
+    std::array<std::uint32_t, together> numbers;  // find_bins() fills what is used
+    for (std::size_t first = 0; first < values.size(); first += together) {
+        const std::size_t size = std::min(together, values.size() - first);
+        find_bins(bins, values.subspan(first, size), range.greatest, numbers.data());
+        for (std::size_t i = 0; i < size; ++i) ++counts_[numbers[i] - first_];
     }
-    if (positive == 0) return;
-    cover(lowest, highest);
-    for (std::size_t i = 0; i < positive; ++i) ++counts_[numbers[i] - first_];
+    counts_[highest - first_] -= values.size() - range.positive;  // the others were counted as the greatest
+}
+
+void Histogram::add_ones(std::uint64_t ones, std::uint64_t zeros) {
+    zeros_ += zeros;
+    if (ones == 0) return;
+    cover(0, 0);
+    counts_.front() += ones;
 }
 
 void Histogram::merge(const Histogram& other) {

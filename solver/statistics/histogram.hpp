@@ -17,6 +17,8 @@ class Bins {
     [[nodiscard]] static Bins relative(unsigned digits) { return {0, digits}; }
 
     [[nodiscard]] bool is_relative() const { return count_ == 0; }
+    /// Number of absolute bins; 0 if they are relative.
+    [[nodiscard]] std::uint32_t count() const { return count_; }
     /// Width of a bin, absolute or relative to its lower edge [1].
     [[nodiscard]] double resolution() const;
     /// The bin of a positive value.
@@ -42,6 +44,8 @@ class Histogram {
   public:
     /// Counts values; those that are not a number are left out.
     void count(const Bins& bins, std::span<const double> values);
+    /// Counts numbers that are 0 or 1 in a single bin.
+    void add_ones(std::uint64_t ones, std::uint64_t zeros);
     void merge(const Histogram& other);
 
     [[nodiscard]] std::uint64_t zeros() const { return zeros_; }

@@ -73,14 +73,19 @@ double sum_of(std::span<const double> values) {
 }  // namespace
 
 Moments Moments::of(std::span<const double> values) {
-    Moments moments;
-    if (values.empty()) return moments;
+    if (values.empty()) return {};
     const auto count = static_cast<double>(values.size());
     const double guess = sum_of(values) / count;
     const PowerSums sums = PowerSums::of(values, guess);
-    const double shift = sums.first / count;  // of the mean from its guess: a rounding
-    moments.count = values.size();
-    moments.mean = guess + shift;
+    return of({count, guess, sums.first, sums.second, sums.third, sums.fourth, sums.minimum, sums.maximum});
+}
+
+Moments Moments::of(const DeviationSums& sums) {
+    Moments moments;
+    if (sums.count == 0) return moments;
+    const double shift = sums.first / sums.count;  // of the mean from its guess: a rounding
+    moments.count = static_cast<std::uint64_t>(sums.count);
+    moments.mean = sums.guess + shift;
     moments.second = sums.second - shift * sums.first;
     moments.third = sums.third - shift * (3 * sums.second - 2 * shift * sums.first);
     moments.fourth =

@@ -6,6 +6,18 @@
 
 namespace ashimpact {
 
+/// Sums of powers of the deviations of some values from a guess of their mean.
+struct DeviationSums {
+    double count = 0;
+    double guess = 0;
+    double first = 0;
+    double second = 0;
+    double third = 0;
+    double fourth = 0;
+    double minimum = std::numeric_limits<double>::infinity();
+    double maximum = -std::numeric_limits<double>::infinity();
+};
+
 /// Count, extremes and central moments of some values. Moments of parts give the moments of the whole,
 /// without the cancellation that power sums suffer: Pebay 2008, SAND2008-6212; Chan, Golub & LeVeque 1983 for
 /// the variance.
@@ -20,6 +32,8 @@ struct Moments {
 
     /// Moments of values, in two passes with pairwise sums.
     [[nodiscard]] static Moments of(std::span<const double> values);
+    /// Moments from sums about a guess of the mean, which is near it.
+    [[nodiscard]] static Moments of(const DeviationSums& sums);
 
     /// Makes these the moments of these values and those of @p other.
     void merge(const Moments& other);

@@ -1,7 +1,9 @@
 #include "solver/statistics/normal_lanes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 // This file once more for each instruction set.
 #undef HWY_TARGET_INCLUDE
@@ -61,26 +63,49 @@ constexpr double far_from = 5.0;
 constexpr double least_probability = 0x1p-1074;
 constexpr double greatest_exponent = 705.0;
 
-/// Standard normal quantile.
-HWY_INLINE Lanes quantile(Lanes p) {
+/// Values that are converted together: the tails among them, of few values, follow as one.
+constexpr std::size_t together = 512;
+using Values = std::array<double, together + hn::MaxLanes(Tag())>;
+
+/// Standard normal quantiles of probabilities outside the middle.
+HWY_INLINE Lanes tail_quantile(Lanes p) {
     const Tag d;
-    const Lanes q = hn::Sub(p, hn::Set(d, 0.5));
-    const auto in_middle = hn::Le(hn::Abs(q), hn::Set(d, middle_half));
-    const Lanes near = hn::Mul(q, middle.at(hn::NegMulAdd(q, q, hn::Set(d, middle_half * middle_half))));
-    if (hn::AllTrue(d, in_middle)) return near;
-    const Lanes beyond = hn::Max(hn::Min(p, hn::Sub(hn::Set(d, 1.0), p)), hn::Set(d, least_probability));
+    const Lanes nearer = hn::Min(p, hn::Sub(hn::Set(d, 1.0), p));
+    const Lanes beyond = hn::Max(nearer, hn::Set(d, least_probability));
     const Lanes root = hn::Sqrt(hn::Neg(hn::Log(d, beyond)));
     const Lanes split = hn::Set(d, far_from);
     Lanes out = tail.at(hn::Sub(root, hn::Set(d, 1.6)));
     const auto is_far = hn::Gt(root, split);
     if (!hn::AllFalse(d, is_far)) out = hn::IfThenElse(is_far, far_tail.at(hn::Sub(root, split)), out);
-    return hn::IfThenElse(in_middle, near, hn::CopySign(out, q));
+    return hn::CopySign(out, hn::Sub(p, hn::Set(d, 0.5)));
 }
 
-HWY_INLINE Lanes convert(const CutNormal& cut, const NormalScale& scale, Lanes p) {
+/// Replaces probabilities by standard normal quantiles.
+HWY_INLINE void to_quantiles(Values& values, std::size_t count) {
     const Tag d;
-    if (cut.mirrored) p = hn::Sub(hn::Set(d, 1.0), p);
-    Lanes z = quantile(hn::MulAdd(p, hn::Set(d, cut.width), hn::Set(d, cut.lower)));
+    const hn::ScalableTag<std::int64_t> integers;
+    const std::size_t width = hn::Lanes(d);
+    HWY_ALIGN Values tails;
+    HWY_ALIGN std::array<std::int64_t, together + hn::MaxLanes(Tag())> places;
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < count; i += width) {
+        const Lanes p = hn::Load(d, values.data() + i);
+        const Lanes q = hn::Sub(p, hn::Set(d, 0.5));
+        const auto outside = hn::Gt(hn::Abs(q), hn::Set(d, middle_half));
+        const Lanes near = hn::Mul(q, middle.at(hn::NegMulAdd(q, q, hn::Set(d, middle_half * middle_half))));
+        hn::Store(near, d, values.data() + i);
+        const auto numbers = hn::Iota(integers, static_cast<std::int64_t>(i));
+        hn::CompressBlendedStore(numbers, hn::RebindMask(integers, outside), integers, places.data() + found);
+        found += hn::CompressBlendedStore(p, outside, d, tails.data() + found);
+    }
+    hn::StoreU(hn::Set(d, 0.5), d, tails.data() + found);
+    for (std::size_t i = 0; i < found; i += width)
+        hn::Store(tail_quantile(hn::Load(d, tails.data() + i)), d, tails.data() + i);
+    for (std::size_t i = 0; i < found; ++i) values[static_cast<std::size_t>(places[i])] = tails[i];
+}
+
+HWY_INLINE Lanes scaled(const CutNormal& cut, const NormalScale& scale, Lanes z) {
+    const Tag d;
     if (cut.mirrored) z = hn::Neg(z);
     const Lanes offset = hn::Set(d, scale.offset);
     const Lanes unit = hn::Set(d, scale.scale);
@@ -94,20 +119,30 @@ HWY_INLINE Lanes convert(const CutNormal& cut, const NormalScale& scale, Lanes p
     return hn::Min(hn::Max(x, hn::Set(d, scale.minimum)), hn::Set(d, scale.maximum));
 }
 
+/// Converts at most as many values as stand together.
+HWY_INLINE void convert(const CutNormal& cut, const NormalScale& scale, double* values, std::size_t count) {
+    const Tag d;
+    const std::size_t width = hn::Lanes(d);
+    HWY_ALIGN Values work;
+    std::copy_n(values, count, work.data());
+    hn::StoreU(hn::Set(d, 0.5), d, work.data() + count);
+    for (std::size_t i = 0; i < count; i += width) {
+        Lanes p = hn::Load(d, work.data() + i);
+        if (cut.mirrored) p = hn::Sub(hn::Set(d, 1.0), p);
+        p = hn::MulAdd(p, hn::Set(d, cut.width), hn::Set(d, cut.lower));
+        hn::Store(p, d, work.data() + i);
+    }
+    to_quantiles(work, count);
+    for (std::size_t i = 0; i < count; i += width)
+        hn::Store(scaled(cut, scale, hn::Load(d, work.data() + i)), d, work.data() + i);
+    std::copy_n(work.data(), count, values);
+}
+
 }  // namespace
 
 void normal_quantiles(const CutNormal& cut, const NormalScale& scale, double* values, std::size_t count) {
-    const Tag d;
-    const std::size_t width = hn::Lanes(d);
-    std::size_t i = 0;
-    for (; i + width <= count; i += width)
-        hn::StoreU(convert(cut, scale, hn::LoadU(d, values + i)), d, values + i);
-    if (i == count) return;
-    HWY_ALIGN std::array<double, hn::MaxLanes(d)> rest;
-    rest.fill(0.5);
-    for (std::size_t k = i; k < count; ++k) rest[k - i] = values[k];
-    hn::Store(convert(cut, scale, hn::Load(d, rest.data())), d, rest.data());
-    for (std::size_t k = i; k < count; ++k) values[k] = rest[k - i];
+    for (std::size_t i = 0; i < count; i += together)
+        convert(cut, scale, values + i, std::min(together, count - i));
 }
 
 }  // namespace ashimpact::HWY_NAMESPACE

@@ -30,7 +30,7 @@ Values variable_values(const SweepSpec& spec) {
 
 /// 1 for each impact that is captured.
 std::vector<double> captured(const SweepSpec& spec, const Values& values, const LawChoice& choice) {
-    const ImpactColumns impacts = impacts_of(spec, values, values.front().size());
+    const ImpactColumns impacts(spec, values, values.front().size());
     const ImpactBatchResult result =
         solve_impacts(batch_of({choice.law, choice.detachment, spec.damping_law}, impacts),
                       {.threads = 0, .turning_point = false});

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pipeline/sweep/table/rows.hpp"
+#include "solver/statistics/group_moments.hpp"
 
 namespace ashimpact {
 
@@ -23,7 +24,7 @@ class Chunk {
 
     void compute(const ImpactSolver& solver, BlockResult& into) {
         const SweepSpec& spec = plan_.spec();
-        const ImpactColumns impacts = impacts_of(plan_.spec(), variables_, this->impacts());
+        const ImpactColumns impacts(plan_.spec(), variables_, this->impacts());
         Columns table = spec.table.empty() ? Columns{} : variables_;
         into.sums.laws.resize(spec.laws.size());
         into.counts.laws.resize(spec.laws.size());
@@ -72,13 +73,48 @@ class Chunk {
     void add_statistics(const ResultColumns& results, const ImpactColumns& impacts, LawSums& sums,
                         std::vector<Histogram>& counts) const {
         for (const ObservableStatistics& each : plan_.spec().statistics) {
-            std::vector<double> values = values_of(each.observable, results, impacts);
-            values.resize(points_ * plan_.samples_a_point());
-            counts.emplace_back().count(each.bins, values);
-            sums.observables.push_back(moments_by_group(values));
+            Histogram& histogram = counts.emplace_back();
+            std::vector<Moments>& moments = sums.observables.emplace_back(plan_.design().groups());
+            if (each.observable == Observable::captured) {
+                add_captures(samples_of(results.restitution), moments, histogram);
+            } else if (each.observable == Observable::restitution) {
+                add_values(samples_of(results.restitution), each.bins, moments, histogram);
+            } else {
+                const std::vector<double> values = values_of(each.observable, results, impacts);
+                add_values(samples_of(values), each.bins, moments, histogram);
+            }
         }
         for (const Observable observable : plan_.spec().sensitivity)
             sums.sensitivity.push_back(sobol_by_group(values_of(observable, results, impacts)));
+    }
+
+    /// The values of impacts that are a sample of the variables.
+    [[nodiscard]] std::span<const double> samples_of(std::span<const double> values) const {
+        return values.first(points_ * plan_.samples_a_point());
+    }
+
+    void add_values(std::span<const double> values, const Bins& bins, std::vector<Moments>& moments,
+                    Histogram& histogram) const {
+        histogram.count(bins, values);
+        for (std::size_t block = 0; block < values.size(); block += points_)
+            merge(moments, moments_by_group(values.subspan(block, points_), plan_.design().groups(), first_));
+    }
+
+    /// The same for captures, which are restitutions of 0.
+    void add_captures(std::span<const double> restitutions, std::vector<Moments>& moments,
+                      Histogram& histogram) const {
+        for (std::size_t block = 0; block < restitutions.size(); block += points_)
+            merge(moments, moments_of_zeros_by_group(restitutions.subspan(block, points_),
+                                                     plan_.design().groups(), first_));
+        for (const Moments& group : moments) {
+            const auto captures = static_cast<std::uint64_t>(
+                std::llround(group.mean * static_cast<double>(group.count)));
+            histogram.add_ones(captures, group.count - captures);
+        }
+    }
+
+    static void merge(std::vector<Moments>& moments, const std::vector<Moments>& others) {
+        for (std::size_t i = 0; i < moments.size(); ++i) moments[i].merge(others[i]);
     }
 
     void add_failures(const ResultColumns& results, std::size_t law, FailedImpacts& failed) const {
@@ -115,16 +151,6 @@ class Chunk {
             for (const std::size_t i : known) kept.push_back(block[i]);
             block = std::move(kept);
         }
-    }
-
-    [[nodiscard]] std::vector<Moments> moments_by_group(const std::vector<double>& values) const {
-        std::vector<Moments> moments;
-        for (std::uint32_t group = 0; group < plan_.design().groups(); ++group) {
-            std::vector<double> picked = group_of(values, group);
-            std::erase_if(picked, [](double value) { return value != value; });
-            moments.push_back(Moments::of(picked));
-        }
-        return moments;
     }
 
     [[nodiscard]] std::vector<SobolSums> sobol_by_group(const std::vector<double>& values) const {

@@ -11,75 +11,83 @@ namespace {
 
 /// Values of a function of two columns.
 template <class Function>
-std::vector<double> combined(const std::vector<double>& a, const std::vector<double>& b,
-                             const Function& function) {
+std::vector<double> combined(ImpactColumns::Values a, ImpactColumns::Values b, const Function& function) {
     std::vector<double> values(std::max(a.size(), b.size()));
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = function(value_at(a, i), value_at(b, i));
+    const auto fill = [&](const auto& first, const auto& second) {  // each combination a loop of its own
+        for (std::size_t i = 0; i < values.size(); ++i) values[i] = function(first(i), second(i));
+    };
+    const auto single = [](ImpactColumns::Values column) { return [value = column.front()](std::size_t) { return value; }; };
+    const auto each = [](ImpactColumns::Values column) { return [column](std::size_t i) { return column[i]; }; };
+    if (a.size() == 1)
+        b.size() == 1 ? fill(single(a), single(b)) : fill(single(a), each(b));
+    else
+        b.size() == 1 ? fill(each(a), single(b)) : fill(each(a), each(b));
     return values;
 }
 
-/// Column of an input, a single value where it does not vary.
+/// Columns of the inputs of a sweep as its variables or its fixed values give them.
 class InputColumns {
   public:
-    InputColumns(const SweepSpec& spec, const std::vector<std::vector<double>>& variables, std::size_t count)
-        : spec_(spec), variables_(variables), count_(count) {}
+    InputColumns(const SweepSpec& spec, const std::vector<std::vector<double>>& variables)
+        : spec_(spec), variables_(variables) {}
 
-    [[nodiscard]] std::vector<double> of(ImpactInput input, double fallback = 0) const {
+    /// A variable, or the single fixed value.
+    [[nodiscard]] ImpactColumns::Values of(ImpactInput input, const double& fallback) const {
         for (std::size_t i = 0; i < spec_.variables.size(); ++i)
             if (spec_.variables[i].input == input) return variables_[i];
-        return {spec_.fixed[static_cast<std::size_t>(input)].value_or(fallback)};
+        const auto& fixed = spec_.fixed[static_cast<std::size_t>(input)];
+        return {fixed ? &*fixed : &fallback, 1};
     }
-    /// The same with a value for each impact.
-    [[nodiscard]] std::vector<double> of_each(ImpactInput input) const {
-        std::vector<double> values = of(input);
-        values.resize(count_, values.front());
-        return values;
-    }
-    /// Mass of a sphere, as given or from its density.
-    [[nodiscard]] std::vector<double> masses(ImpactInput mass, ImpactInput density,
-                                             const std::vector<double>& radius) const {
-        if (!is_given(spec_, density)) return of(mass);
-        std::vector<double> unit = of(density);  // masses of spheres of radius 1 m
+    /// Masses of spheres from their density.
+    [[nodiscard]] std::vector<double> masses(ImpactInput density, ImpactColumns::Values radius) const {
+        const ImpactColumns::Values given = of(density, none);
+        std::vector<double> unit(given.begin(), given.end());  // masses of spheres of radius 1 m
         for (double& value : unit) value = sphere_mass(1.0, value);
         return combined(radius, unit, [](double r, double each) { return each * r * r * r; });
     }
 
+    static constexpr double none = 0;
+    static constexpr double infinite = std::numeric_limits<double>::infinity();
+
   private:
     const SweepSpec& spec_;
     const std::vector<std::vector<double>>& variables_;
-    std::size_t count_;
 };
 
 }  // namespace
 
-ImpactColumns impacts_of(const SweepSpec& spec, const std::vector<std::vector<double>>& variables,
-                         std::size_t count) {
-    const InputColumns inputs(spec, variables, count);
-    ImpactColumns columns{
-        .mass = {},
-        .effective_radius = inputs.of(ImpactInput::radius),
-        .contact_modulus = inputs.of(ImpactInput::contact_modulus),
-        .work_of_adhesion = inputs.of(ImpactInput::work_of_adhesion),
-        .yield_pressure = inputs.of(ImpactInput::yield_pressure, std::numeric_limits<double>::infinity()),
-        .damping = inputs.of(ImpactInput::damping),
-        .velocity = inputs.of_each(ImpactInput::velocity),
-        .parameters = {}};
-    columns.mass = inputs.masses(ImpactInput::mass, ImpactInput::density, columns.effective_radius);
+ImpactColumns::ImpactColumns(const SweepSpec& spec, const std::vector<std::vector<double>>& variables,
+                             std::size_t count) {
+    const InputColumns inputs(spec, variables);
+    const auto column = [&](ImpactInput input) { return inputs.of(input, InputColumns::none); };
+    const auto masses = [&](ImpactInput given, ImpactInput density, ImpactColumns::Values radius) {
+        return is_given(spec, density) ? keep(inputs.masses(density, radius)) : column(given);
+    };
+    effective_radius = column(ImpactInput::radius);
+    contact_modulus = column(ImpactInput::contact_modulus);
+    work_of_adhesion = column(ImpactInput::work_of_adhesion);
+    yield_pressure = inputs.of(ImpactInput::yield_pressure, InputColumns::infinite);
+    damping = column(ImpactInput::damping);
+    velocity = column(ImpactInput::velocity);
+    if (velocity.size() != count) velocity = keep(std::vector<double>(count, velocity.front()));
+    mass = masses(ImpactInput::mass, ImpactInput::density, effective_radius);
     if (is_given(spec, ImpactInput::partner_radius)) {
-        const std::vector<double> radius = inputs.of(ImpactInput::partner_radius);
-        const std::vector<double> mass =
-            inputs.masses(ImpactInput::partner_mass, ImpactInput::partner_density, radius);
-        columns.effective_radius = combined(columns.effective_radius, radius, effective_radius);
-        columns.mass = combined(columns.mass, mass, effective_mass);
+        const ImpactColumns::Values radius = column(ImpactInput::partner_radius);
+        const ImpactColumns::Values partner = masses(ImpactInput::partner_mass, ImpactInput::partner_density, radius);
+        effective_radius = keep(combined(effective_radius, radius, ashimpact::effective_radius));
+        mass = keep(combined(mass, partner, effective_mass));
     }
     for (const LawParameter& parameter : law_parameters())
         if (is_given(spec, input_of(parameter)))
-            columns.parameters.emplace_back(parameter.name, inputs.of(input_of(parameter)));
-    return columns;
+            parameters.emplace_back(parameter.name, column(input_of(parameter)));
+}
+
+ImpactColumns::Values ImpactColumns::keep(std::vector<double> values) {
+    return kept_.emplace_back(std::move(values));
 }
 
 ImpactBatch batch_of(const ImpactModel& model, const ImpactColumns& impacts) {
-    const auto column = [](const std::vector<double>& values) {
+    const auto column = [](ImpactColumns::Values values) {
         return Eigen::Map<const Eigen::ArrayXd>(values.data(), std::ssize(values));
     };
     std::vector<ParameterColumn> parameters;

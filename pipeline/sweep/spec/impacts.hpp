@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -10,20 +11,39 @@
 
 namespace ashimpact {
 
-/// Many impacts [SI]: a value for each of them, or a single one for all; velocities are always one for each.
-struct ImpactColumns {
-    std::vector<double> mass;  ///< m*
-    std::vector<double> effective_radius;
-    std::vector<double> contact_modulus;
-    std::vector<double> work_of_adhesion;
-    std::vector<double> yield_pressure;
-    std::vector<double> damping;
-    std::vector<double> velocity;
-    std::vector<std::pair<std::string_view, std::vector<double>>> parameters;  ///< of contact laws, by name
+/// Many impacts of a sweep [SI]: a value for each of them, or a single one for all; velocities are always one
+/// for each. Columns refer to the variables that they are made from, or to values kept here.
+class ImpactColumns {
+  public:
+    using Values = std::span<const double>;
+
+    /// @param variables values of each variable of the sweep, as many of each [SI]; they must outlive this
+    /// @param count how many of each
+    ImpactColumns(const SweepSpec& spec, const std::vector<std::vector<double>>& variables,
+                  std::size_t count);
+    ImpactColumns(const ImpactColumns&) = delete;
+    ImpactColumns& operator=(const ImpactColumns&) = delete;
+    ImpactColumns(ImpactColumns&&) = delete;
+    ImpactColumns& operator=(ImpactColumns&&) = delete;
+    ~ImpactColumns() = default;
+
+    Values mass;  ///< m*
+    Values effective_radius;
+    Values contact_modulus;
+    Values work_of_adhesion;
+    Values yield_pressure;
+    Values damping;
+    Values velocity;
+    std::vector<std::pair<std::string_view, Values>> parameters;  ///< of contact laws, by name
+
+  private:
+    Values keep(std::vector<double> values);
+
+    std::vector<std::vector<double>> kept_;
 };
 
 /// The value of impact @p i of a column.
-[[nodiscard]] inline double value_at(const std::vector<double>& column, std::size_t i) {
+[[nodiscard]] inline double value_at(std::span<const double> column, std::size_t i) {
     return column.size() == 1 ? column.front() : column[i];
 }
 
@@ -34,12 +54,7 @@ struct ImpactModel {
     DampingLaw damping_law;
 };
 
-/// The impacts of a sweep.
-/// @param variables values of each variable of the sweep, as many of each [SI] @param count how many of each
-[[nodiscard]] ImpactColumns impacts_of(const SweepSpec& spec,
-                                       const std::vector<std::vector<double>>& variables, std::size_t count);
-
-/// The same for the batch solver; it refers to @p impacts.
+/// Impacts of a sweep for the batch solver; the batch refers to @p impacts.
 [[nodiscard]] ImpactBatch batch_of(const ImpactModel& model, const ImpactColumns& impacts);
 
 }  // namespace ashimpact

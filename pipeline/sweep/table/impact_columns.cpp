@@ -66,9 +66,9 @@ std::string command_of(const Impact& impact) {
 ResultColumns solve_in_batch(const ImpactModel& model, const ImpactColumns& impacts,
                              const WantedResults& wanted) {
     const auto values = [](const Eigen::ArrayXd& column) {
-        return std::vector<double>(column.begin(), column.end());
+        return std::vector<double>(column.data(), column.data() + column.size());
     };
-    ImpactBatchResult solved;
+    static thread_local ImpactBatchResult solved;  // whose columns are used again
     try {
         solve_impacts(batch_of(model, impacts), solved,
                       {.turning_point = wanted.maximum_overlap,
