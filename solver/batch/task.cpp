@@ -12,23 +12,15 @@ namespace ashimpact::batch {
 
 namespace {
 
-bool positive(double value) {
-    return is_computable(value);
-}
-
-bool not_negative(double value) {
-    return value == 0.0 || is_computable(value);
-}
+// Objects rather than functions, so that the loop over a column has them inside.
+constexpr auto positive = [](double value) { return is_computable(value); };
+constexpr auto not_negative = [](double value) { return value == 0.0 || is_computable(value); };
 
 /// A restitution has no dimension, so it needs no range against overflow.
-bool finite_ratio(double value) {
-    return value >= 0.0 && std::isfinite(value);
-}
+constexpr auto finite_ratio = [](double value) { return value >= 0.0 && std::isfinite(value); };
 
 /// A yield pressure is infinite if the contact never yields.
-bool positive_or_infinite(double value) {
-    return value > 0.0;
-}
+constexpr auto positive_or_infinite = [](double value) { return value > 0.0; };
 
 /// How many values of a column hold what @p holds says of one, until the first that does not; at most count.
 template <class Holds>

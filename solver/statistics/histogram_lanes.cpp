@@ -93,7 +93,8 @@ void find_bins(const Bins& bins, std::span<const double> values, double otherwis
     std::size_t i = 0;
     constexpr std::uint32_t most = std::numeric_limits<std::int32_t>::max();
     if (!bins.is_relative() && bins.count() <= most)
-        i = HWY_DYNAMIC_DISPATCH(find_absolute)(bins.count(), values.data(), values.size(), otherwise, numbers);
+        i = HWY_DYNAMIC_DISPATCH(find_absolute)(bins.count(), values.data(), values.size(), otherwise,
+                                                numbers);
     for (; i < values.size(); ++i) numbers[i] = bins.bin_of(values[i] > 0 ? values[i] : otherwise);
 }
 

@@ -22,21 +22,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::ScalableTag<double>;
 using Lanes = hn::Vec<Tag>;
 
-/// P(x)/Q(x) of degree 7, from the highest power.
+/// Coefficients of P(x)/Q(x) of degree 7, from the highest power.
 struct Ratio {
     std::array<double, 8> above;
     std::array<double, 8> below;
-
-    [[nodiscard]] HWY_INLINE Lanes at(Lanes x) const {
-        const Tag d;
-        Lanes p = hn::Set(d, above[0]);
-        Lanes q = hn::Set(d, below[0]);
-        for (std::size_t i = 1; i < above.size(); ++i) {
-            p = hn::MulAdd(p, x, hn::Set(d, above[i]));
-            q = hn::MulAdd(q, x, hn::Set(d, below[i]));
-        }
-        return hn::Div(p, q);
-    }
 };
 
 // Wichura 1988: the middle, the tails, and the tails beyond a probability of exp(-25).
@@ -58,6 +47,20 @@ constexpr Ratio far_tail{{2.01033439929228813265e-7, 2.71155556874348757815e-5, 
                           7.86869131145613259100e-4, 1.48753612908506148525e-2, 1.36929880922735805310e-1,
                           5.99832206555887937690e-1, 1.0}};
 
+/// The value of a ratio, known when this is compiled: its coefficients are parts of the instructions.
+template <const Ratio& ratio>
+HWY_INLINE Lanes value_at(Lanes x) {
+    const Tag d;
+    Lanes p = hn::Set(d, ratio.above[0]);
+    Lanes q = hn::Set(d, ratio.below[0]);
+#pragma GCC unroll 7
+    for (std::size_t i = 1; i < ratio.above.size(); ++i) {
+        p = hn::MulAdd(p, x, hn::Set(d, ratio.above[i]));
+        q = hn::MulAdd(q, x, hn::Set(d, ratio.below[i]));
+    }
+    return hn::Div(p, q);
+}
+
 constexpr double middle_half = 0.425;
 constexpr double far_from = 5.0;
 constexpr double least_probability = 0x1p-1074;
@@ -74,34 +77,38 @@ HWY_INLINE Lanes tail_quantile(Lanes p) {
     const Lanes beyond = hn::Max(nearer, hn::Set(d, least_probability));
     const Lanes root = hn::Sqrt(hn::Neg(hn::Log(d, beyond)));
     const Lanes split = hn::Set(d, far_from);
-    Lanes out = tail.at(hn::Sub(root, hn::Set(d, 1.6)));
+    Lanes out = value_at<tail>(hn::Sub(root, hn::Set(d, 1.6)));
     const auto is_far = hn::Gt(root, split);
-    if (!hn::AllFalse(d, is_far)) out = hn::IfThenElse(is_far, far_tail.at(hn::Sub(root, split)), out);
+    if (!hn::AllFalse(d, is_far)) out = hn::IfThenElse(is_far, value_at<far_tail>(hn::Sub(root, split)), out);
     return hn::CopySign(out, hn::Sub(p, hn::Set(d, 0.5)));
 }
 
 /// Replaces probabilities by standard normal quantiles.
 HWY_INLINE void to_quantiles(Values& values, std::size_t count) {
     const Tag d;
-    const hn::ScalableTag<std::int64_t> integers;
     const std::size_t width = hn::Lanes(d);
     HWY_ALIGN Values tails;
-    HWY_ALIGN std::array<std::int64_t, together + hn::MaxLanes(Tag())> places;
+    std::array<std::size_t, together + hn::MaxLanes(Tag())> places;  // the first `found` are filled
     std::size_t found = 0;
     for (std::size_t i = 0; i < count; i += width) {
         const Lanes p = hn::Load(d, values.data() + i);
         const Lanes q = hn::Sub(p, hn::Set(d, 0.5));
         const auto outside = hn::Gt(hn::Abs(q), hn::Set(d, middle_half));
-        const Lanes near = hn::Mul(q, middle.at(hn::NegMulAdd(q, q, hn::Set(d, middle_half * middle_half))));
+        std::array<std::uint8_t, 8> bits{};  // StoreMaskBits() may write as many
+        hn::StoreMaskBits(d, outside, bits.data());
+        for (std::size_t k = 0; k < width; ++k) {  // without branches, which chance would make costly
+            tails[found] = values[i + k];
+            places[found] = i + k;
+            found += (bits[0] >> k) & 1U;
+        }
+        const Lanes near =
+            hn::Mul(q, value_at<middle>(hn::NegMulAdd(q, q, hn::Set(d, middle_half * middle_half))));
         hn::Store(near, d, values.data() + i);
-        const auto numbers = hn::Iota(integers, static_cast<std::int64_t>(i));
-        hn::CompressBlendedStore(numbers, hn::RebindMask(integers, outside), integers, places.data() + found);
-        found += hn::CompressBlendedStore(p, outside, d, tails.data() + found);
     }
     hn::StoreU(hn::Set(d, 0.5), d, tails.data() + found);
     for (std::size_t i = 0; i < found; i += width)
         hn::Store(tail_quantile(hn::Load(d, tails.data() + i)), d, tails.data() + i);
-    for (std::size_t i = 0; i < found; ++i) values[static_cast<std::size_t>(places[i])] = tails[i];
+    for (std::size_t i = 0; i < found; ++i) values[places[i]] = tails[i];
 }
 
 HWY_INLINE Lanes scaled(const CutNormal& cut, const NormalScale& scale, Lanes z) {
@@ -124,18 +131,25 @@ HWY_INLINE void convert(const CutNormal& cut, const NormalScale& scale, double* 
     const Tag d;
     const std::size_t width = hn::Lanes(d);
     HWY_ALIGN Values work;
-    std::copy_n(values, count, work.data());
-    hn::StoreU(hn::Set(d, 0.5), d, work.data() + count);
-    for (std::size_t i = 0; i < count; i += width) {
-        Lanes p = hn::Load(d, work.data() + i);
+    const auto probability = [&](Lanes p) HWY_ATTR {
         if (cut.mirrored) p = hn::Sub(hn::Set(d, 1.0), p);
-        p = hn::MulAdd(p, hn::Set(d, cut.width), hn::Set(d, cut.lower));
-        hn::Store(p, d, work.data() + i);
+        return hn::MulAdd(p, hn::Set(d, cut.width), hn::Set(d, cut.lower));
+    };
+    const std::size_t whole = count - count % width;
+    for (std::size_t i = 0; i < whole; i += width)
+        hn::Store(probability(hn::LoadU(d, values + i)), d, work.data() + i);
+    if (whole < count) {
+        HWY_ALIGN std::array<double, hn::MaxLanes(d)> rest;
+        rest.fill(0.5);
+        for (std::size_t i = whole; i < count; ++i) rest[i - whole] = values[i];
+        hn::Store(probability(hn::Load(d, rest.data())), d, work.data() + whole);
     }
     to_quantiles(work, count);
-    for (std::size_t i = 0; i < count; i += width)
-        hn::Store(scaled(cut, scale, hn::Load(d, work.data() + i)), d, work.data() + i);
-    std::copy_n(work.data(), count, values);
+    for (std::size_t i = 0; i < whole; i += width)
+        hn::StoreU(scaled(cut, scale, hn::Load(d, work.data() + i)), d, values + i);
+    if (whole == count) return;
+    hn::Store(scaled(cut, scale, hn::Load(d, work.data() + whole)), d, work.data() + whole);
+    for (std::size_t i = whole; i < count; ++i) values[i] = work[i];
 }
 
 }  // namespace

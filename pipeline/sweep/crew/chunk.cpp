@@ -107,8 +107,8 @@ class Chunk {
             merge(moments, moments_of_zeros_by_group(restitutions.subspan(block, points_),
                                                      plan_.design().groups(), first_));
         for (const Moments& group : moments) {
-            const auto captures = static_cast<std::uint64_t>(
-                std::llround(group.mean * static_cast<double>(group.count)));
+            const auto captures =
+                static_cast<std::uint64_t>(std::llround(group.mean * static_cast<double>(group.count)));
             histogram.add_ones(captures, group.count - captures);
         }
     }

@@ -16,8 +16,12 @@ std::vector<double> combined(ImpactColumns::Values a, ImpactColumns::Values b, c
     const auto fill = [&](const auto& first, const auto& second) {  // each combination a loop of its own
         for (std::size_t i = 0; i < values.size(); ++i) values[i] = function(first(i), second(i));
     };
-    const auto single = [](ImpactColumns::Values column) { return [value = column.front()](std::size_t) { return value; }; };
-    const auto each = [](ImpactColumns::Values column) { return [column](std::size_t i) { return column[i]; }; };
+    const auto single = [](ImpactColumns::Values column) {
+        return [value = column.front()](std::size_t) { return value; };
+    };
+    const auto each = [](ImpactColumns::Values column) {
+        return [column](std::size_t i) { return column[i]; };
+    };
     if (a.size() == 1)
         b.size() == 1 ? fill(single(a), single(b)) : fill(single(a), each(b));
     else
@@ -73,7 +77,8 @@ ImpactColumns::ImpactColumns(const SweepSpec& spec, const std::vector<std::vecto
     mass = masses(ImpactInput::mass, ImpactInput::density, effective_radius);
     if (is_given(spec, ImpactInput::partner_radius)) {
         const ImpactColumns::Values radius = column(ImpactInput::partner_radius);
-        const ImpactColumns::Values partner = masses(ImpactInput::partner_mass, ImpactInput::partner_density, radius);
+        const ImpactColumns::Values partner =
+            masses(ImpactInput::partner_mass, ImpactInput::partner_density, radius);
         effective_radius = keep(combined(effective_radius, radius, ashimpact::effective_radius));
         mass = keep(combined(mass, partner, effective_mass));
     }
