@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/statistics/histogram_lanes.hpp"
 #include "solver/statistics/philox.hpp"
 
 using namespace ashimpact;
@@ -104,4 +105,20 @@ TEST_CASE("merging nothing changes nothing") {
     histogram.merge(Histogram{});
     CHECK(histogram.total() == 0);
     CHECK(histogram.counts().empty());
+}
+
+TEST_CASE("bins found in lanes are those of single values") {
+    std::vector<double> values = fractions(1'003);
+    values[5] = 1.0;
+    values[6] = std::nextafter(1.0, 0.0);
+    values[7] = std::nan("");
+    for (const Bins& bins : {Bins::absolute(1), Bins::absolute(1000), Bins::relative(7)}) {
+        std::vector<std::uint32_t> found(values.size());
+        find_bins(bins, values, 0.75, found.data());
+        for (std::size_t i = 0; i < values.size(); ++i)
+            CHECK(found[i] == bins.bin_of(values[i] > 0 ? values[i] : 0.75));
+        Histogram histogram;
+        histogram.count(bins, values);
+        CHECK(histogram.total() == values.size() - 1);
+    }
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "solver/statistics/group_moments.hpp"
 #include "solver/statistics/pairwise_merge.hpp"
 #include "solver/statistics/philox.hpp"
 
@@ -105,5 +106,47 @@ TEST_CASE("parts of the tree merged elsewhere make the same tree") {
             merge.add(part.total(), level);
         }
         CHECK(merge.total().text == order_of(8));
+    }
+}
+
+TEST_CASE("moments by group are those of the values picked one by one, but for numbers that are none") {
+    std::vector<double> values = sample(2'003, 1e6);
+    for (std::size_t i = 0; i < values.size(); i += 7) values[i] = std::nan("");
+    for (std::size_t i = 0; i < values.size(); i += 5) values[i] = 0;
+    for (const std::uint32_t groups : {1U, 3U, 16U, 18U}) {
+        constexpr std::uint64_t first = 8'192 + 5;
+        const std::vector<Moments> found = moments_by_group(values, groups, first);
+        const std::vector<Moments> zeros = moments_of_zeros_by_group(values, groups, first);
+        REQUIRE(found.size() == groups);
+        REQUIRE(zeros.size() == groups);
+        for (std::uint32_t group = 0; group < groups; ++group) {
+            CAPTURE(groups);
+            CAPTURE(group);
+            std::vector<double> picked;
+            std::vector<double> ones;
+            for (std::size_t i = 0; i < values.size(); ++i) {
+                if ((first + i) % groups != group || std::isnan(values[i])) continue;
+                picked.push_back(values[i]);
+                ones.push_back(values[i] == 0 ? 1 : 0);
+            }
+            check_same(found[group], picked);
+            CHECK(found[group].mean == doctest::Approx(Moments::of(picked).mean).epsilon(1e-14));
+            CHECK(found[group].minimum == Moments::of(picked).minimum);
+            CHECK(found[group].maximum == Moments::of(picked).maximum);
+            check_same(zeros[group], ones);
+            CHECK(zeros[group].mean == doctest::Approx(Moments::of(ones).mean).epsilon(1e-14));
+            CHECK(zeros[group].minimum == 0);
+            CHECK(zeros[group].maximum == 1);
+        }
+    }
+}
+
+TEST_CASE("groups without values have no moments") {
+    const std::vector<double> values{0.5, std::nan(""), 0.0};
+    for (const auto& moments : {moments_by_group(values, 4, 1), moments_of_zeros_by_group(values, 4, 1)}) {
+        CHECK(moments[1].count == 1);
+        CHECK(moments[2].count == 0);
+        CHECK(moments[3].count == 1);
+        CHECK(moments[0].count == 0);
     }
 }
