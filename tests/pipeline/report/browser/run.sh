@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The report in a real browser: run.sh PROGRAM. Exits with 77, after saying why, where the browser or the packages of npm
-# are missing (`./dev deps browser`); in CI that is a failure.
+# are missing (`./dev deps report`); in CI that is a failure.
 set -euo pipefail
 program=$(readlink -f "$1")
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
@@ -8,7 +8,7 @@ root=$(readlink -f "$here/../../../..")
 modules=$root/build/browser
 
 missing() {
-    echo "SKIPPED: $1; ./dev deps browser installs it" >&2
+    echo "SKIPPED: $1; ./dev deps report installs it" >&2
     [[ ! ${CI:-} ]] || exit 1
     exit 77
 }
