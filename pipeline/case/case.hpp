@@ -17,7 +17,7 @@
 #include "solver/damping/damping.hpp"
 #include "solver/damping/damping_polynomial.hpp"
 #include "solver/measurement/measurement.hpp"
-#include "solver/uncertainty/propagation/propagation.hpp"
+#include "solver/statistics/propagation.hpp"
 
 namespace ashimpact {
 

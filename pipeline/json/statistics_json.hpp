@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "pipeline/json/document.hpp"
-#include "solver/uncertainty/interval.hpp"
+#include "solver/statistics/inference/interval.hpp"
 
 namespace ashimpact {
 

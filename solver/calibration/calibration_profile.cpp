@@ -3,7 +3,7 @@
 #include "materials/base/error.hpp"
 #include "solver/calibration/calibration_fit.hpp"
 #include "solver/gsl/distribution.hpp"
-#include "solver/uncertainty/profile.hpp"
+#include "solver/statistics/inference/profile.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "solver/calibration/calibration.hpp"
-#include "solver/uncertainty/interval.hpp"
+#include "solver/statistics/inference/interval.hpp"
 
 #include <cstddef>
 #include <functional>

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "pipeline/json/document.hpp"
+#include "solver/statistics/propagation.hpp"
 #include "solver/uncertainty/outcomes/measured_critical_velocity.hpp"
-#include "solver/uncertainty/propagation/propagation.hpp"
 
 namespace ashimpact {
 

@@ -2,15 +2,10 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/text.hpp"
-#include "solver/batch/parallel.hpp"
-#include "solver/gsl/distribution.hpp"
-#include "solver/statistics/philox.hpp"
-#include "solver/statistics/quasi_random.hpp"
+#include "solver/statistics/inference/importance_sampling.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
 
 namespace ashimpact {
 
@@ -18,17 +13,12 @@ namespace {
 
 using Vector = CurvePosterior::Vector;
 using Matrix = CurvePosterior::Matrix;
+using Draws = ImportanceSampling<CurvePosterior::size>;
 
 constexpr double least_effective = 50.0;  ///< independent draws; fewer give no reliable ends of an interval
 
-/// A normal density from which curves are drawn.
-struct NormalDensity {
-    Vector mean;
-    Matrix covariance;
-};
-
 struct Mode {
-    NormalDensity normal;
+    Draws::NormalDensity normal;
     double value = 0.0;       ///< -ln posterior
     double log_weight = 0.0;  ///< ln of the posterior's integral around it
 };
@@ -90,138 +80,6 @@ Mode find_mode(const CurvePosterior& posterior, const Vector& start) {
     return mode;
 }
 
-/// Weighted draws from normal densities, by a quasi-random sequence.
-class Draws {
-  public:
-    explicit Draws(const CurvePosterior& posterior) : posterior_(posterior) {}
-
-    void add(const NormalDensity& normal, std::size_t count) {
-        proposals_.push_back({normal, normal.covariance.llt().matrixL(), static_cast<double>(count)});
-        const Proposal& proposal = proposals_.back();
-        static const DigitalSequence sequence(QuasiRandomSequence::sobol, CurvePosterior::size);
-        std::vector<std::uint64_t> digits(count);
-        const std::size_t first = point_.size();
-        point_.resize(first + count, Vector::Zero());
-        for (int axis = 0; axis < CurvePosterior::size; ++axis) {
-            sequence.fill(static_cast<std::size_t>(axis), first + 1, digits);
-            for (std::size_t i = 0; i < count; ++i)
-                point_[first + i][axis] = gsl::normal_quantile(unit_interval(digits[i]));
-        }
-        value_.resize(point_.size());
-        batch::for_each_item(count, [&](std::size_t i) {
-            Vector& point = point_[first + i];
-            point = normal.mean + scales[i % scales.size()] * (proposal.factor * point);
-            value_[first + i] = posterior_(point);
-        });
-        weigh();
-    }
-
-    /// Mean and covariance of the posterior; while it has few effective draws, those of a power of it below
-    /// 1, which is wider.
-    [[nodiscard]] NormalDensity moments() const {
-        constexpr double enough = 60.0;
-        std::vector<double> weight = weights(1.0);
-        for (double power = 1.0; effective(weight) < enough; weight = weights(power)) power *= 0.7;
-        NormalDensity normal{Vector::Zero(), Matrix::Zero()};
-        for (std::size_t i = 0; i < point_.size(); ++i) normal.mean += weight[i] * point_[i];
-        for (std::size_t i = 0; i < point_.size(); ++i)
-            normal.covariance +=
-                weight[i] * (point_[i] - normal.mean) * (point_[i] - normal.mean).transpose();
-        return normal;
-    }
-
-    /// Effective sample size: the number of independent draws that would be as accurate.
-    [[nodiscard]] double effective() const { return effective(weights(1.0)); }
-
-    [[nodiscard]] const Vector& likeliest() const {
-        return point_[static_cast<std::size_t>(std::min_element(value_.begin(), value_.end()) -
-                                               value_.begin())];
-    }
-
-    [[nodiscard]] Interval critical_velocity() const {
-        std::vector<std::pair<double, double>> sorted;
-        const std::vector<double> weight = weights(1.0);
-        for (std::size_t i = 0; i < point_.size(); ++i)
-            sorted.emplace_back(point_[i][CurvePosterior::critical], weight[i]);
-        std::sort(sorted.begin(), sorted.end());
-        // Interpolated, half of a draw's weight lying below it, so that rounding moves no result.
-        const auto quantile = [&](double probability) {
-            double before = 0.0;
-            for (std::size_t i = 0; i < sorted.size(); ++i) {
-                const double here =
-                    (i > 0 ? before + 0.5 * sorted[i - 1].second : 0.0) + 0.5 * sorted[i].second;
-                if (here >= probability) {
-                    if (i == 0) return sorted[0].first;
-                    const double share = (probability - before) / (here - before);
-                    return sorted[i - 1].first + share * (sorted[i].first - sorted[i - 1].first);
-                }
-                before = here;
-            }
-            return sorted.back().first;
-        };
-        double mean = 0.0;
-        double square = 0.0;
-        for (const auto& [x, share] : sorted) {
-            mean += share * x;
-            square += share * x * x;
-        }
-        const double tail = 0.5 * (1.0 - confidence);
-        const double median = std::exp(quantile(0.5));
-        return {median, median * std::sqrt(std::max(0.0, square - mean * mean)), std::exp(quantile(tail)),
-                std::exp(quantile(1.0 - tail))};
-    }
-
-  private:
-    [[nodiscard]] static double effective(const std::vector<double>& weight) {
-        return 1.0 / std::inner_product(weight.begin(), weight.end(), weight.begin(), 0.0);
-    }
-
-    /// Factors on the width of consecutive draws: some are wider, in case the posterior has longer tails.
-    static constexpr std::array scales{1.0, 1.0, 1.5, 1.0, 2.2};
-
-    struct Proposal {
-        NormalDensity normal;
-        Matrix factor;
-        double count;
-
-        [[nodiscard]] double density(const Vector& point) const {
-            const double distance =
-                factor.template triangularView<Eigen::Lower>().solve(point - normal.mean).squaredNorm();
-            double sum = 0.0;
-            for (const double scale : scales)
-                sum += std::exp(-0.5 * distance / (scale * scale)) / std::pow(scale, CurvePosterior::size);
-            return count * sum / factor.diagonal().prod();
-        }
-    };
-
-    /// Weights: posterior over the mixture of all densities drawn from (Owen & Zhou 2000).
-    void weigh() {
-        log_weight_.resize(point_.size());
-        for (std::size_t i = 0; i < point_.size(); ++i) {
-            double density = 0.0;
-            for (const Proposal& proposal : proposals_) density += proposal.density(point_[i]);
-            log_weight_[i] = -value_[i] - std::log(std::max(density, 1e-300));
-        }
-    }
-
-    /// The weights to a power, normalised to a sum of 1.
-    [[nodiscard]] std::vector<double> weights(double power) const {
-        const double best = *std::max_element(log_weight_.begin(), log_weight_.end());
-        std::vector<double> result;
-        double total = 0.0;
-        for (const double log_weight : log_weight_)
-            total += result.emplace_back(std::exp(power * (log_weight - best)));
-        for (double& weight : result) weight /= total;
-        return result;
-    }
-
-    const CurvePosterior& posterior_;
-    std::vector<Proposal> proposals_;
-    std::vector<Vector> point_;
-    std::vector<double> value_;
-    std::vector<double> log_weight_;
-};
-
 /// Modes at ever less noise, each found from the one before. Where the noise is large, no impact is an
 /// outlier that the curve can do without, so that there are hardly any false modes.
 std::vector<Mode> modes_from(const CurvePosterior& posterior, Vector point) {
@@ -250,6 +108,15 @@ std::vector<Mode> modes_of(const CurvePosterior& posterior, const std::vector<do
     return modes;
 }
 
+/// Median, standard uncertainty and interval of v_c.
+Interval critical_velocity(const Draws& draws) {
+    const MarginalSample logarithm = draws.marginal(CurvePosterior::critical);
+    const double tail = 0.5 * (1.0 - confidence);
+    const double median = std::exp(logarithm.quantile(0.5));
+    return {median, median * logarithm.standard_deviation(), std::exp(logarithm.quantile(tail)),
+            std::exp(logarithm.quantile(1.0 - tail))};
+}
+
 }  // namespace
 
 CurveEstimate estimate_curve(const CurveTable& table, const std::vector<RecordedImpact>& impacts,
@@ -271,7 +138,7 @@ CurveEstimate estimate_curve(const CurveTable& table, const std::vector<Recorded
             shortest(std::round(least_effective)) +
             " are needed); remedies: larger uncertainties, or the scatter of particle sizes (--size-scatter, "
             "in a case \"size_scatter\" under \"fit\")");
-    const Interval velocity = draws.critical_velocity();
+    const Interval velocity = critical_velocity(draws);
     const auto damping = [&](double at) { return std::exp(table.log_capture_damping(std::log(at))); };
     const double v = velocity.value;
     const double slope = (damping(1.001 * v) - damping(0.999 * v)) / (0.002 * v);

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "solver/statistics/inference/interval.hpp"
 #include "solver/uncertainty/curve/curve_posterior.hpp"
-#include "solver/uncertainty/interval.hpp"
 
 #include <optional>
 #include <string>

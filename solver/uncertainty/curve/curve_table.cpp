@@ -1,6 +1,6 @@
 #include "solver/uncertainty/curve/curve_table.hpp"
 
-#include "solver/uncertainty/curve/cubic_weights.hpp"
+#include "solver/numeric/cubic_weights.hpp"
 
 #include <algorithm>
 #include <cmath>

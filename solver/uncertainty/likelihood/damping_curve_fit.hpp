@@ -4,7 +4,7 @@
 #include "solver/damping/damping_polynomial.hpp"
 #include "solver/measurement/contact_model.hpp"
 #include "solver/measurement/measurement.hpp"
-#include "solver/uncertainty/interval.hpp"
+#include "solver/statistics/inference/interval.hpp"
 #include "solver/uncertainty/likelihood/rebound_selection.hpp"
 
 #include <Eigen/Dense>

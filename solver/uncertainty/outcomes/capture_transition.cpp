@@ -3,7 +3,7 @@
 #include "solver/gsl/distribution.hpp"
 #include "solver/gsl/minimum.hpp"
 #include "solver/gsl/root.hpp"
-#include "solver/uncertainty/interval.hpp"
+#include "solver/statistics/inference/interval.hpp"
 
 #include <algorithm>
 #include <cmath>

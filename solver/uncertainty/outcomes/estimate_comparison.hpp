@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/uncertainty/interval.hpp"
+#include "solver/statistics/inference/interval.hpp"
 #include "solver/uncertainty/likelihood/damping_curve_fit.hpp"
 
 #include <string>

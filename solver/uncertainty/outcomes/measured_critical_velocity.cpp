@@ -1,10 +1,10 @@
 #include "solver/uncertainty/outcomes/measured_critical_velocity.hpp"
 
 #include "solver/gsl/distribution.hpp"
+#include "solver/statistics/inference/profile.hpp"
 #include "solver/uncertainty/curve/impact_groups.hpp"
 #include "solver/uncertainty/outcomes/capture_transition.hpp"
 #include "solver/uncertainty/outcomes/estimate_comparison.hpp"
-#include "solver/uncertainty/profile.hpp"
 
 #include <algorithm>
 #include <cmath>

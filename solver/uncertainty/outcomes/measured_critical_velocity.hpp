@@ -2,7 +2,7 @@
 
 #include "materials/base/names.hpp"
 #include "solver/measurement/measurement.hpp"
-#include "solver/uncertainty/interval.hpp"
+#include "solver/statistics/inference/interval.hpp"
 
 #include <optional>
 #include <string>

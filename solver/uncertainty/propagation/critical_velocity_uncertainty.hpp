@@ -1,8 +1,8 @@
 #pragma once
 
 #include "solver/measurement/contact_model.hpp"
+#include "solver/statistics/propagation.hpp"
 #include "solver/uncertainty/likelihood/damping_curve_fit.hpp"
-#include "solver/uncertainty/propagation/propagation.hpp"
 #include "solver/uncertainty/propagation/random_contact.hpp"
 
 namespace ashimpact {

@@ -3,7 +3,7 @@
 #include "materials/composition.hpp"
 #include "materials/modulus.hpp"
 #include "solver/contact/pair.hpp"
-#include "solver/uncertainty/propagation/propagation.hpp"
+#include "solver/statistics/propagation.hpp"
 
 #include <functional>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "solver/uncertainty/propagation/propagation.hpp"
+#include "solver/statistics/propagation.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/uncertainty/interval.hpp"
+#include "solver/statistics/inference/interval.hpp"
 
 #include <functional>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "solver/statistics/distribution.hpp"
-#include "solver/uncertainty/interval.hpp"
+#include "solver/statistics/inference/interval.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "solver/uncertainty/profile.hpp"
+#include "solver/statistics/inference/profile.hpp"
 
 #include "solver/gsl/root.hpp"
 
