@@ -10,7 +10,8 @@ namespace {
 constexpr double outlier_share = 0.02;
 constexpr double slope_mean = -0.4;
 constexpr double slope_deviation = 0.4;
-constexpr double bend = 0.1;  ///< standard deviation of c_2; higher terms fall with the square of their order
+constexpr double bend =
+    0.07;  ///< standard deviation of c_2; higher terms fall with the square of their order
 constexpr double scatter_median = 0.005;
 constexpr double scatter_spread = 1.3;  ///< of its logarithm
 

@@ -224,13 +224,15 @@ TEST_CASE(
     }
 }
 
+// e = sqrt(1 - v_c/v) is no law's threshold; forced on it, Hertz's lies 6 % too low, whatever the priors. A
+// false mode of the posterior would be off by a third or more.
 TEST_CASE("the estimate of sharp impacts of another truth is near it") {
     const MeasurementSet set = sharp_impacts();
     for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()}) {
         CAPTURE(law.name());
         const MeasuredDamping result = analysed(set, law);
         REQUIRE(result.estimate);
-        CHECK(std::abs(result.estimate->curve.critical_velocity.value - 1.6) < 0.1);
+        CHECK(std::abs(result.estimate->curve.critical_velocity.value - 1.6) < 0.1 * 1.6);
     }
 }
 
