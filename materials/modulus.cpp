@@ -99,7 +99,7 @@ class Parameters {
             add("density of " + c.phase.name, c.phase.density.value, c.phase.density.uncertainty());
         for (const Component& c : components)
             add("Young's modulus of " + c.phase.name, c.phase.young_modulus.value,
-                c.phase.young_modulus.uncertainty());
+                modulus_uncertainty(c.phase));
         if (mixture.has_poisson_ratios())
             for (const Component& c : components)
                 add("Poisson's ratio of " + c.phase.name, c.phase.poisson_ratio->value,
@@ -148,7 +148,7 @@ void note_missing(const Composition& composition, std::vector<std::string>& note
     }
     if (!without_uncertainty.empty())
         notes.push_back("no uncertainty of Young's modulus is known for " + joined(without_uncertainty) +
-                        ": the uncertainty given is a lower limit");
+                        ": " + shortest(100.0 * assumed_modulus_uncertainty) + " % is assumed");
     if (!without_ratio.empty())
         notes.push_back("no Poisson ratio is known for " + joined(without_ratio) +
                         ": the bounds on bulk and shear modulus are left out, and E has no rigorous upper "
@@ -176,6 +176,11 @@ std::optional<RuleResult> ModulusEstimate::by(MixtureRule rule) const {
     for (const RuleResult& result : rules)
         if (result.rule == rule) return result;
     return std::nullopt;
+}
+
+double modulus_uncertainty(const Phase& phase) {
+    return phase.young_modulus.uncertainty().value_or(assumed_modulus_uncertainty *
+                                                      phase.young_modulus.value);
 }
 
 double young_modulus_of(const Composition& composition, const ModulusOptions& options) {

@@ -38,6 +38,13 @@ struct Names<MixtureRule> {
                                                          "hashin-shtrikman-upper"};
 };
 
+/// Relative standard uncertainty of a phase's Young's modulus of which none is known: the median of those
+/// that the catalogue's sources state. Nothing counts as exact that nobody called exact.
+inline constexpr double assumed_modulus_uncertainty = 0.04;
+
+/// Standard uncertainty of a phase's Young's modulus [Pa]: what is known, else what is assumed.
+[[nodiscard]] double modulus_uncertainty(const Phase& phase);
+
 struct ModulusOptions {
     MixtureRule rule = MixtureRule::parallel;
     std::optional<Porosity> porosity{};  ///< nothing: dense
@@ -53,7 +60,7 @@ struct RuleResult {
 /// Elastic properties of a sample.
 struct ModulusEstimate {
     double young_modulus = 0;                   ///< by the chosen rule, porosity applied [Pa]
-    double standard_uncertainty = 0;            ///< [Pa], from the inputs whose uncertainty is known
+    double standard_uncertainty = 0;            ///< [Pa]
     std::vector<RuleResult> rules{};            ///< every rule that can be computed, dense [Pa]
     std::optional<double> poisson_ratio{};      ///< of the Voigt-Reuss-Hill mean, porosity applied [1]
     bool poisson_ratio_assumed = false;         ///< one of the phases has an assumed one

@@ -70,7 +70,7 @@ TEST_CASE("values of the catalogue agree with the bulk and shear moduli of their
     for (const auto& [name, k, g] :
          {Row{"quartz", 37.8, 44.3}, Row{"mullite", 170.9, 87.8}, Row{"anorthite", 84.2, 39.9},
           Row{"anhydrite", 54.9, 29.3}, Row{"calcite", 73.3, 32.0}, Row{"corundum", 253.5, 163.2},
-          Row{"rutile", 215.5, 112.4}, Row{"hematite", 100.2, 95.2}, Row{"orthoclase", 59.45, 30.3},
+          Row{"rutile", 215.5, 112.4}, Row{"hematite", 204.24537, 91.0}, Row{"orthoclase", 59.45, 30.3},
           Row{"cristobalite", 16.4, 39.1}, Row{"diopside", 114.6, 72.7}, Row{"magnetite", 162.0, 91.2},
           Row{"periclase", 160.0, 130.3}, Row{"lime", 114.7, 81.2}, Row{"portlandite", 32.2, 21.2},
           Row{"brucite", 43.8, 35.2}}) {
@@ -171,8 +171,10 @@ TEST_CASE("the user's own phases come first") {
 }
 
 TEST_CASE("the uncertainty of a range is that of a rectangular distribution") {
-    const Phase mullite = shipped_catalogue().resolve("mullite").phase;
-    CHECK(relative_difference(mullite.young_modulus.uncertainty().value(), 86.9e9 / std::sqrt(12.0)) < 1e-14);
+    const Phase albite = shipped_catalogue().resolve("albite").phase;
+    CHECK(relative_difference(albite.young_modulus.uncertainty().value(), 26.4e9 / std::sqrt(12.0)) < 1e-14);
+    CHECK(shipped_catalogue().resolve("mullite").phase.young_modulus.uncertainty() ==
+          9e9);  // stated, despite a range
     CHECK(!shipped_catalogue().resolve("corundum").phase.young_modulus.uncertainty());
 }
 

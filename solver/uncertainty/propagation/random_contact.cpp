@@ -32,10 +32,12 @@ void add_mixture(std::vector<RandomInput>& inputs, const Composition& compositio
                       .value = model.parameter,
                       .standard_uncertainty = model.parameter_uncertainty.value_or(0.0)});
     for (const Component& component : composition.components) {
+        const bool known = component.phase.young_modulus.uncertainty().has_value();
         inputs.push_back({.name = "Young's modulus of " + component.phase.name,
                           .value = component.phase.young_modulus.value,
-                          .standard_uncertainty = component.phase.young_modulus.uncertainty().value_or(0.0),
-                          .distribution = lognormal_around});
+                          .standard_uncertainty = modulus_uncertainty(component.phase),
+                          .distribution = lognormal_around,
+                          .factor = known ? "" : "Young's moduli of unknown uncertainty"});
     }
 }
 
