@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Dense>
+
 #include <functional>
 
 namespace ashimpact::gsl {
@@ -9,5 +11,12 @@ namespace ashimpact::gsl {
 /// @throws whatever the function throws
 [[nodiscard]] double minimise_between(const std::function<double(double)>& function, double lower,
                                       double guess, double upper, double relative = 1e-4);
+
+/// Position of a minimum of a function of several numbers, which may have kinks, by the simplex of Nelder and
+/// Mead (GSL multimin, nmsimplex2), restarted until a restart gains less than 1e-9 of the value.
+/// @param steps first sizes of the simplex, not zero
+/// @throws whatever the function throws
+[[nodiscard]] Eigen::VectorXd minimise(const std::function<double(const Eigen::VectorXd&)>& function,
+                                       const Eigen::VectorXd& start, const Eigen::VectorXd& steps);
 
 }  // namespace ashimpact::gsl

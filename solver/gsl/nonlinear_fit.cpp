@@ -102,7 +102,8 @@ NonlinearFit fit_nonlinear(const NonlinearProblem& fitted, const Eigen::VectorXd
     // How GSL stopped does not decide: rounding can keep its tests from passing at the minimum, and residuals
     // that are not smooth can pass them elsewhere.
     if (status != GSL_ENOPROG && status != GSL_EMAXITER) check(status, "nonlinear fit");
-    if (!is_stationary(workspace.get())) {
+    const bool stationary = is_stationary(workspace.get());
+    if (!stationary && options.smooth) {
         throw ConvergenceError("nonlinear fit: no further progress where chi^2 is not at its minimum");
     }
 
@@ -112,6 +113,7 @@ NonlinearFit fit_nonlinear(const NonlinearProblem& fitted, const Eigen::VectorXd
     fit.jacobian = view_of(gsl_multifit_nlinear_jac(workspace.get()));
     fit.covariance = covariance_of(workspace.get(), size);
     fit.chi_squared = fit.residuals.squaredNorm();
+    fit.stationary = stationary;
     fit.iterations = static_cast<int>(gsl_multifit_nlinear_niter(workspace.get()));
     return fit;
 }

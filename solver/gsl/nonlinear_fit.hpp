@@ -12,6 +12,7 @@ struct NonlinearFitOptions {
     double residual_tolerance = 0.0;  ///< relative change of chi^2; 0: not tested
     double difference_step = 1e-6;    ///< relative step of the finite-difference Jacobian
     int most_iterations = 200;
+    bool smooth = true;  ///< false: residuals may have kinks, at which a fit may stall
 };
 
 struct NonlinearFit {
@@ -21,6 +22,7 @@ struct NonlinearFit {
     Eigen::MatrixXd jacobian;  ///< of the residuals, at the solution
     double chi_squared;
     int iterations;
+    bool stationary;  ///< false: stalled at a kink; only where the residuals need not be smooth
 };
 
 /// Residuals as a function of the parameters, and their derivatives where those are known.

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ashimpact {
 
@@ -102,6 +103,24 @@ RisingBranch branch_to(const MeasurementSet& set, double upper) {
     return branch;
 }
 
+/// The rising branch. A robust fit takes every impact where outliers leave too few of them a branch.
+RisingBranch branch_for(MeasuredDamping& result, const ContactModel& model, const MeasurementSet& set,
+                        const DampingCurveOptions& options) {
+    const auto every = [&] {
+        result.notes.push_back("extrapolated fit: outliers hide the rising branch, every rebound is used");
+        return branch_to(set, std::numeric_limits<double>::infinity());
+    };
+    try {
+        RisingBranch branch = rising_branch(model, set, result.smoothing);
+        const auto needed = static_cast<std::size_t>(options.order) + 2;
+        return options.robust && branch.set.rebounds() < needed && set.rebounds() >= needed ? every()
+                                                                                            : branch;
+    } catch (const InputError&) {
+        if (!options.robust) throw;
+        return every();
+    }
+}
+
 }  // namespace
 
 VelocityRange velocities_for_fits(Law law, Detachment detachment, const ContactPair& contact,
@@ -151,7 +170,7 @@ MeasuredDamping analyse_impacts(const ContactModel& model, const RandomContact* 
     });
     attempt(result.notes, "extrapolated fit", [&] {
         result.rising = options.rising_to ? branch_to(set, *options.rising_to)
-                                          : rising_branch(model, set, result.smoothing);
+                                          : branch_for(result, model, set, options.extrapolated);
         extrapolate(result, model, contact, options);
     });
     if (result.estimate && result.extrapolated)

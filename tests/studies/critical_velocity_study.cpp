@@ -15,11 +15,10 @@
 #include <vector>
 
 #include "materials/base/error.hpp"
-#include "materials/contact_properties.hpp"
-#include "solver/contact/registry.hpp"
 #include "solver/gsl/distribution.hpp"
 #include "solver/uncertainty/curve/headline.hpp"
 #include "tests/studies/laboratory.hpp"
+#include "tests/studies/model.hpp"
 
 using namespace ashimpact;
 
@@ -64,15 +63,6 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-ContactModel model_of(const Law& law, double critical_velocity) {
-    const ContactPair ash{.mass = sphere_mass(48e-6, 2158.5),
-                          .effective_radius = 48e-6,
-                          .contact_modulus = 90e9,
-                          .work_of_adhesion = 0.2959};
-    return make_contact_model(law, law.default_detachment(), ash,
-                              {0.02 * critical_velocity, 40.0 * critical_velocity});
-}
-
 void take(Tally& tally, const ContactModel& model, const MeasurementSet& set, double truth) {
     ++tally.done;
     try {
@@ -95,12 +85,10 @@ void take(Tally& tally, const ContactModel& model, const MeasurementSet& set, do
     }
 }
 
-constexpr unsigned long default_seed = 20130829;
-
 Tally run(const studies::Row& row, const Law& law, int repetitions, unsigned long seed) {
     const studies::Laboratories laboratories(row, oracles::law_from(std::string(law.name())));
     const double truth = laboratories.critical_velocity();
-    const ContactModel model = model_of(law, truth);
+    const ContactModel model = studies::model_of(law, truth);
     test::Random random(seed);
     Tally tally;
     const auto start = std::chrono::steady_clock::now();
@@ -115,15 +103,11 @@ Tally run(const studies::Row& row, const Law& law, int repetitions, unsigned lon
     return tally;
 }
 
-const std::vector<Law>& laws() {
-    static const std::vector<Law> all{Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()};
-    return all;
-}
-
 bool quick(int repetitions) {
     Tally all;
     for (std::size_t i = 0; i < studies::rows().size(); ++i)
-        all.add(run(studies::rows()[i], laws()[i % laws().size()], repetitions, default_seed));
+        all.add(run(studies::rows()[i], studies::laws()[i % studies::laws().size()], repetitions,
+                    studies::default_seed));
     return all.holds();
 }
 
@@ -131,7 +115,7 @@ bool study(int repetitions, const std::string& only_row, const std::string& only
     bool good = true;
     for (const studies::Row& row : studies::rows()) {
         if (!only_row.empty() && row.name != only_row) continue;
-        for (const Law& law : laws())
+        for (const Law& law : studies::laws())
             if (only_law.empty() || law.name() == only_law)
                 good = run(row, law, repetitions, seed).holds() && good;
     }
@@ -149,6 +133,6 @@ int main(int argc, char** argv) {
         "median width | s each |\n|---|---|---|---|---|---|---|---|---|---|---|");
     if (word(0) == "quick") return quick(std::max(1, std::atoi(word(1).c_str()))) ? 0 : 1;
     const int repetitions = words.empty() ? 1000 : std::max(1, std::atoi(word(0).c_str()));
-    const unsigned long seed = word(3).empty() ? default_seed : std::stoul(word(3));
+    const unsigned long seed = word(3).empty() ? studies::default_seed : std::stoul(word(3));
     return study(repetitions, word(1), word(2), seed) ? 0 : 1;
 }

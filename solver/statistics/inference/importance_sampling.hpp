@@ -41,14 +41,17 @@ class MarginalSample {
         return sorted_.back().first;
     }
 
+    [[nodiscard]] double mean() const {
+        double sum = 0.0;
+        for (const auto& [x, share] : sorted_) sum += share * x;
+        return sum;
+    }
+
     [[nodiscard]] double standard_deviation() const {
-        double mean = 0.0;
-        double square = 0.0;
-        for (const auto& [x, share] : sorted_) {
-            mean += share * x;
-            square += share * x * x;
-        }
-        return std::sqrt(std::max(0.0, square - mean * mean));
+        const double middle = mean();
+        double sum = 0.0;
+        for (const auto& [x, share] : sorted_) sum += share * (x - middle) * (x - middle);
+        return std::sqrt(sum);
     }
 
   private:
@@ -117,11 +120,13 @@ class ImportanceSampling {
                                                value_.begin())];
     }
 
-    [[nodiscard]] MarginalSample marginal(int axis) const {
+    /// The distribution of one parameter, or of a function of it.
+    [[nodiscard]] MarginalSample marginal(
+        int axis, const std::function<double(double)>& of = [](double x) { return x; }) const {
         const std::vector<double> weight = weights(1.0);
         std::vector<std::pair<double, double>> values;
         values.reserve(point_.size());
-        for (std::size_t i = 0; i < point_.size(); ++i) values.emplace_back(point_[i][axis], weight[i]);
+        for (std::size_t i = 0; i < point_.size(); ++i) values.emplace_back(of(point_[i][axis]), weight[i]);
         return MarginalSample(std::move(values));
     }
 

@@ -108,13 +108,13 @@ std::vector<Mode> modes_of(const CurvePosterior& posterior, const std::vector<do
     return modes;
 }
 
-/// Median, standard uncertainty and interval of v_c.
+/// Mean, standard deviation and interval of v_c.
 Interval critical_velocity(const Draws& draws) {
-    const MarginalSample logarithm = draws.marginal(CurvePosterior::critical);
+    const MarginalSample velocity =
+        draws.marginal(CurvePosterior::critical, [](double logarithm) { return std::exp(logarithm); });
     const double tail = 0.5 * (1.0 - confidence);
-    const double median = std::exp(logarithm.quantile(0.5));
-    return {median, median * logarithm.standard_deviation(), std::exp(logarithm.quantile(tail)),
-            std::exp(logarithm.quantile(1.0 - tail))};
+    return {velocity.mean(), velocity.standard_deviation(), velocity.quantile(tail),
+            velocity.quantile(1.0 - tail)};
 }
 
 }  // namespace
@@ -132,12 +132,12 @@ CurveEstimate estimate_curve(const CurveTable& table, const std::vector<Recorded
     for (int i = 0; i < 18 && draws.effective() < least_effective; ++i) draws.add(draws.moments(), 400);
     if (draws.effective() < least_effective)
         throw ConvergenceError(
-            "the stated uncertainties are so small that hardly any smooth damping explains all impacts (the "
-            "curves drawn are worth " +
+            std::string(prior.noise_known ? "the stated uncertainties are so small that " : "") +
+            "hardly any smooth damping explains all impacts (the curves drawn are worth " +
             shortest(std::round(draws.effective())) + " independent ones, " +
             shortest(std::round(least_effective)) +
-            " are needed); remedies: larger uncertainties, or the scatter of particle sizes (--size-scatter, "
-            "in a case \"size_scatter\" under \"fit\")");
+            " are needed); remedies: " + (prior.noise_known ? "larger uncertainties, or " : "") +
+            "the scatter of particle sizes (--size-scatter, in a case \"size_scatter\" under \"fit\")");
     const Interval velocity = critical_velocity(draws);
     const auto damping = [&](double at) { return std::exp(table.log_capture_damping(std::log(at))); };
     const double v = velocity.value;

@@ -10,10 +10,10 @@ namespace {
 constexpr double outlier_share = 0.02;
 constexpr double slope_mean = -0.4;
 constexpr double slope_deviation = 0.4;
-constexpr double bend =
-    0.07;  ///< standard deviation of c_2; higher terms fall with the square of their order
-constexpr double scatter_median = 0.005;
-constexpr double scatter_spread = 1.3;  ///< of its logarithm
+constexpr double bend = 0.07;             ///< deviation of c_2; higher terms fall with their order squared
+constexpr double scatter_median = 0.005;  ///< where the noise is stated
+constexpr double untold_scatter_median = 0.02;  ///< a file without noise says nothing of its particles either
+constexpr double scatter_spread = 1.3;          ///< of the logarithm
 
 double square(double x) {
     return x * x;
@@ -41,10 +41,11 @@ SmoothDamping CurvePosterior::curve(const Vector& parameters) const {
 }
 
 Scatter CurvePosterior::scatter_of(const Vector& parameters) const {
-    return {.noise = (prior_.noise_known ? 1.0 : prior_.noise) * std::exp(parameters[noise]),
-            .damping = prior_.scatter ? *prior_.scatter
-                                      : scatter_median * std::exp(scatter_spread * parameters[scatter]),
-            .outliers = outlier_share};
+    const double median = prior_.noise_known ? scatter_median : untold_scatter_median;
+    return {
+        .noise = (prior_.noise_known ? 1.0 : prior_.noise) * std::exp(parameters[noise]),
+        .damping = prior_.scatter ? *prior_.scatter : median * std::exp(scatter_spread * parameters[scatter]),
+        .outliers = outlier_share};
 }
 
 double CurvePosterior::prior_term(const Vector& parameters) const {

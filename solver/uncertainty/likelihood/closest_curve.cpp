@@ -1,6 +1,7 @@
 #include "solver/uncertainty/likelihood/closest_curve.hpp"
 
 #include "solver/damping/damping_polynomial.hpp"
+#include "solver/gsl/minimum.hpp"
 #include "solver/gsl/nonlinear_fit.hpp"
 #include "solver/gsl/robust.hpp"
 
@@ -25,13 +26,29 @@ Eigen::MatrixXd coefficients_from_values(double greatest_restitution, Eigen::Ind
 
 /// Some of many rebounds, evenly over the file.
 RestitutionData thinned(const RestitutionData& data, std::size_t count) {
-    RestitutionData some{{}, {}, data.greatest_restitution};
+    RestitutionData few{{}, {}, data.greatest_restitution};
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t place = i * data.rebounds.size() / count;
-        some.rebounds.push_back(data.rebounds[place]);
-        some.weights.push_back(data.weights[place]);
+        few.rebounds.push_back(data.rebounds[place]);
+        few.weights.push_back(data.weights[place]);
     }
-    return some;
+    return few;
+}
+
+constexpr std::size_t some = 2000;  ///< give a start from which few steps through all are left
+
+/// Coefficients that minimise the sum of a function of the distances, which may have kinks: the nearest point
+/// of the curve can jump from one of its branches to another.
+Eigen::VectorXd least(const ContactModel& model, const RestitutionData& data, const Eigen::VectorXd& start,
+                      double (*penalty)(double distance)) {
+    const RestitutionDistances distances(model, data);
+    const Eigen::MatrixXd to_coefficients = coefficients_from_values(data.greatest_restitution, start.size());
+    const auto sum = [&](const Eigen::VectorXd& x) {
+        return distances.rows(to_coefficients * x).residuals.unaryExpr(penalty).sum();
+    };
+    const Eigen::VectorXd values = to_coefficients.partialPivLu().solve(start);
+    const double step = 0.02 * values.cwiseAbs().maxCoeff();
+    return to_coefficients * gsl::minimise(sum, values, Eigen::VectorXd::Constant(values.size(), step));
 }
 
 }  // namespace
@@ -41,21 +58,27 @@ Eigen::VectorXd closest(const ContactModel& model, const RestitutionData& data,
     const RestitutionDistances distances(model, data);
     const Eigen::MatrixXd to_coefficients = coefficients_from_values(data.greatest_restitution, start.size());
     constexpr std::size_t many = 20000;
-    constexpr std::size_t some = 2000;  // give a start from which few steps through all are left
     const Eigen::VectorXd near =
         data.rebounds.size() > many ? closest(model, thinned(data, some), start) : start;
-    const Eigen::VectorXd values = to_coefficients.partialPivLu().solve(near);
-    const gsl::NonlinearFit fit = gsl::fit_nonlinear(
-        {.residuals = [&](const Eigen::VectorXd& x) { return distances.rows(to_coefficients * x).residuals; },
-         .jacobian = [&](const Eigen::VectorXd& x) -> Eigen::MatrixXd {
-             return distances.rows(to_coefficients * x).jacobian * to_coefficients;
-         }},
-        values, {.parameter_tolerance = 1e-8, .gradient_tolerance = 1e-12});
-    return to_coefficients * fit.parameters;
+    const gsl::NonlinearProblem problem{
+        .residuals = [&](const Eigen::VectorXd& x) { return distances.rows(to_coefficients * x).residuals; },
+        .jacobian = [&](const Eigen::VectorXd& x) -> Eigen::MatrixXd {
+            return distances.rows(to_coefficients * x).jacobian * to_coefficients;
+        }};
+    const gsl::NonlinearFit fit =
+        gsl::fit_nonlinear(problem, to_coefficients.partialPivLu().solve(near),
+                           {.parameter_tolerance = 1e-8, .gradient_tolerance = 1e-12, .smooth = false});
+    const Eigen::VectorXd coefficients = to_coefficients * fit.parameters;
+    if (fit.stationary) return coefficients;
+    return least(model, data, coefficients, [](double distance) { return distance * distance; });
 }
 
 Eigen::VectorXd closest_robustly(const ContactModel& model, RestitutionData& data, Eigen::VectorXd start) {
     RestitutionData plain = data;
+    // Where bisquare weights lead depends on the start: that of least absolute distances is near most
+    // impacts.
+    const bool many = data.rebounds.size() > some;
+    start = least(model, many ? thinned(data, some) : data, start, [](double d) { return std::abs(d); });
     for (int i = 0; i < 50; ++i) {
         const Eigen::VectorXd weights = gsl::bisquare_weights(
             RestitutionDistances(model, plain).rows(start).residuals, static_cast<int>(start.size()));

@@ -15,8 +15,8 @@ double shared_difference(double one, double other) {
 
 FitComparison compare(const DampingCurveFit& extrapolated, const Interval& critical_velocity,
                       const Interval& critical_damping) {
-    // In logarithms, in which both are closer to normal; 3 leaves room for tails that are not.
-    constexpr double limit = 3.0;
+    // In logarithms, in which both are closer to normal; 3.5 leaves room for tails that are not.
+    constexpr double limit = 3.5;
     const Interval& other = extrapolated.critical_velocity;
     FitComparison result{};
     result.critical_damping_ratio = critical_damping.value / extrapolated.critical_damping.value;

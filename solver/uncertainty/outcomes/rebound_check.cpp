@@ -30,7 +30,12 @@ void require_rebounds_above(const DampingCurveFit& fit, const MeasurementSet& se
     const double extreme = gsl::normal_quantile(1.0 - 0.5 * (1.0 - confidence) / count);
     std::optional<double> slowest;
     std::optional<double> bound;
-    for (const Measurement& point : set.points) {
+    std::vector<bool> outlying(set.points.size(), false);
+    for (const FittedRebound& rebound : fit.rebounds) outlying[rebound.index] = rebound.weight < 0.5;
+    for (const ExcludedRebound& rebound : fit.excluded) outlying[rebound.index] = true;
+    for (std::size_t i = 0; i < set.points.size(); ++i) {
+        if (outlying[i]) continue;
+        const Measurement& point = set.points[i];
         const FittedNoise noise = noise_in(fit, point);
         if (point.captured() || point.rebound <= 3.0 * noise.rebound) continue;
         if (!slowest || point.velocity < *slowest) slowest = point.velocity;
