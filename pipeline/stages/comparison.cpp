@@ -8,9 +8,11 @@
 #include "pipeline/case/case_json.hpp"
 #include "pipeline/json/quantity_json.hpp"
 #include "pipeline/stages/analytic.hpp"
+#include "pipeline/stages/comparison/equal_velocities.hpp"
 #include "pipeline/stages/comparison/reported_velocity.hpp"
 #include "pipeline/stages/contact.hpp"
 #include "pipeline/stages/critical_velocity.hpp"
+#include "pipeline/stages/damping.hpp"
 #include "pipeline/stages/fit.hpp"
 #include "pipeline/stages/histories.hpp"
 #include "pipeline/stages/modulus.hpp"
@@ -229,6 +231,8 @@ StageOutput comparison_stage(const Artifacts& before) {
     const auto moduli = before.read(modulus_artifact, read_moduli);
     const auto contacts = before.read(contact_artifact, read_contacts);
     const auto analytic = before.read(analytic_artifact, read_analytic);
+    const auto dampings =
+        before.read(damping_artifact, [&](const View& v) { return read_dampings(v, dimension); });
     const auto fits = before.read(fit_artifact, [&](const View& v) { return read_fits(v, dimension); });
     const auto velocities = before.read(critical_velocity_artifact, read_critical_velocities);
     const auto histories = before.read(histories_artifact, read_histories);
@@ -276,6 +280,8 @@ StageOutput comparison_stage(const Artifacts& before) {
         if (sample.published) json["published"] = published_beside_json(*sample.published, of);
         output.result["samples"].push_back(std::move(json));
     }
+    if (Json equal = equal_velocities_json(data, contacts, dampings); !equal.empty())
+        output.result["equal_velocities"] = std::move(equal);
     if (gap.known())
         output.result["dynamic_over_analytic"] = {{"least", gap.least_ratio},
                                                   {"greatest", gap.greatest_ratio}};

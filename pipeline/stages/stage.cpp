@@ -58,8 +58,8 @@ const std::vector<Stage>& stages() {
          histories_stage},
         {"comparison",
          comparison_artifact,
-         {case_artifact, modulus_artifact, contact_artifact, analytic_artifact, fit_artifact,
-          critical_velocity_artifact, histories_artifact},
+         {case_artifact, modulus_artifact, contact_artifact, analytic_artifact, damping_artifact,
+          fit_artifact, critical_velocity_artifact, histories_artifact},
          comparison_stage},
     };
     return list;

@@ -238,7 +238,11 @@ class ResultText {
         if (named) heading.emplace_back("name");
         for (const auto& [key, _] : list.front().items())
             if (key != "name") heading.push_back(key);
-        TextTable table(heading);
+        const bool two_names =
+            heading.size() > 2 && std::all_of(list.begin(), list.end(), [&](const Json& row) {
+                return row.at(heading[0]).is_string() && row.at(heading[1]).is_string();
+            });
+        TextTable table(heading, two_names ? 2 : 1);
         const std::size_t stride = list.size() > 2 * most_rows ? stride_of(list.size(), view_) : 1;
         for (std::size_t i = 0; i < list.size(); i += stride) {
             std::vector<std::string> cells;

@@ -8,6 +8,7 @@
 #include "pipeline/json/schema.hpp"
 #include "pipeline/run.hpp"
 #include "pipeline/stages/analytic.hpp"
+#include "pipeline/stages/comparison/equal_velocities.hpp"
 #include "pipeline/stages/contact.hpp"
 #include "pipeline/stages/critical_velocity.hpp"
 #include "pipeline/stages/damping.hpp"
@@ -274,6 +275,59 @@ TEST_CASE("comparison: fixed places, published values beside ours, the ratio in 
                                         each["analytic_critical_velocity"]["value"].get<double>());
     CHECK(relative_difference(comparison["dynamic_over_analytic"]["least"].get<double>(), least) < 1e-14);
     CHECK(comparison["conclusion"].get<std::string>().find("viscous dissipation does") != std::string::npos);
+}
+
+TEST_CASE("comparison: sizes and laws at equal velocities, between the points of each series") {
+    const auto dampings = read_dampings(View(result("5-damping.json")), Dimension::damping);
+    const Json& equal = result("comparison.json")["equal_velocities"];
+    REQUIRE(equal.size() >= 5);
+    std::size_t rows = 0;
+    std::map<std::string, std::map<std::string, double>> at_three;
+    double before = 0.0;
+    for (const Json& entry : equal) {
+        const double v = entry["velocity"]["value"];
+        CHECK(v > before);
+        before = v;
+        for (const Json& row : entry["impacts"]) {
+            CAPTURE(v);
+            CAPTURE(row.dump());
+            const Law law = Law::named(row["law"].get<std::string>());
+            const DampingSeries* series = named(dampings, row["sample"].get<std::string>()).laws.find(law);
+            REQUIRE(series != nullptr);
+            // The velocities of these series increase: between which points v lies.
+            const auto next = std::upper_bound(series->velocity.begin(), series->velocity.end(), v);
+            REQUIRE(next != series->velocity.begin());
+            REQUIRE(next != series->velocity.end());
+            const auto i = static_cast<std::size_t>(next - series->velocity.begin());
+            const auto between = [&](const char* key, const std::vector<double>& values, double slack) {
+                const double value = row[key]["value"];
+                const auto [least, greatest] = std::minmax(values[i - 1], values[i]);
+                CHECK(value >= least * (1.0 - slack));
+                CHECK(value <= greatest * (1.0 + slack));
+            };
+            between("damping", series->damping, 1e-12);
+            between("restitution", series->restitution, 1e-9);
+            between("contact_time", series->contact_time, 1e-9);
+            CHECK(row["maximum_overlap"]["value"].get<double>() > 0);
+            if (v == 3.0) at_three[row["law"]][row["sample"]] = row["damping"]["value"];
+            ++rows;
+        }
+    }
+    CHECK(rows > 50);
+    // Figure 8: the smaller the particle, the more damping at equal velocity.
+    for (const char* law : {"hertz", "dmt", "brach-dunn", "jkr"})
+        CHECK(at_three[law].at("88 um") > at_three[law].at("96 um"));
+}
+
+TEST_CASE("shared velocities are round, within two ranges, and none where ranges do not overlap") {
+    CHECK(shared_velocities({}).empty());
+    CHECK(shared_velocities({{1.0, 8.0}}).empty());
+    CHECK(shared_velocities({{0.1, 0.4}, {0.5, 3.0}}).empty());
+    CHECK(shared_velocities({{0.25, 7.0}, {0.3, 9.0}}) ==
+          std::vector<double>{0.3, 0.4, 0.5, 0.6, 0.8, 1, 1.5, 2, 3, 4, 5, 6});
+    CHECK(shared_velocities({{0.01, 60.0}, {0.01, 100.0}}).size() == 12);
+    // Of three ranges two are enough.
+    CHECK(shared_velocities({{1.0, 2.0}, {1.7, 4.0}, {3.4, 9.0}}) == std::vector<double>{1.8, 2, 3.5, 4});
 }
 
 TEST_CASE("measured data: captures are kept apart and the falling branch is left out of the fit") {

@@ -105,7 +105,7 @@ void add_range(DampingCurveFit& fit, const RestitutionData& data) {
 DampingCurveFit fit_damping_curve(const ContactModel& model, const MeasurementSet& set,
                                   const DampingCurveOptions& options) {
     validate(set);
-    ReboundSelection selection = select_rebounds(model, set);
+    ReboundSelection selection = select_rebounds(model, set, options.robust);
     require_enough(selection, set, options.order);
     RestitutionData& data = selection.data;
     Eigen::VectorXd near = closest(model, data, starting_coefficients(model, data, options.order));

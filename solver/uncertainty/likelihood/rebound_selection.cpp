@@ -22,9 +22,26 @@ bool above_reach(const Measurement& point) {
     return point.rebound - point.velocity > 3.0 * std::sqrt(variance);
 }
 
+/// The greatest median of five neighbours in velocity, which no outlier reaches alone.
+double greatest_common_restitution(std::vector<Measurement> rebounds) {
+    std::sort(rebounds.begin(), rebounds.end(),
+              [](const Measurement& a, const Measurement& b) { return a.velocity < b.velocity; });
+    double greatest = 0.0;
+    for (std::size_t i = 0; i < rebounds.size(); ++i) {
+        const std::size_t first = std::min(i, rebounds.size() - std::min<std::size_t>(5, rebounds.size()));
+        std::vector<double> around;
+        for (std::size_t j = first; j < std::min(first + 5, rebounds.size()); ++j)
+            around.push_back(rebounds[j].restitution());
+        const auto middle = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 2);
+        std::nth_element(around.begin(), middle, around.end());
+        greatest = std::max(greatest, *middle);
+    }
+    return greatest;
+}
+
 }  // namespace
 
-ReboundSelection select_rebounds(const ContactModel& model, const MeasurementSet& set) {
+ReboundSelection select_rebounds(const ContactModel& model, const MeasurementSet& set, bool robust) {
     ReboundSelection selection{
         .data = {{}, {}, 0.0}, .indices = {}, .excluded = {}, .noise_known = set.has_noise()};
     double greatest = 0.0;
@@ -43,6 +60,7 @@ ReboundSelection select_rebounds(const ContactModel& model, const MeasurementSet
         fastest = std::max(fastest, point.velocity);
     }
     selection.data.weights.assign(selection.indices.size(), 1.0);
+    if (robust) greatest = greatest_common_restitution(selection.data.rebounds);
     if (!selection.indices.empty()) {
         selection.data.greatest_restitution =
             std::min(greatest + beyond, reach * model.greatest_restitution(fastest));

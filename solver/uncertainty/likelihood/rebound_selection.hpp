@@ -28,7 +28,10 @@ struct ReboundSelection {
     bool noise_known;
 };
 
-[[nodiscard]] ReboundSelection select_rebounds(const ContactModel& model, const MeasurementSet& set);
+/// @param robust the curve ends above the restitutions that neighbours share, not above that of an outlier,
+///     which only a curve that folds back could reach
+[[nodiscard]] ReboundSelection select_rebounds(const ContactModel& model, const MeasurementSet& set,
+                                               bool robust = false);
 
 /// @throws InputError unless there are enough distinct rebounds for a curve of this order
 void require_enough(const ReboundSelection& selection, const MeasurementSet& set, int order);

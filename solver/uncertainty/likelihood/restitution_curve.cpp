@@ -102,7 +102,9 @@ RestitutionCurve::Place RestitutionCurve::at(double e) const {
     const double safe = std::max(root, least_root);
     const double by_root =
         (root < safe ? ChebyshevBasis(along, safe).slope : basis.slope).dot(coefficients_.col(0));
-    const double slope = velocity * by_root / (3.0 * safe * safe);
+    double slope = velocity * by_root / (3.0 * safe * safe);
+    // Above its end it must not rise straight up, where it would reach outliers of any restitution.
+    if (e > greatest_) slope = std::max(slope, velocity / greatest_);
     return {.velocity = velocity + slope * (e - within),
             .slope = slope,
             .by_damping = std::exp(basis.value.dot(coefficients_.col(1)))};

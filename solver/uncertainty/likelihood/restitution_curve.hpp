@@ -29,7 +29,7 @@ class RestitutionCurve {
         double slope;       ///< dv/de along the curve [m/s]
         double by_damping;  ///< dv/d(eta) at fixed e [m/kg]
     };
-    /// Point of the curve at @p e; beyond the ends it is continued by its tangent.
+    /// Point of the curve at @p e; beyond the ends it is continued by its tangent, or less steeply in e(v).
     [[nodiscard]] Place at(double e) const;
     [[nodiscard]] const DampingPolynomial& damping() const { return damping_; }
     [[nodiscard]] double greatest_restitution() const { return greatest_; }

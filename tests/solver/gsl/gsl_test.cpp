@@ -8,6 +8,7 @@
 #include "materials/base/error.hpp"
 #include "solver/gsl/distribution.hpp"
 #include "solver/gsl/linear_fit.hpp"
+#include "solver/gsl/minimum.hpp"
 #include "solver/gsl/root.hpp"
 #include "solver/gsl/status.hpp"
 #include "tests/relative_difference.hpp"
@@ -55,6 +56,37 @@ TEST_CASE("normal quantiles and chi^2 exceedance") {
     CHECK(relative_difference(gsl::chi_squared_exceedance(7.85, 8), closed) < 1e-13);
     CHECK(gsl::chi_squared_exceedance(7.85, 0) == 1.0);
     CHECK(gsl::chi_squared_exceedance(0.0, 3) == 1.0);
+}
+
+TEST_CASE("a simplex finds minima of curved valleys and at kinks, and lets exceptions through") {
+    // Rosenbrock's valley in units a thousand times apart, and the point of least distances to three others:
+    // on an axis of symmetry, where the distances meet at 120 degrees (Fermat).
+    const auto valley = [](const Eigen::VectorXd& x) {
+        const double a = 1e3 * x[0];
+        return std::pow(1.0 - a, 2) + 100.0 * std::pow(x[1] - a * a, 2);
+    };
+    const Eigen::VectorXd lowest =
+        gsl::minimise(valley, Eigen::Vector2d(-1.2e-3, 1.0), Eigen::Vector2d(1e-4, 0.1));
+    CHECK(std::abs(1e3 * lowest[0] - 1.0) < 1e-4);
+    CHECK(std::abs(lowest[1] - 1.0) < 2e-4);
+    const auto distances = [](const Eigen::VectorXd& x) {
+        return std::hypot(x[0] + 1.0, x[1]) + std::hypot(x[0] - 1.0, x[1]) + std::hypot(x[0], x[1] - 3.0);
+    };
+    const Eigen::VectorXd fermat =
+        gsl::minimise(distances, Eigen::Vector2d(2.0, 2.0), Eigen::Vector2d(1.0, 1.0));
+    CHECK(std::abs(fermat[0]) < 1e-4);
+    CHECK(std::abs(fermat[1] - 1.0 / std::sqrt(3.0)) < 1e-4);
+    const auto kink = [](const Eigen::VectorXd& x) { return std::abs(x[0] - 0.3) + std::abs(x[0] + x[1]); };
+    const Eigen::VectorXd edge = gsl::minimise(kink, Eigen::Vector2d(5.0, 4.0), Eigen::Vector2d(0.5, 0.5));
+    CHECK(std::abs(edge[0] - 0.3) < 1e-5);
+    CHECK(std::abs(edge[1] + 0.3) < 1e-5);
+    const auto throwing = [](const Eigen::VectorXd& x) -> double {
+        if (x[0] < 0.5) throw InputError("too far");
+        return x.squaredNorm();
+    };
+    CHECK_THROWS_WITH_AS(
+        static_cast<void>(gsl::minimise(throwing, Eigen::Vector2d(1.0, 1.0), Eigen::Vector2d(0.2, 0.2))),
+        "too far", InputError);
 }
 
 TEST_CASE("a weighted mean is the simplest linear fit") {

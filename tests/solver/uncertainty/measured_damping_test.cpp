@@ -191,6 +191,33 @@ TEST_CASE("one wild impact is flagged, stays in, and a robust fit takes it back"
     CHECK(is_near(robust.critical_damping, 0.0149));
 }
 
+TEST_CASE("a robust extrapolation finds the truth among outliers, also where they hide the rising branch") {
+    MeasuredDampingOptions options = without_propagation();
+    options.extrapolated.robust = true;
+    unsigned near = 0;
+    unsigned hidden = 0;
+    for (unsigned long seed = 1; seed <= 20; ++seed) {
+        MeasurementSet set = measured(30, 20, seed);
+        Random random(1000 + seed);
+        for (Measurement& point : set.points)
+            if (random.uniform(0.0, 1.0) < 0.07) point.rebound = random.uniform(0.0, point.velocity);
+        const MeasuredDamping result = analysed(set, Law::of<BrachDunn>(), options);
+        CAPTURE(seed);
+        REQUIRE(result.extrapolated);
+        near += is_near(result.extrapolated->fit.critical_damping, 0.0149) ? 1U : 0U;
+        hidden += has_note(result, "outliers hide the rising branch") ? 1U : 0U;
+    }
+    CHECK(near >= 19);
+    CHECK(hidden < 10);
+
+    // Two slow impacts that hardly lose energy: the restitution falls from the first on.
+    MeasurementSet set = measured(12);
+    for (Measurement& point : set.points)
+        if (point.rebound > 0.0 && point.velocity < 1.8) point.rebound = 0.95 * point.velocity;
+    const MeasuredDamping result = analysed(set, Law::of<BrachDunn>(), options);
+    CHECK(has_note(result, "outliers hide the rising branch"));
+}
+
 namespace {
 
 /// 300 impacts, read to 2 um a pixel, of a truth that is none of the laws: e rises as the root of the
