@@ -72,7 +72,7 @@ add_library(hwy::hwy ALIAS web_highway)
 # GSL: the folders the solver needs, each with the list of sources in its Makefile.am.
 set(gsl_sources)
 foreach(part blas block bspline cblas cdf complex eigen err integration interpolation linalg matrix min multifit
-             multifit_nlinear permutation poly randist rng roots sort specfunc statistics sys utils vector)
+             multifit_nlinear multimin permutation poly randist rng roots sort specfunc statistics sys utils vector)
   file(STRINGS "${sources}/gsl/${part}/Makefile.am" lines REGEX "^lib[a-z_]*_la_SOURCES *=")
   string(REGEX REPLACE "^[^=]*=" "" lines "${lines}")
   string(REGEX MATCHALL "[A-Za-z0-9_]+\\.c" files "${lines}")

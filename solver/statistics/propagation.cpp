@@ -161,8 +161,10 @@ std::vector<Influence> influences_of(const std::vector<Factor>& factors,
                               {indices[i].first, indices[i].first_error.value_or(0.0)},
                               {indices[i].total, indices[i].total_error.value_or(0.0)}});
     }
+    // Shares that are rounding alone keep the order of the factors.
+    const auto rank = [](const Influence& of) { return std::round(1e9 * of.total.value); };
     std::stable_sort(influences.begin(), influences.end(),
-                     [](const Influence& x, const Influence& y) { return x.total.value > y.total.value; });
+                     [&](const Influence& x, const Influence& y) { return rank(x) > rank(y); });
     return influences;
 }
 

@@ -37,14 +37,14 @@ RestitutionData thinned(const RestitutionData& data, std::size_t count) {
 
 constexpr std::size_t some = 2000;  ///< give a start from which few steps through all are left
 
-/// Coefficients that minimise the sum of a function of the distances, which may have kinks: the nearest point
-/// of the curve can jump from one of its branches to another.
-Eigen::VectorXd least(const ContactModel& model, const RestitutionData& data, const Eigen::VectorXd& start,
-                      double (*penalty)(double distance)) {
+/// Coefficients of least squares where they may have kinks: the nearest point of the curve can jump from one
+/// of its branches to another.
+Eigen::VectorXd closest_over_kinks(const ContactModel& model, const RestitutionData& data,
+                                   const Eigen::VectorXd& start) {
     const RestitutionDistances distances(model, data);
     const Eigen::MatrixXd to_coefficients = coefficients_from_values(data.greatest_restitution, start.size());
     const auto sum = [&](const Eigen::VectorXd& x) {
-        return distances.rows(to_coefficients * x).residuals.unaryExpr(penalty).sum();
+        return distances.rows(to_coefficients * x).residuals.squaredNorm();
     };
     const Eigen::VectorXd values = to_coefficients.partialPivLu().solve(start);
     const double step = 0.02 * values.cwiseAbs().maxCoeff();
@@ -69,16 +69,11 @@ Eigen::VectorXd closest(const ContactModel& model, const RestitutionData& data,
         gsl::fit_nonlinear(problem, to_coefficients.partialPivLu().solve(near),
                            {.parameter_tolerance = 1e-8, .gradient_tolerance = 1e-12, .smooth = false});
     const Eigen::VectorXd coefficients = to_coefficients * fit.parameters;
-    if (fit.stationary) return coefficients;
-    return least(model, data, coefficients, [](double distance) { return distance * distance; });
+    return fit.stationary ? coefficients : closest_over_kinks(model, data, coefficients);
 }
 
 Eigen::VectorXd closest_robustly(const ContactModel& model, RestitutionData& data, Eigen::VectorXd start) {
     RestitutionData plain = data;
-    // Where bisquare weights lead depends on the start: that of least absolute distances is near most
-    // impacts.
-    const bool many = data.rebounds.size() > some;
-    start = least(model, many ? thinned(data, some) : data, start, [](double d) { return std::abs(d); });
     for (int i = 0; i < 50; ++i) {
         const Eigen::VectorXd weights = gsl::bisquare_weights(
             RestitutionDistances(model, plain).rows(start).residuals, static_cast<int>(start.size()));

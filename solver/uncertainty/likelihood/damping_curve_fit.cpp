@@ -108,8 +108,9 @@ DampingCurveFit fit_damping_curve(const ContactModel& model, const MeasurementSe
     ReboundSelection selection = select_rebounds(model, set, options.robust);
     require_enough(selection, set, options.order);
     RestitutionData& data = selection.data;
-    Eigen::VectorXd near = closest(model, data, starting_coefficients(model, data, options.order));
-    if (options.robust) near = closest_robustly(model, data, near);
+    const Eigen::VectorXd start = starting_coefficients(model, data, options.order, options.robust);
+    const Eigen::VectorXd near =
+        options.robust ? closest_robustly(model, data, start) : closest(model, data, start);
     const Goodness goodness = goodness_of(model, data, near, selection.noise_known);
     if (!(near[0] > 0.0)) throw ConvergenceError("the polynomial gives no positive damping at e = 0");
     const RestitutionData enlarged = data.with_noise_scaled(goodness.scatter * goodness.scatter);

@@ -2,6 +2,7 @@
 
 #include "materials/base/error.hpp"
 #include "solver/gsl/linear_fit.hpp"
+#include "solver/numeric/least_median.hpp"
 #include "solver/uncertainty/likelihood/restitution_curve.hpp"
 
 #include <algorithm>
@@ -82,20 +83,31 @@ void require_enough(const ReboundSelection& selection, const MeasurementSet& set
     throw InputError(problem, "at least " + std::to_string(needed)).in_file(set.source);
 }
 
-Eigen::VectorXd starting_coefficients(const ContactModel& model, const RestitutionData& data, int order) {
+Eigen::VectorXd starting_coefficients(const ContactModel& model, const RestitutionData& data, int order,
+                                      bool robust) {
     const auto rows = static_cast<Eigen::Index>(data.rebounds.size());
     Eigen::MatrixXd design(rows, order + 1);
     Eigen::VectorXd damping(rows);
+    std::vector<Measurement> rebounds = data.rebounds;
+    if (robust)  // so that the order of the file does not matter
+        std::sort(rebounds.begin(), rebounds.end(), [](const Measurement& a, const Measurement& b) {
+            return std::pair(a.velocity, a.rebound) < std::pair(b.velocity, b.rebound);
+        });
     for (Eigen::Index i = 0; i < rows; ++i) {
-        const Measurement& point = data.rebounds[static_cast<std::size_t>(i)];
+        const Measurement& point = rebounds[static_cast<std::size_t>(i)];
         const double e = std::min(point.restitution(), reach * model.greatest_restitution(point.velocity));
         design.row(i) = DampingPolynomial::powers(e, order).transpose();
         damping[i] = model.damping(point.velocity, e).value;
     }
+    const auto is_curve = [&](const Eigen::VectorXd& coefficients) {
+        return RestitutionCurve::of(model, {coefficients}, data.greatest_restitution).has_value();
+    };
+    if (robust)
+        if (auto start = least_median(design, damping, is_curve)) return *start;
     for (int lower = order; lower >= 0; --lower) {
         Eigen::VectorXd start = Eigen::VectorXd::Zero(order + 1);
         start.head(lower + 1) = gsl::fit_linear(design.leftCols(lower + 1), damping, {}).parameters;
-        if (RestitutionCurve::of(model, {start}, data.greatest_restitution)) return start;
+        if (is_curve(start)) return start;
     }
     throw ConvergenceError("no damping curve through the measurements could be started");
 }

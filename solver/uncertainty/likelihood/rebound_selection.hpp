@@ -39,7 +39,8 @@ void require_enough(const ReboundSelection& selection, const MeasurementSet& set
 /// First coefficients, by least squares of the inverted damping on the restitution: biased by the noise in
 /// both, but close. A lower order is used if @p order gives no curve. @throws ConvergenceError if no order
 /// does
+/// @param robust by the least median of their residuals, so that outliers do not matter
 [[nodiscard]] Eigen::VectorXd starting_coefficients(const ContactModel& model, const RestitutionData& data,
-                                                    int order);
+                                                    int order, bool robust = false);
 
 }  // namespace ashimpact

@@ -1,11 +1,11 @@
 // How far two results of the same case are apart.
 'use strict';
 
-// What stands at a place of an artifact: the interval or uncertainty of something, a fitted value, or one computed
-// directly from the case.
+// What stands at a place of an artifact: the interval or uncertainty of something or a number of uncertainties, a fitted
+// value or what follows from one, or a value computed directly from the case.
 function kindOf(file, place) {
-    if (/interval|uncertainty|covariance|lower|upper|quantile|probability|deviation/.test(place)) return 'interval';
-    return /^(6-fit|7-critical-velocity|comparison)/.test(file) ? 'fitted' : 'direct';
+    if (/interval|uncertainty|covariance|lower|upper|quantile|probability|deviation|scatter|residuals|prediction_error/.test(place)) return 'interval';
+    return /^(6-fit|7-critical-velocity|8-histories|comparison)/.test(file) ? 'fitted' : 'direct';
 }
 
 const isNumbers = value => Array.isArray(value) && value.length > 0 && value.every(each => typeof each === 'number');
@@ -23,10 +23,11 @@ function numbersIn(value) {
 function sizeBeside(parent, key) {
     const none = 1e-6;
     if (key === 'residual') return largest(numbersIn(parent).filter(Number.isFinite));
-    if (key === 'relative_difference') return 1;
+    if (['relative_difference', 'first', 'total', 'first_error', 'total_error'].includes(key)) return 1;
     if (key === 'standard_uncertainty' && typeof parent.value === 'number') return none * Math.abs(parent.value);
     const coefficients = ['a', 'b', 'c'].map(name => parent[name]?.value).filter(value => typeof value === 'number');
     if (coefficients.length < 3) return 0;
+    if (['a', 'b', 'c'].includes(key)) return largest(coefficients);  // of a polynomial in e, which is at most one
     if (key === 'covariance') return (none * largest(coefficients)) ** 2;
     return key === 'residual_deviation' ? none * largest(coefficients) : 0;
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# ashimpact.html in a real browser: page.sh PROGRAM, which makes the results it is compared with. Exits with 77, after saying
+# ashimpact.html in real browsers: page.sh PROGRAM, which makes the results it is compared with. Exits with 77, after saying
 # why, where the page, the browser or the packages of npm are missing (`./dev deps web`); in CI that is a failure.
 set -euo pipefail
 program=$(readlink -f "$1")
@@ -14,6 +14,7 @@ missing() {
 }
 command -v node >/dev/null || missing "node is missing"
 browser=$(command -v chromium || command -v chromium-browser) || missing "chromium is missing"
+firefox=$(command -v firefox-esr || command -v firefox) || missing "firefox-esr is missing"
 [[ -d $modules/node_modules/axe-core && -d $modules/node_modules/playwright-core ]] || missing "axe-core and playwright-core are missing"
 page=$root/build/web/ashimpact.html
 [[ -f $page ]] || missing "build/web is not built (./dev web builds it)"
@@ -23,4 +24,4 @@ trap 'rm -rf "$work"' EXIT
 cd "$work"
 "$program" init example >/dev/null
 (cd example && "$program" run -q case.json -o results >/dev/null)
-NODE_PATH=$modules/node_modules CHROMIUM=$browser node "$here/page.test.cjs" "$page" "$work"
+NODE_PATH=$modules/node_modules CHROMIUM=$browser FIREFOX=$firefox node "$here/page.test.cjs" "$page" "$work"

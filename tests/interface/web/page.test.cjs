@@ -4,8 +4,8 @@
 const assert = require('node:assert/strict');
 const fs = require('node:fs');
 const path = require('node:path');
-const { agree, allowedForImpacts, headlinesAgree, withoutHeadline } = require('./agree.cjs');
-const { downloaded, drop, launch, minute, openPage, press, settled, sidewaysScroll, tabTo, violations, wrongTold } = require('./browser_page.cjs');
+const { agree } = require('./agree.cjs');
+const { downloaded, drop, launch, minute, openPage, press, settled, sidewaysScroll, tabTo, toChoose, violations, wrongTold } = require('./browser_page.cjs');
 const { unzip } = require('./unzip.cjs');
 const { wrongFiles } = require('./wrong_files.cjs');
 
@@ -54,10 +54,7 @@ async function journey(browser, width, scheme) {
     assert.deepEqual(JSON.parse(saved.bytes), JSON.parse(caseText), `${where}: the case is saved as it was`);
     const files = unzip((await downloaded(page, '#app-save-all')).bytes);
     for (const { name, bytes } of inputs) if (name !== 'case.json') assert.equal(files.get(name), bytes.toString(), `${where}: ${name} in the archive`);
-    const native = path.join(example, 'results');
-    const read = name => files.get(`results/${name}`);
-    agree(`Chromium at ${where}`, native, read, withoutHeadline, allowedForImpacts);
-    headlinesAgree(native, read);
+    agree(`${browser.browserType().name()} at ${where}`, path.join(example, 'results'), name => files.get(`results/${name}`));
     await page.getByLabel('Particle diameter', { exact: true }).fill('90');
     assert.ok(await page.locator('#app-stale').isVisible(), `${where}: results of another case are told`);
     await context.close();
@@ -185,6 +182,7 @@ async function millionLines(browser) {
     const table = path.join(folder, 'impacts-million.csv');
     const lines = Array.from({ length: 1e6 }, (_, i) => `${(1.4 + (i % 4000) / 1000).toFixed(3)},${((i % 4000) / 2500).toFixed(3)}`);
     fs.writeFileSync(table, `velocity [m/s],rebound_velocity [m/s]\n${lines.join('\n')}\n`);
+    const choose = await toChoose(page, table);
     await page.evaluate(() => {
         let last = performance.now();
         window.longestPause = 0;
@@ -193,7 +191,7 @@ async function millionLines(browser) {
             last = performance.now();
         }, 10);
     });
-    await page.setInputFiles('#app-files', table);
+    await choose();
     const begin = Date.now();
     while (!(await opened(page)).startsWith('impacts-million.csv')) await page.waitForTimeout(50);
     await settled(page, 5 * minute);
@@ -208,18 +206,22 @@ async function millionLines(browser) {
     await context.close();
 }
 
-(async () => {
-    oneStrictFile();
-    const browser = await launch();
+async function allParts(name) {
+    const browser = await launch[name]();
     const parts = { typing, examples, slidersAndStop, small: each => journey(each, 360, 'dark'), large: each => journey(each, 1440, 'light'), wrongOnes, millionLines };
     const chosen = process.env.ASHIMPACT_PAGE_PART;
-    for (const [name, part] of Object.entries(parts)) {
-        if (chosen && chosen !== name) continue;
+    for (const [part, run] of Object.entries(parts)) {
+        if (chosen && chosen !== part) continue;
         const begin = Date.now();
-        await part(browser);
-        console.log(`${name}: passed in ${((Date.now() - begin) / 1000).toFixed(1)} s`);
+        await run(browser);
+        console.log(`${name}, ${part}: passed in ${((Date.now() - begin) / 1000).toFixed(1)} s`);
     }
     await browser.close();
+}
+
+(async () => {
+    oneStrictFile();
+    for (const name of ['Chromium', 'Firefox']) if (!process.env.ASHIMPACT_BROWSER || process.env.ASHIMPACT_BROWSER === name) await allParts(name);
 })().catch(error => {
     console.error(error);
     process.exit(1);

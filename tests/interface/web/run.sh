@@ -26,8 +26,10 @@ mkdir built-in
 (cd example && "$program" run -q case.json -o results >/dev/null)
 flags=()
 node --no-experimental-fetch -e 0 2>/dev/null && flags=(--no-experimental-fetch)
-node "${flags[@]}" "$here/agreement.test.cjs" "$module" "$work"
-node "${flags[@]}" "$here/reference.test.cjs" "$module" "$program" 1e-9
+agrees() {
+    node "${flags[@]}" "$here/agreement.test.cjs" "$1" "$work" "$2"
+    node "${flags[@]}" "$here/reference.test.cjs" "$1" "$program" "$2"
+}
+agrees "$module" 1e-9
 # In extended precision, where `./dev test web` has built it, the last digits are the same as well.
-[[ ! -f $root/build/web-extended/ashimpact.js ]] ||
-    node "${flags[@]}" "$here/reference.test.cjs" "$root/build/web-extended/ashimpact.js" "$program" 1e-12
+[[ ! -f $root/build/web-extended/ashimpact.js ]] || agrees "$root/build/web-extended/ashimpact.js" 1e-12
