@@ -24,14 +24,18 @@ struct Goodness {
     double scatter;
 };
 
-/// @param data with the noise as it was measured, or 1 m/s
+/// @param data with the noise as it was measured, or 1 m/s @throws ConvergenceError where there is no curve
 Goodness goodness_of(const ContactModel& model, const RestitutionData& data,
                      const Eigen::VectorXd& coefficients, bool noise_known) {
     constexpr double rounding = 1e-13;
     const double effective = std::accumulate(data.weights.begin(), data.weights.end(), 0.0);
     const int freedom =
         std::max(0, static_cast<int>(std::lround(effective)) - static_cast<int>(coefficients.size()));
-    const double chi_squared = RestitutionDistances(model, data).rows(coefficients).residuals.squaredNorm();
+    const RestitutionDistances distances(model, data);
+    const RestitutionDistances::Rows& rows = distances.rows(coefficients);
+    if (rows.restitutions.empty())
+        throw ConvergenceError("the polynomial closest to the rebounds gives some of them at no velocity");
+    const double chi_squared = rows.residuals.squaredNorm();
     const double probability = noise_known ? gsl::chi_squared_exceedance(chi_squared, freedom) : 1.0;
     const bool enlarge = !noise_known || probability < least_probability;
     const double scatter = enlarge && freedom > 0 ? std::sqrt(chi_squared / freedom) : 1.0;

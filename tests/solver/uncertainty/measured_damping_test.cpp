@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "materials/contact_properties.hpp"
 #include "solver/statistics/moments.hpp"
 #include "solver/uncertainty/outcomes/rebound_check.hpp"
 #include "tests/relative_difference.hpp"
@@ -216,6 +217,31 @@ TEST_CASE("a robust extrapolation finds the truth among outliers, also where the
         if (point.rebound > 0.0 && point.velocity < 1.8) point.rebound = 0.95 * point.velocity;
     const MeasuredDamping result = analysed(set, Law::of<BrachDunn>(), options);
     CHECK(has_note(result, "outliers hide the rising branch"));
+}
+
+TEST_CASE(
+    "a robust extrapolation of few impacts that ends where there is no curve is refused with a reason") {
+    MeasurementSet set = impacts_of({{0.5275, 0.0},
+                                     {0.34465, 0.0},
+                                     {0.77887, 0.020484},
+                                     {0.86817, 0.078318},
+                                     {4.4816, 2.5958},
+                                     {1.1271, 0.060131},
+                                     {4.0528, 2.2132},
+                                     {0.50833, 0.0}});
+    for (Measurement& point : set.points) point.noise = VelocityNoise::of_velocities(0.03, 0.03);
+    MeasuredDampingOptions options = without_propagation();
+    options.extrapolated.robust = true;
+    const ContactPair ash{.mass = sphere_mass(48e-6, 2158.5),
+                          .effective_radius = 48e-6,
+                          .contact_modulus = 90e9,
+                          .work_of_adhesion = 0.2959};
+    const Law law = Law::of<Hertz>();
+    const ContactModel model = make_contact_model(law, law.default_detachment(), ash, {0.0142, 28.4});
+    const MeasuredDamping result = analyse_impacts(model, nullptr, set, options);
+    check_finite(result);
+    CHECK_FALSE(result.extrapolated);
+    CHECK(has_note(result, "gives some of them at no velocity"));
 }
 
 namespace {
