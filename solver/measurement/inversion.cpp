@@ -1,6 +1,7 @@
 #include "solver/measurement/inversion.hpp"
 
 #include "materials/base/error.hpp"
+#include "solver/batch/parallel.hpp"
 #include "solver/motion/damping_inversion.hpp"
 
 #include <algorithm>
@@ -33,21 +34,24 @@ InvertedImpact without_damping(std::size_t index, const Measurement& point, doub
 }  // namespace
 
 std::vector<InvertedImpact> invert(const ContactModel& model, const MeasurementSet& set) {
-    std::vector<InvertedImpact> result;
-    result.reserve(set.points.size());
-    for (std::size_t i = 0; i < set.points.size(); ++i) {
+    std::vector<InvertedImpact> result(set.points.size());
+    const auto invert_one = [&](std::size_t i) {
         const Measurement& point = set.points[i];
         const double e = point.restitution();
-        result.push_back(without_damping(i, point, model.greatest_restitution(point.velocity)));
-        InvertedImpact& inverted = result.back();
-        if (!model.range().contains(point.velocity) || e > inverted.greatest_restitution) continue;
+        InvertedImpact& inverted = result[i];
+        inverted = without_damping(i, point, model.greatest_restitution(point.velocity));
+        if (!model.range().contains(point.velocity) || e > inverted.greatest_restitution) return;
         const DampingAt damping = model.damping(point.velocity, e);
         inverted.damping = damping.value;
         inverted.by_restitution = damping.by_restitution;
         inverted.by_velocity = damping.by_velocity;
         inverted.standard_uncertainty = propagated(point, damping.by_restitution, damping.by_velocity);
         if (!point.captured()) inverted.contact_time = model.contact_time(point.velocity, e);
-    }
+    };
+    constexpr std::size_t chunk = 1000;
+    batch::for_chunks(result.size(), chunk, 0, [&](std::size_t first, std::size_t size) {
+        for (std::size_t i = first; i < first + size; ++i) invert_one(i);
+    });
     return result;
 }
 

@@ -1,5 +1,7 @@
 #include "solver/uncertainty/curve/curve_posterior.hpp"
 
+#include "solver/batch/parallel.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -73,25 +75,30 @@ double CurvePosterior::operator()(const Vector& parameters) const {
 
 CurvePosterior::Curvature CurvePosterior::curvature(const Vector& parameters, double value,
                                                     const Vector& steps) const {
-    Curvature result{Vector::Zero(), Matrix::Zero()};
-    Vector above;
     const auto at = [&](int i, double by_i, int j, double by_j) {
         Vector shifted = parameters;
         shifted[i] += by_i;
         shifted[j] += by_j;
         return (*this)(shifted);
     };
+    Vector below;
+    Matrix both;  // on the diagonal a step of one parameter, below it steps of two
+    batch::for_each_item(size * (size + 1), [&](std::size_t item) {
+        const int i = static_cast<int>(item) / (size + 1);
+        const int j = static_cast<int>(item) % (size + 1);
+        if (j == size)
+            below[i] = at(i, -steps[i], i, 0.0);
+        else if (j <= i)
+            both(i, j) = at(i, steps[i], j, j < i ? steps[j] : 0.0);
+    });
+    Curvature result{Vector::Zero(), Matrix::Zero()};
     for (int i = 0; i < size; ++i) {
         const double h = steps[i];
-        above[i] = at(i, h, i, 0.0);
-        const double below = at(i, -h, i, 0.0);
-        result.gradient[i] = (above[i] - below) / (2.0 * h);
-        result.hessian(i, i) = (above[i] - 2.0 * value + below) / (h * h);
-        for (int j = 0; j < i; ++j) {
-            const double both = at(i, h, j, steps[j]);
+        result.gradient[i] = (both(i, i) - below[i]) / (2.0 * h);
+        result.hessian(i, i) = (both(i, i) - 2.0 * value + below[i]) / (h * h);
+        for (int j = 0; j < i; ++j)
             result.hessian(i, j) = result.hessian(j, i) =
-                (both - above[i] - above[j] + value) / (h * steps[j]);
-        }
+                (both(i, j) - both(i, i) - both(j, j) + value) / (h * steps[j]);
     }
     return result;
 }

@@ -1,6 +1,7 @@
 #include "solver/uncertainty/likelihood/rebound_selection.hpp"
 
 #include "materials/base/error.hpp"
+#include "solver/batch/parallel.hpp"
 #include "solver/gsl/linear_fit.hpp"
 #include "solver/numeric/least_median.hpp"
 #include "solver/uncertainty/likelihood/restitution_curve.hpp"
@@ -88,17 +89,23 @@ Eigen::VectorXd starting_coefficients(const ContactModel& model, const Restituti
     const auto rows = static_cast<Eigen::Index>(data.rebounds.size());
     Eigen::MatrixXd design(rows, order + 1);
     Eigen::VectorXd damping(rows);
-    std::vector<Measurement> rebounds = data.rebounds;
+    std::vector<const Measurement*> rebounds;
+    for (const Measurement& rebound : data.rebounds) rebounds.push_back(&rebound);
     if (robust)  // so that the order of the file does not matter
-        std::sort(rebounds.begin(), rebounds.end(), [](const Measurement& a, const Measurement& b) {
-            return std::pair(a.velocity, a.rebound) < std::pair(b.velocity, b.rebound);
+        std::sort(rebounds.begin(), rebounds.end(), [](const Measurement* a, const Measurement* b) {
+            return std::pair(a->velocity, a->rebound) < std::pair(b->velocity, b->rebound);
         });
-    for (Eigen::Index i = 0; i < rows; ++i) {
-        const Measurement& point = rebounds[static_cast<std::size_t>(i)];
-        const double e = std::min(point.restitution(), reach * model.greatest_restitution(point.velocity));
-        design.row(i) = DampingPolynomial::powers(e, order).transpose();
-        damping[i] = model.damping(point.velocity, e).value;
-    }
+    constexpr std::size_t chunk = 1000;
+    batch::for_chunks(rebounds.size(), chunk, 0, [&](std::size_t first, std::size_t size) {
+        for (std::size_t i = first; i < first + size; ++i) {
+            const Measurement& point = *rebounds[i];
+            const double most = reach * model.greatest_restitution(point.velocity);
+            const double e = std::min(point.restitution(), most);
+            const auto row = static_cast<Eigen::Index>(i);
+            design.row(row) = DampingPolynomial::powers(e, order).transpose();
+            damping[row] = model.damping(point.velocity, e).value;
+        }
+    });
     const auto is_curve = [&](const Eigen::VectorXd& coefficients) {
         return RestitutionCurve::of(model, {coefficients}, data.greatest_restitution).has_value();
     };
