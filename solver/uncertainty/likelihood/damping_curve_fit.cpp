@@ -24,17 +24,12 @@ struct Goodness {
     double scatter;
 };
 
-/// @param data with the noise as it was measured, or 1 m/s @throws ConvergenceError where there is no curve
-Goodness goodness_of(const ContactModel& model, const RestitutionData& data,
-                     const Eigen::VectorXd& coefficients, bool noise_known) {
+/// @param rows with the noise as it was measured, or 1 m/s
+Goodness goodness_of(const RestitutionDistances::Rows& rows, const std::vector<double>& weights,
+                     Eigen::Index parameters, bool noise_known) {
     constexpr double rounding = 1e-13;
-    const double effective = std::accumulate(data.weights.begin(), data.weights.end(), 0.0);
-    const int freedom =
-        std::max(0, static_cast<int>(std::lround(effective)) - static_cast<int>(coefficients.size()));
-    const RestitutionDistances distances(model, data);
-    const RestitutionDistances::Rows& rows = distances.rows(coefficients);
-    if (rows.restitutions.empty())
-        throw ConvergenceError("the polynomial closest to the rebounds gives some of them at no velocity");
+    const double effective = std::accumulate(weights.begin(), weights.end(), 0.0);
+    const int freedom = std::max(0, static_cast<int>(std::lround(effective)) - static_cast<int>(parameters));
     const double chi_squared = rows.residuals.squaredNorm();
     const double probability = noise_known ? gsl::chi_squared_exceedance(chi_squared, freedom) : 1.0;
     const bool enlarge = !noise_known || probability < least_probability;
@@ -68,17 +63,15 @@ Interval critical_velocity_of(const ContactModel& model, const Interval& damping
     return velocity;
 }
 
-void add_rebounds(DampingCurveFit& fit, const ContactModel& model, const RestitutionData& data,
+/// @param rows in units of the noise that explains the scatter
+void add_rebounds(DampingCurveFit& fit, const RestitutionDistances::Rows& rows,
                   const ReboundSelection& selection) {
-    const RestitutionDistances distances(model, data);
-    const auto& rows = distances.rows(fit.damping.coefficients);
-    const Eigen::MatrixXd covariance = covariance_from(rows.jacobian);
     double sum = 0.0;
     double weights = 0.0;
     for (std::size_t i = 0; i < selection.indices.size(); ++i) {
         const auto row = static_cast<Eigen::Index>(i);
-        const double weight = data.weights[i];
-        const Eigen::VectorXd by_point = covariance * rows.jacobian.row(row).transpose();
+        const double weight = selection.data.weights[i];
+        const Eigen::VectorXd by_point = fit.covariance * rows.jacobian.row(row).transpose();
         const double leverage = rows.jacobian.row(row).dot(by_point);
         const double deleted = rows.residuals[row] / std::max(1.0 - leverage, 1e-12);
         const double root = weight > 0.0 ? std::sqrt(weight) : 1.0;
@@ -115,14 +108,18 @@ DampingCurveFit fit_damping_curve(const ContactModel& model, const MeasurementSe
     const Eigen::VectorXd start = starting_coefficients(model, data, options.order, options.robust);
     const Eigen::VectorXd near =
         options.robust ? closest_robustly(model, data, start) : closest(model, data, start);
-    const Goodness goodness = goodness_of(model, data, near, selection.noise_known);
+    RestitutionDistances::Rows rows = RestitutionDistances(model, data).rows(near);
+    if (rows.restitutions.empty())
+        throw ConvergenceError("the polynomial closest to the rebounds gives some of them at no velocity");
     if (!(near[0] > 0.0)) throw ConvergenceError("the polynomial gives no positive damping at e = 0");
-    const RestitutionData enlarged = data.with_noise_scaled(goodness.scatter * goodness.scatter);
+    const Goodness goodness = goodness_of(rows, data.weights, near.size(), selection.noise_known);
+    rows.residuals /= goodness.scatter;
+    rows.jacobian /= goodness.scatter;
 
     DampingCurveFit fit{};
     fit.options = options;
     fit.damping = {near};
-    fit.covariance = covariance_from(RestitutionDistances(model, enlarged).rows(near).jacobian);
+    fit.covariance = covariance_from(rows.jacobian);
     fit.critical_damping = curvature_interval(near[0], std::sqrt(fit.covariance(0, 0)), goodness);
     fit.critical_velocity = critical_velocity_of(model, fit.critical_damping);
     fit.excluded = selection.excluded;
@@ -131,8 +128,8 @@ DampingCurveFit fit_damping_curve(const ContactModel& model, const MeasurementSe
     fit.probability = goodness.probability;
     fit.scatter = goodness.scatter;
     fit.noise_known = selection.noise_known;
-    add_rebounds(fit, model, enlarged, selection);
-    add_range(fit, enlarged);
+    add_rebounds(fit, rows, selection);
+    add_range(fit, data);
     return fit;
 }
 

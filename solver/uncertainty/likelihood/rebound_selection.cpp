@@ -119,10 +119,4 @@ Eigen::VectorXd starting_coefficients(const ContactModel& model, const Restituti
     throw ConvergenceError("no damping curve through the measurements could be started");
 }
 
-RestitutionData RestitutionData::with_noise_scaled(double factor) const {
-    RestitutionData result = *this;
-    for (Measurement& point : result.rebounds) point.noise = point.noise->scaled(factor);
-    return result;
-}
-
 }  // namespace ashimpact

@@ -11,9 +11,6 @@ struct RestitutionData {
     std::vector<Measurement> rebounds;  ///< each with its noise
     std::vector<double> weights;
     double greatest_restitution;  ///< upper end of the curve
-
-    /// The same with all variances multiplied by @p factor.
-    [[nodiscard]] RestitutionData with_noise_scaled(double factor) const;
 };
 
 }  // namespace ashimpact
