@@ -14,6 +14,7 @@
 
 #include "interface/web/single_contact.hpp"
 #include "materials/base/error.hpp"
+#include "materials/xrd/xrd.hpp"
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/json/document.hpp"
@@ -24,6 +25,7 @@
 #include "pipeline/run.hpp"
 #include "pipeline/text/comparison_table.hpp"
 #include "pipeline/text/remarks.hpp"
+#include "solver/measurement/measurement_reader.hpp"
 
 // Tells the page a line while a computation goes on, if it listens.
 EM_JS(void, tell_page, (const char* line), {
@@ -128,6 +130,16 @@ std::string without_impacts(const std::string& file) {
     return beside.string();
 }
 
+/// Whether a reader takes a file.
+bool is_read(const std::function<void()>& reader) {
+    try {
+        reader();
+        return true;
+    } catch (const ashimpact::InputError&) {
+        return false;
+    }
+}
+
 }  // namespace
 
 extern "C" {
@@ -154,6 +166,19 @@ const char* ashimpact_validate(const char* case_file) {
         Json samples = Json::array();
         for (const auto& sample : loaded.data.samples) samples.push_back(sample.name);
         return Json{{"name", loaded.data.name}, {"samples", samples}, {"warnings", loaded.warnings}};
+    });
+}
+
+/// What a table is, told by the reader that takes it: "impacts", "xrd" or, where none does, "unknown".
+const char* ashimpact_kind(const char* file) {
+    return answered([&] {
+        const std::string bytes = ashimpact::read_file(file);
+        const char* kind = "unknown";
+        if (is_read([&] { static_cast<void>(ashimpact::read_measurements(bytes, file)); }))
+            kind = "impacts";
+        else if (is_read([&] { static_cast<void>(ashimpact::read_xrd(bytes, file)); }))
+            kind = "xrd";
+        return Json{{"kind", kind}};
     });
 }
 

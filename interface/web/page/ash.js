@@ -29,10 +29,12 @@ function typedWeights(rows) {
     changed();
 }
 
+// What is missing to 100 % of a typed table is not the glass of a file: there the program asks for it.
 function takeXrd(name, bytes) {
     state.files.set(name, bytes);
-    const { amorphous } = valueAt('/samples/#/composition') ?? {};
-    setAt('/samples/#/composition', { xrd: name, ...(amorphous === undefined ? {} : { amorphous }) });
+    const { amorphous, xrd } = valueAt('/samples/#/composition') ?? {};
+    const stays = amorphous !== undefined && (xrd !== undefined || amorphous !== 'remainder');
+    setAt('/samples/#/composition', { xrd: name, ...(stays ? { amorphous } : {}) });
     showForm();
     changed();
 }
@@ -66,7 +68,10 @@ function compositionFields() {
 function weightTable() {
     const path = '/samples/#/composition/weight_fractions';
     const file = valueAt('/samples/#/composition/xrd');
-    const table = typingGrid('Weight fractions', [{ title: 'Phase', name: 'name', list: 'app-phases' }, { title: 'Weight [%]' }], weightRows(), typedWeights);
+    const table = typingGrid({
+        caption: 'Weight fractions', columns: [{ title: 'Phase', name: 'name', list: 'app-phases' }, { title: 'Weight [%]' }],
+        rows: weightRows(), typed: typedWeights, takeTable: (text) => takePasted(text, 'xrd'),
+    });
     const wrong = wrongAt(path);
     if (file === undefined) return make('div', {}, make('p', { class: 'hint' }, 'Or type the phases and their weight fractions:'), table, wrong);
     return make('p', { class: 'buttons' }, make('button', {

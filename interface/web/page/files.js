@@ -8,12 +8,18 @@ function tell(text, bad) {
 
 const startOf = (bytes) => new TextDecoder().decode(bytes.subarray(0, 20000));
 
-// 'case', 'xrd' or 'impacts' of a file that was not put at a field.
-function kindOfFile(name, bytes) {
+// Whether JSON is a case; else it is taken as an XRD result.
+function isCaseFile(name, bytes) {
     const start = startOf(bytes);
-    if (/\.json$/i.test(name)) return /"(weight_fractions|phases)"/.test(start) && !/"samples"/.test(start) ? 'xrd' : 'case';
+    return /\.json$/i.test(name) && (/"samples"/.test(start) || !/"(weight_fractions|phases)"/.test(start));
+}
+
+// 'xrd' or 'impacts' of a file that was not put at a field: what the program reads it as, else what it looks like.
+async function kindOfTable(name, bytes) {
+    const { answer } = await quick.ask({ name: 'kind', files: [['dropped', bytes]], words: ['dropped'] });
+    if (answer.kind === 'xrd' || answer.kind === 'impacts') return answer.kind;
     if (/impact|veloc|rebound|bounce/i.test(name)) return 'impacts';
-    const heading = start.split('\n', 40).filter((line) => !line.startsWith('#')).slice(0, 3).join('\n');
+    const heading = startOf(bytes).split('\n', 40).filter((line) => !line.startsWith('#')).slice(0, 3).join('\n');
     return /veloc|v_in|v_r|rebound|restitution/i.test(heading) ? 'impacts' : 'xrd';
 }
 
@@ -53,6 +59,12 @@ async function takeFile(file, kind) {
     else takeImpacts(name, bytes);
 }
 
+// A table with its heading from the clipboard is a file like any other.
+function takePasted(text, kind) {
+    const name = `${kind === 'xrd' ? 'ash' : 'impacts'}-pasted-${state.sample + 1}.csv`;
+    return takeFile(new File([text], name), kind);
+}
+
 // Any number of files at once: with a case among them the others are what it names.
 async function takeFiles(list) {
     tell('');
@@ -69,9 +81,9 @@ async function takeFiles(list) {
             return;
         }
     }
-    const found = files.find(([name, bytes]) => kindOfFile(name, bytes) === 'case');
+    const found = files.find(([name, bytes]) => isCaseFile(name, bytes));
     if (found) await takeCase(found[0], found[1], files.filter((each) => each !== found).map(([name, bytes]) => [name, bytes]));
-    else for (const [name, bytes, file] of files) await takeFile(file, kindOfFile(name, bytes));
+    else for (const [name, bytes, file] of files) await takeFile(file, await kindOfTable(name, bytes));
 }
 
 function listenForDrops() {

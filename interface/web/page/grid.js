@@ -1,9 +1,16 @@
+// Whether the first line of a pasted table has no number, and the second one has.
+function hasHeading(text) {
+    const [first, second] = text.trim().split(/\r?\n/, 2).map((line) => line.split(/[\t;]/).some((cell) => isNumber(withPoint(cell))));
+    return first === false && second === true;
+}
+
 // A table to type into. columns: {title, name (class), suggestions}; rows: lists of texts. Calls typed(rows) on every change.
-// A paste of several cells, as from a spreadsheet, fills the cells from there on.
-function typingGrid(caption, columns, rows, typed, heads = []) {
+// A paste of several cells, as from a spreadsheet, fills the cells from there on; one that begins with a heading goes to
+// takeTable(text), as a file would.
+function typingGrid({ caption, columns, rows, typed, takeTable, heads = [] }) {
     const body = make('tbody');
     const cells = () => [...body.rows].map((row) => [...row.querySelectorAll('input')]);
-    const texts = () => cells().map((row) => row.map((input) => input.value.trim()));
+    const texts = () => cells().map((row) => row.map((input) => withPoint(input.value.trim())));
     const tell = () => {
         const last = texts().at(-1);
         if (!last || last.some((text) => text !== '')) addRow([]);
@@ -25,6 +32,10 @@ function typingGrid(caption, columns, rows, typed, heads = []) {
         const text = event.clipboardData?.getData('text') ?? '';
         if (!/[\t\n;]/.test(text.trim())) return;
         event.preventDefault();
+        if (hasHeading(text)) {
+            takeTable(text);
+            return;
+        }
         const all = cells();
         const first = all.findIndex((row) => row.includes(event.target));
         const left = all[first].indexOf(event.target);

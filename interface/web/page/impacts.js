@@ -42,8 +42,10 @@ function impactTable() {
         typed(last);
     });
     const other = second === 'restitution' ? 'Restitution e' : 'Rebound velocity';
-    return typingGrid('Measured impacts', [{ title: 'Velocity' }, { title: other }], rows, typed,
-        [head('Unit of the velocities', 'unit'), second === 'restitution' ? null : head('Unit of the rebound velocities', 'otherUnit')]);
+    return typingGrid({
+        caption: 'Measured impacts', columns: [{ title: 'Velocity' }, { title: other }], rows, typed, takeTable: (text) => takePasted(text, 'impacts'),
+        heads: [head('Unit of the velocities', 'unit'), second === 'restitution' ? null : head('Unit of the rebound velocities', 'otherUnit')],
+    });
 }
 
 function cameraFields() {
@@ -52,6 +54,19 @@ function cameraFields() {
             quantityField('Frames per second', '/camera/frame_rate', 'rate'),
             quantityField('Size of a pixel', '/camera/pixel_size', 'length', 'In the plane of the particle.'),
             quantityField('Frames for each velocity', '/camera/frames', 'rate')));
+}
+
+function fitFields() {
+    const box = make('input', {
+        type: 'checkbox', checked: valueAt('/fit/robust') === true, change: () => {
+            setAt('/fit/robust', box.checked || undefined);
+            changed();
+        },
+    });
+    return make('details', { open: valueAt('/fit') !== undefined }, make('summary', {}, 'Fit: outliers, and sizes that differ'),
+        make('fieldset', { class: 'choices' }, make('legend', {}, 'Outliers'), make('label', {}, box, 'A few wrong impacts are given little weight'), wrongAt('/fit/robust')),
+        make('div', { class: 'fields' }, quantityField('Scatter of the diameters', '/fit/size_scatter', 'ratio',
+            'Standard deviation of single particles over their mean, e.g. 0.05. Left empty: found from the impacts.')));
 }
 
 function showImpacts() {
@@ -70,7 +85,7 @@ function showImpacts() {
         make('div', { class: 'fields' }, fileField('Measured impacts', '/samples/#/restitution', file, (chosen) => takeFile(chosen, 'impacts'))),
         reconstructed ? make('p', { class: 'hint' }, 'The impacts of this sample are reconstructed from published fits.') : null,
         file === undefined && !reconstructed ? impactTable() : make('p', { class: 'buttons' }, typeInstead),
-        cameraFields(), exampleButton('measured impacts', exampleImpacts)].filter(Boolean));
+        cameraFields(), fitFields(), exampleButton('measured impacts', exampleImpacts)].filter(Boolean));
 }
 
 // What a reader knows a control by; the same after the form is made anew.

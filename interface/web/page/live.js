@@ -1,10 +1,18 @@
 // What follows at once, while one types: the program's own messages at their fields, modulus and contact of each sample.
 const live = { busy: false, again: false };
 
+// The field of a key that an object lacks: what is allowed there begins with the key's name.
+function fieldOfMissing(pointer, allowed) {
+    const key = /^"(\w+)"/.exec(allowed ?? '');
+    const path = key && `${pointer}/${key[1]}`;
+    const isField = path && [...document.querySelectorAll('.wrong[data-path]')].some((wrong) => pathNow(wrong.dataset.path) === path);
+    return isField ? path : null;
+}
+
 // Where a message of the program belongs: "case.json: /samples/0/diameter: ..." or "impacts.csv:3: ...".
 function placeOf(error) {
     const pointer = /(?:^|: )(\/[^\s:]*)/.exec(error.message);
-    if (pointer) return pointer[1];
+    if (pointer) return fieldOfMissing(pointer[1], error.allowed) ?? pointer[1];
     for (const [i, sample] of state.document.samples.entries()) {
         if (sample.composition?.xrd && error.message.startsWith(sample.composition.xrd)) return `/samples/${i}/composition/xrd`;
         if (sample.restitution?.file && error.message.startsWith(sample.restitution.file)) return `/samples/${i}/restitution`;

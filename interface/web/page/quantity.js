@@ -21,11 +21,15 @@ function shownQuantity(value, kind) {
     return { number: number.trim(), unit: unit.trim() || inSi[kind] };
 }
 
+// A typed number with a decimal comma has a point in the case.
+const withPoint = (text) => (/^\s*[+-]?\d*,\d+(e[+-]?\d+)?\s*$/i.test(text) ? text.replace(',', '.') : text);
+
 const isNumber = (text) => text.trim() !== '' && Number.isFinite(Number(text));
 
 // What the case holds for it. An object keeps its uncertainty in the same unit; origin and source were those of the
 // number before.
-function writtenQuantity(before, number, unit) {
+function writtenQuantity(before, typed, unit) {
+    const number = withPoint(typed);
     if (number.trim() === '') return undefined;
     if (isObject(before) && 'value' in before && isNumber(number)) {
         const same = before.unit === unit;

@@ -41,14 +41,30 @@ function exampleWall() {
     changed();
 }
 
+// What a particle may meet. Two spheres meet without a wall.
+const bodies = [['elastic', 'an elastic wall'], ['rigid', 'a rigid wall'], ['sphere', 'a second sphere']];
+const steel = { young_modulus: '193 GPa', poisson_ratio: 0.29 };
+
+function chooseBody(kind) {
+    setAt('/partner', kind === 'sphere' ? { diameter: '88 um', density: '2600 kg/m3', young_modulus: '100 GPa', poisson_ratio: 0.2 } : undefined);
+    setAt('/wall', kind === 'sphere' ? undefined : kind === 'rigid' ? { rigid: true } : { ...steel });
+    showForm();
+    changed();
+}
+
+function partnerFields() {
+    return [quantityField('Diameter of the second sphere', '/partner/diameter', 'length'),
+        quantityField('Density of the second sphere', '/partner/density', 'density'),
+        quantityField('Young’s modulus of the second sphere', '/partner/young_modulus', 'pressure'),
+        quantityField('Poisson ratio of the second sphere', '/partner/poisson_ratio', 'ratio')];
+}
+
 function wallFields() {
     const wall = valueAt('/wall');
     const rigid = wall?.rigid === true;
-    const choice = choiceField('Wall', '/wall', [['elastic', 'elastic'], ['rigid', 'rigid']], rigid ? 'rigid' : 'elastic', (kind) => {
-        setAt('/wall', kind === 'rigid' ? { rigid: true } : { young_modulus: '193 GPa', poisson_ratio: 0.29 });
-        showForm();
-        changed();
-    });
+    const sphere = valueAt('/partner') !== undefined;
+    const choice = choiceField('The particle meets', '/wall', bodies, sphere ? 'sphere' : rigid ? 'rigid' : 'elastic', chooseBody);
+    if (sphere) return [choice, ...partnerFields()];
     if (wall?.contact_modulus !== undefined) return [quantityField('Contact modulus E*', '/wall/contact_modulus', 'pressure')];
     return rigid ? [choice] : [choice,
         quantityField('Young’s modulus of the wall', '/wall/young_modulus', 'pressure', 'Stainless steel: 193 GPa.'),
@@ -57,9 +73,10 @@ function wallFields() {
 
 function adhesionField() {
     const adhesion = valueAt('/work_of_adhesion');
+    const other = valueAt('/partner') === undefined ? 'wall' : 'partner';
     if (isObject(adhesion) && adhesion.surface_energies)
         return [quantityField('Surface energy of the particle', '/work_of_adhesion/surface_energies/particle', 'adhesion'),
-            quantityField('Surface energy of the wall', '/work_of_adhesion/surface_energies/wall', 'adhesion')];
+            quantityField(`Surface energy of the ${other === 'wall' ? 'wall' : 'second sphere'}`, `/work_of_adhesion/surface_energies/${other}`, 'adhesion')];
     return [quantityField('Work of adhesion w', '/work_of_adhesion', 'adhesion', 'The energy to part unit area of particle and wall.')];
 }
 
