@@ -32,6 +32,8 @@ function begin() {
     byId('app-save-case').addEventListener('click', () => save('case.json', textOfCase(), 'application/json'));
     byId('app-save-all').addEventListener('click', saveAll);
     listenForDrops();
+    // For a browser's console: the functions of the program that take texts, as docs/web.md lists them.
+    window.ashimpact = { ask: async (name, ...words) => (await quick.ask({ name, words })).answer };
     changed();
 }
 begin();

@@ -1,14 +1,16 @@
-// agreement.test.cjs MODULE FOLDER DIRECT: cases below FOLDER, each with the artifacts of the native program in "results", give
-// the same through MODULE: direct values to 1e-9, those of the paper's case to DIRECT, fitted ones to 1e-8, intervals to 1e-6.
+// agreement.test.cjs MODULE FOLDER PROGRAM DIRECT: cases below FOLDER, each with the artifacts of PROGRAM, that of this machine, in
+// "results", give the same through MODULE: direct values to 1e-9, those of the paper's case and the reference impacts to DIRECT,
+// fitted ones to 1e-8, intervals to 1e-6.
 'use strict';
 const assert = require('node:assert/strict');
 const fs = require('node:fs');
 const path = require('node:path');
 const { agree } = require('./agree.cjs');
+const { agreeOnReference } = require('./reference.cjs');
 
 const create = require(path.resolve(process.argv[2]));
-const folder = process.argv[3];
-const direct = Number(process.argv[4]);
+const [folder, native] = process.argv.slice(3, 5);
+const direct = Number(process.argv[5]);
 async function program(files) {
     const module = await create();
     module.FS.mkdir('/case');
@@ -67,6 +69,7 @@ async function program(files) {
     assert.ok(!web.exists('wrong/0-case.json'));
     const again = web.call('validate', 'case.json');
     assert.equal(again.status, 0, 'an error leaves the program usable');
+    await agreeOnReference('node', native, contact => web.call('impact', JSON.stringify(contact)), direct);
     console.log('the page agrees with the program');
 })().catch(error => {
     console.error(error.message);

@@ -22,6 +22,8 @@ page=$root/build/web/ashimpact.html
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
+mkdir built-in
+(cd built-in && "$program" run -q -o results >/dev/null)
 "$program" init example >/dev/null
 (cd example && "$program" run -q case.json -o results >/dev/null)
-NODE_PATH=$modules/node_modules CHROMIUM=$browser FIREFOX=$firefox node "$here/page.test.cjs" "$page" "$work"
+NODE_PATH=$modules/node_modules CHROMIUM=$browser FIREFOX=$firefox node "$here/page.test.cjs" "$page" "$work" "$program"

@@ -1,17 +1,18 @@
-// page.test.cjs PAGE FOLDER: ashimpact.html as its users meet it, in headless Chromium and Firefox. FOLDER/example is a case of `ashimpact init`
-// with the artifacts of the native program in "results".
+// page.test.cjs PAGE FOLDER PROGRAM: ashimpact.html as its users meet it, in headless Chromium and Firefox. FOLDER/example is a case
+// of `ashimpact init` with the artifacts of PROGRAM, that of this machine, in "results"; FOLDER/built-in/results has those of the paper's.
 'use strict';
 const assert = require('node:assert/strict');
 const fs = require('node:fs');
 const path = require('node:path');
 const { agree } = require('./agree.cjs');
 const { downloaded, drop, launch, minute, openPage, press, settled, sidewaysScroll, tabTo, toChoose, violations, wrongTold } = require('./browser_page.cjs');
+const { agreeOnReference } = require('./reference.cjs');
 const { unzip } = require('./unzip.cjs');
 const { wrongFiles } = require('./wrong_files.cjs');
 
-const [file, folder] = process.argv.slice(2);
+const [file, folder, program] = process.argv.slice(2);
 const whole = Boolean(process.env.ASHIMPACT_WHOLE);  // all wrong files, not every fifth, and all parts in each browser
-const inShort = ['typing', 'large'];  // of Firefox
+const inShort = ['agreement', 'typing', 'large'];  // of Firefox
 const example = path.join(folder, 'example');
 const inputs = fs.readdirSync(example).filter(name => /\.(json|csv)$/.test(name)).map(name => ({ name, bytes: fs.readFileSync(path.join(example, name)) }));
 const caseText = fs.readFileSync(path.join(example, 'case.json'), 'utf8');
@@ -60,6 +61,21 @@ async function journey(browser, width, scheme) {
     assert.ok(await page.locator('#app-stale').isVisible(), `${where}: results of another case are told`);
     await context.close();
     console.log(`from files to report by keyboard at ${where}`);
+}
+
+// The paper's case and the reference impacts give what the program of this machine gives.
+async function agreement(browser) {
+    const name = browser.browserType().name();
+    const { context, page, complaints } = await openPage(browser, file, 1000);
+    await page.click('#app-paper');
+    await settled(page);
+    await page.click('#app-run');
+    await page.waitForSelector('#app-results:not([hidden])', { timeout: 5 * minute });
+    const files = unzip((await downloaded(page, '#app-save-all')).bytes);
+    agree(`${name}, built-in`, path.join(folder, 'built-in/results'), each => files.get(`results/${each}`));
+    await agreeOnReference(name, program, contact => page.evaluate(asked => window.ashimpact.ask('impact', JSON.stringify(asked)), contact), 1e-9);
+    assert.deepEqual(complaints, []);
+    await context.close();
 }
 
 // What a new user types, told at its field when it is wrong, and the answer as fast as it is typed.
@@ -260,7 +276,7 @@ async function millionLines(browser) {
 
 async function allParts(name) {
     const browser = await launch[name]();
-    const parts = { typing, asPeopleWrite, examples, slidersAndStop, small: each => journey(each, 360, 'dark'), large: each => journey(each, 1440, 'light'), wrongOnes, millionLines };
+    const parts = { agreement, typing, asPeopleWrite, examples, slidersAndStop, small: each => journey(each, 360, 'dark'), large: each => journey(each, 1440, 'light'), wrongOnes, millionLines };
     const chosen = process.env.ASHIMPACT_PAGE_PART;
     for (const [part, run] of Object.entries(parts)) {
         if (chosen ? chosen !== part : !whole && name === 'Firefox' && !inShort.includes(part)) continue;
