@@ -179,13 +179,18 @@ VelocityNoise correlated(VelocityNoise noise, const MeasurementHeading& heading,
     return noise;
 }
 
+/// Refuses a capture with a reading that is further above zero than noise explains. @throws InputError
+void require_no_rebound(const std::string& told_by, const Measurement& point) {
+    if (point.rebound > reach_of(point))
+        throw InputError("the " + told_by + " tells of a capture, and the rebound velocity is " +
+                             shortest(point.rebound) + " m/s",
+                         "one of them");
+}
+
 /// Takes the outcome that a remark tells beside a reading. @throws InputError if they contradict each other
 NotedOutcome with_remark(OutcomeWord remark, const Measurement& point) {
     if (remark == OutcomeWord::rebound) return NotedOutcome::rebound;
-    if (point.rebound > reach_of(point))
-        throw InputError(
-            "the remark tells of a capture, and the rebound velocity is " + shortest(point.rebound) + " m/s",
-            "one of them");
+    require_no_rebound("remark", point);
     return NotedOutcome::capture;
 }
 
@@ -222,6 +227,7 @@ std::optional<Measurement> measurement_of(const MeasurementHeading& heading, con
     Measurement point{.velocity = velocity.value, .rebound = 0.0, .noise = {}, .line = row.line};
     read_rebound(point, heading, cells, row, !word && !blank);
     if (!word && !blank && remark != OutcomeWord::none) outcome = with_remark(remark, point);
+    if (outcome == NotedOutcome::capture) require_no_rebound("outcome", point);
     point.outcome = *outcome;
     require_near_zero(point);
     if (outcome == NotedOutcome::capture) point.rebound = 0.0;

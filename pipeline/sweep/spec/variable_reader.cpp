@@ -10,6 +10,9 @@ namespace ashimpact {
 
 namespace {
 
+/// Greatest geometric standard deviation of a log-normal distribution; a wider one is a slip.
+constexpr double widest_log_normal = 1e6;
+
 /// One variable of the spec with what its numbers measure.
 class VariableReader {
   public:
@@ -124,9 +127,10 @@ class VariableReader {
             node_.fail("\"geometric_standard_deviation\" is missing", "a number above 1");
         LogNormal normal{at("median"), node_.at("geometric_standard_deviation").number(Dimension::fraction)};
         require_order(normal.median > 0, "median > 0");
-        if (!(normal.geometric_standard_deviation > 1))
+        if (!(normal.geometric_standard_deviation > 1 &&
+              normal.geometric_standard_deviation <= widest_log_normal))
             node_.at("geometric_standard_deviation")
-                .fail("is " + shortest(normal.geometric_standard_deviation), "a number above 1");
+                .fail("is " + shortest(normal.geometric_standard_deviation), "a number above 1, at most 1e6");
         normal.minimum = find("minimum").value_or(normal.minimum);
         normal.maximum = find("maximum").value_or(normal.maximum);
         require_order(0 <= normal.minimum && normal.minimum < normal.maximum, "0 <= minimum < maximum");

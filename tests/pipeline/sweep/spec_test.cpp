@@ -115,6 +115,14 @@ const Spoiled spoiled_specs[]{
      "/variables/velocity: minimum and maximum cut off all of it"},
     {"no spread", [](Json& s) { s["variables"]["radius"]["geometric_standard_deviation"] = 1; },
      "/variables/radius/geometric_standard_deviation: is 1"},
+    {"a spread without meaning, though bounds cut it off",
+     [](Json& s) {
+         Json& radius = s["variables"]["radius"];
+         radius["geometric_standard_deviation"] = 1e300;
+         radius["minimum"] = "1 um";
+         radius["maximum"] = "100 um";
+     },
+     "/variables/radius/geometric_standard_deviation: is 1e+300; allowed: a number above 1, at most 1e6"},
     {"grid of a distribution",
      [](Json& s) {
          s.erase("sensitivity");

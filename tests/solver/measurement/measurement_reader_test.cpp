@@ -50,6 +50,18 @@ TEST_CASE("a word for a capture in a column of remarks counts beside an empty re
         }
 }
 
+TEST_CASE("an outcome of capture beside a reading: noise explains it, or the line is refused") {
+    const std::string heading = "v_in [m/s],v_r [m/s],outcome,u(v_in) [m/s],u(v_r) [m/s]\n";
+    const MeasurementSet set = read_measurements(heading + "1.4,0.05,capture,0.02,0.02\n", "t.csv");
+    CHECK(set.captures() == 1);
+    CHECK(set.points.front().rebound == 0.0);
+    CHECK_THROWS_WITH_AS(
+        read_measurements(heading + "1.4,0.5,capture,0.02,0.02\n", "t.csv"),
+        "t.csv: line 2: the outcome tells of a capture, and the rebound velocity is 0.5 m/s; "
+        "allowed: one of them",
+        InputError);
+}
+
 TEST_CASE(
     "a remark that is not just such a word leaves the impact unknown, and one line says where and what to "
     "do") {
