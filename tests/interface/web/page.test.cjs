@@ -91,7 +91,8 @@ async function typing(browser) {
         times.push(Date.now() - begin);
     }
     console.log(`answers after ${times.join(', ')} ms, a pause of 80 ms among them`);
-    assert.ok(Math.min(...times) < 300, `the fastest answer takes ${Math.min(...times)} ms`);
+    const most = whole ? 300 : 1000;  // other tests may run beside the short form
+    assert.ok(Math.min(...times) < most, `the fastest answer takes ${Math.min(...times)} ms`);
     const before = await page.locator('#app-live').textContent();
     await field('Particle diameter').fill('eighty');
     await settled(page);
@@ -127,12 +128,13 @@ async function asPeopleWrite(browser) {
     const { context, page, complaints } = await openPage(browser, file, 1000);
     const field = label => page.getByLabel(label, { exact: true }).first();  // sliders have the same names
     const downloadedCase = async () => JSON.parse((await downloaded(page, '#app-save-case')).bytes);
-    const paste = async (label, text) => {
+    const paste = async (label, text, shown) => {
         await field(label).evaluate((input, held) => {
             const clipboardData = new DataTransfer();  // Firefox takes dataType and data in its place
             clipboardData.setData('text/plain', held);
             input.dispatchEvent(new ClipboardEvent('paste', { clipboardData, dataType: 'text/plain', data: held, bubbles: true, cancelable: true }));
         }, text);
+        if (shown) await page.getByText(shown).waitFor();
         await settled(page);
     };
     await field('Work of adhesion w').fill('0,25');
@@ -141,11 +143,9 @@ async function asPeopleWrite(browser) {
     await paste('Velocity, row 1', '0,9\t0\n1,4\t0,2\n2,1\t0,5');
     assert.equal(await field('Velocity, row 3').inputValue(), '2,1');
     assert.equal(await wrongTold(page), '');
-    await paste('Velocity, row 1', 'v_ein [m/s]\tv_aus [m/s]\n0,9\thaftet\n1,4\t0,2\n2,1\t0,5\n2,6\t0,8\n3,3\t1,2');
-    assert.ok(await page.getByText('Measured impacts: impacts-pasted-1.csv').isVisible());
+    await paste('Velocity, row 1', 'v_ein [m/s]\tv_aus [m/s]\n0,9\thaftet\n1,4\t0,2\n2,1\t0,5\n2,6\t0,8\n3,3\t1,2', 'Measured impacts: impacts-pasted-1.csv');
     assert.equal(await wrongTold(page), '');
-    await paste('Phase, row 1', 'Phase\tGew.-%\nMullit\t31,4\nQuarz\t58,6\nHämatit\t10,0');
-    assert.ok(await page.getByText('XRD result: ash-pasted-1.csv').isVisible());
+    await paste('Phase, row 1', 'Phase\tGew.-%\nMullit\t31,4\nQuarz\t58,6\nHämatit\t10,0', 'XRD result: ash-pasted-1.csv');
     assert.match(await page.locator('.field:has-text("Amorphous (glass)") .wrong').textContent(), /nothing says how much/, 'glass is asked for');
     await field('Amorphous (glass)').selectOption('fraction');
     await field('Amorphous fraction').fill('40');
