@@ -19,10 +19,38 @@ using Words = hn::ScalableTag<std::uint64_t>;
 using Halves = hn::Repartition<std::uint32_t, Words>;
 using Word = hn::Vec<Words>;
 
+constexpr int rounds = 10;
+
+/// The keys of the rounds of philox(), in the lower halves of words.
+struct Keys {
+    Word first[rounds];
+    Word second[rounds];
+
+    explicit Keys(std::uint64_t seed) {
+        const Words d;
+        auto key0 = static_cast<std::uint32_t>(seed);
+        auto key1 = static_cast<std::uint32_t>(seed >> 32U);
+        for (int round = 0; round < rounds; ++round) {
+            first[round] = hn::Set(d, key0);
+            second[round] = hn::Set(d, key1);
+            key0 += 0x9E3779B9;
+            key1 += 0xBB67AE85;
+        }
+    }
+};
+
 /// What philox() makes of one counter in each lane: its four parts, in the lower halves of words. The upper
 /// halves of even and odd parts hold anything.
 struct Counters {
     Word part[4];
+
+    HWY_INLINE Counters(Word pair, std::uint32_t axis, std::uint32_t stream) {
+        const Words d;
+        part[0] = pair;
+        part[1] = hn::ShiftRight<32>(pair);
+        part[2] = hn::Set(d, axis);
+        part[3] = hn::Set(d, stream);
+    }
 
     HWY_INLINE void round(Word key0, Word key1) {
         const Words d;
@@ -32,9 +60,9 @@ struct Counters {
         };
         const Word even = product(part[0], 0xD2511F53);
         const Word odd = product(part[2], 0xCD9E8D57);
-        part[0] = hn::Xor(hn::Xor(hn::ShiftRight<32>(odd), part[1]), key0);
+        part[0] = hn::Xor3(hn::ShiftRight<32>(odd), part[1], key0);
         part[1] = odd;
-        part[2] = hn::Xor(hn::Xor(hn::ShiftRight<32>(even), part[3]), key1);
+        part[2] = hn::Xor3(hn::ShiftRight<32>(even), part[3], key1);
         part[3] = even;
     }
 };
@@ -50,27 +78,41 @@ HWY_INLINE hn::Vec<hn::ScalableTag<double>> unit_interval_of(Word lower, Word up
     return hn::Add(from_zero, hn::Set(doubles, 0x1p-53));
 }
 
+/// The two samples of each counter, side by side.
+HWY_INLINE void store_pairs(const Counters& of, double* values) {
+    const hn::ScalableTag<double> doubles;
+    hn::StoreInterleaved2(unit_interval_of(of.part[0], of.part[1]),
+                          unit_interval_of(of.part[2], of.part[3]), doubles, values);
+}
+
 }  // namespace
 
 /// Fills in pairs of samples, as many as whole registers hold. @return how many values those are
 std::size_t fill_pairs(std::uint64_t seed, std::uint64_t first_pair, std::uint32_t axis, std::uint32_t stream,
                        double* values, std::size_t count) {
     const Words d;
-    const hn::ScalableTag<double> doubles;
     const std::size_t lanes = hn::Lanes(d);
+    const Keys keys(seed);
+    const Word first_pairs = hn::Iota(d, first_pair);
+    const auto counters = [&](std::size_t at) HWY_ATTR {
+        return Counters(hn::Add(first_pairs, hn::Set(d, at / 2)), axis, stream);
+    };
     std::size_t done = 0;
-    for (; done + 2 * lanes <= count; done += 2 * lanes) {
-        const Word pair = hn::Iota(d, first_pair + done / 2);
-        Counters counters{{pair, hn::ShiftRight<32>(pair), hn::Set(d, axis), hn::Set(d, stream)}};
-        auto key0 = static_cast<std::uint32_t>(seed);
-        auto key1 = static_cast<std::uint32_t>(seed >> 32U);
-        for (int round = 0; round < 10; ++round) {
-            counters.round(hn::Set(d, key0), hn::Set(d, key1));
-            key0 += 0x9E3779B9;
-            key1 += 0xBB67AE85;
+    // A round is a chain of operations: two at once hide each other's latency.
+    for (; done + 4 * lanes <= count; done += 4 * lanes) {
+        Counters one = counters(done);
+        Counters other = counters(done + 2 * lanes);
+        for (int round = 0; round < rounds; ++round) {
+            one.round(keys.first[round], keys.second[round]);
+            other.round(keys.first[round], keys.second[round]);
         }
-        hn::StoreInterleaved2(unit_interval_of(counters.part[0], counters.part[1]),
-                              unit_interval_of(counters.part[2], counters.part[3]), doubles, values + done);
+        store_pairs(one, values + done);
+        store_pairs(other, values + done + 2 * lanes);
+    }
+    for (; done + 2 * lanes <= count; done += 2 * lanes) {
+        Counters one = counters(done);
+        for (int round = 0; round < rounds; ++round) one.round(keys.first[round], keys.second[round]);
+        store_pairs(one, values + done);
     }
     return done;
 }
