@@ -112,6 +112,12 @@ void measure_start_up(const Options& options) {
                1e3 * start_up_seconds(run, options.repetitions));
 }
 
+/// The seams alone, for who works on them.
+void run_seams(const Options& options) {
+    pin_to_one_core();
+    print_seams(options);
+}
+
 void run(const Options& options) {
     fmt::print("{}; medians of {} repetitions; seconds of CPU time, on one core\n", processor(),
                options.repetitions);
@@ -135,9 +141,11 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(2, 1000))
         ->capture_default_str();
     app.add_option("--seconds", options.seconds, "least length of a repetition")->capture_default_str();
+    bool seams = false;
+    app.add_flag("--seams", seams, "only sweep and Python beside a batch");
     CLI11_PARSE(app, argc, argv);
     try {
-        ashimpact::bench::run(options);
+        seams ? ashimpact::bench::run_seams(options) : ashimpact::bench::run(options);
     } catch (const std::exception& error) {
         std::cerr << "ashimpact_bench: " << error.what() << '\n';
         return 1;

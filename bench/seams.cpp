@@ -113,7 +113,7 @@ void print_seams(const Options& options) {
     const ImpactBatch batch = impacts.batch();
     const std::string arrays = written(impacts);
     ImpactBatchResult result;
-    batch_seconds(batch, result, true);  // makes the table
+    batch_seconds(batch, result, true);       // makes the table
     std::vector<double> sweep_ratios;         // to a batch as Python and the command line have it
     std::vector<double> sweep_ratios_by_end;  // to one without contact times, as the sweep's own is
     std::vector<double> python_ratios;

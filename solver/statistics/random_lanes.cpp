@@ -81,8 +81,8 @@ HWY_INLINE hn::Vec<hn::ScalableTag<double>> unit_interval_of(Word lower, Word up
 /// The two samples of each counter, side by side.
 HWY_INLINE void store_pairs(const Counters& of, double* values) {
     const hn::ScalableTag<double> doubles;
-    hn::StoreInterleaved2(unit_interval_of(of.part[0], of.part[1]),
-                          unit_interval_of(of.part[2], of.part[3]), doubles, values);
+    hn::StoreInterleaved2(unit_interval_of(of.part[0], of.part[1]), unit_interval_of(of.part[2], of.part[3]),
+                          doubles, values);
 }
 
 }  // namespace
