@@ -122,6 +122,13 @@ std::string without_database_number(std::string key) {
     return key;
 }
 
+/// "Röntgenamorph (Glas)" without what stands in brackets at its end.
+std::string_view without_bracket(std::string_view name) {
+    const auto open = name.rfind('(');
+    return name.ends_with(')') && open != 0 && open != std::string_view::npos ? trimmed(name.substr(0, open))
+                                                                              : name;
+}
+
 /// What a phase is called in every set: quartz for quartz-dong2013 of the set dong2013.
 std::string common_name(const Phase& phase, const PhaseSet& set) {
     const std::string mark = "-" + set.name;
@@ -248,7 +255,7 @@ std::vector<std::string> PhaseCatalogue::nearest_names(std::string_view name) co
 
 ResolvedPhase PhaseCatalogue::resolve(std::string_view name) const {
     const std::string key = phase_key(name);
-    for (const std::string& spelling : {key, without_database_number(key)})
+    for (const std::string& spelling : {key, without_database_number(key), phase_key(without_bracket(name))})
         if (auto phase = named(name, spelling)) return *phase;
     std::vector<std::string> members;
     for (const PhaseSet& set : sets_) {

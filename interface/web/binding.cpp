@@ -118,6 +118,27 @@ Json shown(const ashimpact::RunSummary& run) {
     return result;
 }
 
+/// What was read of the impacts of each sample: how many rebounds, captures and unknown ones, the least and
+/// the greatest velocity [m/s]; null where a sample has none.
+Json impacts_read(const ashimpact::Case& data) {
+    Json all = Json::array();
+    for (const ashimpact::Sample& sample : data.samples) {
+        all.push_back(nullptr);
+        if (!sample.restitution) continue;
+        const auto* measured = std::get_if<ashimpact::MeasuredRestitution>(&*sample.restitution);
+        if (measured == nullptr || measured->impacts.points.empty()) continue;
+        const ashimpact::MeasurementSet& impacts = measured->impacts;
+        const auto [slowest, fastest] =
+            std::ranges::minmax_element(impacts.points, {}, &ashimpact::Measurement::velocity);
+        all.back() = {{"rebounds", impacts.rebounds()},
+                      {"captures", impacts.captures()},
+                      {"unknown", impacts.unknown},
+                      {"from", slowest->velocity},
+                      {"to", fastest->velocity}};
+    }
+    return all;
+}
+
 /// The case without its measured impacts, as a file beside it.
 std::string without_impacts(const std::string& file) {
     Json document = ashimpact::in_file(
@@ -153,9 +174,11 @@ const char* ashimpact_run(const char* case_file, const char* folder) {
 /// What needs no measured impacts: modulus, contact, analytic critical velocity. No report.
 const char* ashimpact_evaluate(const char* case_file, const char* folder) {
     return answered([&] {
-        static_cast<void>(ashimpact::load_case(case_file));  // whose messages name the case itself
-        return shown(ashimpact::run_stages(
+        const ashimpact::LoadedCase loaded = ashimpact::load_case(case_file);  // whose messages name the case
+        Json result = shown(ashimpact::run_stages(
             {.case_file = without_impacts(case_file), .folder = folder, .report = false}));
+        result["impacts"] = impacts_read(loaded.data);
+        return result;
     });
 }
 

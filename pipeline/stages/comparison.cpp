@@ -185,8 +185,9 @@ std::string parameter_words(const LawParameter& parameter) {
     return words;
 }
 
-/// Properties of the contact of a sample that were not measured: {"quantity", "value", "origin", "why"}.
-Json assumed_json(const Sample& sample, const SampleContact& contact) {
+/// Properties of the contact of a sample, the wall's among them, that were not measured: {"quantity",
+/// "value", "origin", "why"}.
+Json assumed_json(const Sample& sample, const SampleContact& contact, const std::optional<Wall>& wall) {
     Json list = Json::array();
     const auto add = [&](const char* name, const Quantity& value, const std::string& origin,
                          const std::string& why) {
@@ -207,6 +208,11 @@ Json assumed_json(const Sample& sample, const SampleContact& contact) {
         add("work of adhesion", contact.work_of_adhesion, "computed", "from surface energies");
     for (const auto& [parameter, stated] : sample.parameters)
         add(parameter_words(parameter).c_str(), stated.quantity, stated.origin, "");
+    if (const auto* elastic = wall ? std::get_if<ElasticWall>(&*wall) : nullptr) {
+        add("Young's modulus of the wall", elastic->young_modulus.quantity, elastic->young_modulus.origin,
+            "");
+        add("Poisson ratio of the wall", elastic->poisson_ratio.quantity, elastic->poisson_ratio.origin, "");
+    }
     return list;
 }
 
@@ -262,7 +268,7 @@ StageOutput comparison_stage(const Artifacts& before) {
             {"diameter", quantity_json(2 * contact.radius.value, Dimension::length)},
             {"density", contact.density},
             {"work_of_adhesion", contact.work_of_adhesion},
-            {"assumed", assumed_json(sample, contact)},
+            {"assumed", assumed_json(sample, contact, data.wall)},
             {"taken_as_exact", exact_json(contact)},
             {"young_modulus", of.modulus.young_modulus},
             {"contact_modulus", quantity_json(contact.pair.contact_modulus, Dimension::pressure)},

@@ -1,6 +1,6 @@
 // Step 1: which sample, and what it is made of.
-const amorphousChoices = [
-    ['', 'not stated'], ['remainder', 'all that is missing to 100 %'], ['none', 'none'], ['fraction', 'a fraction, typed below'],
+const amorphousChoices = (hasFile) => [
+    ['', hasFile ? 'as the file says' : 'not stated yet'], ['remainder', 'all that is missing to 100 %'], ['none', 'none'], ['fraction', 'a fraction, typed below'],
 ];
 
 function amorphousChosen(amorphous) {
@@ -55,7 +55,7 @@ function compositionFields() {
     const parts = [
         fileField('XRD result', '/samples/#/composition/xrd', file, (chosen) => takeFile(chosen, 'xrd')),
         file === undefined ? null : textField('Sample in the file', '/samples/#/composition/xrd_sample', 'Needed only where the file has several.'),
-        choiceField('Amorphous (glass)', '/samples/#/composition/amorphous', amorphousChoices, amorphousChosen(amorphous), (choice) => {
+        choiceField('Amorphous (glass)', '/samples/#/composition/amorphous', amorphousChoices(file !== undefined), amorphousChosen(amorphous), (choice) => {
             setAt('/samples/#/composition/amorphous', choice === 'fraction' ? likelyAmorphous() : choice || undefined);
             showForm();
             changed();
@@ -73,11 +73,12 @@ function weightTable() {
         rows: weightRows(), typed: typedWeights, takeTable: (text) => takePasted(text, 'xrd'),
     });
     const wrong = wrongAt(path);
-    if (file === undefined) return make('div', {}, make('p', { class: 'hint' }, 'Or type the phases and their weight fractions:'), table, wrong);
+    if (file === undefined) return make('div', {}, make('p', { class: 'hint' }, 'Or type or paste the phases and their weight fractions:'), table, backButton('composition', 'xrd'), wrong);
     return make('p', { class: 'buttons' }, make('button', {
         type: 'button', class: 'small', click: () => {
             const kept = valueAt('/samples/#/composition/amorphous');
-            setAt('/samples/#/composition', { weight_fractions: { quartz: '10 %' }, ...(kept === undefined ? {} : { amorphous: kept }) });
+            replaced.set(sampleNow(), { ...replaced.get(sampleNow()), composition: valueAt('/samples/#/composition') });
+            setAt('/samples/#/composition', { weight_fractions: {}, ...(kept === undefined ? {} : { amorphous: kept }) });
             showForm();
             changed();
         },
@@ -87,6 +88,7 @@ function weightTable() {
 function showAsh() {
     byId('app-ash').replaceChildren(
         make('div', { class: 'fields' },
+            textField('Name of the study', '/name'),
             textField('Name of the sample', '/samples/#/name'),
             quantityField('Particle diameter', '/samples/#/diameter', 'length'),
             quantityField('Particle density', '/samples/#/density', 'density', 'With its pores. Left empty: that of the phases.'),

@@ -60,8 +60,24 @@ function fileField(label, path, name, take) {
     input.setAttribute('aria-describedby', wrong.id);
     return make('div', { class: 'field' },
         make('p', { class: 'hint' }, name ? `${label}: ${name}` : `${label}: none yet`),
+        make('p', { class: 'hint', 'data-read': path }),
         make('label', { class: 'button', for: input.id }, name ? 'Choose another file' : 'Choose a file', make('span', { class: 'visually-hidden' }, ` for: ${label}`)),
         input, wrong);
+}
+
+// What stood where one types now, by sample: {composition, restitution}, to be taken again.
+const replaced = new WeakMap();
+
+function backButton(key, file) {
+    const before = replaced.get(sampleNow())?.[key];
+    if (before?.[file] === undefined) return null;
+    return make('p', { class: 'buttons' }, make('button', {
+        type: 'button', class: 'small', click: () => {
+            setAt(`/samples/#/${key}`, before);
+            showForm();
+            changed();
+        },
+    }, `Take ${before[file]} again`));
 }
 
 const exampleButton = (what, fill) => make('p', { class: 'buttons' }, make('button', { type: 'button', class: 'small', click: fill }, `Fill in an example of ${what}`));

@@ -14,10 +14,11 @@ function isCaseFile(name, bytes) {
     return /\.json$/i.test(name) && (/"samples"/.test(start) || !/"(weight_fractions|phases)"/.test(start));
 }
 
-// 'xrd' or 'impacts' of a file that was not put at a field: what the program reads it as, else what it looks like.
+// 'xrd', 'impacts' or 'none' of a file that was not put at a field: what the program reads it as, else what it looks like.
 async function kindOfTable(name, bytes) {
     const { answer } = await quick.ask({ name: 'kind', files: [['dropped', bytes]], words: ['dropped'] });
     if (answer.kind === 'xrd' || answer.kind === 'impacts') return answer.kind;
+    if (/\.(png|jpe?g|gif|tiff?|bmp|pdf|docx?|mp4|avi)$/i.test(name)) return 'none';
     if (/impact|veloc|rebound|bounce/i.test(name)) return 'impacts';
     const heading = startOf(bytes).split('\n', 40).filter((line) => !line.startsWith('#')).slice(0, 3).join('\n');
     return /veloc|v_in|v_r|rebound|restitution/i.test(heading) ? 'impacts' : 'xrd';
@@ -41,7 +42,7 @@ async function takeCase(name, bytes, others) {
 }
 
 // One file for a field of the sample that is shown.
-async function takeFile(file, kind) {
+async function takeFile(file, kind, toldBefore = '') {
     if (file.size > mostBytes) {
         tell(`${file.name}: is larger than ${mostBytes / 1e6} MB`, true);
         return;
@@ -54,9 +55,16 @@ async function takeFile(file, kind) {
         return;
     }
     const name = file.name.replaceAll(/[/\\]/g, '_');
-    tell(`${name} is taken as ${kind === 'xrd' ? 'the XRD result' : 'the measured impacts'} of the sample ${sampleNow().name ?? ''}.`);
+    tell(`${toldBefore} ${name} is taken as ${kind === 'xrd' ? 'the XRD result' : 'the measured impacts'} of ${sampleNow().name ?? 'the sample'}.`.trim());
     if (kind === 'xrd') takeXrd(name, bytes);
     else takeImpacts(name, bytes);
+}
+
+// A table goes where the program reads it; a picture or the like goes nowhere.
+async function takeTable(name, bytes, file) {
+    const kind = await kindOfTable(name, bytes);
+    if (kind === 'none') tell(`${byId('app-told').textContent} ${name} is neither an XRD result nor a table of impacts; it is left out.`.trim(), true);
+    else await takeFile(file, kind, byId('app-told').textContent);
 }
 
 // A table with its heading from the clipboard is a file like any other.
@@ -83,7 +91,7 @@ async function takeFiles(list) {
     }
     const found = files.find(([name, bytes]) => isCaseFile(name, bytes));
     if (found) await takeCase(found[0], found[1], files.filter((each) => each !== found).map(([name, bytes]) => [name, bytes]));
-    else for (const [name, bytes, file] of files) await takeFile(file, await kindOfTable(name, bytes));
+    else for (const [name, bytes, file] of files) await takeTable(name, bytes, file);
 }
 
 function listenForDrops() {

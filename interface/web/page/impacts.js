@@ -37,19 +37,22 @@ function impactTable() {
             : { ...kept, velocity: column(0, chosen.unit), [second]: column(1, second === 'restitution' ? '1' : chosen.otherUnit) });
         changed();
     };
-    const head = (label, key) => unitChoice('velocity', chosen[key], label, (choice) => {
-        chosen[key] = choice;
+    const takeUnit = (keys) => (choice) => {
+        for (const key of keys) chosen[key] = choice;
         typed(last);
-    });
+    };
+    // One unit for both, unless the case that was opened has two.
+    const alike = unit === otherUnit;
     const other = second === 'restitution' ? 'Restitution e' : 'Rebound velocity';
     return typingGrid({
         caption: 'Measured impacts', columns: [{ title: 'Velocity' }, { title: other }], rows, typed, takeTable: (text) => takePasted(text, 'impacts'),
-        heads: [head('Unit of the velocities', 'unit'), second === 'restitution' ? null : head('Unit of the rebound velocities', 'otherUnit')],
+        heads: [unitChoice('velocity', chosen.unit, 'Unit of the velocities', takeUnit(alike ? ['unit', 'otherUnit'] : ['unit'])),
+            second === 'restitution' || alike ? null : unitChoice('velocity', chosen.otherUnit, 'Unit of the rebound velocities', takeUnit(['otherUnit']))],
     });
 }
 
 function cameraFields() {
-    return make('details', { open: valueAt('/camera') !== undefined }, make('summary', {}, 'Camera: where velocities state no uncertainty'),
+    return make('details', { open: valueAt('/camera') !== undefined }, make('summary', {}, 'Camera: frame rate and pixel size give the uncertainty of velocities that state none'),
         make('div', { class: 'fields' },
             quantityField('Frames per second', '/camera/frame_rate', 'rate'),
             quantityField('Size of a pixel', '/camera/pixel_size', 'length', 'In the plane of the particle.'),
@@ -75,15 +78,17 @@ function showImpacts() {
     const reconstructed = isObject(impacts?.reconstruct);
     const typeInstead = make('button', {
         type: 'button', class: 'small', click: () => {
+            replaced.set(sampleNow(), { ...replaced.get(sampleNow()), restitution: valueAt('/samples/#/restitution') });
             setAt('/samples/#/restitution', undefined);
             showForm();
             changed();
         },
     }, 'Type the impacts instead');
     byId('app-impacts').replaceChildren(...[
-        make('p', {}, 'Velocities before and after single impacts. A rebound of 0 is a particle that stayed. Without impacts there is no damping, and no dynamic critical velocity.'),
+        make('p', {}, 'Velocities before and after single impacts, typed or pasted. A rebound of 0 is a particle that stayed. Without impacts there is no damping, and no dynamic critical velocity.'),
         make('div', { class: 'fields' }, fileField('Measured impacts', '/samples/#/restitution', file, (chosen) => takeFile(chosen, 'impacts'))),
         reconstructed ? make('p', { class: 'hint' }, 'The impacts of this sample are reconstructed from published fits.') : null,
+        file === undefined ? backButton('restitution', 'file') : null,
         file === undefined && !reconstructed ? impactTable() : make('p', { class: 'buttons' }, typeInstead),
         cameraFields(), fitFields(), exampleButton('measured impacts', exampleImpacts)].filter(Boolean));
 }

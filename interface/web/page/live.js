@@ -25,10 +25,34 @@ function tellError(error) {
     const place = placeOf(error);
     const other = /^\/samples\/(\d+)/.exec(place ?? '');
     const elsewhere = other && Number(other[1]) !== state.sample;
-    const found = !elsewhere && tellAtField(place, error.message);
+    const found = !elsewhere && tellAtField(place, withoutPointer(error.message));
     if (!found) tellAtField(null);
     const name = elsewhere ? `Sample ${state.document.samples[Number(other[1])]?.name ?? Number(other[1]) + 1}: ` : '';
-    byId('app-problem').textContent = name + error.message;
+    byId('app-problem').textContent = found ? 'Something has to be mended first; it stands in red above.' : name + error.message;
+    showOld(true);
+}
+
+// At its field a message needs no place within the case; one within a file stays.
+const withoutPointer = (message) => message.replace(/^case\.json: \/[^\s:]*: /, '');
+
+// What was computed before is no answer to what stands there now.
+function showOld(old) {
+    for (const id of ['app-live', 'app-what-if']) byId(id).classList.toggle('old', old);
+}
+
+// Beside each file what was read of it.
+function tellRead({ impacts }, artifacts) {
+    const tellAt = (path, text) => document.querySelectorAll(`[data-read="${path}"]`).forEach((node) => { node.textContent = text; });
+    const modulus = JSON.parse(artifacts['1-modulus.json']).result.samples[state.sample];
+    tellAt('/samples/#/composition/xrd', valueAt('/samples/#/composition/xrd') === undefined ? '' : `Read: ${phasesOf(modulus)}.`);
+    const read = impacts?.[state.sample];
+    tellAt('/samples/#/restitution', !read ? '' : `Read: ${read.rebounds} rebounds, ${read.captures} that stayed${read.unknown ? `, ${read.unknown} of unknown outcome left out` : ''}; `
+        + `${readable(read.from, 3)} to ${readable(read.to, 3)} m/s.${read.to > 50 ? ' That is fast: is the unit right?' : ''}`);
+}
+
+function phasesOf(modulus) {
+    const phases = modulus.phases ?? [];
+    return phases.map((phase) => `${phase.name} ${readable(100 * (phase.weight_fraction?.value ?? phase.weight_fraction), 3)} %`).join(', ') + ' by weight';
 }
 
 function liveTable(artifacts) {
@@ -42,8 +66,25 @@ function liveTable(artifacts) {
         make('table', {}, make('thead', {}, make('tr', {}, ...heads.map((text) => make('th', { scope: 'col' }, text)))), make('tbody', {}, ...body)));
 }
 
+// Asks for what is not there yet, and whether it had to.
+function askForMissing() {
+    const missing = missingInputs();
+    byId('app-missing').textContent = missing.length ? `Still missing: ${missing.join('; ')}.` : '';
+    if (!missing.length) return false;
+    tellAtField(null);
+    byId('app-problem').textContent = '';
+    byId('app-live').replaceChildren();
+    byId('app-what-if').hidden = true;
+    byId('app-run').disabled = true;
+    return true;
+}
+
 async function answerOnce() {
     const { changes } = document.documentElement.dataset;
+    if (askForMissing()) {
+        document.documentElement.dataset.answered = changes;
+        return;
+    }
     const { answer, artifacts } = await quick.askOfCase('evaluate', '/at-once', ['1-modulus.json', '2-contact.json', '3-analytic.json', '4-restitution.json']);
     showAnswer(answer, artifacts);
     document.documentElement.dataset.answered = changes;
@@ -58,7 +99,9 @@ function showAnswer(answer, artifacts) {
     tellAtField(null);
     byId('app-problem').textContent = '';
     byId('app-live').replaceChildren(liveTable(artifacts));
-    offerWhatIf(run.artifacts ? { ...run.artifacts, ...artifacts, '4-restitution.json': run.artifacts['4-restitution.json'] } : artifacts);
+    showOld(false);
+    tellRead(answer, artifacts);
+    offerWhatIf(run.artifacts && !isStale() ? { ...run.artifacts, ...artifacts, '4-restitution.json': run.artifacts['4-restitution.json'] } : artifacts);
 }
 
 // Asks for the newest case; what changed meanwhile is asked for after the answer.

@@ -55,8 +55,9 @@ async function compute() {
         showReport(artifacts['report.html']);
         byId('app-results').hidden = false;
         byId('app-progress').textContent = 'Done; the results are below.';
-        byId('app-results').focus();
         offerWhatIf(artifacts);
+        byId('app-results').focus({ preventScroll: true });
+        byId('app-results').scrollIntoView({ block: 'start', behavior: 'instant' });
     } catch (error) {
         byId('app-progress').textContent = `The program cannot go on: ${error.message}`;
     } finally {
@@ -65,9 +66,12 @@ async function compute() {
     }
 }
 
+// Whether the case was changed after its results were computed.
+const isStale = () => Boolean(run.artifacts) && state.document === run.document && textOfCase() !== run.files.get('case.json');
+
 // After a change the results are those of the case before it.
 function showStale() {
-    byId('app-stale').hidden = !run.artifacts || state.document !== run.document || textOfCase() === run.files.get('case.json');
+    byId('app-stale').hidden = !isStale();
     if (!run.artifacts || state.document === run.document) return;
     run.artifacts = null;
     byId('app-results').hidden = true;

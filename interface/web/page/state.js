@@ -3,23 +3,34 @@ const state = { document: null, files: new Map(), sample: 0 };
 
 const isObject = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
 
-// A case to begin with: one sample on a steel wall.
+// A case to begin with: a wall of stainless steel and a work of adhesion, both told as assumed, and nothing of the ash.
+const assumedSteel = () => ({ young_modulus: { value: 193, unit: 'GPa', origin: 'assumed' }, poisson_ratio: { value: 0.29, unit: '1', origin: 'assumed' } });
 function emptyCase() {
     return {
-        name: 'A case of my own',
-        wall: { young_modulus: '193 GPa', poisson_ratio: 0.29 },
+        name: 'Fly ash on a wall',
+        wall: assumedSteel(),
         work_of_adhesion: { value: 0.3, unit: 'J/m2', origin: 'assumed' },
         laws: ['hertz', 'dmt', 'brach-dunn', 'jkr'],
         samples: [emptySample('sample 1')],
     };
 }
 function emptySample(name) {
-    return { name, diameter: '88 um', composition: { weight_fractions: { quartz: '10 %', mullite: '59 %' }, amorphous: 'remainder' } };
+    return { name, composition: { weight_fractions: {} } };
 }
 
 // Whether a document has the outline that the form can show; what is wrong inside is told at its field.
 function isCase(document) {
     return isObject(document) && Array.isArray(document.samples) && document.samples.length > 0 && document.samples.every(isObject);
+}
+
+// What the case lacks before it can be computed at all, in words; nothing wrong, as long as nobody has typed it.
+function missingInputs() {
+    return state.document.samples.flatMap((sample) => {
+        const { weight_fractions: fractions, ...other } = isObject(sample.composition) ? sample.composition : {};
+        const ash = !isObject(sample.composition) || Object.keys(other).some((key) => key !== 'amorphous') || (isObject(fractions) && Object.keys(fractions).length > 0);
+        const parts = [sample.diameter === undefined && 'the particle diameter', !ash && 'an XRD result or typed phases'].filter(Boolean);
+        return parts.length ? [`${sample.name ?? 'sample'}: ${parts.join(' and ')}`] : [];
+    });
 }
 
 const sampleNow = () => state.document.samples[state.sample];

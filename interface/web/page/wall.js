@@ -43,11 +43,10 @@ function exampleWall() {
 
 // What a particle may meet. Two spheres meet without a wall.
 const bodies = [['elastic', 'an elastic wall'], ['rigid', 'a rigid wall'], ['sphere', 'a second sphere']];
-const steel = { young_modulus: '193 GPa', poisson_ratio: 0.29 };
 
 function chooseBody(kind) {
     setAt('/partner', kind === 'sphere' ? { diameter: '88 um', density: '2600 kg/m3', young_modulus: '100 GPa', poisson_ratio: 0.2 } : undefined);
-    setAt('/wall', kind === 'sphere' ? undefined : kind === 'rigid' ? { rigid: true } : { ...steel });
+    setAt('/wall', kind === 'sphere' ? undefined : kind === 'rigid' ? { rigid: true } : assumedSteel());
     showForm();
     changed();
 }
@@ -67,8 +66,8 @@ function wallFields() {
     if (sphere) return [choice, ...partnerFields()];
     if (wall?.contact_modulus !== undefined) return [quantityField('Contact modulus E*', '/wall/contact_modulus', 'pressure')];
     return rigid ? [choice] : [choice,
-        quantityField('Young’s modulus of the wall', '/wall/young_modulus', 'pressure', 'Stainless steel: 193 GPa.'),
-        quantityField('Poisson ratio of the wall', '/wall/poisson_ratio', 'ratio', 'Stainless steel: 0.29.')];
+        quantityField('Young’s modulus of the wall', '/wall/young_modulus', 'pressure', 'Stainless steel 193 GPa, glass 70 GPa, copper 120 GPa.'),
+        quantityField('Poisson ratio of the wall', '/wall/poisson_ratio', 'ratio', 'Stainless steel 0.29, glass 0.22, copper 0.34.')];
 }
 
 function adhesionField() {

@@ -65,6 +65,12 @@ function velocitiesUpTo(most) {
     return Array.from({ length: 120 }, (_, i) => (most * (i + 1)) / 120);
 }
 
+// Without measured impacts the damping is a guess, and a velocity would be taken for a result.
+function guessed(was, would) {
+    const change = was && would ? ` The sliders change the critical velocity by a factor of ${readable(would / was, 3)}.` : '';
+    return `The damping is a guess until impacts are computed: the curves show which way things go, not your ash.${change}`;
+}
+
 let drawn = 0;
 async function drawWhatIf() {
     const turn = ++drawn;
@@ -83,8 +89,9 @@ async function drawWhatIf() {
     }
     const [was, would] = answers;
     const said = (answer) => (answer.critical_velocity === null ? (answer.always_captured ? 'every particle stays' : 'none') : `${readable(answer.critical_velocity, 3)} m/s`);
-    const name = contact.course ? 'as measured' : 'as typed, with a guessed damping';
-    whatIf.nodes.text.textContent = `Critical velocity ${name}: ${said(was)}. What if: ${said(would)}.`;
+    whatIf.nodes.text.textContent = contact.course
+        ? `Critical velocity by ${lawName(contact.law)} with the measured damping: ${said(was)}. What if: ${said(would)}.`
+        : guessed(was.critical_velocity, would.critical_velocity);
     const mostY = Math.max(0.5, ...whatIf.points.map(([, e]) => e), ...was.restitution, ...would.restitution) > 0.8 ? 1 : 0.8;
     const markers = [[was, 'base'], [would, 'new']].filter(([answer]) => answer.critical_velocity !== null).map(([answer, kind]) => ({ x: answer.critical_velocity, class: kind }));
     whatIf.nodes.plot.replaceChildren(curvePlot(byId('app-what-if').clientWidth > 560, 'Restitution over velocity, as it is and what if', most, mostY,

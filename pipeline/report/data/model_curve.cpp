@@ -168,10 +168,12 @@ ModelCurve model_curve(const CurveProblem& problem) {
         const Band band = band_at(problem, e);
         const auto& [velocity, contact_time] = band.impacts;
         for (int i = 0; i < points; ++i)
-            if (std::isfinite(velocity[i]))
+            if (velocity[i] <= problem.greatest_velocity)
                 curve.push_back({.velocity = velocity[i],
-                                 .lower = band.lower[i],
-                                 .upper = band.upper[i],
+                                 .lower = std::min(band.lower[i], problem.greatest_velocity),
+                                 .upper = band.upper[i] > problem.greatest_velocity
+                                              ? problem.greatest_velocity
+                                              : band.upper[i],
                                  .restitution = e[i],
                                  .damping = eta[i],
                                  .contact_time = contact_time[i]});

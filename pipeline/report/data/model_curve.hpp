@@ -22,6 +22,7 @@ struct CurveProblem {
     DampingPolynomial damping_fit;  ///< eta(e) [unit of the damping law]
     Eigen::MatrixXd covariance;     ///< of its coefficients
     double greatest_restitution;    ///< where the curve ends [1]
+    double greatest_velocity;       ///< or here, if that is slower [m/s]
     std::vector<CurveKnot> knots;   ///< at least one; the curve does not depend on them
 };
 

@@ -47,6 +47,10 @@ Eigen::MatrixXd covariance_of(const LawData& law) {
     return Eigen::MatrixXd::Zero(count, count);
 }
 
+/// Curves end at so many times the greatest velocity of the impacts: a fit that needs more for the greatest
+/// restitution would take the whole figure.
+constexpr double beyond_impacts = 1.25;
+
 /// Impacts near the rising model curve: where it begins, and the points up to the greatest restitution.
 std::vector<CurveKnot> knots_of(const LawData& law) {
     std::vector<CurveKnot> knots;
@@ -104,16 +108,16 @@ RunData::RunData(Artifacts artifacts, std::string label)
     const auto curves = in_parallel(positions, [&](std::size_t i) -> ModelCurve {
         const LawData& law = *laws[i];
         if (law.damping == nullptr || !law.damping_fit || !law.headline.value) return {};
-        const double greatest =
-            law.damping->restitution.empty()
-                ? 0.0
-                : *std::max_element(law.damping->restitution.begin(), law.damping->restitution.end());
+        const auto greatest = [](const std::vector<double>& values) {
+            return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+        };
         return model_curve({.choice = law.choice,
                             .damping_law = case_.damping_law,
                             .contact = owners[i]->contact->pair,
                             .damping_fit = *law.damping_fit,
                             .covariance = covariance_of(law),
-                            .greatest_restitution = greatest,
+                            .greatest_restitution = greatest(law.damping->restitution),
+                            .greatest_velocity = beyond_impacts * greatest(law.damping->velocity),
                             .knots = knots_of(law)});
     });
     for (std::size_t i = 0; i < laws.size(); ++i) laws[positions[i]]->curve = curves[i];

@@ -24,6 +24,15 @@ std::string verdict_of(const LawData& law) {
     return {};
 }
 
+/// "1.91 to 1.93" of the measured velocity; empty where nothing bounds it.
+std::string measured_interval(const SampleData& sample) {
+    const auto interval = sample.measured.find("interval");
+    if (interval == sample.measured.end()) return {};
+    const auto lower = number_in(*interval, "lower");
+    const auto upper = number_in(*interval, "upper");
+    return lower || upper ? interval_text(lower, upper) : std::string();
+}
+
 /// "DMT and JKR agree with the measured 1.92 m/s; Hertz is too low."
 std::string measured_sentence(const SampleData& sample) {
     const auto measured = number_in(sample.measured, "critical_velocity");
@@ -37,7 +46,9 @@ std::string measured_sentence(const SampleData& sample) {
         if (verdict == "model-too-low") low.push_back(law.name);
         if (verdict == "model-too-high") high.push_back(law.name);
     }
-    std::string text = fmt::format("Measured: {:#.3g} m/s", *measured);
+    const std::string ends = measured_interval(sample);
+    std::string text =
+        fmt::format("Measured: {:#.3g} m/s", *measured) + (ends.empty() ? "" : " (95 %: " + ends + ")");
     const auto add = [&](const std::vector<std::string>& laws, const char* one, const char* many) {
         if (!laws.empty()) text += fmt::format("; {} {}", listed(laws), laws.size() == 1 ? one : many);
     };
@@ -128,11 +139,8 @@ std::string measured_cell(const SampleData& sample) {
     const auto measured = number_in(sample.measured, "critical_velocity");
     if (!measured) return std::string(no_value);
     const std::string velocity = fmt::format("{:#.3g}", *measured);
-    const auto interval = sample.measured.find("interval");
-    if (interval == sample.measured.end()) return velocity;
-    const auto lower = number_in(*interval, "lower");
-    const auto upper = number_in(*interval, "upper");
-    return lower || upper ? fmt::format("{}<br>({})", velocity, interval_text(lower, upper)) : velocity;
+    const std::string ends = measured_interval(sample);
+    return ends.empty() ? velocity : fmt::format("{}<br>({})", velocity, ends);
 }
 
 struct Column {

@@ -26,9 +26,9 @@ mkdir built-in
 (cd example && "$program" run -q case.json -o results >/dev/null)
 flags=()
 node --no-experimental-fetch -e 0 2>/dev/null && flags=(--no-experimental-fetch)
-agrees() {
-    node "${flags[@]}" "$here/agreement.test.cjs" "$1" "$work" "$program" "$2"
+agrees() { # MODULE DIRECT [CASE]
+    node "${flags[@]}" "$here/agreement.test.cjs" "$1" "$work" "$program" "$2" "${3:-}"
 }
-agrees "$module" 1e-9
+agrees "$module" 1e-9 example
 # In extended precision, where `./dev test web` has built it, the last digits are the same as well.
 [[ ! -f $root/build/web-extended/ashimpact.js ]] || agrees "$root/build/web-extended/ashimpact.js" 1e-12

@@ -164,6 +164,7 @@ CurveProblem curve_problem(Law law, Detachment detachment) {
                          .damping_fit = {},
                          .covariance = 1e-8 * Eigen::MatrixXd::Identity(3, 3),
                          .greatest_restitution = 0.4,
+                         .greatest_velocity = 100.0,
                          .knots = {{0.4, 3.0}}};
     problem.damping_fit.coefficients = Eigen::Vector3d(0.014, -0.008, -0.001);
     if (law == Law::of<ThorntonNing>()) problem.contact.yield_pressure = 3e9;
@@ -210,6 +211,19 @@ TEST_CASE("each impact on a model's curve is that of the solver, by every law, w
     }
 }
 
+TEST_CASE("a model's curve and its band end at the greatest velocity") {
+    CurveProblem problem = curve_problem(Law::of<Dmt>(), Detachment::zero_overlap);
+    const ModelCurve whole = model_curve(problem);
+    problem.greatest_velocity = whole[whole.size() / 2].velocity;
+    const ModelCurve curve = model_curve(problem);
+    REQUIRE(curve.size() == whole.size() / 2 + 1);
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+        CHECK(curve[i].velocity == whole[i].velocity);
+        CHECK(curve[i].lower == whole[i].lower);
+        CHECK(curve[i].upper == std::min(whole[i].upper, problem.greatest_velocity));
+    }
+}
+
 TEST_CASE("the model's curve gives back the points it was fitted to") {
     const RunData run(load_artifacts(paper().folder() / "results", report_artifacts()), "");
     for (const SampleData& sample : run.samples())
@@ -242,12 +256,12 @@ TEST_CASE("the page's answer is the velocity that the summary of the run names")
     REQUIRE(compared.size() == 3);
     for (const Json& sample : compared) {
         const Json& reported = sample.at("reported");
-        const std::string velocity = fmt::format(
-            "<span class=\"value\">{:#.3g} m/s</span> (95 %: {:#.3g} to {:#.3g} m/s), by {}",
-            reported.at("critical_velocity").at("value").get<double>(),
-            reported.at("interval").at("lower").at("value").get<double>(),
-            reported.at("interval").at("upper").at("value").get<double>(),
-            report::display_name(reported.at("law").get<std::string>()));
+        const std::string velocity =
+            fmt::format("<span class=\"value\">{:#.3g} m/s</span> (95 %: {:#.3g} to {:#.3g} m/s), by {}",
+                        reported.at("critical_velocity").at("value").get<double>(),
+                        reported.at("interval").at("lower").at("value").get<double>(),
+                        reported.at("interval").at("upper").at("value").get<double>(),
+                        report::display_name(reported.at("law").get<std::string>()));
         CAPTURE(velocity);
         CHECK(page.find(velocity) != std::string::npos);
     }
