@@ -115,7 +115,7 @@ Quantity read_text(const std::string& text, Dimension expected) {
 template <class Json>
 Quantity read(const Json& node, Dimension expected) {
     if (node.is_string()) {
-        const Quantity quantity = read_text(node.template get<std::string>(), expected);
+        Quantity quantity = read_text(node.template get<std::string>(), expected);
         require_uncertainty(quantity, expected);
         return quantity;
     }
@@ -124,7 +124,7 @@ Quantity read(const Json& node, Dimension expected) {
     if (!node.is_object())
         throw InputError("not a quantity", "a number in " + std::string(si_unit(expected)) +
                                                R"(, a string with its unit, or {"value", "unit"})");
-    const Quantity quantity = read_object(node, expected);
+    Quantity quantity = read_object(node, expected);
     at_place("/standard_uncertainty", [&] { require_uncertainty(quantity, expected); });
     return quantity;
 }

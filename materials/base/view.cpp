@@ -118,7 +118,7 @@ std::vector<double> View::column(Dimension dimension) const {
 }
 
 Quantity positive_quantity(const View& node, std::string_view name, Dimension dimension) {
-    const Quantity quantity = node.quantity(dimension);
+    Quantity quantity = node.quantity(dimension);
     node.located([&] { require_positive(name, quantity.value, dimension); });
     return quantity;
 }

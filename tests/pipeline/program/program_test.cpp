@@ -258,8 +258,8 @@ TEST_CASE("modulus: uncertainty of the amorphous part, pores, a measured density
     sandbox.write("own.json", R"({"phases": [
         {"name": "quartz", "density": "2.5 g/cm3", "young_modulus": "100 GPa", "poisson_ratio": 0.1},
         {"name": "glass", "amorphous": true, "density": "2.5 g/cm3", "young_modulus": "50 GPa", "poisson_ratio": 0.2}]})");
-    // densities are equal, so volumes are weights: E = 100 - 50 x, and 50 u(x) = 1 GPa joins 4 % of each modulus,
-    // whose uncertainty nobody states
+    // densities are equal, so volumes are weights: E = 100 - 50 x, and 50 u(x) = 1 GPa joins 4 % of each
+    // modulus, whose uncertainty nobody states
     const std::string command = "modulus ash.csv --phases own.json --amorphous-fraction '40 +- 2 %'";
     const Json dense = json_of(sandbox, command);
     CHECK(relative_difference(value(dense["young_modulus"]), 80e9) < 1e-13);

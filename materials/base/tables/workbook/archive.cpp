@@ -51,6 +51,10 @@ struct CallsFor {
 
 constexpr auto undamaged = "an undamaged file without a password";
 
+InputError damaged_part(const std::string& name) {
+    return InputError("the part " + name + " of the spreadsheet is damaged", undamaged);
+}
+
 }  // namespace
 
 Archive::Archive(std::string_view bytes) : bytes_(std::make_unique<Bytes>(Bytes{.all = bytes})) {
@@ -66,8 +70,7 @@ Archive::~Archive() {
 std::optional<std::string> Archive::read(const std::string& name) const {
     constexpr int any_case = 2;
     if (unzLocateFile(reader_, name.c_str(), any_case) != UNZ_OK) return std::nullopt;
-    const InputError damaged("the part " + name + " of the spreadsheet is damaged", undamaged);
-    if (unzOpenCurrentFile(reader_) != UNZ_OK) throw damaged;
+    if (unzOpenCurrentFile(reader_) != UNZ_OK) throw damaged_part(name);
     std::string content;
     int length = 0;
     do {
@@ -82,7 +85,7 @@ std::optional<std::string> Archive::read(const std::string& name) const {
         throw InputError("the spreadsheet is too large: its part " + name + " unpacks to more than " +
                              std::to_string(longest_member >> 20) + " MB",
                          "a smaller one, or the table as CSV");
-    if (!sound) throw damaged;
+    if (!sound) throw damaged_part(name);
     return content;
 }
 

@@ -47,7 +47,7 @@ std::string Sheet::as_text() const {
             if (cell.find('"') != std::string::npos) {  // as CSV writes a quote
                 for (std::size_t at = 0; (at = cell.find('"', at)) != std::string::npos; at += 2)
                     cell.insert(at, 1, '"');
-                cell = '"' + cell + '"';
+                cell.insert(0, 1, '"').push_back('"');
             }
             text += cell;
         }

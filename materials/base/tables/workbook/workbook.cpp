@@ -15,6 +15,7 @@ constexpr std::string_view old_excel_mark("\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", 8)
 
 std::string named_sheets(const std::vector<const Sheet*>& sheets) {
     std::vector<std::string> names;
+    names.reserve(sheets.size());
     for (const Sheet* sheet : sheets) names.push_back(in_quotes(sheet->name()));
     return joined(names);
 }

@@ -169,7 +169,7 @@ std::string shown_value(const std::string& value, const pugi::xml_node& cell, co
 std::string text_of_cell(const pugi::xml_node& cell, const Shared& shared) {
     const std::string type = attribute_of(cell, "t").value_or("n");
     if (type == "inlineStr") return text_of_item(child_of(cell, "is"));
-    const std::string value = child_of(cell, "v").child_value();
+    std::string value = child_of(cell, "v").child_value();
     const pugi::xml_node formula = child_of(cell, "f");
     if (value.empty() && formula && type != "str") return shown_formula(formula.child_value());
     if (type == "s") {
