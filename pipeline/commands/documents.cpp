@@ -82,8 +82,8 @@ void run_init_command(const std::string& folder, std::ostream& out) {
     const auto typed = [&](const char* name) {
         return shell_word((std::filesystem::path(folder) / name).string());
     };
-    out << "Edit it, then:\n  " << program_word() << " run " << typed("case.json") << " -o "
-        << typed("results") << '\n';
+    out << "An example that runs as it is; your own numbers can replace it later:\n  " << program_word()
+        << " run " << typed("case.json") << " -o " << typed("results") << '\n';
 }
 
 void run_schema_command(const std::string& name, std::ostream& out) {
