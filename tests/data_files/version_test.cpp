@@ -6,13 +6,28 @@
 #include <string>
 #include <string_view>
 
-TEST_CASE("the program, as people will cite it, has the version of CITATION.cff") {
-    std::ifstream citation(ASHIMPACT_CITATION);
-    std::string cited;
-    for (std::string line; cited.empty() && std::getline(citation, line);) {
-        if (line.starts_with("version: ")) cited = line.substr(std::string_view("version: ").size());
+namespace {
+
+/// What stands between two marks in the first line of a file of the sources that begins with the first mark;
+/// empty: none.
+std::string first_between(const std::string& file, std::string_view before, std::string_view after) {
+    std::ifstream stream(std::string(ASHIMPACT_SOURCES "/") + file);
+    REQUIRE(stream);
+    for (std::string line; std::getline(stream, line);) {
+        if (line.starts_with(before)) return line.substr(before.size(), line.find(after) - before.size());
     }
-    CHECK(ashimpact::program_version() == cited);
+    return {};
+}
+
+}  // namespace
+
+TEST_CASE("every file that states the version states that of the program") {
+    const std::string_view version = ashimpact::program_version();
+    CHECK(first_between("CITATION.cff", "version: ", "\n") == version);
+    CHECK(first_between("debian/changelog", "ashimpact (", ")") == version);
+    const std::string newest = first_between("CHANGELOG.md", "## [", "]");
+    CAPTURE(newest);
+    CHECK((newest == "Unreleased" || newest == version));
 }
 
 TEST_CASE("the revision is a commit, or says that it is unknown") {
