@@ -342,6 +342,7 @@ std::vector<std::string> stage_names() {
 Artifacts load_artifacts(const std::filesystem::path& folder, const std::vector<std::string_view>& files) {
     Artifacts artifacts;
     std::vector<Artifact> of_one_run;
+    of_one_run.reserve(files.size());
     for (const std::string_view file : files) of_one_run.push_back(loaded_artifact(folder, file));
     require_one_run(of_one_run);
     for (Artifact& artifact : of_one_run) artifacts.add(std::move(artifact));

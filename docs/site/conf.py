@@ -17,6 +17,8 @@ html_theme = "furo"
 html_title = "ashimpact"
 html_copy_source = False
 html_show_sphinx = False
+html_static_path = ["static"]
+html_css_files = ["site.css"]
 
 # Everything a page needs lies beside it: the site is read from a disk too.
 html_theme_options = {"navigation_with_keys": True}

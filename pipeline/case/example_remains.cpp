@@ -1,5 +1,7 @@
 #include "pipeline/case/example_remains.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -30,11 +32,11 @@ void add_sample(const Json& ours, const Json& theirs, const std::string& place,
         if (key == "composition" && value.is_object()) {
             for (const char* part : {"amorphous", "weight_fractions"})
                 if (theirs.contains(key) && same_member(value, theirs.at(key), part))
-                    remains.push_back(place + "/" + key + "/" + part);
+                    remains.push_back(fmt::format("{}/{}/{}", place, key, part));
         } else if (key == "restitution" && value.is_object() && value.contains("file")) {
             continue;  // the file was replaced, or the whole case is the example
         } else if (same_member(ours, theirs, key)) {
-            remains.push_back(place + "/" + key);
+            remains.push_back(fmt::format("{}/{}", place, key));
         }
     }
 }

@@ -37,7 +37,7 @@ enum class Width { wide, narrow };
 /// The figure as one SVG element: the wide form is for a page or two columns, the narrow one for a telephone
 /// or one column.
 /// @param style "" in a page, whose style covers it; else the style and markers that make a file of its own
-[[nodiscard]] std::string svg_of(const Figure& figure, Width width, const std::string& style = {});
+[[nodiscard]] std::string svg_of(const Figure& figure, Width form, const std::string& style = {});
 
 /// A complete SVG file, 170 mm or 85 mm wide, marked as ours.
 [[nodiscard]] std::string svg_file(const Figure& figure, Width width);

@@ -63,6 +63,7 @@ pid_t start(const std::vector<std::string>& arguments, Pipe& in, Pipe& out) {
     std::vector<std::string> words{converter};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
+    pointers.reserve(words.size() + 1);
     for (std::string& word : words) pointers.push_back(word.data());
     pointers.push_back(nullptr);
     std::string date = "SOURCE_DATE_EPOCH=0";
@@ -142,7 +143,7 @@ void require_converter(FigureFormat format) {
 }
 
 std::string figure_bytes(const Figure& figure, Width width, FigureFormat format) {
-    const std::string svg = svg_file(figure, width);
+    std::string svg = svg_file(figure, width);
     if (format == FigureFormat::svg) return svg;
     if (format == FigureFormat::pdf) return convert(svg, {"--format=pdf"});
     return convert(svg, {"--format=png", "--dpi-x=600", "--dpi-y=600"});

@@ -173,7 +173,7 @@ StageOutput contact_stage(const Artifacts& before) {
     output.options = {{"geometry", data.partner ? "two spheres: 1/R* = 1/r1 + 1/r2, 1/m* = 1/m1 + 1/m2"
                                                 : "sphere on a flat wall: R* = r, m* = m"}};
     if (data.roughness && data.roughness->value() > 0)
-        output.citations.push_back("rabinovich2000, eq. of the modified Rumpf model: w of rough surfaces");
+        output.citations.emplace_back("rabinovich2000, eq. of the modified Rumpf model: w of rough surfaces");
     output.result["samples"] = Json::array();
     for (const Sample& sample : data.samples) {
         const SampleModulus& modulus = entry_named(moduli, sample.name, before, modulus_artifact);

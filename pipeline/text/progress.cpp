@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 
 namespace ashimpact {
@@ -21,7 +22,7 @@ std::string rate_text(double rate, std::uint64_t total, const char* noun) {
 
 std::string time_text(double seconds) {
     if (seconds >= 100 * 3600) return fmt::format("{:.0f} days", seconds / 86400);
-    const auto whole = static_cast<long>(seconds + 0.5);
+    const auto whole = std::lround(seconds);
     return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 

@@ -134,6 +134,7 @@ std::vector<RemarkLine> remark_lines(const std::vector<Remark>& remarks,
         add_once(found->laws, parts.law);
     }
     std::vector<RemarkLine> lines;
+    lines.reserve(kinds.size());
     for (const Kind& kind : kinds)
         lines.push_back({.text = fmt::format("{} x {}{}: {}", kind.count, kind.file,
                                              of_what(kind, samples.size()), statement_of(kind.first)),

@@ -196,7 +196,8 @@ class ResultText {
                 else
                     for (const std::string& entry : entries)
                         if (object.at(entry).contains(key))
-                            nested += part(entry + ", " + key, object.at(entry).at(key), depth);
+                            nested +=
+                                part(fmt::format("{}, {}", entry, key), object.at(entry).at(key), depth);
                 continue;
             }
             const bool same = std::all_of(row.begin() + 2, row.end(),
@@ -217,7 +218,7 @@ class ResultText {
         text += lines.text(indent(depth), view_.width);
         for (const std::string& entry : entries)
             if (const std::string own = columns(object.at(entry), depth + 1); !own.empty())
-                text += margin(depth) + entry + "\n" + own;
+                text.append(margin(depth)).append(entry).append("\n").append(own);
         return text + nested;
     }
 
@@ -246,6 +247,7 @@ class ResultText {
         const std::size_t stride = list.size() > 2 * most_rows ? stride_of(list.size(), view_) : 1;
         for (std::size_t i = 0; i < list.size(); i += stride) {
             std::vector<std::string> cells;
+            cells.reserve(heading.size());
             for (const std::string& key : heading) cells.push_back(short_text(list[i].at(key)).value());
             table.add(std::move(cells));
         }

@@ -40,7 +40,10 @@ std::string interval_text(const Json& interval) {
 /// A string, number, truth value or null.
 std::string scalar_text(const Json& value) {
     if (value.is_null()) return "-";
-    if (value.is_string()) return value == "" ? "\"\"" : value.get<std::string>();
+    if (value.is_string()) {
+        const auto& text = value.get_ref<const std::string&>();
+        return text.empty() ? "\"\"" : text;
+    }
     if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
     if (value.is_number_float()) return cell_number(value.get<double>());
     return value.dump();

@@ -24,15 +24,16 @@ std::vector<double> linear_ticks(Range range, int most) {
     }
     std::vector<double> values;
     const double first = std::ceil(range.from / step - rounding);
-    const double last = std::floor(range.to / step + rounding);
-    for (double i = first; i <= last; i += 1) values.push_back(i * step);
+    const auto count = static_cast<int>(std::floor(range.to / step + rounding) - first) + 1;
+    for (int i = 0; i < count; ++i) values.push_back((first + i) * step);
     return values;
 }
 
 std::vector<double> decade_ticks(Range range, std::span<const double> digits) {
     std::vector<double> values;
-    for (double decade = std::floor(std::log10(range.from)) - 1; decade <= std::ceil(std::log10(range.to));
-         decade += 1)
+    const int first = static_cast<int>(std::floor(std::log10(range.from))) - 1;
+    const auto last = static_cast<int>(std::ceil(std::log10(range.to)));
+    for (int decade = first; decade <= last; ++decade)
         for (const double digit : digits) {
             const double value = digit * std::pow(10.0, decade);
             if (value >= range.from * (1 - rounding) && value <= range.to * (1 + rounding))

@@ -23,9 +23,10 @@ std::vector<Point> velocity_band(const ModelCurve& curve) {
     for (const CurveImpact& impact : curve)
         if (std::isfinite(impact.lower) && std::isfinite(impact.upper))
             band.push_back({impact.upper, impact.restitution});
-    for (auto impact = curve.rbegin(); impact != curve.rend(); ++impact)
-        if (std::isfinite(impact->lower) && std::isfinite(impact->upper))
-            band.push_back({impact->lower, impact->restitution});
+    std::for_each(curve.rbegin(), curve.rend(), [&](const CurveImpact& impact) {
+        if (std::isfinite(impact.lower) && std::isfinite(impact.upper))
+            band.push_back({impact.lower, impact.restitution});
+    });
     return band;
 }
 

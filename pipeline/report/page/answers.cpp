@@ -138,7 +138,7 @@ std::string interval_cell(const LawData& law) {
 std::string measured_cell(const SampleData& sample) {
     const auto measured = number_in(sample.measured, "critical_velocity");
     if (!measured) return std::string(no_value);
-    const std::string velocity = fmt::format("{:#.3g}", *measured);
+    std::string velocity = fmt::format("{:#.3g}", *measured);
     const std::string ends = measured_interval(sample);
     return ends.empty() ? velocity : fmt::format("{}<br>({})", velocity, ends);
 }

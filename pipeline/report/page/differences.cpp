@@ -48,7 +48,7 @@ void flatten(const Json& node, const std::string& path, Inputs& into) {
     if (node.is_object() && !quantity) {
         for (const auto& [key, value] : node.items())
             if (key != "published" && key != "name")
-                flatten(value, path.empty() ? key : path + ", " + key, into);
+                flatten(value, path.empty() ? key : fmt::format("{}, {}", path, key), into);
         return;
     }
     const bool named =

@@ -38,7 +38,7 @@ std::string with_ranges(const std::vector<std::string>& texts) {
             if (std::stod(other[at]) < std::stod(least)) least = other[at];
             if (std::stod(other[at]) > std::stod(greatest)) greatest = other[at];
         }
-        pieces[at] = least == greatest ? least : least + " to " + greatest;
+        pieces[at] = least == greatest ? least : fmt::format("{} to {}", least, greatest);
     }
     std::string text;
     for (const std::string& piece : pieces) text += piece;

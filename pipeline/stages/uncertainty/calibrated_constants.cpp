@@ -27,7 +27,7 @@ bool has_inferred_adhesion(const Sample& sample) {
 
 std::vector<CalibrationResponse> calibrated_constants(const Case& data, const Artifacts& before,
                                                       std::vector<std::string>& warnings) {
-    const std::vector<CalibrationResponse> independent(data.samples.size());
+    std::vector<CalibrationResponse> independent(data.samples.size());
     const bool inferred = std::ranges::any_of(data.samples, [](const Sample& sample) {
         return has_inferred_density(sample) || has_inferred_adhesion(sample);
     });
