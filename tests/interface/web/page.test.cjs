@@ -253,7 +253,7 @@ async function wrongOnes(browser) {
         assert.equal(await wrongTold(page), '', `before ${wrong.name}`);
         await drop(page, [wrong]);
         let told = '';
-        for (const begin = Date.now(); told === '' && Date.now() - begin < minute / 20; await page.waitForTimeout(20)) told = await wrongTold(page);
+        for (const begin = Date.now(); told === '' && Date.now() - begin < minute / 20; await page.waitForTimeout(20)) told = (await wrongTold(page)) || (await page.locator('#app-missing').textContent());
         if (told === '') untold.push(`${wrong.name}: ${wrong.bytes.toString('utf8').slice(-200)}`);
         assert.doesNotMatch(told, /cannot go on/, `${wrong.name} breaks the program: ${told}`);
         await settled(page);
