@@ -80,14 +80,40 @@ Mode find_mode(const CurvePosterior& posterior, const Vector& start) {
     return mode;
 }
 
+/// Whether the curve of a mode explains the impacts better with less noise yet.
+bool asks_for_less_noise(const CurvePosterior& posterior, const Mode& mode, double less) {
+    constexpr double clearly = 1.0;
+    Vector point = mode.normal.mean;
+    point[CurvePosterior::noise] -= less;
+    return posterior(point) < mode.value - clearly;
+}
+
+/// Gives the curve of a mode at least half the widths of the one at more noise: with little noise v_c may
+/// stand at the edge of a single impact, where curvature tells nothing of what lies beyond.
+void widen(Draws::NormalDensity& normal, const Draws::NormalDensity& at_more_noise) {
+    constexpr int curve = CurvePosterior::noise;  // the parameters before noise and scatter
+    normal.covariance.topLeftCorner<curve, curve>() +=
+        0.25 * at_more_noise.covariance.topLeftCorner<curve, curve>();
+}
+
 /// Modes at ever less noise, each found from the one before. Where the noise is large, no impact is an
-/// outlier that the curve can do without, so that there are hardly any false modes.
+/// outlier that the curve can do without, so that there are hardly any false modes. Below the stated noise
+/// there are modes only where the impacts scatter by far less than it says.
 std::vector<Mode> modes_from(const CurvePosterior& posterior, Vector point) {
+    constexpr double step = 0.8;
+    constexpr double most_below = -4.0;
     std::vector<Mode> modes;
-    for (const double noise : {1.6, 0.8, 0.0}) {
+    const auto add_at = [&](double noise) {
         point[CurvePosterior::noise] = noise;
         modes.push_back(find_mode(posterior, point));
         point = modes.back().normal.mean;
+    };
+    for (const double noise : {2.0 * step, step, 0.0}) add_at(noise);
+    for (double noise = -step;
+         noise >= most_below && posterior.noise_known() && asks_for_less_noise(posterior, modes.back(), step);
+         noise -= step) {
+        add_at(noise);
+        widen(modes.back().normal, modes[modes.size() - 2].normal);
     }
     return modes;
 }
@@ -122,14 +148,18 @@ Interval critical_velocity(const Draws& draws) {
 CurveEstimate estimate_curve(const CurveTable& table, const std::vector<RecordedImpact>& impacts,
                              const CurvePrior& prior, const std::vector<double>& starts) {
     const CurvePosterior posterior(table, impacts, prior);
-    const std::vector<Mode> modes = modes_of(posterior, starts);
+    std::vector<Mode> modes = modes_of(posterior, starts);
     if (!(modes.front().value < 1e9)) throw ConvergenceError("no curve of damping explains the impacts");
+    std::erase_if(modes, [most = modes.front().log_weight](const Mode& mode) {
+        return !(mode.log_weight > most - 5.0);
+    });
     Draws draws(posterior);
-    for (const Mode& mode : modes)
-        if (mode.log_weight > modes.front().log_weight - 5.0) draws.add(mode.normal, 250);
+    for (const Mode& mode : modes) draws.add(mode.normal, 250);
     draws.add(draws.moments(), 300);
     for (int i = 0; i < 12 && (i < 2 || draws.effective() < 500.0); ++i) draws.add(draws.moments(), 400);
-    for (int i = 0; i < 18 && draws.effective() < least_effective; ++i) draws.add(draws.moments(), 400);
+    // Where noise and scatter leave much open, the posterior is no normal density: its modes help.
+    for (std::size_t i = 0; i < 40 && draws.effective() < least_effective; ++i)
+        draws.add(i % 2 == 0 ? draws.moments() : modes[i / 2 % modes.size()].normal, 400);
     if (draws.effective() < least_effective)
         throw ConvergenceError(
             std::string(prior.noise_known ? "the stated uncertainties are so small that " : "") +

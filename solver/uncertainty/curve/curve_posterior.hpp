@@ -38,6 +38,8 @@ class CurvePosterior {
     [[nodiscard]] double operator()(const Vector& parameters) const;
     [[nodiscard]] SmoothDamping curve(const Vector& parameters) const;
     [[nodiscard]] Scatter scatter_of(const Vector& parameters) const;
+    /// Whether the impacts state their noise.
+    [[nodiscard]] bool noise_known() const { return prior_.noise_known; }
 
     struct Curvature {
         Vector gradient;

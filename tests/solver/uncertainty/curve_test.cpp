@@ -93,6 +93,24 @@ TEST_CASE("eight impacts give no absurd critical velocity") {
     CHECK(v.contains(1.3));
 }
 
+TEST_CASE("impacts that scatter far less than they state give an estimate whatever they state") {
+    const std::vector<std::pair<double, double>> impacts{
+        {1.4, 0},     {1.55, 0},    {1.72, 0.12}, {1.81, 0.22}, {1.95, 0.33}, {2.1, 0.44},
+        {2.31, 0.57}, {2.55, 0.73}, {2.9, 0.93},  {3.35, 1.2},  {3.9, 1.51},  {4.6, 1.84}};
+    for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()}) {
+        const ContactModel model = ash_model(law);
+        for (const double u : {0.02, 0.04, 0.065, 0.13, 0.25}) {
+            CAPTURE(law.name());
+            CAPTURE(u);
+            const CurveEstimate curve = estimate_critical_velocity(model, told(impacts, u)).curve;
+            CHECK(curve.effective >= 50.0);
+            CHECK(*curve.critical_velocity.upper > 1.55);  // the fastest capture
+            CHECK(*curve.critical_velocity.upper < 1.85);
+            CHECK(*curve.critical_velocity.lower > 1.0);
+        }
+    }
+}
+
 TEST_CASE("one rebound of small uncertainty changes nothing but its own weight") {
     const ContactModel model = ash_model(Law::of<BrachDunn>());
     MeasurementSet set = measured(model, 45, 5);
