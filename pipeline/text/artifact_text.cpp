@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/text/comparison_table.hpp"
+#include "pipeline/text/readable.hpp"
 
 namespace ashimpact {
 
