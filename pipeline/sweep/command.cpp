@@ -44,10 +44,10 @@ void heed_interruptions() {
     std::abort();
 }
 
-/// Removes checkpoint and rows of a sweep, and temporary files that it left when it was killed.
-void remove(const SweepFiles& files) {
+/// Removes the checkpoint of a sweep, and temporary files that it left when it was killed.
+void remove_leftovers(const SweepFiles& files) {
     std::error_code ignored;
-    for (const auto& file : {files.checkpoint, files.rows}) std::filesystem::remove(file, ignored);
+    std::filesystem::remove(files.checkpoint, ignored);
     const std::string own = "." + files.result.filename().string() + ".";
     const auto folder = std::filesystem::absolute(files.result, ignored).parent_path();
     std::vector<std::filesystem::path> left;
@@ -56,17 +56,6 @@ void remove(const SweepFiles& files) {
         if (name.starts_with(own) && name.ends_with(".tmp")) left.push_back(entry.path());
     }
     for (const auto& file : left) std::filesystem::remove(file, ignored);
-}
-
-/// Writes the full table from the packed rows, which are locked against another sweep meanwhile.
-void make_table(const SweepFiles& files, const SweepPlan& plan, std::uint64_t row_bytes) {
-    const RowLog held(files.rows, row_bytes);
-    write_table(files.table, plan, files.rows);
-}
-
-Checkpoint begin(const SweepOptions& options, const SweepPlan& plan, const SweepFiles& files) {
-    if (options.restart) remove(files);
-    return load_checkpoint(files.checkpoint, plan).value_or(Checkpoint{});
 }
 
 /// One line of results for each law, and the files written.
@@ -106,15 +95,21 @@ bool lead(const SweepOptions& options, const SweepPlan& plan, const SpecFile& sp
           std::ostream& out) {
     const SweepFiles files = SweepFiles::beside(options.output);
     make_folder(files.result.parent_path());
-    Checkpoint state = begin(options, plan, files);
+    RowLog rows(files.rows);
+    if (options.restart) {
+        remove_leftovers(files);
+        rows.clear();
+    }
+    Checkpoint state = load_checkpoint(files.checkpoint, plan).value_or(Checkpoint{});
     const SweepCare care{.checkpoint_interval = options.checkpoint_interval,
                          .show_progress = options.progress || on_terminal(),
                          .interrupted = [] { return interrupting_signal != 0; }};
-    if (!complete(state, plan, files, team, care)) return false;
-    if (!plan.spec().table.empty()) make_table(files, plan, state.row_bytes);
+    if (!complete(state, plan, files, rows, team, care)) return false;
+    if (!plan.spec().table.empty()) write_table(files.table, plan, files.rows);
     const Json artifact = sweep_artifact(plan, state.tally, spec);
     write_file(files.result, write_json(artifact));
-    remove(files);
+    remove_leftovers(files);
+    rows.clear();
     out << summary(artifact, files, plan);
     if (write_report(options, artifact, files)) out << "Report: " << files.report.string() << '\n';
     return true;

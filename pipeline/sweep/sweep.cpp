@@ -29,16 +29,17 @@ constexpr double tolerated_failures = 0.01;
 /// The way of a sweep from its first chunk to its last.
 class Course {
   public:
-    Course(Checkpoint& state, const SweepPlan& plan, const SweepFiles& files, Team& team,
+    Course(Checkpoint& state, const SweepPlan& plan, const SweepFiles& files, RowLog& rows, Team& team,
            const SweepCare& care)
         : state_(state),
           plan_(plan),
           files_(files),
+          rows_(plan.spec().table.empty() ? nullptr : &rows),
           team_(team),
           care_(care),
           progress_(plan.impacts(), impacts_done(), care.show_progress),
           next_(state.tally.chunks()) {
-        if (!plan.spec().table.empty()) rows_.emplace(files.rows, state.row_bytes);
+        if (rows_ != nullptr) rows_->resume(state.row_bytes);
         if (next_ > 0)
             spdlog::info("{}: going on from chunk {} of {}", files.checkpoint.string(), next_, plan.chunks());
     }
@@ -60,7 +61,7 @@ class Course {
     }
 
     void save() {
-        if (rows_) rows_->sync();
+        if (rows_ != nullptr) rows_->sync();
         save_checkpoint(files_.checkpoint, plan_, state_);
         saved_ = Clock::now();
         saved_chunks_ = state_.tally.chunks();
@@ -111,7 +112,7 @@ class Course {
         const unsigned aligned = next_ == 0 ? highest_level : static_cast<unsigned>(std::countr_zero(next_));
         return std::min({log2(share),
                          log2(std::clamp<std::uint64_t>(wanted, 1, std::uint64_t{1} << highest_level)),
-                         aligned, rows_ ? highest_level_with_table : highest_level});
+                         aligned, rows_ != nullptr ? highest_level_with_table : highest_level});
     }
 
     void collect() {
@@ -130,8 +131,8 @@ class Course {
             ByteReader reader(done.bytes);
             reader(result);
             reader.finish();
-            if (rows_) rows_->append(result.rows);
-            if (rows_) state_.row_bytes = rows_->size();
+            if (rows_ != nullptr) rows_->append(result.rows);
+            if (rows_ != nullptr) state_.row_bytes = rows_->size();
             state_.tally.add(done.block, std::move(result));
             require_few_failures();
             seconds_a_chunk_ = done.seconds / static_cast<double>(done.block.chunks());
@@ -152,10 +153,10 @@ class Course {
     Checkpoint& state_;
     const SweepPlan& plan_;
     const SweepFiles& files_;
+    RowLog* rows_;  ///< of the table; nullptr without one
     Team& team_;
     const SweepCare& care_;
     Progress progress_;
-    std::optional<RowLog> rows_;
     std::uint64_t next_;  ///< chunk to hand out
     std::size_t in_flight_ = 0;
     std::map<std::uint64_t, FinishedBlock> waiting_;  ///< for blocks before them, by first chunk
@@ -184,9 +185,9 @@ Work work_of(const SweepPlan& plan, ImpactSolver solver) {
     };
 }
 
-bool complete(Checkpoint& state, const SweepPlan& plan, const SweepFiles& files, Team& team,
+bool complete(Checkpoint& state, const SweepPlan& plan, const SweepFiles& files, RowLog& rows, Team& team,
               const SweepCare& care) {
-    Course course(state, plan, files, team, care);
+    Course course(state, plan, files, rows, team, care);
     try {
         return course.run();
     } catch (const ConvergenceError&) {

@@ -33,9 +33,10 @@ struct SweepCare {
 
 /// Makes the team compute every chunk that the checkpoint lacks, and merges the results in the order of the
 /// chunks. The finished part is saved regularly, and also if an error or an interruption ends the work.
+/// @param rows the lock of the sweep, and the rows of its table
 /// @returns whether all is done; false if it was interrupted
 /// @throws InputError if a file cannot be written; whatever the work throws
-[[nodiscard]] bool complete(Checkpoint& state, const SweepPlan& plan, const SweepFiles& files, Team& team,
-                            const SweepCare& care);
+[[nodiscard]] bool complete(Checkpoint& state, const SweepPlan& plan, const SweepFiles& files, RowLog& rows,
+                            Team& team, const SweepCare& care);
 
 }  // namespace ashimpact

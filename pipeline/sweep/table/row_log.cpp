@@ -12,35 +12,47 @@
 
 namespace ashimpact {
 
-RowLog::RowLog(std::filesystem::path path, std::uint64_t size)
-    : path_(std::move(path)), file_(open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)), size_(size) {
-    if (file_ < 0) refuse("written");
-    if (flock(file_, LOCK_EX | LOCK_NB) != 0) {
+RowLog::RowLog(std::filesystem::path path) : path_(std::move(path)) {
+    for (;;) {
+        file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+        if (file_ < 0) refuse("written");
+        const bool locked = flock(file_, LOCK_EX | LOCK_NB) == 0;
+        if (locked && is_current()) return;
         close(file_);
-        throw InputError("another sweep writes here", "another -o, or patience").in_file(path_.string());
-    }
-    struct stat status {};
-    const bool known = fstat(file_, &status) == 0;
-    if (known && static_cast<std::uint64_t>(status.st_size) < size_) {
-        close(file_);
-        throw InputError("is shorter than its checkpoint says", "--restart to begin anew")
-            .in_file(path_.string());
-    }
-    if (!known || ftruncate(file_, static_cast<off_t>(size_)) != 0 || lseek(file_, 0, SEEK_END) < 0) {
-        close(file_);
-        refuse("written");
-    }
-    if (size_ > 0) return;
-    try {
-        append(row_log_mark);
-    } catch (const InputError&) {
-        close(file_);
-        throw;
+        if (!locked)
+            throw InputError("another sweep writes here", "another -o, or patience").in_file(path_.string());
     }
 }
 
 RowLog::~RowLog() {
+    struct stat status {};
+    if (fstat(file_, &status) == 0 && status.st_size == 0 && is_current()) unlink(path_.c_str());
     close(file_);
+}
+
+bool RowLog::is_current() const {
+    struct stat own {};
+    struct stat named {};
+    return fstat(file_, &own) == 0 && stat(path_.c_str(), &named) == 0 && own.st_dev == named.st_dev &&
+           own.st_ino == named.st_ino;
+}
+
+void RowLog::resume(std::uint64_t size) {
+    struct stat status {};
+    if (fstat(file_, &status) == 0 && static_cast<std::uint64_t>(status.st_size) < size)
+        throw InputError("is shorter than its checkpoint says", "--restart to begin anew")
+            .in_file(path_.string());
+    truncate(size);
+    if (size == 0) append(row_log_mark);
+}
+
+void RowLog::clear() {
+    truncate(0);
+}
+
+void RowLog::truncate(std::uint64_t size) {
+    if (ftruncate(file_, static_cast<off_t>(size)) != 0 || lseek(file_, 0, SEEK_END) < 0) refuse("written");
+    size_ = size;
 }
 
 void RowLog::append(std::string_view rows) {

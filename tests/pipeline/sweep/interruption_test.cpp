@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
+#include <memory>
 #include <random>
 #include <thread>
 
@@ -125,6 +126,40 @@ TEST_CASE("the program itself, killed and run again with other ranks and threads
         CHECK(ended.status == 0);
         CHECK(sandbox.everything() == expected);
     }
+}
+
+TEST_CASE("sweeps into one file exclude each other, from the checkpoint they read to the files they remove") {
+    constexpr double few_samples = 6000;  // 3 chunks
+    const std::vector<std::string> sweep{ASHIMPACT_PROGRAM, "sweep",        "spec.json", "-o",
+                                         "out.json",        "--checkpoint", "0",         "--no-report"};
+    const auto write = [](const Sandbox& sandbox) {
+        sandbox.write("spec.json", test::full_spec(few_samples).dump());
+    };
+    const Sandbox alone;
+    write(alone);
+    REQUIRE(test::run(alone, sweep).status == 0);
+    const auto expected = alone.everything();
+    int refused = 0;
+    for (int round = 0; round < times(40, 1000); ++round) {
+        const Sandbox sandbox;
+        write(sandbox);
+        std::vector<std::unique_ptr<Process>> sweeps;
+        for (int i = 0; i < 6; ++i) {
+            sweeps.push_back(std::make_unique<Process>(sandbox, sweep));
+            sleep_for(0.006);
+        }
+        for (const auto& each : sweeps) {
+            const Ended ended = each->wait();
+            CAPTURE(ended.err);
+            if (ended.status == 0) continue;
+            CHECK(ended.status == 2);
+            CHECK(ended.err.find("another sweep writes here") != std::string::npos);
+            ++refused;
+        }
+        CAPTURE(round);
+        CHECK(sandbox.everything() == expected);
+    }
+    CHECK(refused > 0);
 }
 
 TEST_CASE("a rank that dies ends the job with an error, and what is finished stays") {

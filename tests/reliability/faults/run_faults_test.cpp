@@ -174,19 +174,22 @@ TEST_CASE("killed at random moments, the folder is the old run or the new one") 
         scene.restore(sandbox);
         REQUIRE(test::run(sandbox, command()).status == 0);
     }
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     int killed = 0;
     int round = 0;
-    for (; killed < kills && round < 5 * kills; ++round) {  // some end before they are killed
+    for (; killed < kills && round < 20 * kills; ++round) {
         const Sandbox sandbox;
         scene.restore(sandbox);
         Process process(sandbox, command(), {});
-        // Most of them in the last part, where it writes.
-        const double part = round % 3 == 0 ? std::uniform_real_distribution<double>(0, 1)(random)
-                                           : std::uniform_real_distribution<double>(0.8, 1.0)(random);
+        // Most of them in the last part, where it writes. What that is changes with the load of the machine:
+        // of these kills, about half come before the end.
+        const bool late = round % 3 != 0;
+        const double part = std::uniform_real_distribution<double>(late ? 0.8 : 0.0, 1.0)(random);
         std::this_thread::sleep_for(took * part);
         process.signal(SIGKILL);
-        killed += process.wait().status != 0 ? 1 : 0;
+        const bool in_time = process.wait().status != 0;
+        killed += in_time ? 1 : 0;
+        if (late) took *= in_time ? 1.05 : 0.95;
         await_settled(scene, sandbox);
         CAPTURE(round);
         CHECK((scene.is_old(sandbox) || scene.is_new(sandbox)));
