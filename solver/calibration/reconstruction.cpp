@@ -106,11 +106,12 @@ CurvePoint least_rebound(const PublishedDamping& published) {
     CurvePoint least = onset;
     double lower = 0.0;
     double upper = branch_step;
-    for (; upper < 1.0; upper += branch_step) {  // as far as the curve runs back
+    while (upper < 1.0) {  // as far as the curve runs back
         const double velocity = reconstructed_velocity(published, upper);
         if (velocity >= least.velocity) break;
         lower = std::max(0.0, upper - branch_step);
         least = {velocity, upper};
+        upper += branch_step;
     }
     const double e = least_argument([&](double at) { return reconstructed_velocity(published, at); }, lower,
                                     std::min(upper, 0.999));

@@ -27,8 +27,10 @@ double PressureProfile::at(double radius) const {
     const double root =
         std::sqrt(std::max(0.0, (1.0 - radius / contact_radius) * (1.0 + radius / contact_radius)));
     double pressure = hertz_pressure * root - even_tension;
-    if (rim_tension > 0.0)
-        pressure -= root > 0.0 ? rim_tension / root : std::numeric_limits<double>::infinity();
+    if (rim_tension > 0.0) {
+        if (root == 0.0) return -std::numeric_limits<double>::infinity();
+        pressure -= rim_tension / root;
+    }
     if (cohesive_stress > 0.0)
         pressure -= cohesive_stress / pi * cohesive_angle(contact_radius, outer_radius, radius);
     return pressure;

@@ -34,7 +34,7 @@ struct NonlinearProblem {
 /// Minimises the sum of squares of the residuals by Levenberg-Marquardt with geodesic acceleration off (GSL
 /// multifit_nlinear).
 /// @throws ConvergenceError; whatever the functions throw
-[[nodiscard]] NonlinearFit fit_nonlinear(const NonlinearProblem& problem, const Eigen::VectorXd& start,
+[[nodiscard]] NonlinearFit fit_nonlinear(const NonlinearProblem& fitted, const Eigen::VectorXd& start,
                                          const NonlinearFitOptions& options = {});
 
 /// The same with central differences.

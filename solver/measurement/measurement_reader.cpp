@@ -305,6 +305,7 @@ class Unread {
   private:
     static std::string names_of(const std::vector<TextColumn>& columns) {
         std::vector<std::string> names;
+        names.reserve(columns.size());
         for (const TextColumn& column : columns) names.push_back(in_quotes(column.name));
         return joined(names);
     }
@@ -347,7 +348,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name) {
             const OutcomeWord remark = remarked_outcome(heading, row);
             if (auto point = measurement_of(heading, cells, row, remark)) {
                 if (remark_counts(heading, row, remark, *point)) unread.take_remarked(row);
-                set.points.push_back(*std::move(point));
+                set.points.push_back(*point);
             } else {
                 ++set.unknown;
                 unread.take_unknown(row);

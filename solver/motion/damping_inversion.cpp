@@ -147,7 +147,8 @@ double scaled_solution(const DampingProblem& problem, RestitutionCurve& curve) {
     const auto miss = [&](double number) { return curve.at<double>(number) - target; };
     const double root = gsl::brent(miss, near ? near->lower : 0.0, most).root;
     if (const auto solution = mended(curve, target, root)) return *solution;
-    for (double margin = 1e-12; margin < 0.1; margin *= 100) {
+    double margin = 1e-12;
+    for (int widened = 0; widened < 6; ++widened, margin *= 100) {
         const double lower = root * (1 - margin);
         const double upper = root * (1 + margin);
         if (curve.at<Extended>(lower) > target && curve.at<Extended>(upper) <= target)

@@ -110,7 +110,7 @@ std::optional<std::string> refusal(Law law, Detachment detachment) {
 }
 
 std::optional<std::string> refusal(Law law, const ContactPair& contact, Detachment detachment) {
-    if (const auto reason = refusal(law, detachment)) return reason;
+    if (auto reason = refusal(law, detachment)) return reason;
     return is_cohesive(law, contact) ? cohesive_refusal(contact, detachment) : std::nullopt;
 }
 

@@ -217,6 +217,7 @@ std::vector<Moments> moments_of_zeros_by_group(std::span<const double> values, s
         sums[(first + column) % groups].zeros += counts[column].zeros;
     }
     std::vector<Moments> moments;
+    moments.reserve(sums.size());
     for (const ZeroCount& sum : sums) moments.push_back(moments_of_ones(sum.known, sum.zeros));
     return moments;
 }

@@ -37,6 +37,7 @@ SobolSums merged_without(std::span<const SobolSums> groups, std::size_t left_out
 double jackknife_error(const std::vector<std::vector<SobolIndices>>& partial, std::size_t variable,
                        double SobolIndices::*index) {
     std::vector<double> values;
+    values.reserve(partial.size());
     for (const auto& each : partial) values.push_back(each[variable].*index);
     const Moments moments = Moments::of(values);
     return std::sqrt(moments.second * static_cast<double>(values.size() - 1) /

@@ -46,7 +46,7 @@ void note_impacts(MeasuredDamping& result, const MeasurementSet& set) {
                                std::string(result.law.name()) + ": " +
                                numbered(in_file ? "line" : "impact", lines));
     }
-    if (set.rebounds() == 0) result.notes.push_back("every impact was captured: there is nothing to fit");
+    if (set.rebounds() == 0) result.notes.emplace_back("every impact was captured: there is nothing to fit");
 }
 
 /// The paper's extrapolation, with what follows from it.
@@ -107,7 +107,7 @@ RisingBranch branch_to(const MeasurementSet& set, double upper) {
 RisingBranch branch_for(MeasuredDamping& result, const ContactModel& model, const MeasurementSet& set,
                         const DampingCurveOptions& options) {
     const auto every = [&] {
-        result.notes.push_back("extrapolated fit: outliers hide the rising branch, every rebound is used");
+        result.notes.emplace_back("extrapolated fit: outliers hide the rising branch, every rebound is used");
         return branch_to(set, std::numeric_limits<double>::infinity());
     };
     try {
@@ -140,7 +140,7 @@ MeasuredDamping analyse_impacts(Law law, Detachment detachment, const RandomCont
         MeasuredDamping result = begun(law, detachment, pair, set, options);
         result.impacts = invert_by_solving(law, detachment, pair, set);
         note_parts(result, set, options.parts);
-        result.notes.push_back("no fit: a contact that yields has a history");
+        result.notes.emplace_back("no fit: a contact that yields has a history");
         return result;
     }
     validate(set);

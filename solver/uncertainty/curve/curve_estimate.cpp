@@ -68,7 +68,8 @@ Mode find_mode(const CurvePosterior& posterior, const Vector& start) {
         step *= std::min(1.0, 0.5 / std::abs(step[CurvePosterior::critical]));
         constexpr double enough = 0.02;
         const double before = mode.value;
-        for (double length = 1.0; length > 1e-4; length *= 0.35) {
+        double length = 1.0;
+        for (int shortened = 0; shortened < 9; ++shortened, length *= 0.35) {
             const double value = posterior(point + length * step);
             if (value >= mode.value) continue;
             point += length * step;

@@ -25,7 +25,7 @@ double square(double x) {
 
 CurvePosterior::CurvePosterior(const CurveTable& table, const std::vector<RecordedImpact>& impacts,
                                const CurvePrior& prior)
-    : table_(&table), impacts_(&impacts), prior_(prior), fastest_(-1e300), slowest_(1e300) {
+    : table_(&table), impacts_(&impacts), prior_(prior) {
     for (const RecordedImpact& impact : impacts) {
         fastest_ = std::max(fastest_, impact.log_velocity);
         slowest_ = std::min(slowest_, impact.log_velocity);
@@ -83,7 +83,7 @@ CurvePosterior::Curvature CurvePosterior::curvature(const Vector& parameters, do
     };
     Vector below;
     Matrix both;  // on the diagonal a step of one parameter, below it steps of two
-    batch::for_each_item(size * (size + 1), [&](std::size_t item) {
+    batch::for_each_item(static_cast<std::size_t>(size * (size + 1)), [&](std::size_t item) {
         const int i = static_cast<int>(item) / (size + 1);
         const int j = static_cast<int>(item) % (size + 1);
         if (j == size)

@@ -55,8 +55,8 @@ class CurvePosterior {
     const CurveTable* table_;
     const std::vector<RecordedImpact>* impacts_;
     CurvePrior prior_;
-    double fastest_;  ///< ln v
-    double slowest_;
+    double fastest_ = -1e300;  ///< ln v
+    double slowest_ = 1e300;
 };
 
 }  // namespace ashimpact

@@ -34,7 +34,7 @@ struct MeasuredCriticalVelocity {
 /// of 1 - 0.05/n for n impacts; rebounds alone bound it from above, by the least v_in + z u(v_in). If all
 /// particles share one v_c such a bound holds in 95 % of cases or more, whatever velocities were aimed at.
 /// @throws InputError for a set that is not valid
-[[nodiscard]] MeasuredCriticalVelocity measured_critical_velocity(const MeasurementSet& set);
+[[nodiscard]] MeasuredCriticalVelocity measured_critical_velocity(const MeasurementSet& stated);
 
 enum class CriticalVelocityVerdict { agrees, model_too_low, model_too_high, not_comparable };
 

@@ -125,6 +125,7 @@ template <class ProblemAt>
 CohesiveVelocityMap cohesive_map(const std::vector<RandomInput>& inputs, ProblemAt&& problem_at) {
     constexpr double deviations = 5;  // a draw beyond is solved
     std::vector<double> values;
+    values.reserve(inputs.size());
     for (const RandomInput& input : inputs) values.push_back(input.value);
     const CriticalVelocityProblem nominal = problem_at(values);
     const CohesiveNumbers centre = cohesive_numbers(nominal);
