@@ -64,7 +64,7 @@ CriticalVelocity with_velocity(const ExportSubject& subject, double diameter) {
         found = sign_change(subject, diameter, velocities[i], velocities[i + 1]);
     }
     // Below the first node the damping is that of the first node.
-    const CriticalVelocity below = critical_at(subject, diameter, subject.damping.coefficient(diameter, 0));
+    CriticalVelocity below = critical_at(subject, diameter, subject.damping.coefficient(diameter, 0));
     if (below.value && *below.value < velocities[1]) {
         if (found) refuse_several(diameter);
         return below;

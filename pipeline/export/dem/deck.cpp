@@ -26,7 +26,7 @@ std::string sphere_lines(const DemCode& code, const SphereWords& sphere) {
 }
 
 std::string body_lines(const ExportSubject& subject, const DemCode& code) {
-    const std::string ash = sphere_lines(
+    std::string ash = sphere_lines(
         code, {.atom = 1, .diameter = "${diameter}", .mass = "${mass}", .density = exact(subject.density)});
     if (!subject.partner) return ash;
     const auto [radius, mass] = *subject.partner;

@@ -148,6 +148,7 @@ class Chunk {
         if (known.size() == blocks[0].size()) return;
         for (auto& block : blocks) {
             std::vector<double> kept;
+            kept.reserve(known.size());
             for (const std::size_t i : known) kept.push_back(block[i]);
             block = std::move(kept);
         }

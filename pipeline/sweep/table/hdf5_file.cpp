@@ -14,7 +14,7 @@ void silence() {
 
 Handle timeless(hid_t kind) {
     Handle properties(H5Pcreate(kind), H5Pclose, "H5Pcreate");
-    check(H5Pset_obj_track_times(properties.id(), 0), "H5Pset_obj_track_times");
+    check(H5Pset_obj_track_times(properties.id(), false), "H5Pset_obj_track_times");
     return properties;
 }
 

@@ -48,9 +48,8 @@ std::string command_of(const Impact& impact) {
     return command;
 }
 
-/// The first impact that is no valid one, as an error of the variables that make it.
-[[noreturn]] void refuse_first(const ImpactModel& model, const ImpactColumns& impacts,
-                               const InputError& error) {
+/// Throws for the first impact that is no valid one an error of the variables that make it.
+void refuse_first(const ImpactModel& model, const ImpactColumns& impacts) {
     for (std::size_t i = 0; i < impacts.velocity.size(); ++i) {
         try {
             validate(impact_at(model, impacts, i));
@@ -58,7 +57,6 @@ std::string command_of(const Impact& impact) {
             throw InputError("at a point of the sweep, " + own.problem(), own.allowed()).at("/variables");
         }
     }
-    throw error;
 }
 
 }  // namespace
@@ -75,8 +73,9 @@ ResultColumns solve_in_batch(const ImpactModel& model, const ImpactColumns& impa
                        .contact_time = wanted.contact_time,
                        .method = wanted.method,
                        .keep_failures = true});
-    } catch (const InputError& error) {
-        refuse_first(model, impacts, error);
+    } catch (const InputError&) {
+        refuse_first(model, impacts);
+        throw;
     }
     ResultColumns results;
     results.restitution = values(solved.restitution);

@@ -75,7 +75,7 @@ std::string image_of(const Handle& file) {
 std::string impact_table_image(const ExportSubject& subject, const ImpactTable& table) {
     hdf5::silence();
     const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "H5Pcreate");
-    check(H5Pset_fapl_core(access.id(), growth, 0), "H5Pset_fapl_core");  // in memory alone
+    check(H5Pset_fapl_core(access.id(), growth, false), "H5Pset_fapl_core");  // in memory alone
     const Handle properties = hdf5::timeless(H5P_FILE_CREATE);
     const Handle file(H5Fcreate("table.h5", H5F_ACC_TRUNC, properties.id(), access.id()), H5Fclose,
                       "H5Fcreate");
