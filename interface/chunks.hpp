@@ -18,14 +18,14 @@ void find_failure(std::size_t first, std::size_t size, bool only_one, const Solv
         try {
             solve(i, std::size_t{1});
         } catch (const InputError& error) {
-            const InputError bare(error.problem(), error.allowed());
-            if (only_one) throw bare;
-            throw bare.at(place);
+            if (only_one) throw InputError(error.problem(), error.allowed());
+            throw InputError(error.problem(), error.allowed()).at(place);
         } catch (const ConvergenceError& error) {
             std::string message = error.what();
             const std::string own_place = "impact 0: ";
             if (message.starts_with(own_place)) message.erase(0, own_place.size());
-            throw ConvergenceError(only_one ? message : place + ": " + message);
+            if (!only_one) message.insert(0, ": ").insert(0, place);
+            throw ConvergenceError(message);
         }
     }
 }

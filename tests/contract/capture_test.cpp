@@ -33,7 +33,8 @@ ImpactResult at_velocity(Impact impact, double velocity) {
 /// A verdict without a critical velocity: captured, or rebounding, at every velocity that keeps the overlap
 /// within the theory.
 void check_every_velocity(const Impact& impact, CaptureVerdict verdict) {
-    for (double factor = 1e-6; factor < 2e6; factor *= 100) {
+    for (int power = -6; power <= 6; power += 2) {
+        const double factor = std::pow(10.0, power);
         const ImpactResult result = at_velocity(impact, factor * impact.velocity);
         const bool within_theory = result.maximum_overlap < impact.contact.effective_radius;
         if (result.yielded && !within_theory) continue;

@@ -52,7 +52,8 @@ TEST_CASE("an impact tends to that of Hertz as adhesion vanishes, at least with 
             const Impact impact = impact_of(c, ash(w), 0.3, 2.0);
             return difference(solve_impact(impact), solve_impact(hertz_of(impact)));
         };
-        for (double w = 1e-4; w > 1e-13; w /= 100) {
+        for (int power = -4; power > -13; power -= 2) {
+            const double w = std::pow(10.0, power);
             const double before = distance(w);
             // A hundredth of the adhesion leaves a tenth of the difference, until that is rounding.
             if (before > 1e-12) decline.see(distance(w / 100) / before, name_of(c));

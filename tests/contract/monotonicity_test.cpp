@@ -2,12 +2,24 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "tests/support/contact_cases.hpp"
 
 using namespace ashimpact;
 using namespace ashimpact::test;
+
+namespace {
+
+/// first, first * factor, ... below @p end.
+std::vector<double> geometric(double first, double factor, double end) {
+    std::vector<double> values{first};
+    while (values.back() * factor < end) values.push_back(values.back() * factor);
+    return values;
+}
+
+}  // namespace
 
 TEST_CASE(
     "a faster impact rebounds faster, goes deeper and, with constant damping, keeps more of its velocity") {
@@ -40,7 +52,7 @@ TEST_CASE("more damping: less restitution, less overlap, a later end") {
     for (const ContactCase& c : contact_cases()) {
         for (const double w : ash_adhesions) {
             ImpactResult before = solve_impact(impact_of(c, ash(w), 0.0, 2.0));
-            for (double number = 0.01; number < 3.0; number *= 1.3) {
+            for (const double number : geometric(0.01, 1.3, 3.0)) {
                 const ImpactResult now = solve_impact(impact_of(c, ash(w), number, 2.0));
                 CAPTURE(name_of(c));
                 CAPTURE(w);
@@ -65,7 +77,7 @@ TEST_CASE("critical velocity rises with damping, and once every impact is captur
         for (const double w : ash_adhesions) {
             double before = 0.0;
             bool always = false;
-            for (double number = 0.01; number < 8.0; number *= 1.5) {
+            for (const double number : geometric(0.01, 1.5, 8.0)) {
                 const Impact impact = impact_of(c, ash(w), number, 2.0);
                 const CriticalVelocity now =
                     critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact});

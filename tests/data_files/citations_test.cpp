@@ -89,7 +89,8 @@ TEST_CASE(
          ++found)
         ++entries[(*found)[1].str()];
     REQUIRE(entries.size() > 40);
-    for (const auto& [key, count] : entries) CHECK_MESSAGE(count == 1, "twice in references.bib: ", key);
+    for (const auto& entry_count : entries)
+        CHECK_MESSAGE(entry_count.second == 1, "twice in references.bib: ", entry_count.first);
 
     std::set<std::string> cited;
     for (const char* folder : {"materials", "solver", "pipeline", "data", "docs", "bench"}) {
@@ -103,6 +104,7 @@ TEST_CASE(
             cited.merge(keys);
         }
     }
-    for (const auto& [key, count] : entries)
-        CHECK_MESSAGE(cited.contains(key), "nothing cites ", key, " of data/references.bib");
+    for (const auto& entry_count : entries)
+        CHECK_MESSAGE(cited.contains(entry_count.first), "nothing cites ", entry_count.first,
+                      " of data/references.bib");
 }

@@ -1,5 +1,5 @@
 #include <doctest/doctest.h>
-#include <fenv.h>  // feenableexcept is no part of <cfenv>
+#include <fenv.h>  // NOLINT(modernize-deprecated-headers): feenableexcept is no part of <cfenv>
 #include <xmmintrin.h>
 
 #include <array>
