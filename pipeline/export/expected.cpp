@@ -22,7 +22,7 @@ std::vector<double> sizes_of(const ExportSubject& subject) {
     for (const double size : {subject.reference_diameter(), 0.97 * middle})
         if (size > subject.from_diameter && size < subject.to_diameter) sizes.push_back(size);
     std::ranges::sort(sizes);
-    sizes.erase(std::ranges::unique(sizes).begin(), sizes.end());
+    sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
     return sizes;
 }
 
@@ -35,7 +35,7 @@ std::vector<double> velocities_of(const ExportSubject& subject, double diameter)
     if (subject.velocity) velocities.push_back(*subject.velocity);
     if (subject.to_velocity) std::erase_if(velocities, [&](double v) { return v > *subject.to_velocity; });
     std::ranges::sort(velocities);
-    velocities.erase(std::ranges::unique(velocities).begin(), velocities.end());
+    velocities.erase(std::unique(velocities.begin(), velocities.end()), velocities.end());
     return velocities;
 }
 
