@@ -2,6 +2,8 @@
 """Whether builds of the program agree: `ashimpact run` of the built-in case by each of them, every number of every artifact.
 
     compare.py PROGRAM OTHER...      to 1e-12 of the number, or of the greatest of its list; all else has to be the same
+
+Shares of a variance ("influences") are parts of 1, and differences of nearly equal numbers: they are compared to 1e-12 of 1.
 """
 
 import json
@@ -26,7 +28,7 @@ def differences(one, other, place, scale, found):
         if isinstance(one, dict) and isinstance(other, dict) and one.keys() == other.keys():
             for key in one:
                 if key not in COUNTED:
-                    differences(one[key], other[key], f"{place}/{key}", 0.0, found)
+                    differences(one[key], other[key], f"{place}/{key}", 1.0 if "/influences/" in place else 0.0, found)
         elif isinstance(one, list) and isinstance(other, list) and len(one) == len(other):
             numbers = [abs(each) for each in one if isinstance(each, (int, float))]
             for index, (left, right) in enumerate(zip(one, other)):
