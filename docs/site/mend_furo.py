@@ -29,6 +29,6 @@ if count:
 dark = re.search(r'@media not print \{\s*(body\[data-theme="dark"\] \{.*?\})\s*html body', text, re.DOTALL)
 if dark and "prefers-color-scheme" not in text:
     own = dark[1].replace('body[data-theme="dark"]', 'body:not([data-theme="light"])')
-    rule = "@media not print and (prefers-color-scheme: dark) {" + own + "}\n"
+    rule = "@media screen and (prefers-color-scheme: dark) {" + own + "}\n"
     text = text[: dark.start()] + rule + text[dark.start():]
 sheet.write_text(text, encoding="utf-8")

@@ -25,7 +25,7 @@ if grep -rnE '^import |@import +(url\()?"?/' "$scratch/site/_static"; then
     echo 'failed: scripts or styles that do not work from disk'
     exit 1
 fi
-grep -q 'prefers-color-scheme: dark' "$scratch/site/_static/styles/furo.css" || { echo 'failed: no dark theme'; exit 1; }
+grep -q 'prefers-color-scheme: *dark' "$scratch/site/_static/styles/furo.css" || { echo 'failed: no dark theme'; exit 1; }
 echo '== links'
 /usr/bin/python3 "$here/site/links.py" "$scratch/site"
 echo '== blocks'
