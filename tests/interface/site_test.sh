@@ -20,8 +20,14 @@ if grep -rhoE '(src|href)="(https?:)?//[^"]*\.(js|css|woff2?)"' --include='*.htm
     echo 'failed: a page needs something from elsewhere'
     exit 1
 fi
+# Read from disk a browser loads neither modules nor what a web server has.
+if grep -rnE '^import |@import +(url\()?"?/' "$scratch/site/_static"; then
+    echo 'failed: scripts or styles that do not work from disk'
+    exit 1
+fi
+grep -q 'prefers-color-scheme: *dark' "$scratch/site/_static/styles/furo.css" || { echo 'failed: no dark theme'; exit 1; }
 echo '== links'
 /usr/bin/python3 "$here/site/links.py" "$scratch/site"
 echo '== blocks'
-PATH=$build:$PATH PYTHONPATH=$build/python ASHIMPACT_PROGRAM=$build/ashimpact MPLCONFIGDIR=$scratch/matplotlib \
+PATH=$build:$PATH BUILD=$build PYTHONPATH=$build/python ASHIMPACT_PROGRAM=$build/ashimpact MPLCONFIGDIR=$scratch/matplotlib \
     /usr/bin/python3 "$here/site/blocks.py" "$root"/docs/tutorial/*.md "$root"/docs/how-to/*.md
