@@ -8,8 +8,8 @@ root=$(readlink -f "$here/../..")
 scratch=$(mktemp -d)
 trap 'rm -rf --one-file-system "$scratch"' EXIT
 
-# shellcheck source=tests/interface/leave_out.sh
-source "$here/leave_out.sh"
+# shellcheck source=tests/leave_out.sh
+source "$here/../leave_out.sh"
 for tool in dpkg-buildpackage lintian debootstrap; do
     command -v "$tool" >/dev/null || leave_out "there is no $tool (./dev deps packages)"
 done

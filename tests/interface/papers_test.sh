@@ -5,8 +5,8 @@ papers=$1/papers program=$1/ashimpact
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
-# shellcheck source=tests/interface/leave_out.sh
-source "$here/leave_out.sh"
+# shellcheck source=tests/leave_out.sh
+source "$here/../leave_out.sh"
 
 fail() { echo "failed: $1"; exit 1; }
 expect() { [[ $1 == *"$2"* ]] || fail "$3: '$2' is not in: $1"; }

@@ -9,8 +9,8 @@ export ASHIMPACT_LIBRARY=$build/interface/libashimpact.so.1
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-# shellcheck source=tests/interface/leave_out.sh
-source "$here/leave_out.sh"
+# shellcheck source=tests/leave_out.sh
+source "$here/../leave_out.sh"
 [[ -d $build/python/ashimpact ]] || leave_out 'the module is not built: pybind11-dev, python3-dev (./dev deps library)'
 /usr/bin/python3 -c 'import numpy, pandas, matplotlib, mypy, nbclient, ipykernel' 2>/dev/null ||
     leave_out 'python3-numpy, python3-pandas, python3-matplotlib, mypy, python3-nbclient, python3-ipykernel (./dev deps library)'

@@ -6,8 +6,8 @@ here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 root=$(readlink -f "$here/../..")
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-# shellcheck source=tests/interface/leave_out.sh
-source "$here/leave_out.sh"
+# shellcheck source=tests/leave_out.sh
+source "$here/../leave_out.sh"
 
 if ! command -v doxygen >/dev/null || ! /usr/bin/python3 -c 'import sphinx, myst_parser, furo, breathe' 2>/dev/null; then
     leave_out 'doxygen, python3-sphinx, python3-myst-parser, furo, python3-breathe (./dev deps docs)'

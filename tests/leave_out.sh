@@ -1,4 +1,4 @@
-# For the tests of this folder: `leave_out WHAT` ends a test that cannot be done, saying what is missing. Exit status 77 is a
+# For tests that are scripts: `leave_out WHAT` ends a test that cannot be done, saying what is missing. Exit status 77 is a
 # test that was skipped; in CI it fails instead, unless ./dev could not install what is missing.
 # shellcheck shell=bash
 leave_out() {
