@@ -116,6 +116,13 @@ void copy(const Eigen::ArrayXd& from, std::size_t first, std::size_t size, doubl
     }
 }
 
+/// Writes the first result to the places of all: numbers of size one in every column are a single impact.
+void repeat_first(const BatchOutputs& outputs, std::size_t size) {
+    for (double* column :
+         {outputs.restitution, outputs.contact_time, outputs.approach_time, outputs.maximum_overlap})
+        if (column != nullptr) std::fill_n(column, size, *column);
+}
+
 /// Solves in chunks, with Python free to do something else in between.
 template <class Solve>
 void solve_in_chunks(std::size_t count, const Solve& solve) {
@@ -143,17 +150,22 @@ py::tuple impacts(const Choice& choice, const py::tuple& contact_arrays, const A
     Array approach_time(tabulated ? 0 : size_of);
     Array maximum_overlap(tabulated ? 0 : size_of);
     double* const out[] = {restitution.mutable_data(), contact_time.mutable_data(),
-                           approach_time.mutable_data(), maximum_overlap.mutable_data()};
-    ImpactBatchResult result;
+                           tabulated ? nullptr : approach_time.mutable_data(),
+                           tabulated ? nullptr : maximum_overlap.mutable_data()};
     solve_in_chunks(count, [&](std::size_t first, std::size_t size) {
-        solve_impacts({choice.law, choice.detachment, choice.damping_law, contact.part(first, size),
-                       part(damping, first, size), part(velocity, first, size)},
-                      result, options);
-        copy(result.restitution, first, size, out[0]);
-        copy(result.contact_time, first, size, out[1]);
-        if (tabulated) return;
-        copy(result.approach_time, first, size, out[2]);
-        copy(result.maximum_overlap, first, size, out[3]);
+        const auto from = [&](double* column) { return column == nullptr ? nullptr : column + first; };
+        const BatchOutputs outputs{.restitution = from(out[0]),
+                                   .contact_time = from(out[1]),
+                                   .approach_time = from(out[2]),
+                                   .maximum_overlap = from(out[3])};
+        const ImpactBatch batch{choice.law,
+                                choice.detachment,
+                                choice.damping_law,
+                                contact.part(first, size),
+                                part(damping, first, size),
+                                part(velocity, first, size)};
+        solve_impacts(batch, outputs, options);
+        if (count_of(batch) == 1) repeat_first(outputs, size);
     });
     return py::make_tuple(restitution, contact_time, approach_time, maximum_overlap);
 }
