@@ -160,6 +160,12 @@ void resize(ImpactBatchResult& result, Eigen::Index count) {
     }
 }
 
+/// Number of impacts of a batch. @throws InputError if columns differ in length
+Eigen::Index count_of(const ImpactBatch& batch) {
+    return common_size(batch.contact,
+                       {{"damping", batch.damping.size()}, {"velocity", batch.velocity.size()}});
+}
+
 batch::Inputs inputs_of(const ImpactBatch& batch) {
     batch::Inputs inputs = batch::inputs_of(batch.law, batch.contact);
     inputs.damping = batch::input_of(batch.damping);
@@ -168,11 +174,6 @@ batch::Inputs inputs_of(const ImpactBatch& batch) {
 }
 
 }  // namespace
-
-Eigen::Index count_of(const ImpactBatch& batch) {
-    return common_size(batch.contact,
-                       {{"damping", batch.damping.size()}, {"velocity", batch.velocity.size()}});
-}
 
 BatchReport solve_impacts(const ImpactBatch& batch, const BatchOutputs& outputs,
                           const BatchOptions& options) {

@@ -79,9 +79,6 @@ struct BatchReport {
 /// As above, into an existing result. Columns of the right length are reused without allocation.
 void solve_impacts(const ImpactBatch& batch, ImpactBatchResult& result, const BatchOptions& options = {});
 
-/// Number of impacts of a batch. @throws InputError if columns differ in length
-[[nodiscard]] Eigen::Index count_of(const ImpactBatch& batch);
-
 /// As above, to columns of the caller: nothing is copied, and what no one asks for is not written.
 BatchReport solve_impacts(const ImpactBatch& batch, const BatchOutputs& outputs, const BatchOptions& options);
 

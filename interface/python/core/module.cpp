@@ -116,13 +116,6 @@ void copy(const Eigen::ArrayXd& from, std::size_t first, std::size_t size, doubl
     }
 }
 
-/// Writes the first result to the places of all: numbers of size one in every column are a single impact.
-void repeat_first(const BatchOutputs& outputs, std::size_t size) {
-    for (double* column :
-         {outputs.restitution, outputs.contact_time, outputs.approach_time, outputs.maximum_overlap})
-        if (column != nullptr) std::fill_n(column, size, *column);
-}
-
 /// Solves in chunks, with Python free to do something else in between.
 template <class Solve>
 void solve_in_chunks(std::size_t count, const Solve& solve) {
@@ -158,14 +151,9 @@ py::tuple impacts(const Choice& choice, const py::tuple& contact_arrays, const A
                                    .contact_time = from(out[1]),
                                    .approach_time = from(out[2]),
                                    .maximum_overlap = from(out[3])};
-        const ImpactBatch batch{choice.law,
-                                choice.detachment,
-                                choice.damping_law,
-                                contact.part(first, size),
-                                part(damping, first, size),
-                                part(velocity, first, size)};
-        solve_impacts(batch, outputs, options);
-        if (count_of(batch) == 1) repeat_first(outputs, size);
+        solve_impacts({choice.law, choice.detachment, choice.damping_law, contact.part(first, size),
+                       part(damping, first, size), part(velocity, first, size)},
+                      outputs, options);
     });
     return py::make_tuple(restitution, contact_time, approach_time, maximum_overlap);
 }

@@ -145,9 +145,9 @@ TEST_CASE("columns of the caller get what a result holds, and those that are not
     const ImpactBatch batch = impacts.batch();
     for (const BatchMethod method : {BatchMethod::integration, BatchMethod::table}) {
         const ImpactBatchResult result = solve_impacts(batch, {.turning_point = false, .method = method});
-        Eigen::ArrayXd restitution(count_of(batch));
-        Eigen::ArrayXd time(count_of(batch));
-        Eigen::ArrayXd overlap(count_of(batch));
+        Eigen::ArrayXd restitution(impacts.size());
+        Eigen::ArrayXd time(impacts.size());
+        Eigen::ArrayXd overlap(impacts.size());
         solve_impacts(batch,
                       {.restitution = restitution.data(),
                        .contact_time = time.data(),
