@@ -64,11 +64,21 @@ struct SweptImpacts {
     }
 };
 
-double batch_seconds(const ImpactBatch& batch, ImpactBatchResult& result, bool contact_time) {
-    const std::clock_t start = std::clock();
-    solve_impacts(batch, result,
-                  {.turning_point = false, .contact_time = contact_time, .method = BatchMethod::table});
-    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+double median(std::vector<double> values) {
+    std::ranges::sort(values);
+    return values[values.size() / 2];
+}
+
+/// Rate of a call that solves the whole batch, median of five.
+template <class Solve>
+double batch_rate(const Solve& solve) {
+    std::vector<double> seconds;
+    for (int i = 0; i < 5; ++i) {
+        const std::clock_t start = std::clock();
+        solve();
+        seconds.push_back(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    }
+    return batch_impacts / median(seconds);
 }
 
 double sweep_seconds() {
@@ -98,11 +108,6 @@ std::string written(const SweptImpacts& impacts) {
     return name;
 }
 
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values[values.size() / 2];
-}
-
 }  // namespace
 
 void print_seams(const Options& options) {
@@ -113,22 +118,27 @@ void print_seams(const Options& options) {
     const ImpactBatch batch = impacts.batch();
     const std::string arrays = written(impacts);
     ImpactBatchResult result;
-    batch_seconds(batch, result, true);       // makes the table
+    const auto with_columns = [&](bool contact_time) {
+        solve_impacts(batch, result,
+                      {.turning_point = false, .contact_time = contact_time, .method = BatchMethod::table});
+    };
+    with_columns(true);                       // makes the table
     std::vector<double> sweep_ratios;         // to a batch as Python and the command line have it
-    std::vector<double> sweep_ratios_by_end;  // to one without contact times, as the sweep's own is
+    std::vector<double> sweep_ratios_by_end;  // to one without contact times
+    std::vector<double> sweep_ratios_alone;  // to one that writes restitutions alone, as the sweep's own does
     std::vector<double> python_ratios;
     std::vector<double> rates;
     for (int round = 0; round < 2 * options.repetitions + 1; ++round) {
-        const auto rate = [&](bool contact_time) {
-            std::vector<double> seconds;
-            for (int i = 0; i < 5; ++i) seconds.push_back(batch_seconds(batch, result, contact_time));
-            return batch_impacts / median(seconds);
-        };
-        const double ends_only = rate(false);
+        const double ends_only = batch_rate([&] { with_columns(false); });
+        const double alone = batch_rate([&] {
+            solve_impacts(batch, {.restitution = result.restitution.data()},
+                          {.turning_point = false, .contact_time = false, .method = BatchMethod::table});
+        });
         const double swept = sweep_samples / sweep_seconds();
-        rates.push_back(rate(true));
+        rates.push_back(batch_rate([&] { with_columns(true); }));
         sweep_ratios.push_back(swept / rates.back());
         sweep_ratios_by_end.push_back(swept / ends_only);
+        sweep_ratios_alone.push_back(swept / alone);
         const std::vector<double> python = python_seconds(arrays, 7);
         if (!python.empty()) python_ratios.push_back(batch_impacts / median(python) / rates.back());
     }
@@ -142,6 +152,8 @@ void print_seams(const Options& options) {
                unit * median(sweep_ratios), median(sweep_ratios));
     fmt::print("{:<44}{:>14}{:>12.2f}\n", "  / a batch without contact times", "",
                median(sweep_ratios_by_end));
+    fmt::print("{:<44}{:>14}{:>12.2f}\n", "  / a batch of restitutions alone", "",
+               median(sweep_ratios_alone));
 }
 
 }  // namespace ashimpact::bench

@@ -9,12 +9,16 @@
 
 namespace ashimpact {
 
+/// What is_computable() allows.
+inline constexpr double least_computable = 1e-40;
+inline constexpr double greatest_computable = 1e40;
+
 /// Whether a positive number in SI is far enough from the limits of double precision that products of powers
 /// of such numbers neither overflow nor underflow.
 [[nodiscard]] constexpr bool is_computable(double value) {
-    return value >= 1e-40 && value <= 1e40;
+    return value >= least_computable && value <= greatest_computable;
 }
-/// What is_computable() allows, in words.
+/// The same in words.
 inline constexpr std::string_view computable_range = "1e-40 to 1e40";
 
 /// Throws InputError "<name> is <value> <unit>; allowed: a positive <dimension>" unless value > 0, finite and

@@ -102,31 +102,54 @@ ImpactResult solve_alone(const Impact& impact) {
 
 /// Solves a task. Impacts that its kernel left undecided or gave an impossible result go through the scalar
 /// solver. @return how many those were
-std::int64_t solve(const ImpactBatch& batch, const ImpactTask& task, std::size_t first, Outcome* outcome,
-                   Failures& failures) {
+std::int64_t solve(const ImpactBatch& batch, const ImpactTask& task, std::size_t first, Failures& failures) {
     batch::kernels_of(batch.law).impacts(task);
     std::int64_t solved_alone = 0;
     for (std::size_t i = 0; i < task.count; ++i) {
         const bool end_known = is_possible_end(task, i);
         const bool turn_known = !task.turning_point || (end_known && is_possible_turn(task, i));
-        if (!end_known || !turn_known) {
-            try {
-                const ImpactResult result = solve_alone(impact_at(batch, task.inputs, i));
-                if (!end_known) take_end(result, task, i);
-                if (task.turning_point) take_turn(result, task, i);
-            } catch (const ConvergenceError& error) {
-                failures.add(task, i, first, error);
-            }
-            ++solved_alone;
+        if (end_known && turn_known) continue;
+        try {
+            const ImpactResult result = solve_alone(impact_at(batch, task.inputs, i));
+            if (!end_known) take_end(result, task, i);
+            if (task.turning_point) take_turn(result, task, i);
+        } catch (const ConvergenceError& error) {
+            failures.add(task, i, first, error);
         }
-        outcome[i] = task.end[i] == LaneEnd::rebound ? Outcome::rebound : Outcome::capture;
-    }
-    if (!task.with_contact_time) std::fill_n(task.contact_time, task.count, nothing);
-    if (!task.turning_point) {
-        std::fill_n(task.approach_time, task.count, nothing);
-        std::fill_n(task.maximum_overlap, task.count, nothing);
+        ++solved_alone;
     }
     return solved_alone;
+}
+
+/// Columns for the results of a task that no one asks for, as its kernel needs a place for them.
+struct Unwanted {
+    using Numbers = std::array<double, batch::most_impacts>;  // filled by the kernel
+    Numbers restitution;
+    Numbers contact_time;
+    Numbers approach_time;
+    Numbers maximum_overlap;
+};
+
+/// The columns of @p outputs from impact @p first on.
+BatchOutputs from(const BatchOutputs& outputs, std::size_t first) {
+    const auto part = [&](auto* column) { return column == nullptr ? nullptr : column + first; };
+    return {part(outputs.outcome), part(outputs.restitution), part(outputs.contact_time),
+            part(outputs.approach_time), part(outputs.maximum_overlap)};
+}
+
+/// Writes what follows from a solved task: outcomes, and that there is nothing where nothing was computed.
+void complete(const ImpactTask& task, const BatchOutputs& out) {
+    if (out.outcome != nullptr)
+        std::transform(task.end, task.end + task.count, out.outcome, [](LaneEnd end) {
+            return end == LaneEnd::rebound ? Outcome::rebound : Outcome::capture;
+        });
+    const auto leave_out = [&](double* column) {
+        if (column != nullptr) std::fill_n(column, task.count, nothing);
+    };
+    if (!task.with_contact_time) leave_out(out.contact_time);
+    if (task.turning_point) return;
+    leave_out(out.approach_time);
+    leave_out(out.maximum_overlap);
 }
 
 void resize(ImpactBatchResult& result, Eigen::Index count) {
@@ -135,6 +158,12 @@ void resize(ImpactBatchResult& result, Eigen::Index count) {
          {&result.restitution, &result.contact_time, &result.approach_time, &result.maximum_overlap}) {
         column->resize(count);
     }
+}
+
+/// Number of impacts of a batch. @throws InputError if columns differ in length
+Eigen::Index count_of(const ImpactBatch& batch) {
+    return common_size(batch.contact,
+                       {{"damping", batch.damping.size()}, {"velocity", batch.velocity.size()}});
 }
 
 batch::Inputs inputs_of(const ImpactBatch& batch) {
@@ -146,15 +175,14 @@ batch::Inputs inputs_of(const ImpactBatch& batch) {
 
 }  // namespace
 
-void solve_impacts(const ImpactBatch& batch, ImpactBatchResult& result, const BatchOptions& options) {
+BatchReport solve_impacts(const ImpactBatch& batch, const BatchOutputs& outputs,
+                          const BatchOptions& options) {
     batch::require_admissible(batch.law, batch.detachment);
     const bool tabulated = options.method == BatchMethod::table;
     batch::RestitutionTable* const table =
         tabulated ? &batch::RestitutionTable::of(batch.law, batch.detachment, batch.damping_law) : nullptr;
-    const Eigen::Index count =
-        common_size(batch.contact, {{"damping", batch.damping.size()}, {"velocity", batch.velocity.size()}});
+    const Eigen::Index count = count_of(batch);
     const batch::Inputs inputs = inputs_of(batch);
-    resize(result, count);
     batch::FirstFault fault;
     std::atomic<std::int64_t> scalar = 0;
     Failures failures(options.keep_failures);
@@ -162,6 +190,11 @@ void solve_impacts(const ImpactBatch& batch, ImpactBatchResult& result, const Ba
         const batch::Inputs chunk_inputs = inputs.from(first);
         if (!fault.check(chunk_inputs, first, size)) return;
         std::array<LaneEnd, batch::most_impacts> end;  // the kernel fills what is used
+        Unwanted unwanted;
+        const BatchOutputs out = from(outputs, first);
+        const auto column = [](double* wanted, Unwanted::Numbers& other) {
+            return wanted != nullptr ? wanted : other.data();
+        };
         const ImpactTask task{.damping_law = batch.damping_law,
                               .detachment = batch.detachment,
                               .with_contact_time = options.contact_time || options.turning_point,
@@ -170,16 +203,29 @@ void solve_impacts(const ImpactBatch& batch, ImpactBatchResult& result, const Ba
                               .count = size,
                               .inputs = chunk_inputs,
                               .end = end.data(),
-                              .restitution = result.restitution.data() + first,
-                              .contact_time = result.contact_time.data() + first,
-                              .approach_time = result.approach_time.data() + first,
-                              .maximum_overlap = result.maximum_overlap.data() + first};
-        scalar += solve(batch, task, first, result.outcome.data() + first, failures);
+                              .restitution = column(out.restitution, unwanted.restitution),
+                              .contact_time = column(out.contact_time, unwanted.contact_time),
+                              .approach_time = column(out.approach_time, unwanted.approach_time),
+                              .maximum_overlap = column(out.maximum_overlap, unwanted.maximum_overlap)};
+        scalar += solve(batch, task, first, failures);
+        complete(task, out);
     };
     batch::for_chunks(static_cast<std::size_t>(count), batch::most_impacts, options.threads, chunk);
-    result.scalar = scalar;
-    result.failed = std::move(failures).in_order();
     fault.raise([&](std::size_t i) { validate(impact_at(batch, inputs, i)); });
+    return {std::move(failures).in_order(), scalar};
+}
+
+void solve_impacts(const ImpactBatch& batch, ImpactBatchResult& result, const BatchOptions& options) {
+    resize(result, count_of(batch));
+    BatchReport report = solve_impacts(batch,
+                                       {.outcome = result.outcome.data(),
+                                        .restitution = result.restitution.data(),
+                                        .contact_time = result.contact_time.data(),
+                                        .approach_time = result.approach_time.data(),
+                                        .maximum_overlap = result.maximum_overlap.data()},
+                                       options);
+    result.failed = std::move(report.failed);
+    result.scalar = report.scalar;
 }
 
 ImpactBatchResult solve_impacts(const ImpactBatch& batch, const BatchOptions& options) {

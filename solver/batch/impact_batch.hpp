@@ -51,6 +51,22 @@ struct ImpactBatchResult {
     std::int64_t scalar = 0;
 };
 
+/// Where the results of a batch go: columns of as many values as it has impacts, and none where a result is
+/// of no interest. What is written there is what ImpactBatchResult holds.
+struct BatchOutputs {
+    Outcome* outcome = nullptr;
+    double* restitution = nullptr;      ///< [1]
+    double* contact_time = nullptr;     ///< [s]
+    double* approach_time = nullptr;    ///< [s]
+    double* maximum_overlap = nullptr;  ///< [m]
+};
+
+/// What a batch says beside the columns of its results; as in ImpactBatchResult.
+struct BatchReport {
+    std::vector<FailedImpact> failed{};
+    std::int64_t scalar = 0;
+};
+
 /// Solves many impacts, several in each instruction, to |d(e^2)| <= 1e-12 (1 + |U_min|/(m v^2/2)) of
 /// solve_impact().
 ///
@@ -62,5 +78,8 @@ struct ImpactBatchResult {
 
 /// As above, into an existing result. Columns of the right length are reused without allocation.
 void solve_impacts(const ImpactBatch& batch, ImpactBatchResult& result, const BatchOptions& options = {});
+
+/// As above, to columns of the caller: nothing is copied, and what no one asks for is not written.
+BatchReport solve_impacts(const ImpactBatch& batch, const BatchOutputs& outputs, const BatchOptions& options);
 
 }  // namespace ashimpact

@@ -3,39 +3,37 @@
 #include "materials/base/checks.hpp"
 #include "materials/base/error.hpp"
 #include "solver/batch/kernels/laws.hpp"
+#include "solver/batch/range_lanes.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <string>
 
 namespace ashimpact::batch {
 
 namespace {
 
-// Objects rather than functions, so that the loop over a column has them inside.
-constexpr auto positive = [](double value) { return is_computable(value); };
-constexpr auto not_negative = [](double value) { return value == 0.0 || is_computable(value); };
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+constexpr Range positive{least_computable, greatest_computable};
+constexpr Range not_negative{least_computable, greatest_computable, true};
 
 /// A restitution has no dimension, so it needs no range against overflow.
-constexpr auto finite_ratio = [](double value) { return value >= 0.0 && std::isfinite(value); };
+constexpr Range finite_ratio{0.0, std::numeric_limits<double>::max()};
 
 /// A yield pressure is infinite if the contact never yields.
-constexpr auto positive_or_infinite = [](double value) { return value > 0.0; };
+constexpr Range positive_or_infinite{std::numeric_limits<double>::denorm_min(), infinity};
 
-/// How many values of a column hold what @p holds says of one, until the first that does not; at most count.
-template <class Holds>
-std::size_t count_until(const Input& column, std::size_t count, const Holds& holds) {
+/// What require_allowed() lets a parameter be.
+Range range_of(const LawParameter& parameter) {
+    return {least_computable, std::min(greatest_computable, parameter.greatest), parameter.may_be_zero};
+}
+
+/// How many values of a column are in a range, until the first that is not; at most count.
+std::size_t count_until(const Input& column, std::size_t count, const Range& range) {
     if (column.values == nullptr) return count;
-    if (column.single) return holds(column.values[0]) ? count : 0;
-    constexpr std::size_t together = 8;  // with one branch for all of them
-    std::size_t i = 0;
-    for (; i + together <= count; i += together) {
-        unsigned held = 0;
-        for (std::size_t k = 0; k < together; ++k) held += holds(column.values[i + k]) ? 1U : 0U;
-        if (held < together) break;
-    }
-    while (i < count && holds(column.values[i])) ++i;
-    return i;
+    if (column.single) return range.holds(column.values[0]) ? count : 0;
+    return count_within(range, column.values, count);
 }
 
 void leave_undecided(const ImpactTask& task) {
@@ -98,13 +96,8 @@ std::size_t admissible_count(const Inputs& in, std::size_t count) {
         count = count_until(*column, count, not_negative);
     count = count_until(in.yield_pressure, count, positive_or_infinite);
     count = count_until(in.restitution, count, finite_ratio);
-    for (std::size_t k = 0; k < in.parameters.count; ++k) {
-        const LawParameter& parameter = *in.parameters.parameter[k];  // as require_allowed()
-        count = count_until(in.parameters.values[k], count, [&](double value) {
-            return (parameter.may_be_zero ? not_negative(value) : positive(value)) &&
-                   value <= parameter.greatest;
-        });
-    }
+    for (std::size_t k = 0; k < in.parameters.count; ++k)
+        count = count_until(in.parameters.values[k], count, range_of(*in.parameters.parameter[k]));
     return count;
 }
 

@@ -1,5 +1,7 @@
 #include "solver/statistics/distribution.hpp"
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
 
@@ -24,8 +26,8 @@ void convert(const Choice& choice, std::span<double> values) {
 }
 
 void convert(const Uniform& uniform, std::span<double> values) {
-    const double width = uniform.to - uniform.from;
-    for (double& value : values) value = uniform.from + value * width;
+    Eigen::Map<Eigen::ArrayXd> all(values.data(), std::ssize(values));
+    all = uniform.from + all * (uniform.to - uniform.from);
 }
 
 void convert(const LogUniform& uniform, std::span<double> values) {

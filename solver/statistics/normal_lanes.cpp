@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 // This file once more for each instruction set.
 #undef HWY_TARGET_INCLUDE
@@ -66,9 +68,47 @@ constexpr double far_from = 5.0;
 constexpr double least_probability = 0x1p-1074;
 constexpr double greatest_exponent = 705.0;
 
-/// Values that are converted together: the tails among them, of few values, follow as one.
-constexpr std::size_t together = 512;
+/// ln 2 = ln2_upper + ln2_lower; the first has few enough digits that its multiples are exact.
+constexpr double ln2_upper = 0x1.62e42fefa38p-1;
+constexpr double ln2_lower = 0x1.ef35793c7673p-45;
+
+/// exp(x) for |x| <= ln(2)/2 as a polynomial, from the highest power; relative error 4e-18.
+constexpr std::array<double, 12> exponential_series{2.4999953556339105e-08,
+                                                    2.7630225530131983e-07,
+                                                    2.755758665235538e-06,
+                                                    2.4801493176265717e-05,
+                                                    0.00019841269506389936,
+                                                    0.0013888888943539056,
+                                                    0.008333333333494454,
+                                                    0.04166666666653059,
+                                                    0.16666666666666413,
+                                                    0.5000000000000011,
+                                                    1.0,
+                                                    1.0};
+
+/// Values that are converted together: the tails among them, of few values, follow as one. A byte holds a
+/// place.
+constexpr std::size_t together = 256;
+static_assert(hn::MaxLanes(Tag()) <= 8, "a byte holds the bits of a mask");
 using Values = std::array<double, together + hn::MaxLanes(Tag())>;
+using Places = std::array<std::uint8_t, together + 8>;
+
+/// The numbers of the bits that are set in a byte, one after another in the bytes of a word as memory has
+/// them.
+constexpr std::array<std::uint64_t, 256> numbers_of_bits = [] {
+    std::array<std::uint64_t, 256> all{};
+    for (unsigned byte = 0; byte < all.size(); ++byte) {
+        unsigned found = 0;
+        for (unsigned bit = 0; bit < 8; ++bit)
+            if ((byte >> bit & 1U) != 0) {
+                const unsigned place = std::endian::native == std::endian::little ? found : 7 - found;
+                all[byte] |= std::uint64_t{bit} << (8 * place);
+                ++found;
+            }
+    }
+    return all;
+}();
+constexpr std::uint64_t one_in_each_byte = 0x0101010101010101;
 
 /// Standard normal quantiles of probabilities outside the middle.
 HWY_INLINE Lanes tail_quantile(Lanes p) {
@@ -83,32 +123,55 @@ HWY_INLINE Lanes tail_quantile(Lanes p) {
     return hn::CopySign(out, hn::Sub(p, hn::Set(d, 0.5)));
 }
 
+/// Finds the probabilities outside the middle. @return how many they are; their places come first
+HWY_INLINE std::size_t find_tails(const Values& values, std::size_t count, Places& places) {
+    const Tag d;
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+        const Lanes q = hn::Sub(hn::Load(d, values.data() + i), hn::Set(d, 0.5));
+        std::array<std::uint8_t, 8> bits{};  // StoreMaskBits() may write as many
+        hn::StoreMaskBits(d, hn::Gt(hn::Abs(q), hn::Set(d, middle_half)), bits.data());
+        // The places of all lanes at once, without branches, which chance would make costly.
+        const std::uint64_t here = numbers_of_bits[bits[0]] + i * one_in_each_byte;
+        std::memcpy(places.data() + found, &here, sizeof here);
+        found += static_cast<std::size_t>(std::popcount(bits[0]));
+    }
+    return found;
+}
+
 /// Replaces probabilities by standard normal quantiles.
 HWY_INLINE void to_quantiles(Values& values, std::size_t count) {
     const Tag d;
-    const std::size_t width = hn::Lanes(d);
+    Places places;
+    const std::size_t found = find_tails(values, count, places);
     HWY_ALIGN Values tails;
-    std::array<std::size_t, together + hn::MaxLanes(Tag())> places;  // the first `found` are filled
-    std::size_t found = 0;
-    for (std::size_t i = 0; i < count; i += width) {
-        const Lanes p = hn::Load(d, values.data() + i);
-        const Lanes q = hn::Sub(p, hn::Set(d, 0.5));
-        const auto outside = hn::Gt(hn::Abs(q), hn::Set(d, middle_half));
-        std::array<std::uint8_t, 8> bits{};  // StoreMaskBits() may write as many
-        hn::StoreMaskBits(d, outside, bits.data());
-        for (std::size_t k = 0; k < width; ++k) {  // without branches, which chance would make costly
-            tails[found] = values[i + k];
-            places[found] = i + k;
-            found += (bits[0] >> k) & 1U;
-        }
-        const Lanes near =
-            hn::Mul(q, value_at<middle>(hn::NegMulAdd(q, q, hn::Set(d, middle_half * middle_half))));
-        hn::Store(near, d, values.data() + i);
-    }
+    for (std::size_t i = 0; i < found; ++i) tails[i] = values[places[i]];
     hn::StoreU(hn::Set(d, 0.5), d, tails.data() + found);
-    for (std::size_t i = 0; i < found; i += width)
+    for (std::size_t i = 0; i < found; i += hn::Lanes(d))
         hn::Store(tail_quantile(hn::Load(d, tails.data() + i)), d, tails.data() + i);
+    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+        const Lanes q = hn::Sub(hn::Load(d, values.data() + i), hn::Set(d, 0.5));
+        const Lanes r = hn::NegMulAdd(q, q, hn::Set(d, middle_half * middle_half));
+        hn::Store(hn::Mul(q, value_at<middle>(r)), d, values.data() + i);
+    }
     for (std::size_t i = 0; i < found; ++i) values[places[i]] = tails[i];
+}
+
+/// exp(x) for |x| up to greatest_exponent, where it is a normal number: half an ulp and 1e-17 of it.
+HWY_INLINE Lanes exponential(Lanes x) {
+    const Tag d;
+    const hn::RebindToUnsigned<Tag> bits;
+    // Added to a number of this size, another one is rounded to an integer, which stands in the last digits.
+    const Lanes rounder = hn::Set(d, 0x1.8p52);
+    const Lanes rounded = hn::MulAdd(x, hn::Set(d, 1.4426950408889634074), rounder);
+    const Lanes halvings = hn::Sub(rounded, rounder);
+    Lanes r = hn::NegMulAdd(halvings, hn::Set(d, ln2_upper), x);
+    r = hn::NegMulAdd(halvings, hn::Set(d, ln2_lower), r);
+    Lanes sum = hn::Set(d, exponential_series[0]);
+#pragma GCC unroll 11
+    for (std::size_t i = 1; i < exponential_series.size(); ++i)
+        sum = hn::MulAdd(sum, r, hn::Set(d, exponential_series[i]));
+    return hn::BitCast(d, hn::Add(hn::BitCast(bits, sum), hn::ShiftLeft<52>(hn::BitCast(bits, rounded))));
 }
 
 HWY_INLINE Lanes scaled(const CutNormal& cut, const NormalScale& scale, Lanes z) {
@@ -119,7 +182,7 @@ HWY_INLINE Lanes scaled(const CutNormal& cut, const NormalScale& scale, Lanes z)
     Lanes x;
     if (scale.logarithmic) {
         const Lanes most = hn::Set(d, greatest_exponent);
-        x = hn::Mul(unit, hn::Exp(d, hn::Min(hn::Max(hn::Mul(offset, z), hn::Neg(most)), most)));
+        x = hn::Mul(unit, exponential(hn::Min(hn::Max(hn::Mul(offset, z), hn::Neg(most)), most)));
     } else {
         x = hn::MulAdd(unit, z, offset);
     }

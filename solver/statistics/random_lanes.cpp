@@ -1,6 +1,7 @@
 #include "solver/statistics/random_lanes.hpp"
 
 #include <cstddef>
+#include <type_traits>
 
 // This file once more for each instruction set.
 #undef HWY_TARGET_INCLUDE
@@ -44,6 +45,7 @@ struct Keys {
 struct Counters {
     Word part[4];
 
+    Counters() = default;
     HWY_INLINE Counters(Word pair, std::uint32_t axis, std::uint32_t stream) {
         const Words d;
         part[0] = pair;
@@ -78,11 +80,41 @@ HWY_INLINE hn::Vec<hn::ScalableTag<double>> unit_interval_of(Word lower, Word up
     return hn::Add(from_zero, hn::Set(doubles, 0x1p-53));
 }
 
+/// The numbers 0, 1, ... of the counters in lanes, in the order for store_pairs(): registers interleave in
+/// blocks of two lanes, so the first lanes of blocks count through the lower half and the second ones through
+/// the upper.
+HWY_INLINE Word numbers_in_blocks() {
+    const Words d;
+    const Word lane = hn::Iota(d, 0);
+    const auto is_second = hn::TestBit(lane, hn::Set(d, 1));
+    const Word block = hn::ShiftRight<1>(lane);
+    return hn::IfThenElse(is_second, hn::Add(block, hn::Set(d, hn::Lanes(d) / 2)), block);
+}
+
 /// The two samples of each counter, side by side.
 HWY_INLINE void store_pairs(const Counters& of, double* values) {
     const hn::ScalableTag<double> doubles;
-    hn::StoreInterleaved2(unit_interval_of(of.part[0], of.part[1]), unit_interval_of(of.part[2], of.part[3]),
-                          doubles, values);
+    const auto first = unit_interval_of(of.part[0], of.part[1]);
+    const auto second = unit_interval_of(of.part[2], of.part[3]);
+    hn::StoreU(hn::InterleaveLower(doubles, first, second), doubles, values);
+    hn::StoreU(hn::InterleaveUpper(doubles, first, second), doubles, values + hn::Lanes(doubles));
+}
+
+/// Fills in the pairs of some registers of counters.
+template <std::size_t registers>
+HWY_INLINE void fill_registers(const Keys& keys, Word first, std::uint32_t axis, std::uint32_t stream,
+                               double* values) {
+    const Words d;
+    Counters counters[registers];
+#pragma GCC unroll 8
+    for (std::size_t k = 0; k < registers; ++k)
+        counters[k] = Counters(hn::Add(first, hn::Set(d, k * hn::Lanes(d))), axis, stream);
+    for (int round = 0; round < rounds; ++round) {
+#pragma GCC unroll 8
+        for (std::size_t k = 0; k < registers; ++k) counters[k].round(keys.first[round], keys.second[round]);
+    }
+#pragma GCC unroll 8
+    for (std::size_t k = 0; k < registers; ++k) store_pairs(counters[k], values + 2 * k * hn::Lanes(d));
 }
 
 }  // namespace
@@ -93,27 +125,17 @@ std::size_t fill_pairs(std::uint64_t seed, std::uint64_t first_pair, std::uint32
     const Words d;
     const std::size_t lanes = hn::Lanes(d);
     const Keys keys(seed);
-    const Word first_pairs = hn::Iota(d, first_pair);
-    const auto counters = [&](std::size_t at) HWY_ATTR {
-        return Counters(hn::Add(first_pairs, hn::Set(d, at / 2)), axis, stream);
-    };
+    const Word first_pairs = hn::Add(numbers_in_blocks(), hn::Set(d, first_pair));
     std::size_t done = 0;
-    // A round is a chain of operations: two at once hide each other's latency.
-    for (; done + 4 * lanes <= count; done += 4 * lanes) {
-        Counters one = counters(done);
-        Counters other = counters(done + 2 * lanes);
-        for (int round = 0; round < rounds; ++round) {
-            one.round(keys.first[round], keys.second[round]);
-            other.round(keys.first[round], keys.second[round]);
-        }
-        store_pairs(one, values + done);
-        store_pairs(other, values + done + 2 * lanes);
-    }
-    for (; done + 2 * lanes <= count; done += 2 * lanes) {
-        Counters one = counters(done);
-        for (int round = 0; round < rounds; ++round) one.round(keys.first[round], keys.second[round]);
-        store_pairs(one, values + done);
-    }
+    const auto fill = [&](auto registers) HWY_ATTR {
+        const std::size_t together = 2 * lanes * registers();
+        for (; done + together <= count; done += together)
+            fill_registers<registers()>(keys, hn::Add(first_pairs, hn::Set(d, done / 2)), axis, stream,
+                                        values + done);
+    };
+    // A round is a chain of operations: several at once hide each other's latency.
+    fill(std::integral_constant<std::size_t, 4>{});
+    fill(std::integral_constant<std::size_t, 1>{});
     return done;
 }
 

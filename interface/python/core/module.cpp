@@ -143,17 +143,17 @@ py::tuple impacts(const Choice& choice, const py::tuple& contact_arrays, const A
     Array approach_time(tabulated ? 0 : size_of);
     Array maximum_overlap(tabulated ? 0 : size_of);
     double* const out[] = {restitution.mutable_data(), contact_time.mutable_data(),
-                           approach_time.mutable_data(), maximum_overlap.mutable_data()};
-    ImpactBatchResult result;
+                           tabulated ? nullptr : approach_time.mutable_data(),
+                           tabulated ? nullptr : maximum_overlap.mutable_data()};
     solve_in_chunks(count, [&](std::size_t first, std::size_t size) {
+        const auto from = [&](double* column) { return column == nullptr ? nullptr : column + first; };
+        const BatchOutputs outputs{.restitution = from(out[0]),
+                                   .contact_time = from(out[1]),
+                                   .approach_time = from(out[2]),
+                                   .maximum_overlap = from(out[3])};
         solve_impacts({choice.law, choice.detachment, choice.damping_law, contact.part(first, size),
                        part(damping, first, size), part(velocity, first, size)},
-                      result, options);
-        copy(result.restitution, first, size, out[0]);
-        copy(result.contact_time, first, size, out[1]);
-        if (tabulated) return;
-        copy(result.approach_time, first, size, out[2]);
-        copy(result.maximum_overlap, first, size, out[3]);
+                      outputs, options);
     });
     return py::make_tuple(restitution, contact_time, approach_time, maximum_overlap);
 }

@@ -16,10 +16,18 @@ using Columns = std::vector<std::vector<double>>;
 /// each variable in turn from b.
 class Chunk {
   public:
-    Chunk(const SweepPlan& plan, std::uint64_t number)
-        : plan_(plan), number_(number), points_(plan.points_in(number)), first_(plan.first_point(number)) {
-        for (std::size_t variable = 0; variable < plan.design().variables(); ++variable)
-            variables_.push_back(values_of(variable));
+    /// @param memory of another chunk, to be used again
+    Chunk(const SweepPlan& plan, std::uint64_t number, Columns& memory)
+        : plan_(plan),
+          number_(number),
+          points_(plan.points_in(number)),
+          first_(plan.first_point(number)),
+          variables_(memory) {
+        variables_.resize(plan.design().variables());
+        for (std::size_t variable = 0; variable < variables_.size(); ++variable) {
+            variables_[variable].resize(impacts());
+            fill(variable, variables_[variable]);
+        }
     }
 
     void compute(const ImpactSolver& solver, BlockResult& into) {
@@ -44,18 +52,15 @@ class Chunk {
   private:
     [[nodiscard]] std::size_t impacts() const { return points_ * plan_.impacts_a_point(); }
 
-    /// A variable in every impact.
-    [[nodiscard]] std::vector<double> values_of(std::size_t variable) const {
-        std::vector<double> values(impacts());
-        const std::span<double> all(values);
+    /// Fills in a variable in every impact.
+    void fill(std::size_t variable, std::span<double> values) const {
         for (std::size_t sample = 0; sample < plan_.samples_a_point(); ++sample)
-            plan_.design().fill(sample, variable, first_, all.subspan(sample * points_, points_));
+            plan_.design().fill(sample, variable, first_, values.subspan(sample * points_, points_));
         for (std::size_t block = plan_.samples_a_point(); block < plan_.impacts_a_point(); ++block) {
             const std::size_t source = block - plan_.samples_a_point() == variable ? 1 : 0;
             for (std::size_t i = 0; i < points_; ++i)
                 values[block * points_ + i] = values[source * points_ + i];
         }
-        return values;
     }
 
     [[nodiscard]] static std::vector<double> values_of(Observable observable, const ResultColumns& results,
@@ -184,7 +189,7 @@ class Chunk {
     std::uint64_t number_;
     std::size_t points_;
     std::uint64_t first_;
-    Columns variables_;
+    Columns& variables_;
 };
 
 }  // namespace
@@ -192,9 +197,10 @@ class Chunk {
 BlockResult compute_block(const SweepPlan& plan, const ImpactSolver& solver, const Block& block) {
     PairwiseMerge<SweepSums> sums;
     BlockResult whole;
+    Columns memory;
     for (std::uint64_t chunk = block.first; chunk < block.first + block.chunks(); ++chunk) {
         BlockResult part;
-        Chunk(plan, chunk).compute(solver, part);
+        Chunk(plan, chunk, memory).compute(solver, part);
         sums.add(std::move(part.sums));
         whole.counts.merge(part.counts);
         whole.failed.merge(part.failed);

@@ -1,6 +1,7 @@
 #include "pipeline/sweep/spec/impacts.hpp"
 
-#include <algorithm>
+#include <Eigen/Core>
+
 #include <limits>
 
 #include "materials/contact_properties.hpp"
@@ -9,12 +10,19 @@ namespace ashimpact {
 
 namespace {
 
+Eigen::Map<const Eigen::ArrayXd> array_of(ImpactColumns::Values values) {
+    return {values.data(), std::ssize(values)};
+}
+
 /// Values of a function of two columns.
 template <class Function>
-std::vector<double> combined(ImpactColumns::Values a, ImpactColumns::Values b, const Function& function) {
-    std::vector<double> values(std::max(a.size(), b.size()));
+Eigen::ArrayXd combined(ImpactColumns::Values a, ImpactColumns::Values b, const Function& function) {
+    Eigen::ArrayXd values(std::ssize(a.size() == 1 ? b : a));
     const auto fill = [&](const auto& first, const auto& second) {  // each combination a loop of its own
-        for (std::size_t i = 0; i < values.size(); ++i) values[i] = function(first(i), second(i));
+        for (Eigen::Index i = 0; i < values.size(); ++i) {
+            const auto place = static_cast<std::size_t>(i);
+            values[i] = function(first(place), second(place));
+        }
     };
     const auto single = [](ImpactColumns::Values column) {
         return [value = column.front()](std::size_t) { return value; };
@@ -43,11 +51,13 @@ class InputColumns {
         return {fixed ? &*fixed : &fallback, 1};
     }
     /// Masses of spheres from their density.
-    [[nodiscard]] std::vector<double> masses(ImpactInput density, ImpactColumns::Values radius) const {
-        const ImpactColumns::Values given = of(density, none);
-        std::vector<double> unit(given.begin(), given.end());  // masses of spheres of radius 1 m
+    [[nodiscard]] Eigen::ArrayXd masses(ImpactInput density, ImpactColumns::Values radius) const {
+        Eigen::ArrayXd unit = array_of(of(density, none));  // to be masses of spheres of radius 1 m
         for (double& value : unit) value = sphere_mass(1.0, value);
-        return combined(radius, unit, [](double r, double each) { return each * r * r * r; });
+        const Eigen::Map<const Eigen::ArrayXd> r = array_of(radius);
+        if (unit.size() == 1) return unit[0] * r * r * r;
+        if (r.size() == 1) return unit * r[0] * r[0] * r[0];
+        return unit * r * r * r;
     }
 
     static constexpr double none = 0;
@@ -73,7 +83,8 @@ ImpactColumns::ImpactColumns(const SweepSpec& spec, const std::vector<std::vecto
     yield_pressure = inputs.of(ImpactInput::yield_pressure, InputColumns::infinite);
     damping = column(ImpactInput::damping);
     velocity = column(ImpactInput::velocity);
-    if (velocity.size() != count) velocity = keep(std::vector<double>(count, velocity.front()));
+    if (velocity.size() != count)
+        velocity = keep(Eigen::ArrayXd::Constant(static_cast<Eigen::Index>(count), velocity.front()));
     mass = masses(ImpactInput::mass, ImpactInput::density, effective_radius);
     if (is_given(spec, ImpactInput::partner_radius)) {
         const ImpactColumns::Values radius = column(ImpactInput::partner_radius);
@@ -87,23 +98,21 @@ ImpactColumns::ImpactColumns(const SweepSpec& spec, const std::vector<std::vecto
             parameters.emplace_back(parameter.name, column(input_of(parameter)));
 }
 
-ImpactColumns::Values ImpactColumns::keep(std::vector<double> values) {
-    return kept_.emplace_back(std::move(values));
+ImpactColumns::Values ImpactColumns::keep(Eigen::ArrayXd values) {
+    const Eigen::ArrayXd& kept = kept_.emplace_back(std::move(values));
+    return {kept.data(), static_cast<std::size_t>(kept.size())};
 }
 
 ImpactBatch batch_of(const ImpactModel& model, const ImpactColumns& impacts) {
-    const auto column = [](ImpactColumns::Values values) {
-        return Eigen::Map<const Eigen::ArrayXd>(values.data(), std::ssize(values));
-    };
     std::vector<ParameterColumn> parameters;
-    for (const auto& [name, values] : impacts.parameters) parameters.push_back({name, column(values)});
+    for (const auto& [name, values] : impacts.parameters) parameters.push_back({name, array_of(values)});
     return {model.law,
             model.detachment,
             model.damping_law,
-            {column(impacts.mass), column(impacts.effective_radius), column(impacts.contact_modulus),
-             column(impacts.work_of_adhesion), column(impacts.yield_pressure), parameters},
-            column(impacts.damping),
-            column(impacts.velocity)};
+            {array_of(impacts.mass), array_of(impacts.effective_radius), array_of(impacts.contact_modulus),
+             array_of(impacts.work_of_adhesion), array_of(impacts.yield_pressure), parameters},
+            array_of(impacts.damping),
+            array_of(impacts.velocity)};
 }
 
 }  // namespace ashimpact

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
+
 #include <cstddef>
 #include <span>
 #include <string_view>
@@ -37,9 +39,9 @@ class ImpactColumns {
     std::vector<std::pair<std::string_view, Values>> parameters;  ///< of contact laws, by name
 
   private:
-    Values keep(std::vector<double> values);
+    Values keep(Eigen::ArrayXd values);
 
-    std::vector<std::vector<double>> kept_;
+    std::vector<Eigen::ArrayXd> kept_;
 };
 
 /// The value of impact @p i of a column.

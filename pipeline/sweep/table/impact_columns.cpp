@@ -63,25 +63,28 @@ void refuse_first(const ImpactModel& model, const ImpactColumns& impacts) {
 
 ResultColumns solve_in_batch(const ImpactModel& model, const ImpactColumns& impacts,
                              const WantedResults& wanted) {
-    const auto values = [](const Eigen::ArrayXd& column) {
-        return std::vector<double>(column.data(), column.data() + column.size());
+    const std::size_t count = impacts.velocity.size();
+    ResultColumns results;
+    const auto column = [&](std::vector<double>& values, bool is_wanted) -> double* {
+        if (!is_wanted) return nullptr;
+        values.resize(count);
+        return values.data();
     };
-    static thread_local ImpactBatchResult solved;  // whose columns are used again
+    const BatchOutputs outputs{.restitution = column(results.restitution, true),
+                               .contact_time = column(results.contact_time, wanted.contact_time),
+                               .maximum_overlap = column(results.maximum_overlap, wanted.maximum_overlap)};
+    BatchReport report;
     try {
-        solve_impacts(batch_of(model, impacts), solved,
-                      {.turning_point = wanted.maximum_overlap,
-                       .contact_time = wanted.contact_time,
-                       .method = wanted.method,
-                       .keep_failures = true});
+        report = solve_impacts(batch_of(model, impacts), outputs,
+                               {.turning_point = wanted.maximum_overlap,
+                                .contact_time = wanted.contact_time,
+                                .method = wanted.method,
+                                .keep_failures = true});
     } catch (const InputError&) {
         refuse_first(model, impacts);
         throw;
     }
-    ResultColumns results;
-    results.restitution = values(solved.restitution);
-    if (wanted.contact_time) results.contact_time = values(solved.contact_time);
-    if (wanted.maximum_overlap) results.maximum_overlap = values(solved.maximum_overlap);
-    for (const FailedImpact& failed : solved.failed) {
+    for (const FailedImpact& failed : report.failed) {
         const auto place = static_cast<std::size_t>(failed.place);
         results.failed.push_back({place, failed.reason, command_of(impact_at(model, impacts, place))});
     }

@@ -140,6 +140,31 @@ TEST_CASE("a single value stands for all, and what is not asked for is not a num
     CHECK((both.restitution == read.restitution).all());
 }
 
+TEST_CASE("columns of the caller get what a result holds, and those that are not given change nothing") {
+    const Impacts impacts = random_impacts_of(Law::of<Dmt>(), 3000, 1.0, 15);
+    const ImpactBatch batch = impacts.batch();
+    for (const BatchMethod method : {BatchMethod::integration, BatchMethod::table}) {
+        const ImpactBatchResult result = solve_impacts(batch, {.turning_point = false, .method = method});
+        Eigen::ArrayXd restitution(impacts.size());
+        Eigen::ArrayXd time(impacts.size());
+        Eigen::ArrayXd overlap(impacts.size());
+        solve_impacts(batch,
+                      {.restitution = restitution.data(),
+                       .contact_time = time.data(),
+                       .maximum_overlap = overlap.data()},
+                      {.turning_point = false, .method = method});
+        CHECK((restitution == result.restitution).all());
+        CHECK((time == result.contact_time || (time.isNaN() && result.contact_time.isNaN())).all());
+        CHECK(overlap.isNaN().all());
+        restitution.setZero();
+        const BatchReport report =
+            solve_impacts(batch, {.restitution = restitution.data()},
+                          {.turning_point = false, .contact_time = false, .method = method});
+        CHECK((restitution == result.restitution).all());
+        CHECK(report.failed.empty());
+    }
+}
+
 TEST_CASE("asking for turning points changes no bit of the rest, however strong the damping") {
     for (const double most_damping : {1.5, 1e3, 1e11}) {
         for (const Impacts& impacts : random_impacts(150, most_damping, 19)) {
@@ -261,4 +286,29 @@ TEST_CASE("numbers whose powers are no numbers are refused as one impact alone i
     CHECK_THROWS_WITH_AS(static_cast<void>(solve_impacts(impacts.batch())),
                          "impact 1: work_of_adhesion is 1e+41 J/m2; allowed: 0, or 1e-40 to 1e40 J/m2",
                          InputError);
+}
+
+TEST_CASE("an inadmissible value is found wherever it stands, and zero where it may stand") {
+    for (const Eigen::Index place : {0, 1, 31, 32, 77, 2047, 2048, 2999}) {
+        CAPTURE(place);
+        Impacts impacts = random_impacts_of(Law::of<Dmt>(), 3000, 1.0, 18);
+        impacts.damping[place] = 0.0;
+        impacts.work_of_adhesion[place] = -0.0;
+        const std::string here = "impact " + std::to_string(place) + ":";
+        const auto message = [&] {
+            try {
+                static_cast<void>(solve_impacts(impacts.batch(), {.method = BatchMethod::table}));
+            } catch (const InputError& error) {
+                return std::string(error.what()).substr(0, here.size());
+            }
+            return std::string("none");
+        };
+        CHECK(message() == "none");
+        for (const double bad : {0.0, -1.0, 9e-41, 2e40, std::numeric_limits<double>::infinity(),
+                                 std::numeric_limits<double>::quiet_NaN()}) {
+            CAPTURE(bad);
+            impacts.velocity[place] = bad;
+            CHECK(message() == here);
+        }
+    }
 }

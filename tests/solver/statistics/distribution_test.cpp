@@ -67,6 +67,19 @@ TEST_CASE("normal quantiles in lanes are those of GSL, over the whole range and 
     }
 }
 
+TEST_CASE("log-normal quantiles of a spread that fills the range of numbers") {
+    for (const double spread : {1e-3, 3.0, 40.0}) {
+        for (double p = 0x1p-53; p < 1.0; p += 0.00073) {
+            CAPTURE(spread);
+            CAPTURE(p);
+            const double exponent = std::log(std::exp(spread)) * quantile(Normal{0.0, 1.0}, p);
+            const double expected = std::exp(exponent);
+            const double rounding = 4e-16 * (1.0 + std::abs(exponent));
+            CHECK(std::abs(quantile(LogNormal{1.0, std::exp(spread)}, p) / expected - 1.0) <= rounding);
+        }
+    }
+}
+
 TEST_CASE("a cut normal distribution keeps its shape between the cuts") {
     const Normal cut{2.0, 1.0, 1.5, 4.0};
     for (const double p : {0.001, 0.4, 0.9}) {
