@@ -88,7 +88,7 @@ void refuse_repeated(const std::vector<Component>& components, const Analysis& a
             if (components[i].phase.name == components[j].phase.name)
                 throw InputError(in_quotes(components[j].name) + " and " + in_quotes(components[i].name) +
                                      " are the same phase, " + components[i].phase.name,
-                                 "each phase once")
+                                 "each phase once; add their fractions")
                     .at(place_of(i));
 }
 

@@ -18,6 +18,7 @@
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/json/document.hpp"
+#include "pipeline/json/measurement_json.hpp"
 #include "pipeline/json/writer.hpp"
 #include "pipeline/report/figure_file.hpp"
 #include "pipeline/report/figures/figures.hpp"
@@ -151,13 +152,13 @@ std::string without_impacts(const std::string& file) {
     return beside.string();
 }
 
-/// Whether a reader takes a file.
-bool is_read(const std::function<void()>& reader) {
+/// Why a reader does not take a file; none if it does.
+std::optional<std::string> refusal(const std::function<void()>& reader) {
     try {
         reader();
-        return true;
-    } catch (const ashimpact::InputError&) {
-        return false;
+        return std::nullopt;
+    } catch (const ashimpact::InputError& error) {
+        return error.what();
     }
 }
 
@@ -192,16 +193,25 @@ const char* ashimpact_validate(const char* case_file) {
     });
 }
 
-/// What a table is, told by the reader that takes it: "impacts", "xrd" or, where none does, "unknown".
+/// What a table is, told by the reader that takes it: "impacts" or "xrd". Where none does, "unknown", and the
+/// message of each reader.
 const char* ashimpact_kind(const char* file) {
     return answered([&] {
         const std::string bytes = ashimpact::read_file(file);
-        const char* kind = "unknown";
-        if (is_read([&] { static_cast<void>(ashimpact::read_measurements(bytes, file)); }))
-            kind = "impacts";
-        else if (is_read([&] { static_cast<void>(ashimpact::read_xrd(bytes, file)); }))
-            kind = "xrd";
-        return Json{{"kind", kind}};
+        const auto as_impacts =
+            refusal([&] { static_cast<void>(ashimpact::read_measurements(bytes, file)); });
+        if (!as_impacts) return Json{{"kind", "impacts"}};
+        const auto as_xrd = refusal([&] { static_cast<void>(ashimpact::read_xrd(bytes, file)); });
+        if (!as_xrd) return Json{{"kind", "xrd"}};
+        return Json{{"kind", "unknown"}, {"impacts", *as_impacts}, {"xrd", *as_xrd}};
+    });
+}
+
+/// The impacts of a table as columns of a case, velocity and rebound_velocity in m/s.
+const char* ashimpact_impacts(const char* file) {
+    return answered([&] {
+        return ashimpact::measurement_columns(ashimpact::read_measurements(ashimpact::read_file(file), file),
+                                              true);
     });
 }
 

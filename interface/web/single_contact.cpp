@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <string_view>
+#include <vector>
 
+#include "materials/base/error.hpp"
 #include "pipeline/commands/contact_options.hpp"
 #include "pipeline/commands/impact.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
@@ -42,6 +45,52 @@ ContactOptions options_of(const Json& contact) {
     return options;
 }
 
+/// Damping over increasing velocity [m/s]: linear between these, constant beyond them.
+struct DampingCourse {
+    std::vector<double> velocities;
+    std::vector<double> dampings;
+};
+
+DampingCourse course_of(const Json& contact, double constant) {
+    auto velocities = contact.at("velocities").get<std::vector<double>>();
+    auto dampings = contact.contains("dampings") ? contact.at("dampings").get<std::vector<double>>()
+                                                 : std::vector<double>(velocities.size(), constant);
+    if (velocities.empty() || dampings.size() != velocities.size())
+        throw InputError("dampings are not as many as velocities", "one for each, at least one");
+    return {std::move(velocities), std::move(dampings)};
+}
+
+/// The critical velocity of impacts with a damping.
+CriticalVelocity critical_velocity_with(double damping, const Impact& impact) {
+    return critical_velocity({.law = impact.law,
+                              .detachment = impact.detachment,
+                              .damping = {impact.damping.law, damping},
+                              .contact = impact.contact});
+}
+
+/// Where restitution leaves zero on a course: the velocity that is the critical one of the damping there.
+CriticalVelocity critical_velocity_on(const DampingCourse& course, const std::vector<double>& restitution,
+                                      const Impact& impact) {
+    const auto first = std::find_if(restitution.begin(), restitution.end(), [](double e) { return e > 0; });
+    if (first == restitution.end()) return critical_velocity_with(course.dampings.back(), impact);
+    if (first == restitution.begin()) return critical_velocity_with(course.dampings.front(), impact);
+    const auto after = static_cast<std::size_t>(first - restitution.begin());
+    double captured = 0;  // shares of the way between the two velocities
+    double rebounding = 1;
+    const auto between = [&](const std::vector<double>& values, double share) {
+        return values[after - 1] + share * (values[after] - values[after - 1]);
+    };
+    constexpr double enough = 1e-9;
+    while (rebounding - captured > enough) {
+        const double middle = (captured + rebounding) / 2;
+        const auto critical = critical_velocity_with(between(course.dampings, middle), impact).value;
+        (critical && between(course.velocities, middle) > *critical ? rebounding : captured) = middle;
+    }
+    CriticalVelocity found;
+    found.value = between(course.velocities, rebounding);
+    return found;
+}
+
 }  // namespace
 
 Json single_impact_json(const Json& contact) {
@@ -63,19 +112,15 @@ Json curve_json(const Json& contact) {
                   .damping = read_damping(options),
                   .contact = choice.contact,
                   .velocity = 1};
-    const CriticalVelocity critical = critical_velocity({.law = impact.law,
-                                                         .detachment = impact.detachment,
-                                                         .damping = impact.damping,
-                                                         .contact = impact.contact});
-    const Json& velocities = contact.at("velocities");
-    Json restitution = Json::array();
-    for (std::size_t i = 0; i < velocities.size(); ++i) {
-        impact.velocity = velocities[i].get<double>();
-        if (contact.contains("dampings"))
-            impact.damping.coefficient = contact.at("dampings").at(i).get<double>();
+    const DampingCourse course = course_of(contact, impact.damping.coefficient);
+    std::vector<double> restitution;
+    for (std::size_t i = 0; i < course.velocities.size(); ++i) {
+        impact.velocity = course.velocities[i];
+        impact.damping.coefficient = course.dampings[i];
         validate(impact);
         restitution.push_back(restitution_of(impact));
     }
+    const CriticalVelocity critical = critical_velocity_on(course, restitution, impact);
     return {{"restitution", restitution},
             {"critical_velocity", critical.value ? Json(*critical.value) : Json(nullptr)},
             {"always_captured", critical.verdict == CaptureVerdict::always_captured}};

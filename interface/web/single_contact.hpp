@@ -9,8 +9,9 @@ namespace ashimpact {
 [[nodiscard]] Json single_impact_json(const Json& contact);
 
 /// Restitution at velocities [m/s] and the critical velocity of one contact. Keys as above, but
-/// `velocities` for `velocity`, and, if the damping is not the same at all of them, `dampings`; the critical
-/// velocity is that of `damping`.
+/// `velocities` for `velocity`, and, if the damping is not the same at all of them, `dampings`. Between the
+/// velocities, which then have to increase, the damping is taken as linear and beyond them as constant; the
+/// critical velocity is where restitution leaves zero on this course.
 /// @return `restitution`, `critical_velocity` (null if there is none), `always_captured`
 [[nodiscard]] Json curve_json(const Json& contact);
 

@@ -15,9 +15,9 @@ std::string one_line(const std::string& place, const std::string& problem, const
     return line;
 }
 
-/// Whether a place already is, or begins with, an outer one.
+/// Whether a place already is, or begins with, an outer one: "line 3" of "line 3, cell 1".
 bool stands_before(const std::string& outer, const std::string& place) {
-    return place == outer || place.starts_with(outer + ": ");
+    return place == outer || place.starts_with(outer + ": ") || place.starts_with(outer + ", ");
 }
 
 /// A place for messages: the middle of each long part of a JSON pointer is left out.

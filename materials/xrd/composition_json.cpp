@@ -16,7 +16,8 @@ constexpr std::array<std::string_view, 4> ways{"weight_fractions", "volume_fract
 Quantity read_fraction(const View& node) {
     Quantity fraction = node.quantity(Dimension::fraction);
     if (!(fraction.value >= 0 && fraction.value <= 1))
-        node.fail("the fraction is " + shortest(fraction.value), "0 to 1 (0 % to 100 %)");
+        node.fail("the fraction is " + shortest(std::round(fraction.value * 1e6) / 1e4) + " %",
+                  "0 % to 100 % (0 to 1)");
     return fraction;
 }
 

@@ -229,6 +229,20 @@ Json exact_json(const SampleContact& contact) {
     return list;
 }
 
+/// Why laws have no damping from which a velocity would follow: the first remark of the fit on this sample,
+/// or of the reading of its dampings.
+std::string no_damping_reason(const Artifacts& before, const Sample& sample) {
+    if (!sample.restitution) return "no impacts were given";
+    for (const std::string_view file : {fit_artifact, damping_artifact})
+        for (const Json& warning : before.at(file).document.at("warnings")) {
+            const auto& text = warning.get_ref<const std::string&>();
+            const auto colon = text.find(": ", sample.name.size());
+            if (text.starts_with(sample.name + ", ") && colon != std::string::npos)
+                return text.substr(colon + 2);
+        }
+    return "no damping follows from the impacts";
+}
+
 }  // namespace
 
 StageOutput comparison_stage(const Artifacts& before) {
@@ -262,9 +276,10 @@ StageOutput comparison_stage(const Artifacts& before) {
         const DynamicColumns dynamic = dynamic_columns(of, data.laws);
         const Json& measured =
             entry_named(velocities, sample.name, before, critical_velocity_artifact).measured;
+        const std::string no_damping = no_damping_reason(before, sample);
         Json json{
             {"name", sample.name},
-            {"reported", reported_json({data.laws, of.velocities, contact.pair, measured})},
+            {"reported", reported_json({data.laws, of.velocities, contact.pair, measured, no_damping})},
             {"diameter", quantity_json(2 * contact.radius.value, Dimension::length)},
             {"density", contact.density},
             {"work_of_adhesion", contact.work_of_adhesion},

@@ -99,7 +99,8 @@ TEST_CASE("errors about phases name their place in the file") {
                         .amorphous = AmorphousNone{}};
     };
     CHECK(refused(analysis("SiO2")) ==
-          "line 7: \"quartz\" and \"SiO2\" are the same phase, quartz; allowed: each phase once");
+          "line 7: \"quartz\" and \"SiO2\" are the same phase, quartz; allowed: each phase once; add "
+          "their fractions");
     CHECK(holds(refused(analysis("mulite")), "line 7: no phase is called \"mulite\" (nearest: mullite, "));
     Analysis many{.phases = std::vector<PhaseFraction>(1001, {.name = "quartz", .place = "line 9"})};
     CHECK(refused(many) == "line 9: the sample has 1001 phases; allowed: 1000 or fewer");

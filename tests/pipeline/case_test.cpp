@@ -192,7 +192,7 @@ TEST_CASE("measured impacts come from a table, with its warnings and its mistake
     } catch (const InputError& error) {
         const std::string expected = sandbox.path("case.json") +
                                      ": /samples/0/restitution/file: " + sandbox.path("impacts.csv") +
-                                     ": line 3: ";
+                                     ": line 3, cell 2: \"x\"";
         CHECK_MESSAGE(std::string(error.what()).starts_with(expected), error.what());
     }
 }

@@ -353,6 +353,7 @@ TEST_CASE("a sample without restitution data still gets its analytic velocity, a
     CHECK(sample["analytic_critical_velocity"]["value"].get<double>() > 0);
     CHECK(sample["dynamic_critical_velocity"]["jkr"].is_null());
     CHECK(sample["verdict"]["jkr"] == "no damping data");
+    CHECK(sample["reported"]["reason"] == "no impacts were given");
     CHECK(artifacts.at("4-restitution.json").document["warnings"].size() == 1);
 }
 

@@ -35,8 +35,6 @@ function takeXrd(name, bytes) {
     const { amorphous, xrd } = valueAt('/samples/#/composition') ?? {};
     const stays = amorphous !== undefined && (xrd !== undefined || amorphous !== 'remainder');
     setAt('/samples/#/composition', { xrd: name, ...(stays ? { amorphous } : {}) });
-    showForm();
-    changed();
 }
 
 function exampleAsh() {
@@ -44,8 +42,6 @@ function exampleAsh() {
     setAt('/samples/#/diameter', '88 um');
     setAt('/samples/#/density', '2300 kg/m3');
     setAt('/samples/#/composition', { xrd: 'ash.csv', xrd_sample: 'fine', amorphous: '47 %' });
-    showForm();
-    changed();
 }
 
 function compositionFields() {
@@ -53,7 +49,7 @@ function compositionFields() {
     const amorphous = composition?.amorphous;
     const file = composition?.xrd;
     const parts = [
-        fileField('XRD result', '/samples/#/composition/xrd', file, (chosen) => takeFile(chosen, 'xrd')),
+        fileField('XRD result', '/samples/#/composition/xrd', file, (chosen) => chooseFile(chosen, 'xrd')),
         file === undefined ? null : textField('Sample in the file', '/samples/#/composition/xrd_sample', 'Needed only where the file has several.'),
         choiceField('Amorphous (glass)', '/samples/#/composition/amorphous', amorphousChoices(file !== undefined), amorphousChosen(amorphous), (choice) => {
             setAt('/samples/#/composition/amorphous', choice === 'fraction' ? likelyAmorphous() : choice || undefined);
@@ -71,18 +67,14 @@ function weightTable() {
     const table = typingGrid({
         caption: 'Weight fractions', columns: [{ title: 'Phase', name: 'name', list: 'app-phases' }, { title: 'Weight [%]' }],
         rows: weightRows(), typed: typedWeights, takeTable: (text) => takePasted(text, 'xrd'),
+        places: (rows) => rows.map(([name]) => [name, name].map((key) => `${path}/${pointerPart(key)}`)),
     });
     const wrong = wrongAt(path);
-    if (file === undefined) return make('div', {}, make('p', { class: 'hint' }, 'Or type or paste the phases and their weight fractions:'), table, backButton('composition', 'xrd'), wrong);
-    return make('p', { class: 'buttons' }, make('button', {
-        type: 'button', class: 'small', click: () => {
-            const kept = valueAt('/samples/#/composition/amorphous');
-            replaced.set(sampleNow(), { ...replaced.get(sampleNow()), composition: valueAt('/samples/#/composition') });
-            setAt('/samples/#/composition', { weight_fractions: {}, ...(kept === undefined ? {} : { amorphous: kept }) });
-            showForm();
-            changed();
-        },
-    }, 'Type the phases instead'), wrong);
+    if (file === undefined) return make('div', {}, make('p', { class: 'hint' }, 'Or type or paste the phases and their weight fractions:'), table, wrong);
+    return make('p', { class: 'buttons' }, stepButton('Type the phases instead', () => {
+        const kept = valueAt('/samples/#/composition/amorphous');
+        setAt('/samples/#/composition', { weight_fractions: {}, ...(kept === undefined ? {} : { amorphous: kept }) });
+    }), wrong);
 }
 
 function showAsh() {
@@ -109,16 +101,12 @@ function showSamples() {
     const add = () => {
         state.document.samples.push(emptySample(`sample ${state.document.samples.length + 1}`));
         state.sample = state.document.samples.length - 1;
-        showForm();
-        changed();
     };
     const remove = () => {
         state.document.samples.splice(state.sample, 1);
         state.sample = 0;
-        showForm();
-        changed();
+        state.units = new Map();
     };
     byId('app-samples').replaceChildren(make('label', { for: 'app-sample' }, 'Sample'), select,
-        make('button', { type: 'button', class: 'small', click: add }, 'Add a sample'),
-        make('button', { type: 'button', class: 'small', click: remove, disabled: state.document.samples.length < 2 }, 'Remove this sample'));
+        stepButton('Add a sample', add), stepButton('Remove this sample', remove, { disabled: state.document.samples.length < 2 }));
 }

@@ -20,21 +20,30 @@ function fieldAround(label, path, hint, ...inside) {
     return make('div', { class: 'field' }, make('label', { for: input.id }, label), make('div', { class: 'row' }, ...inside), told, wrong);
 }
 
-// A number with its unit beside it.
+// A number with its unit beside it. A unit that is typed after the number is taken over into the choice beside it; that of
+// an empty field is kept in the state.
 function quantityField(label, path, kind, hint) {
-    const shown = shownQuantity(valueAt(path), kind);
+    const shown = shownQuantity(valueAt(path), kind, state.units.get(pathNow(path)));
+    const typed = () => partsOf(input.value, kind, select.value);
     const write = () => {
-        setAt(path, writtenQuantity(valueAt(path), input.value, unit));
+        const { number, unit } = typed();
+        setAt(path, writtenQuantity(valueAt(path), number, unit));
         changed();
     };
-    let unit = shown.unit;
-    const input = make('input', { type: 'text', inputmode: 'decimal', autocomplete: 'off', value: shown.number, input: write });
-    if (units[kind].length === 1) return fieldAround(label, path, hint, input);
-    const select = unitChoice(kind, unit, `Unit of: ${label}`, (chosen) => {
-        unit = chosen;
-        if (input.value.trim() !== '') write();
+    const takeUnit = () => {
+        const { number, unit } = typed();
+        if (!select.isConnected || number === withPoint(input.value.trim())) return;
+        if (![...select.options].some((option) => option.value === unit)) select.append(make('option', { value: unit }, unit));
+        select.value = unit;
+        input.value = number;
+        state.units.set(pathNow(path), unit);
+    };
+    const input = make('input', { type: 'text', inputmode: 'decimal', autocomplete: 'off', value: shown.number, input: write, change: takeUnit });
+    const select = unitChoice(kind, shown.unit, `Unit of: ${label}`, (unit) => {
+        state.units.set(pathNow(path), unit);
+        write();
     });
-    return fieldAround(label, path, hint, input, select);
+    return select.options.length === 1 ? fieldAround(label, path, hint, input) : fieldAround(label, path, hint, input, select);
 }
 
 function textField(label, path, hint) {
@@ -65,22 +74,19 @@ function fileField(label, path, name, take) {
         input, wrong);
 }
 
-// What stood where one types now, by sample: {composition, restitution}, to be taken again.
-const replaced = new WeakMap();
-
-function backButton(key, file) {
-    const before = replaced.get(sampleNow())?.[key];
-    if (before?.[file] === undefined) return null;
-    return make('p', { class: 'buttons' }, make('button', {
-        type: 'button', class: 'small', click: () => {
-            setAt(`/samples/#/${key}`, before);
+// A button that changes several fields at once, or makes others of them; it can be undone.
+function stepButton(what, work, attributes = {}) {
+    return make('button', {
+        type: 'button', class: 'small', ...attributes, click: async () => {
+            remember(what);
+            await work();
             showForm();
             changed();
         },
-    }, `Take ${before[file]} again`));
+    }, what);
 }
 
-const exampleButton = (what, fill) => make('p', { class: 'buttons' }, make('button', { type: 'button', class: 'small', click: fill }, `Fill in an example of ${what}`));
+const exampleButton = (what, fill) => make('p', { class: 'buttons' }, stepButton(`Fill in an example of ${what}`, fill));
 
 // Takes every message away, and shows one at the field whose path is nearest; false if there is none.
 function tellAtField(path, text) {
@@ -94,7 +100,10 @@ function tellAtField(path, text) {
         if (fits && (!nearest || own.length > pathNow(nearest.dataset.path).length)) nearest = wrong;
     }
     if (!nearest) return false;
-    nearest.textContent = text;
-    document.querySelector(`[aria-describedby~="${nearest.id}"]`)?.setAttribute('aria-invalid', 'true');
+    const cells = [...document.querySelectorAll('[data-cell]')].filter((cell) => pathNow(cell.dataset.cell) === path);
+    for (const cell of cells) cell.setAttribute('aria-invalid', 'true');
+    const row = cells.length ? `${cells.at(-1).getAttribute('aria-label')}: ` : '';
+    nearest.textContent = row + text;
+    if (!cells.length) document.querySelector(`[aria-describedby~="${nearest.id}"]`)?.setAttribute('aria-invalid', 'true');
     return true;
 }

@@ -6,15 +6,20 @@ function hasHeading(text) {
 
 // A table to type into. columns: {title, name (class), suggestions}; rows: lists of texts. Calls typed(rows) on every change.
 // A paste of several cells, as from a spreadsheet, fills the cells from there on; one that begins with a heading goes to
-// takeTable(text), as a file would.
-function typingGrid({ caption, columns, rows, typed, takeTable, heads = [] }) {
+// takeTable(text), as a file would. places(rows) gives the path in the case of each cell, by which a message finds it.
+function typingGrid({ caption, columns, rows, typed, places, takeTable, heads = [] }) {
     const body = make('tbody');
     const cells = () => [...body.rows].map((row) => [...row.querySelectorAll('input')]);
     const texts = () => cells().map((row) => row.map((input) => withPoint(input.value.trim())));
     const tell = () => {
         const last = texts().at(-1);
         if (!last || last.some((text) => text !== '')) addRow([]);
+        placeCells();
         typed(texts());
+    };
+    const placeCells = () => {
+        const paths = places(texts());
+        cells().forEach((row, i) => row.forEach((input, j) => { input.dataset.cell = paths[i][j] ?? ''; }));
     };
     const addRow = (values) => {
         const place = body.rows.length;
@@ -48,6 +53,7 @@ function typingGrid({ caption, columns, rows, typed, takeTable, heads = [] }) {
     };
     rows.forEach(addRow);
     addRow([]);
+    placeCells();
     const head = make('tr', {}, ...columns.map((column, i) => make('th', { scope: 'col' }, column.title, heads[i])));
     return make('div', { class: 'scroll tall', role: 'region', tabindex: '0', 'aria-label': caption },
         make('table', { class: 'grid' }, make('thead', {}, head), body));

@@ -4,13 +4,26 @@ const columnOfTable = (name) => valueAt(`/samples/#/restitution/${name}`);
 function takeImpacts(name, bytes) {
     state.files.set(name, bytes);
     setAt('/samples/#/restitution', { file: name });
-    showForm();
-    changed();
+}
+
+const mostRows = 2000;
+
+// The impacts of a file as what is typed; nothing where they cannot be read or are too many to be typed. Their uncertainties
+// stay in the file.
+async function rowsOf(file) {
+    if (file === undefined) return undefined;
+    const { answer } = await quick.ask({ name: 'impacts', files: [['dropped', state.files.get(file)]], words: ['dropped'] });
+    if (answer.status !== 0 || answer.velocity.values.length > mostRows) return undefined;
+    if (answer.velocity_uncertainty) tell(`The uncertainties that ${file} states do not come along.`, true);
+    return { velocity: answer.velocity, rebound_velocity: answer.rebound_velocity };
 }
 
 function exampleImpacts() {
     takeImpacts('impacts.csv', new TextEncoder().encode(embedded.example['impacts.csv']));
 }
+
+// Words for a particle that stayed, typed in the place of its rebound; files are read with more of them.
+const stayed = /^(stuck|sticks?|sticking|captured?|deposit(ed)?|adhere[sd]|no rebound|(ge)?haftet|klebt(e)?|bleibt|collé|reste)$/i;
 
 const listOf = (column) => (Array.isArray(column) ? column : Array.isArray(column?.values) ? column.values : []);
 const unitOf = (column, otherwise) => (typeof column?.unit === 'string' ? column.unit : otherwise);
@@ -26,10 +39,15 @@ function typedColumns() {
 function impactTable() {
     const { second, unit, otherUnit, rows } = typedColumns();
     const chosen = { unit, otherUnit };
-    const number = (text) => (isNumber(text) ? Number(text) : text);
+    const number = (text) => (isNumber(text) ? Number(text) : stayed.test(text) ? 0 : text);
+    const places = (all) => {
+        let at = -1;
+        return all.map((row) => (isFilled(row) ? (++at, ['velocity', second].map((name) => `/samples/#/restitution/${name}/values/${at}`)) : []));
+    };
     let last = rows;
+    const isFilled = (row) => row.some((text) => text !== '');
     const typed = (all) => {
-        last = all.filter((row) => row.some((text) => text !== ''));
+        last = all.filter(isFilled);
         const column = (i, of) => ({ values: last.map((row) => number(row[i])), unit: of });
         const before = valueAt('/samples/#/restitution');
         const kept = isObject(before) && !before.file && !before.reconstruct ? before : {};
@@ -45,7 +63,7 @@ function impactTable() {
     const alike = unit === otherUnit;
     const other = second === 'restitution' ? 'Restitution e' : 'Rebound velocity';
     return typingGrid({
-        caption: 'Measured impacts', columns: [{ title: 'Velocity' }, { title: other }], rows, typed, takeTable: (text) => takePasted(text, 'impacts'),
+        caption: 'Measured impacts', columns: [{ title: 'Velocity' }, { title: other }], rows, typed, places, takeTable: (text) => takePasted(text, 'impacts'),
         heads: [unitChoice('velocity', chosen.unit, 'Unit of the velocities', takeUnit(alike ? ['unit', 'otherUnit'] : ['unit'])),
             second === 'restitution' || alike ? null : unitChoice('velocity', chosen.otherUnit, 'Unit of the rebound velocities', takeUnit(['otherUnit']))],
     });
@@ -76,19 +94,11 @@ function showImpacts() {
     const impacts = valueAt('/samples/#/restitution');
     const file = impacts?.file;
     const reconstructed = isObject(impacts?.reconstruct);
-    const typeInstead = make('button', {
-        type: 'button', class: 'small', click: () => {
-            replaced.set(sampleNow(), { ...replaced.get(sampleNow()), restitution: valueAt('/samples/#/restitution') });
-            setAt('/samples/#/restitution', undefined);
-            showForm();
-            changed();
-        },
-    }, 'Type the impacts instead');
+    const typeInstead = stepButton('Type the impacts instead', async () => setAt('/samples/#/restitution', await rowsOf(file)));
     byId('app-impacts').replaceChildren(...[
-        make('p', {}, 'Velocities before and after single impacts, typed or pasted. A rebound of 0 is a particle that stayed. Without impacts there is no damping, and no dynamic critical velocity.'),
-        make('div', { class: 'fields' }, fileField('Measured impacts', '/samples/#/restitution', file, (chosen) => takeFile(chosen, 'impacts'))),
+        make('p', {}, 'Velocities before and after single impacts, typed or pasted. A rebound of 0, or the word “stuck”, is a particle that stayed. Without impacts there is no damping, and no dynamic critical velocity.'),
+        make('div', { class: 'fields' }, fileField('Measured impacts', '/samples/#/restitution', file, (chosen) => chooseFile(chosen, 'impacts'))),
         reconstructed ? make('p', { class: 'hint' }, 'The impacts of this sample are reconstructed from published fits.') : null,
-        file === undefined ? backButton('restitution', 'file') : null,
         file === undefined && !reconstructed ? impactTable() : make('p', { class: 'buttons' }, typeInstead),
         cameraFields(), fitFields(), exampleButton('measured impacts', exampleImpacts)].filter(Boolean));
 }

@@ -9,10 +9,15 @@ function fieldOfMissing(pointer, allowed) {
     return isField ? path : null;
 }
 
+// The place in the case that a message begins with; names in it may hold blanks and colons.
+const pointerOf = (error) => /(?:^|: )(\/.*?)(?=: |$)/.exec(error.place ?? '')?.[1];
+
 // Where a message of the program belongs: "case.json: /samples/0/diameter: ..." or "impacts.csv:3: ...".
 function placeOf(error) {
-    const pointer = /(?:^|: )(\/[^\s:]*)/.exec(error.message);
-    if (pointer) return fieldOfMissing(pointer[1], error.allowed) ?? pointer[1];
+    const pointer = pointerOf(error);
+    const point = /: point (\d+)$/.exec(error.place);
+    if (pointer && point) return `${pointer}/${typedColumns().second}/values/${point[1] - 1}`;
+    if (pointer) return fieldOfMissing(pointer, error.allowed) ?? pointer;
     for (const [i, sample] of state.document.samples.entries()) {
         if (sample.composition?.xrd && error.message.startsWith(sample.composition.xrd)) return `/samples/${i}/composition/xrd`;
         if (sample.restitution?.file && error.message.startsWith(sample.restitution.file)) return `/samples/${i}/restitution`;
@@ -25,15 +30,24 @@ function tellError(error) {
     const place = placeOf(error);
     const other = /^\/samples\/(\d+)/.exec(place ?? '');
     const elsewhere = other && Number(other[1]) !== state.sample;
-    const found = !elsewhere && tellAtField(place, withoutPointer(error.message));
+    const found = !elsewhere && tellAtField(place, wordsAtField(error));
     if (!found) tellAtField(null);
     const name = elsewhere ? `Sample ${state.document.samples[Number(other[1])]?.name ?? Number(other[1]) + 1}: ` : '';
-    byId('app-problem').textContent = found ? 'Something has to be mended first; it stands in red above.' : name + error.message;
+    byId('app-problem').textContent = found ? 'Something has to be mended first; it stands in red above.' : name + inThePage(error.message);
     showOld(true);
 }
 
+// What a message advises that only the command line has, in words of this page; numbers without the noise of rounding.
+const inThePage = (message) => message.replace(/a phase that `ashimpact phases` lists.*$/,
+    'a name that the field “Phase” lists: change it in the file, or press “Type the phases instead”. For a phase of your own download case.json, add it there with its modulus under "phases" (docs/case.md), and drop that file here')
+    .replace(/\d+\.\d{7,}/g, (number) => readable(Number(number), 6));
+
 // At its field a message needs no place within the case; one within a file stays.
-const withoutPointer = (message) => message.replace(/^case\.json: \/[^\s:]*: /, '');
+function wordsAtField(error) {
+    const place = `case.json: ${pointerOf(error)}: `;
+    const message = error.message.startsWith(place) ? error.message.slice(place.length) : error.message;
+    return inThePage(message.replace(/^point \d+: /, ''));
+}
 
 // What was computed before is no answer to what stands there now.
 function showOld(old) {
@@ -46,7 +60,7 @@ function tellRead({ impacts }, artifacts) {
     const modulus = JSON.parse(artifacts['1-modulus.json']).result.samples[state.sample];
     tellAt('/samples/#/composition/xrd', valueAt('/samples/#/composition/xrd') === undefined ? '' : `Read: ${phasesOf(modulus)}.`);
     const read = impacts?.[state.sample];
-    tellAt('/samples/#/restitution', !read ? '' : `Read: ${read.rebounds} rebounds, ${read.captures} that stayed${read.unknown ? `, ${read.unknown} of unknown outcome left out` : ''}; `
+    tellAt('/samples/#/restitution', !read ? '' : `Read: ${read.rebounds} ${read.rebounds === 1 ? 'rebound' : 'rebounds'}, ${read.captures} that stayed${read.unknown ? `, ${read.unknown} of unknown outcome left out` : ''}; `
         + `${readable(read.from, 3)} to ${readable(read.to, 3)} m/s.${read.to > 50 ? ' That is fast: is the unit right?' : ''}`);
 }
 
@@ -62,8 +76,9 @@ function liveTable(artifacts) {
     const body = moduli.map((modulus, i) => make('tr', {}, make('th', { scope: 'row' }, modulus.name), cell(modulus.young_modulus, 1e-9),
         cell(contacts[i].density, 1), cell(contacts[i].contact_modulus, 1e-9), cell(contacts[i].mass, 1e9), cell(analytic[i]?.critical_velocity, 1e3)));
     const heads = ['Sample', 'Young’s modulus [GPa]', 'Density [kg/m3]', 'E* [GPa]', 'Mass [µg]', 'v_c of adhesion alone [mm/s]'];
-    return make('div', { class: 'scroll', role: 'region', tabindex: '0', 'aria-label': 'Modulus and contact of each sample' },
-        make('table', {}, make('thead', {}, make('tr', {}, ...heads.map((text) => make('th', { scope: 'col' }, text)))), make('tbody', {}, ...body)));
+    return [make('div', { class: 'scroll', role: 'region', tabindex: '0', 'aria-label': 'Modulus and contact of each sample' },
+        make('table', {}, make('thead', {}, make('tr', {}, ...heads.map((text) => make('th', { scope: 'col' }, text)))), make('tbody', {}, ...body))),
+    make('p', { class: 'hint' }, 'The v_c of adhesion alone is not the answer: it leaves out damping, with which faster particles stick as well, often many times as fast. The answer needs impacts, and comes with “Compute the critical velocity”.')];
 }
 
 // Asks for what is not there yet, and whether it had to.
@@ -71,8 +86,6 @@ function askForMissing() {
     const missing = missingInputs();
     byId('app-missing').textContent = missing.length ? `Still missing: ${missing.join('; ')}.` : '';
     if (!missing.length) return false;
-    tellAtField(null);
-    byId('app-problem').textContent = '';
     byId('app-live').replaceChildren();
     byId('app-what-if').hidden = true;
     byId('app-run').disabled = true;
@@ -81,26 +94,25 @@ function askForMissing() {
 
 async function answerOnce() {
     const { changes } = document.documentElement.dataset;
-    if (askForMissing()) {
-        document.documentElement.dataset.answered = changes;
-        return;
-    }
-    const { answer, artifacts } = await quick.askOfCase('evaluate', '/at-once', ['1-modulus.json', '2-contact.json', '3-analytic.json', '4-restitution.json']);
-    showAnswer(answer, artifacts);
+    const incomplete = askForMissing();
+    const { answer, artifacts } = await quick.askOfCase('evaluate', '/at-once', ['1-modulus.json', '2-contact.json', '3-analytic.json', '4-restitution.json'],
+        incomplete ? completedCase() : undefined);
+    showAnswer(answer, artifacts, incomplete);
     document.documentElement.dataset.answered = changes;
 }
 
-function showAnswer(answer, artifacts) {
-    byId('app-run').disabled = answer.status !== 0 || run.going;
+function showAnswer(answer, artifacts, incomplete) {
+    byId('app-run').disabled = answer.status !== 0 || incomplete || run.going;
     if (answer.status !== 0) {
         tellError(answer.error);
         return;
     }
     tellAtField(null);
     byId('app-problem').textContent = '';
-    byId('app-live').replaceChildren(liveTable(artifacts));
     showOld(false);
     tellRead(answer, artifacts);
+    if (incomplete) return;
+    byId('app-live').replaceChildren(...liveTable(artifacts));
     offerWhatIf(run.artifacts && !isStale() ? { ...run.artifacts, ...artifacts, '4-restitution.json': run.artifacts['4-restitution.json'] } : artifacts);
 }
 

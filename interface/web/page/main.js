@@ -1,8 +1,7 @@
 // Puts the page together.
 function openEmbedded(name) {
     const files = Object.entries(embedded[name]).filter(([file]) => file !== 'case.json').map(([file, text]) => [file, new TextEncoder().encode(text)]);
-    openCase(JSON.parse(embedded[name]['case.json']), new Map(files));
-    showForm();
+    openCase(name === 'paper' ? 'Open the paper’s case' : 'Open the example', JSON.parse(embedded[name]['case.json']), new Map(files));
     tell(name === 'paper' ? 'The three sieve sizes of Dong et al. 2013 are open.' : 'The example is open: two sieve sizes with invented numbers.');
 }
 
@@ -12,8 +11,7 @@ function begin() {
         return;
     }
     document.body.append(make('datalist', { id: 'app-phases' }, ...embedded.phases.map((name) => make('option', { value: name }))));
-    state.document = emptyCase();
-    showForm();
+    openCase('', emptyCase(), new Map());
     watchers.push(afterPause(80, answerAtOnce), showStale, () => {
         byId('app-sample').selectedOptions[0].textContent = String(sampleNow().name ?? '');
     });
@@ -21,17 +19,20 @@ function begin() {
     byId('app-example').addEventListener('click', () => openEmbedded('example'));
     byId('app-paper').addEventListener('click', () => openEmbedded('paper'));
     byId('app-new').addEventListener('click', () => {
-        openCase(emptyCase(), new Map());
-        showForm();
+        openCase('Begin anew', emptyCase(), new Map());
         tell('A new case.');
     });
     byId('app-form').addEventListener('submit', (event) => event.preventDefault());
     byId('app-run').addEventListener('click', compute);
     byId('app-stop').addEventListener('click', stopRun);
     byId('app-save-report').addEventListener('click', () => save('report.html', run.artifacts['report.html'], 'text/html'));
-    byId('app-save-case').addEventListener('click', () => save('case.json', textOfCase(), 'application/json'));
+    byId('app-save-case').addEventListener('click', () => {
+        save('case.json', textOfCase(), 'application/json');
+        keepCase();
+    });
     byId('app-save-all').addEventListener('click', saveAll);
     listenForDrops();
+    listenToHistory();
     // For a browser's console: the functions of the program that take texts, as docs/web.md lists them.
     window.ashimpact = { ask: async (name, ...words) => (await quick.ask({ name, words })).answer };
     changed();

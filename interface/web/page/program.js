@@ -44,11 +44,11 @@ class Program {
     }
 
     // Asks about the case: its files go along where the worker does not have them yet.
-    askOfCase(name, folder, read) {
+    askOfCase(name, folder, read, text = textOfCase()) {
         const files = [...state.files].filter(([file, bytes]) => this.had.get(file) !== bytes);
         const remove = [...this.had.keys()].filter((file) => !state.files.has(file));
         this.had = new Map(state.files);
-        files.push(['case.json', new TextEncoder().encode(textOfCase())]);
+        files.push(['case.json', new TextEncoder().encode(text)]);
         return this.ask({ name, files, remove, words: folder === undefined ? ['case.json'] : ['case.json', folder], read });
     }
 

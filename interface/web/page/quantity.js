@@ -1,6 +1,7 @@
 // Quantities in a case: "44 um", {"value": 44, "unit": "um"}, or a bare number in SI.
 const units = {
     length: ['um', 'mm', 'nm', 'm'],
+    range: ['nm', 'um', 'm'],
     density: ['kg/m3', 'g/cm3'],
     pressure: ['GPa', 'MPa', 'Pa'],
     adhesion: ['J/m2', 'mJ/m2', 'N/m'],
@@ -9,27 +10,39 @@ const units = {
     ratio: ['1'],
     rate: ['1'],
 };
-const inSi = { length: 'm', density: 'kg/m3', pressure: 'Pa', adhesion: 'J/m2', velocity: 'm/s', fraction: '1', ratio: '1', rate: '1' };
-
-// {number, unit} as the fields show them; both are texts.
-function shownQuantity(value, kind) {
-    if (typeof value === 'number') return { number: String(value), unit: inSi[kind] };
-    if (isObject(value)) return { number: String(value.value ?? ''), unit: String(value.unit ?? inSi[kind]) };
-    if (typeof value !== 'string') return { number: '', unit: units[kind][0] };
-    const [, number, unit] = /^([\s\d.,eE+\-()\u00b1]*)([^]*)$/.exec(value);
-    if (number.trim() === '') return { number: value, unit: inSi[kind] };
-    return { number: number.trim(), unit: unit.trim() || inSi[kind] };
-}
+const inSi = { length: 'm', range: 'm', density: 'kg/m3', pressure: 'Pa', adhesion: 'J/m2', velocity: 'm/s', fraction: '1', ratio: '1', rate: '1' };
 
 // A typed number with a decimal comma has a point in the case.
 const withPoint = (text) => (/^\s*[+-]?\d*,\d+(e[+-]?\d+)?\s*$/i.test(text) ? text.replace(',', '.') : text);
 
 const isNumber = (text) => text.trim() !== '' && Number.isFinite(Number(text));
 
-// What the case holds for it. An object keeps its uncertainty in the same unit; origin and source were those of the
-// number before.
-function writtenQuantity(before, typed, unit) {
-    const number = withPoint(typed);
+// The unit as the list of its kind spells it, if it is in there: "um" for "µm", "kg/m3" for "kg/m³" or "kg/m^3".
+function spelledUnit(unit, kind) {
+    const plain = unit.trim().replace(/[\u00b5\u03bc]/g, 'u').replace(/\^?(\d)/g, '$1').replaceAll('\u00b2', '2').replaceAll('\u00b3', '3').replaceAll(' ', '');
+    return units[kind].includes(plain) ? plain : unit.trim();
+}
+
+// {number, unit} of a text such as "44,5 µm"; `otherwise` is the unit of a text that names none. What does not begin with
+// a number is taken for one, so that the unit beside it stays.
+function partsOf(text, kind, otherwise) {
+    const own = units[kind].find((unit) => unit !== '1' && text.endsWith(` ${unit}`));
+    const [, number, unit] = /^([\s\d.,eE+\-()\u00b1]*)([^]*)$/.exec(text);
+    if (/\d/.test(number)) return { number: withPoint(number.trim()), unit: unit.trim() === '' ? otherwise : spelledUnit(unit, kind) };
+    return own ? { number: text.slice(0, -own.length - 1), unit: own } : { number: text, unit: otherwise };
+}
+
+// {number, unit} as the fields show them; both are texts. `empty` is the unit of a field without a value.
+function shownQuantity(value, kind, empty = units[kind][0]) {
+    if (typeof value === 'number') return { number: String(value), unit: inSi[kind] };
+    if (isObject(value)) return { number: String(value.value ?? ''), unit: String(value.unit ?? inSi[kind]) };
+    if (typeof value !== 'string') return { number: '', unit: empty };
+    return partsOf(value, kind, /\d/.test(value) ? inSi[kind] : empty);
+}
+
+// What the case holds for a number and its unit. An object keeps its uncertainty in the same unit; origin and source were
+// those of the number before.
+function writtenQuantity(before, number, unit) {
     if (number.trim() === '') return undefined;
     if (isObject(before) && 'value' in before && isNumber(number)) {
         const same = before.unit === unit;

@@ -33,7 +33,8 @@ function showReport(text) {
     document.adoptedStyleSheets = [sheet];
     byId('app-markers').replaceChildren(...(report.querySelector('svg.defs')?.childNodes ?? []));
     const answers = report.querySelector('header .answers');
-    byId('app-report').replaceChildren(...[answers, ...(report.querySelector('main')?.children ?? [])].filter(Boolean));
+    byId('app-answers').replaceChildren(...[answers].filter(Boolean));
+    byId('app-report').replaceChildren(...(report.querySelector('main')?.children ?? []));
     readFigures();
 }
 
@@ -53,7 +54,7 @@ async function compute() {
         run.files = asked.files;
         showStale();
         showReport(artifacts['report.html']);
-        byId('app-results').hidden = false;
+        hideResults(false);
         byId('app-progress').textContent = 'Done; the results are below.';
         offerWhatIf(artifacts);
         byId('app-results').focus({ preventScroll: true });
@@ -69,16 +70,21 @@ async function compute() {
 // Whether the case was changed after its results were computed.
 const isStale = () => Boolean(run.artifacts) && state.document === run.document && textOfCase() !== run.files.get('case.json');
 
+function hideResults(hidden) {
+    for (const id of ['app-results', 'app-report']) byId(id).hidden = hidden;
+}
+
 // After a change the results are those of the case before it.
 function showStale() {
     byId('app-stale').hidden = !isStale();
     if (!run.artifacts || state.document === run.document) return;
     run.artifacts = null;
-    byId('app-results').hidden = true;
+    hideResults(true);
     byId('app-progress').textContent = '';
 }
 
 function saveAll() {
     const files = [...(run.files ?? []), ...Object.entries(run.artifacts ?? {}).map(([name, text]) => [`results/${name}`, text])];
     save('ashimpact.zip', zipOf(files), 'application/zip');
+    if (!isStale()) keepCase();
 }

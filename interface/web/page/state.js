@@ -1,5 +1,6 @@
-// What the page knows: the case as the JSON document that is saved, and the files it names.
-const state = { document: null, files: new Map(), sample: 0 };
+// What the page knows: the case as the JSON document that is saved, the files it names, and by path the units chosen for
+// fields.
+const state = { document: null, files: new Map(), sample: 0, units: new Map() };
 
 const isObject = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
 
@@ -23,20 +24,34 @@ function isCase(document) {
     return isObject(document) && Array.isArray(document.samples) && document.samples.length > 0 && document.samples.every(isObject);
 }
 
+function hasAsh({ composition }) {
+    const { weight_fractions: fractions, ...other } = isObject(composition) ? composition : {};
+    return !isObject(composition) || Object.keys(other).some((key) => key !== 'amorphous') || (isObject(fractions) && Object.keys(fractions).length > 0);
+}
+
+const hasLaws = () => !Array.isArray(state.document.laws) || state.document.laws.length > 0;
+
 // What the case lacks before it can be computed at all, in words; nothing wrong, as long as nobody has typed it.
 function missingInputs() {
-    return state.document.samples.flatMap((sample) => {
-        const { weight_fractions: fractions, ...other } = isObject(sample.composition) ? sample.composition : {};
-        const ash = !isObject(sample.composition) || Object.keys(other).some((key) => key !== 'amorphous') || (isObject(fractions) && Object.keys(fractions).length > 0);
-        const parts = [sample.diameter === undefined && 'the particle diameter', !ash && 'an XRD result or typed phases'].filter(Boolean);
+    const ofSamples = state.document.samples.flatMap((sample) => {
+        const parts = [sample.diameter === undefined && 'the particle diameter', !hasAsh(sample) && 'an XRD result or typed phases'].filter(Boolean);
         return parts.length ? [`${sample.name ?? 'sample'}: ${parts.join(' and ')}`] : [];
     });
+    return hasLaws() ? ofSamples : [...ofSamples, 'a contact law'];
+}
+
+// The case with something in the place of what is missing, so that all the rest of it can be read and judged already.
+function completedCase() {
+    const samples = state.document.samples.map((sample) => (
+        { ...sample, diameter: sample.diameter ?? '1 um', ...(hasAsh(sample) ? {} : { composition: { weight_fractions: { quartz: 1 }, amorphous: 'none' } }) }));
+    return JSON.stringify({ ...state.document, samples, ...(hasLaws() ? {} : { laws: ['hertz'] }) });
 }
 
 const sampleNow = () => state.document.samples[state.sample];
 
 // A path is written as in the program's messages, "/samples/#/diameter"; "#" is the sample that is shown.
 const pathNow = (path) => path.replace('#', state.sample);
+const pointerPart = (key) => key.replaceAll('~', '~0').replaceAll('/', '~1');
 const keysOf = (path) => pathNow(path).split('/').slice(1);
 
 function valueAt(path) {
@@ -70,10 +85,14 @@ function changed() {
 
 const textOfCase = () => JSON.stringify(state.document, null, 2) + '\n';
 
-// Another case in the place of this one.
-function openCase(document, files) {
+// Another case in the place of this one, which can be undone by the name of what was done.
+function openCase(what, document, files) {
+    if (state.document) remember(what);
     state.document = document;
     state.files = files;
     state.sample = 0;
+    state.units = new Map();
+    keepCase();
+    showForm();
     changed();
 }

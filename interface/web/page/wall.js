@@ -27,7 +27,7 @@ function lawChoices() {
 function lawParameters() {
     const chosen = chosenLaws();
     return [
-        chosen.includes('maugis-dugdale') ? quantityField('Range of cohesion', '/particle/cohesion_range', 'length', 'For Maugis-Dugdale, e.g. 0.4 nm.') : null,
+        chosen.includes('maugis-dugdale') ? quantityField('Range of cohesion', '/particle/cohesion_range', 'range', 'For Maugis-Dugdale, e.g. 0.4 nm.') : null,
         chosen.includes('thornton-ning') ? quantityField('Yield pressure', '/particle/yield_pressure', 'pressure', 'For Thornton-Ning.') : null,
         chosen.includes('sjkr') ? textField('Cohesion energy density', '/particle/cohesion_energy_density', 'For SJKR, e.g. 20 MJ/m3.') : null,
     ].filter(Boolean);
@@ -37,8 +37,6 @@ function exampleWall() {
     const { wall, work_of_adhesion: adhesion } = JSON.parse(embedded.example['case.json']);
     setAt('/wall', wall);
     setAt('/work_of_adhesion', adhesion);
-    showForm();
-    changed();
 }
 
 // What a particle may meet. Two spheres meet without a wall.

@@ -32,7 +32,7 @@ function contactOf(artifacts, law) {
 
 // Damping over velocity as measured: [v, damping] from the critical velocity on.
 function dampingCourse(critical, measured) {
-    const points = (measured?.velocity.values ?? []).map((v, i) => [v, measured.damping.values[i]]);
+    const points = (measured?.velocity.values ?? []).map((v, i) => [v, measured.damping.values[i]]).filter(([, damping]) => damping !== null);
     const begin = critical.critical_velocity?.value;
     return [...(begin === undefined ? [] : [[begin, critical.damping.value]]), ...points.filter(([v]) => begin === undefined || v > begin)].sort((a, b) => a[0] - b[0]);
 }
@@ -52,7 +52,8 @@ function measuredPoints(artifacts, law) {
 
 const withFactors = (contact) => Object.fromEntries(Object.entries(contact).map(([key, value]) => [key, typeof value === 'number' ? value * (whatIf.factors[key] ?? 1) : value]));
 
-// The damping at each velocity, where it was measured, is times a factor.
+// The damping at each velocity, where it was measured, is times a factor; the critical velocity is where this curve leaves
+// zero.
 async function curveOf(contact, velocities, factor = 1) {
     const { course, ...asked } = contact;
     if (course?.length) asked.dampings = velocities.map((v) => dampingAt(course, v) * factor);
@@ -61,14 +62,17 @@ async function curveOf(contact, velocities, factor = 1) {
     return answer;
 }
 
-function velocitiesUpTo(most) {
-    return Array.from({ length: 120 }, (_, i) => (most * (i + 1)) / 120);
+// The first point of a course is among them: it is the critical velocity as computed.
+function velocitiesUpTo(most, course) {
+    const even = Array.from({ length: 120 }, (_, i) => (most * (i + 1)) / 120);
+    const begin = course?.length && course[0][0] < most ? [course[0][0]] : [];
+    return [...new Set([...even, ...begin])].sort((a, b) => a - b);
 }
 
 // Without measured impacts the damping is a guess, and a velocity would be taken for a result.
 function guessed(was, would) {
     const change = was && would ? ` The sliders change the critical velocity by a factor of ${readable(would / was, 3)}.` : '';
-    return `The damping is a guess until impacts are computed: the curves show which way things go, not your ash.${change}`;
+    return `The damping is a guess until impacts are computed: curves and marks show which way things go, not the critical velocity of your ash.${change}`;
 }
 
 let drawn = 0;
@@ -79,7 +83,7 @@ async function drawWhatIf() {
     const fastest = Math.max(0, ...whatIf.points.map(([v]) => v));
     const base = await curveOf(contact, [1]);
     const most = fastest > 0 ? fastest * 1.05 : Math.min(100, 4 * (base.critical_velocity || 1));
-    const velocities = velocitiesUpTo(most);
+    const velocities = velocitiesUpTo(most, contact.course);
     const answers = await Promise.all([curveOf(contact, velocities), curveOf(withFactors(contact), velocities, whatIf.factors.damping ?? 1)]);
     if (turn !== drawn) return;
     const wrong = answers.find((answer) => answer.status !== 0);
@@ -125,7 +129,7 @@ function buildWhatIf() {
             parts.forEach((part) => part.tell());
             drawWhatIf();
         },
-    }, 'Back to what it is');
+    }, 'Reset the sliders');
     const plot = make('div', {});
     const text = make('p', { class: 'answer', role: 'status' });
     whatIf.nodes = { law, parts, plot, text };

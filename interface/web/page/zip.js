@@ -1,4 +1,4 @@
-// A zip archive without compression: texts under their names.
+// Zip archives: zipOf() packs texts under their names, without compression; unzipped() reads any.
 const crcTable = Uint32Array.from({ length: 256 }, (_, i) => {
     let value = i;
     for (let bit = 0; bit < 8; ++bit) value = value & 1 ? 0xedb88320 ^ (value >>> 1) : value >>> 1;
@@ -34,4 +34,32 @@ function zipOf(files) {
     const size = entries.reduce((sum, entry) => sum + entry.length, 0);
     const count = entries.length / 2;
     return new Blob([...parts, ...entries, record([0x06054b50, 4], [0, 2], [0, 2], [count, 2], [count, 2], [size, 4], [offset, 4], [0, 2])], { type: 'application/zip' });
+}
+
+// [[name, bytes], ...] of an archive. Throws where it is broken, encrypted or too large.
+async function unzipped(bytes) {
+    const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+    const [two, four] = [(at) => view.getUint16(at, true), (at) => view.getUint32(at, true)];
+    let end = bytes.length - 22;
+    while (four(end) !== 0x06054b50) --end;
+    const files = [];
+    let total = 0;
+    for (let i = 0, entry = four(end + 16); i < two(end + 10); ++i) {
+        const [method, sum, packed, size, title, local] = [two(entry + 10), four(entry + 16), four(entry + 20), four(entry + 24), two(entry + 28), four(entry + 42)];
+        total += size;
+        if (total > mostBytes) throw new Error('too large');
+        const name = new TextDecoder().decode(bytes.subarray(entry + 46, entry + 46 + title));
+        const begin = local + 30 + two(local + 26) + two(local + 28);
+        const held = bytes.slice(begin, begin + packed);
+        const content = method === 0 ? held : await inflated(held);
+        if (crc32(content) !== sum) throw new Error('broken');
+        if (!name.endsWith('/')) files.push([name, content]);
+        entry += 46 + title + two(entry + 30) + two(entry + 32);
+    }
+    return files;
+}
+
+async function inflated(bytes) {
+    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
+    return new Uint8Array(await new Response(stream).arrayBuffer());
 }

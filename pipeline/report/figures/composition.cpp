@@ -62,7 +62,7 @@ RowPanel modulus_panel(const RunData& run) {
                 {.kind = RowItem::Kind::bar,
                  .from = lower,
                  .to = upper,
-                 .look = Look::of(6),
+                 .look = Look::plain(3),
                  .name = fmt::format("bounds {:.4g} to {:.4g} GPa", lower / 1e9, upper / 1e9),
                  .legend = "bounds"});
         }

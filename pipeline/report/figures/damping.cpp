@@ -59,13 +59,6 @@ bool any_boundary(const RunData& run) {
                        [](const SampleData& sample) { return !boundaries(sample).empty(); });
 }
 
-bool any_extrapolated(const RunData& run) {
-    for (const SampleData& sample : run.samples())
-        for (const LawData& law : sample.laws)
-            if (law.velocity_json.is_object() && law.velocity_json.contains("extrapolated")) return true;
-    return false;
-}
-
 void add_rows(const SampleData& sample, const LawData& law, NumberTable& table) {
     const std::vector<double> uncertainty = column_in(law.damping_json, "damping_uncertainty");
     for (std::size_t i = 0; i < law.damping->damping.size(); ++i)
@@ -94,7 +87,7 @@ Figure damping_figure(const RunData& run) {
     figure.caption += any_boundary(run) ? " Dashed verticals: where the falling part ends and the flat and "
                                           "the rising part begin, by the first law that has them."
                                         : " These data hold the falling part alone.";
-    figure.caption += origin_sentence(run);
+    figure.caption += extrapolation_sentence(run) + origin_sentence(run);
     for (const SampleData& sample : run.samples()) {
         XyPanel panel{
             .title = sample.name, .x = velocity_axis(), .y = damping_axis(run), .rules = boundaries(sample)};
@@ -121,14 +114,9 @@ Figure damping_fit_figure(const RunData& run) {
                       "The same dampings over the restitution. The fit η(e_n) (line) is taken over the "
                       "rising branch of e_n(v_in) and meets the axis "
                       "e_n = 0 at the critical damping, from which a critical velocity follows." +
-                      origin_sentence(run),
+                      extrapolation_sentence(run) + origin_sentence(run),
                   .panels = {},
                   .numbers = {.columns = columns(run)}};
-    if (any_extrapolated(run))
-        figure.caption +=
-            " The critical velocity that it gives is the extrapolated one; that of the table above comes "
-            "from "
-            "all impacts, captures included.";
     for (const SampleData& sample : run.samples()) {
         XyPanel panel{.title = sample.name, .x = restitution_axis(), .y = damping_axis(run)};
         for (const LawData& law : sample.laws) {

@@ -57,4 +57,19 @@ std::string origin_sentence(const RunData& run) {
     return run.any_measured() ? hollow + " Filled points are measured impacts." : hollow;
 }
 
+std::optional<double> extrapolated_velocity(const LawData& law) {
+    if (!law.velocity_json.is_object() || !law.velocity_json.contains("extrapolated")) return std::nullopt;
+    return number_in(law.velocity_json.at("extrapolated"), "critical_velocity");
+}
+
+std::string extrapolation_sentence(const RunData& run) {
+    for (const SampleData& sample : run.samples())
+        for (const LawData& law : sample.laws)
+            if (extrapolated_velocity(law))
+                return " The fit to measured impacts is made to the rebounds alone and extrapolated to e_n = "
+                       "0: where a curve ends there is the extrapolated v_c of the table, not the answer, "
+                       "which is estimated from rebounds and captures together.";
+    return {};
+}
+
 }  // namespace ashimpact::report

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,5 +31,11 @@ namespace ashimpact::report {
 
 /// "Points reconstructed from published fits" or the like, as a sentence for captions.
 [[nodiscard]] std::string origin_sentence(const RunData& run);
+
+/// The critical velocity at which the fit to measured rebounds meets e = 0, where there is one [m/s].
+[[nodiscard]] std::optional<double> extrapolated_velocity(const LawData& law);
+
+/// How that velocity differs from the answer, as a sentence for captions; empty for a run that has none.
+[[nodiscard]] std::string extrapolation_sentence(const RunData& run);
 
 }  // namespace ashimpact::report

@@ -73,10 +73,10 @@ Figure restitution_figure(const RunData& run) {
                       "steeply. Lines are the model of each "
                       "law with the damping η(e_n) of its fit, drawn down to the fit's critical velocity and "
                       "up to the greatest restitution of "
-                      "its data; the band is what the uncertainty of that fit leaves open (95 %), the "
-                      "contact taken as known. Shaded: captured by "
-                      "every law." +
-                      origin_sentence(run),
+                      "its data; a band in a law's colour is what the uncertainty of that fit "
+                      "leaves open (95 %), the contact taken as known. The grey strip that begins at zero: "
+                      "captured by every law." +
+                      extrapolation_sentence(run) + origin_sentence(run),
                   .panels = {},
                   .numbers = {.columns = {"sample", "law", "origin", "v_in [m/s]", "e_n",
                                           "v_in, lower end [m/s]", "v_in, upper end [m/s]"}}};

@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "pipeline/report/drawing/markup.hpp"
+#include "pipeline/report/figures/law_series.hpp"
 #include "pipeline/report/page/html.hpp"
 #include "pipeline/report/page/run_page.hpp"
+#include "pipeline/text/readable.hpp"
 
 namespace ashimpact::report {
 
@@ -92,22 +94,42 @@ std::optional<Answer> answer_of(const Json& reported) {
     return std::nullopt;
 }
 
-/// What to take home of a sample: the velocity to report as the summary of the run names it, then all laws.
-std::string answer(const SampleData& sample) {
-    std::vector<std::string> by_law;
+/// "By each law: Hertz 1.10 m/s, JKR ...", where the laws were computed at all.
+std::string by_each_law(const SampleData& sample) {
+    std::vector<std::string> laws;
     for (const LawData& law : sample.laws)
-        by_law.push_back(fmt::format("{} {}", law.name, text_of(law.headline)));
+        if (law.velocity != nullptr) laws.push_back(fmt::format("{} {}", law.name, text_of(law.headline)));
+    return laws.empty() ? "" : "By each law: " + listed(laws) + ".";
+}
+
+/// What was computed with: "Diameter 44 um, density 2300 kg/m3, E* 62.1 GPa, w 0.3 J/m2."
+std::string inputs_sentence(const SampleData& sample) {
+    constexpr std::pair<const char*, const char*> inputs[] = {{"diameter", "Diameter"},
+                                                              {"density", "density"},
+                                                              {"contact_modulus", "E*"},
+                                                              {"work_of_adhesion", "w"}};
+    std::vector<std::string> words;
+    for (const auto& [key, word] : inputs)
+        if (const auto value = number_in(sample.comparison, key))
+            words.push_back(
+                fmt::format("{} {}", word, readable(*value, sample.comparison.at(key).value("unit", "1"))));
+    return words.empty() ? "" : listed(words) + ".";
+}
+
+/// What to take home of a sample: the velocity to report as the summary of the run names it, or why there is
+/// none, then all laws.
+std::string answer(const SampleData& sample) {
     const auto reported = sample.comparison.find("reported");
-    const std::optional<Answer> found =
-        reported == sample.comparison.end() ? std::nullopt : answer_of(*reported);
+    const Json summary = reported == sample.comparison.end() ? Json::object() : *reported;
+    const std::optional<Answer> found = answer_of(summary);
     const std::string first =
         found ? fmt::format("{} <span class=\"value\">{}</span>{}", escaped(found->before),
                             escaped(found->velocity), escaped(found->after))
-              : "no law gives a finite critical velocity.";
-    return fmt::format(
-        "<li><strong>{}</strong>: {}<span class=\"rest\">By each law: {}.</span><span "
-        "class=\"rest\">{}</span></li>\n",
-        html_name(sample.name), first, escaped(listed(by_law)), escaped(measured_sentence(sample)));
+              : "no critical velocity: " + escaped(reason_in(summary)) + ".";
+    std::string html = fmt::format("<li><strong>{}</strong>: {}", html_name(sample.name), first);
+    for (const std::string& rest : {by_each_law(sample), measured_sentence(sample), inputs_sentence(sample)})
+        if (!rest.empty()) html += fmt::format("<span class=\"rest\">{}</span>", escaped(rest));
+    return html + "</li>\n";
 }
 
 /// What a cell says where there is nothing to say.
@@ -124,9 +146,20 @@ std::string verdict_words(const LawData& law) {
     return verdict == "agrees" ? verdict : std::string(no_value);
 }
 
+/// Whether the impacts gave no estimate with this law, so that its velocity is the extrapolation.
+bool is_extrapolated(const LawData& law) {
+    return extrapolated_velocity(law) && law.headline.method.starts_with("eta(e) extra");
+}
+
 std::string velocity_cell(const LawData& law) {
-    if (law.headline.value) return fmt::format("{:#.3g}", *law.headline.value);
+    if (law.headline.value)
+        return fmt::format("{}{:#.3g}", is_extrapolated(law) ? "* " : "", *law.headline.value);
     return law.velocity != nullptr ? escaped(law.velocity->verdict) : std::string(no_value);
+}
+
+std::string extrapolated_cell(const LawData& law) {
+    const auto velocity = extrapolated_velocity(law);
+    return velocity ? fmt::format("{:#.3g}", *velocity) : std::string(no_value);
 }
 
 std::string interval_cell(const LawData& law) {
@@ -175,6 +208,9 @@ constexpr Column columns[] = {
      .cell = [](const SampleData&, const LawData& law) { return velocity_cell(law); }},
     {.head = "95 % interval",
      .cell = [](const SampleData&, const LawData& law) { return interval_cell(law); }},
+    {.head = "extrapolated v<sub>c</sub> [m/s]",
+     .cell = [](const SampleData&, const LawData& law) { return extrapolated_cell(law); },
+     .always = false},
     {.head = "published",
      .cell =
          [](const SampleData& sample, const LawData& law) {
@@ -205,6 +241,23 @@ std::vector<Column> columns_of(const RunData& run) {
         if (column.always || std::ranges::any_of(run.samples(), has_value)) shown.push_back(column);
     }
     return shown;
+}
+
+/// What tells the extrapolated velocities from the dynamic ones, below the table.
+std::string extrapolation_notes(const RunData& run) {
+    bool any = false;
+    bool instead = false;
+    for (const SampleData& sample : run.samples())
+        for (const LawData& law : sample.laws) {
+            any = any || extrapolated_velocity(law);
+            instead = instead || is_extrapolated(law);
+        }
+    if (!any) return {};
+    return with_subscripts(
+        std::string("<p class=\"where\">Dynamic v_c: the answer, estimated from rebounds and captures "
+                    "together. Extrapolated v_c: where the polynomial η(e_n), fitted to the rebounds alone, "
+                    "meets e_n = 0; the curves in the figures end there. The two may lie far apart.") +
+        (instead ? " *: extrapolated, as the impacts gave no estimate with this law." : "") + "</p>\n");
 }
 
 }  // namespace
@@ -241,6 +294,7 @@ std::string comparison_html(const RunData& run) {
         }
     }
     html += "</tbody></table></div>\n";
+    html += extrapolation_notes(run);
     for (const SampleData& sample : run.samples())
         for (const LawData& law : sample.laws)
             if (law.velocity != nullptr && law.velocity->interval_note.is_string())

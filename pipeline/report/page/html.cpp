@@ -64,6 +64,13 @@ std::string with_subscripts(std::string text) {
     return text;
 }
 
+std::string link_words(std::string_view id) {
+    std::string words(id);
+    std::replace(words.begin(), words.end(), '-', ' ');
+    words.front() = static_cast<char>(words.front() - 'a' + 'A');
+    return words;
+}
+
 std::string html_name(std::string_view name) {
     bool plain = true;
     for (const char c : name) plain = plain && static_cast<unsigned char>(c) < 0x80U;

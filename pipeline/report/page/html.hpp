@@ -24,6 +24,9 @@ namespace ashimpact::report {
 /// An escaped text with the symbols in it set as such: "v_in", "e_n".
 [[nodiscard]] std::string with_subscripts(std::string text);
 
+/// The id of a figure as a link shows it: "Static force" for "static-force".
+[[nodiscard]] std::string link_words(std::string_view id);
+
 /// A user's name in HTML.
 [[nodiscard]] std::string html_name(std::string_view name);
 

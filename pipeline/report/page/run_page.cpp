@@ -39,8 +39,8 @@ std::string heading(const std::vector<RunData>& runs) {
 std::string contents() {
     std::string html = "<nav aria-label=\"Figures\">";
     for (const FigureMaker& maker : figure_makers())
-        html += fmt::format("<a href=\"#{0}\">{0}</a>", maker.id);
-    return html + "<a href=\"#provenance\">provenance</a></nav>\n";
+        html += fmt::format("<a href=\"#{}\">{}</a>", maker.id, link_words(maker.id));
+    return html + "<a href=\"#provenance\">Provenance</a></nav>\n";
 }
 
 std::string per_run(const std::vector<RunData>& runs, const std::string& title, const std::string& id,

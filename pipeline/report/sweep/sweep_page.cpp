@@ -54,8 +54,9 @@ std::string sweep_page(const Json& artifact, const std::string& name) {
         html_name(name), answers(result));
     const auto figures = sweep_figures(artifact);
     body += "<nav aria-label=\"Figures\">";
-    for (const Figure& figure : figures) body += fmt::format("<a href=\"#{0}\">{0}</a>", figure.id);
-    body += "<a href=\"#provenance\">provenance</a></nav>\n<section><h2 id=\"figures\">Figures</h2>\n";
+    for (const Figure& figure : figures)
+        body += fmt::format("<a href=\"#{}\">{}</a>", figure.id, link_words(figure.id));
+    body += "<a href=\"#provenance\">Provenance</a></nav>\n<section><h2 id=\"figures\">Figures</h2>\n";
     for (const Figure& figure : figures) body += html_of(figure, figure.id);
     body += "</section>\n";
     if (!artifact.at("warnings").empty()) {

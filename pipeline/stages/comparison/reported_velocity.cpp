@@ -82,7 +82,7 @@ std::string measured_words(const Json& measured) {
 /// The measured velocity or bounds, if no law gives a velocity.
 Json bounds_json(const LawEvidence& evidence) {
     Json json{{"law", nullptr}, {"critical_velocity", nullptr}, {"interval", nullptr}};
-    std::string verdict = "no damping data";
+    std::string verdict = evidence.no_damping;
     for (const LawChoice& choice : evidence.laws)
         if (const LawCriticalVelocity* velocity = evidence.velocities.find(choice.law))
             verdict = "no law gives a finite velocity: " + velocity->verdict;
@@ -97,7 +97,7 @@ Json bounds_json(const LawEvidence& evidence) {
         return json;
     }
     json["interval"] = evidence.measured.at("interval");
-    json["reason"] = evidence.measured.value("note", verdict);
+    json["reason"] = evidence.measured.value("note", "measured") + "; " + verdict;
     return json;
 }
 

@@ -13,7 +13,8 @@ struct LawEvidence {
     const std::vector<LawChoice>& laws;
     const LawMap<LawCriticalVelocity>& velocities;
     const ContactPair& contact;
-    const Json& measured;  ///< of 7-critical-velocity.json; may be null
+    const Json& measured;           ///< of 7-critical-velocity.json; may be null
+    const std::string& no_damping;  ///< why a law has no damping: "no impacts were given"
 };
 
 /// The critical velocity of a sample that a reader is to report: the law, the velocity with its interval, and

@@ -1,5 +1,6 @@
 #include "solver/uncertainty/curve/headline.hpp"
 
+#include "materials/base/counting.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/text.hpp"
 #include "solver/uncertainty/curve/impact_groups.hpp"
@@ -34,9 +35,10 @@ void require_enough(const std::vector<RecordedImpact>& impacts, bool noise_known
         if (impact.recorded == Recorded::rebound) distinct.insert(impact.rebound / impact.velocity);
         if (distinct.size() >= needed) return;
     }
-    throw InputError(std::to_string(distinct.size()) + " different restitutions" +
-                         (noise_known ? "" : " without stated uncertainties"),
-                     "at least " + std::to_string(needed));
+    throw InputError(counted(distinct.size(), "different restitution") +
+                         (noise_known ? "" : " without stated uncertainties") + ", where at least " +
+                         std::to_string(needed) + " are needed",
+                     "more rebounds");
 }
 
 /// Note on recorded captures that may be slow rebounds, as the curve gives them a rebound within the noise.

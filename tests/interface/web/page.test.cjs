@@ -46,19 +46,28 @@ async function journey(browser, width, scheme) {
     assert.equal(await wrongTold(page), '', where);
     await press(page, '#app-run');
     await page.waitForSelector('#app-results:not([hidden])', { timeout: 5 * minute });
-    assert.match(await page.locator('#app-report .answers').textContent(), /a particle sticks when it is slower than/);
+    assert.match(await page.locator('#app-answers').textContent(), /a particle sticks when it is slower than/);
     await isClean(opening, `${where}, with results`);
     assert.ok(await page.locator('#app-stale').isHidden(), where);
+    assert.match(await page.locator('#app-answers').textContent(), /Diameter 88 um, density 2300 kg\/m3, E\* [\d.]+ GPa and w 0.3 J\/m2/, where);
+    assert.match(await page.locator('#app-report nav').textContent(), /Static force/, where);
+    assert.match(await page.locator('#app-report').textContent(), /Extrapolated v.*fitted to the rebounds alone/, where);
     const report = await downloaded(page, '#app-save-report');
     assert.equal(report.name, 'report.html');
     assert.match(report.bytes.toString(), /<figure id="critical-velocity"/);
     const saved = await downloaded(page, '#app-save-case');
     assert.deepEqual(JSON.parse(saved.bytes), JSON.parse(caseText), `${where}: the case is saved as it was`);
-    const files = unzip((await downloaded(page, '#app-save-all')).bytes);
+    const archive = await downloaded(page, '#app-save-all');
+    const files = unzip(archive.bytes);
     for (const { name, bytes } of inputs) if (name !== 'case.json') assert.equal(files.get(name), bytes.toString(), `${where}: ${name} in the archive`);
     agree(`${browser.browserType().name()} at ${where}`, path.join(example, 'results'), name => files.get(`results/${name}`));
+    await whatIfAgrees(page, where);
     await page.getByLabel('Particle diameter', { exact: true }).fill('90');
     assert.ok(await page.locator('#app-stale').isVisible(), `${where}: results of another case are told`);
+    await drop(page, [archive]);
+    await page.getByText('case.json is open.').waitFor();
+    await settled(page);
+    assert.deepEqual([await wrongTold(page), await page.getByLabel('Particle diameter', { exact: true }).inputValue()], ['', '88'], `${where}: its archive opens again`);
     await context.close();
     console.log(`from files to report by keyboard at ${where}`);
 }
@@ -174,7 +183,7 @@ async function asPeopleWrite(browser) {
     await page.getByText('foto.png is neither an XRD result').waitFor();
     assert.ok(await page.getByText('XRD result: Probe 3.csv').isVisible(), 'a picture takes nothing away');
     await page.getByText('Type the phases instead').click();
-    await page.getByText('Take Probe 3.csv again').click();
+    await page.getByText('Undo: Type the phases instead').click();
     await settled(page);
     await drop(page, [{ name: 'Messung 3.csv', bytes: Buffer.from('v_ein [m/s];v_aus [m/s]\n0,9;haftet\n1,4;0,2\n2,1;0,5\n2,6;0,8\n3,3;1,2\n') }]);
     await page.getByText('Messung 3.csv is taken').waitFor();
@@ -196,6 +205,116 @@ async function asPeopleWrite(browser) {
     assert.equal(await wrongTold(page), '', 'a wall again');
     assert.deepEqual(complaints, []);
     await context.close();
+}
+
+// What first users did: units in the number, two files of one kind, files that are none, typed slips, steps taken by mistake.
+async function slips(browser) {
+    const { context, page, complaints } = await openPage(browser, file, 1000);
+    const field = label => page.getByLabel(label, { exact: true }).first();
+    const unit = page.getByLabel('Unit of: Particle diameter');
+    const table = (name, text) => ({ name, bytes: Buffer.from(text) });
+    const impacts = '0.9,0\n1.4,0.2\n2.1,0.5\n2.6,0.8\n3.3,1.2\n';
+    const dropAndTell = async (files, told) => {
+        await drop(page, files);
+        await page.getByText(told).waitFor();
+        await settled(page);
+    };
+    const undo = async what => {
+        await page.getByRole('button', { name: `Undo: ${what}` }).click();
+        await settled(page);
+    };
+    const isGuarded = () => page.evaluate(() => {
+        const leaving = new Event('beforeunload', { cancelable: true });
+        window.dispatchEvent(leaving);
+        return leaving.defaultPrevented;
+    });
+    assert.ok(!(await isGuarded()), 'an empty page is left without a question');
+    await unit.selectOption('mm');
+    await dropAndTell([table('one.csv', `v_in,v_r\n${impacts}`), table('two.csv', `v_in,v_r\n${impacts}`)], 'two.csv is taken as the measured impacts of sample 1, in place of one.csv');
+    assert.equal(await unit.inputValue(), 'mm', 'the unit of an empty field stays');
+    await page.getByText('Read: 4 rebounds, 1 that stayed').waitFor();  // before there is a diameter
+    await dropAndTell([table('ash.csv', 'Phase,wt%\nQuartz,60\nMullite,40\n')], 'nothing says how much of the sample is amorphous');
+    assert.ok(await isGuarded(), 'what was dropped is not lost without a question');
+    for (const [name, text] of [['three.csv', 'v1;v2\n1;0,5\n2;0,6\n'], ['four.csv', impacts], ['five.zip', 'PK\u0003\u0004']]) {
+        await dropAndTell([table(name, text)], name.endsWith('zip') ? `${name}: cannot be unpacked` : `${name} is neither`);
+        assert.ok(await page.getByText('XRD result: ash.csv').isVisible(), `${name} displaces nothing`);
+    }
+    await dropAndTell([table('three.csv', 'v1;v2\n1;0,5\n')], 'three.csv is neither');
+    await page.getByRole('button', { name: 'Take three.csv as the measured impacts' }).click();
+    await page.getByText('Measured impacts: three.csv').waitFor();
+    await undo('take three.csv');
+    await page.getByText('Measured impacts: two.csv').waitFor();
+    await field('Particle diameter').fill('abc');
+    await dropAndTell([table('ash.csv', 'Phase,wt%\nQuartz,50\nMullite,50\n')], 'ash.csv is taken as the XRD result of sample 1, in place of the file of that name');
+    assert.deepEqual([await field('Particle diameter').inputValue(), await unit.inputValue()], ['abc', 'mm']);
+    await field('Amorphous (glass)').selectOption('none');
+    for (const [typed, number, chosen] of [['44,5 um', '44.5', 'um'], ['0.044mm', '0.044', 'mm'], ['44µm', '44', 'um']]) {
+        await field('Particle diameter').fill(typed);
+        await field('Particle density').focus();
+        await settled(page);
+        assert.equal(await wrongTold(page), '', typed);
+        assert.deepEqual([await field('Particle diameter').inputValue(), await unit.inputValue()], [number, chosen], typed);
+    }
+    assert.match(await page.locator('#app-live').textContent(), /adhesion alone is not the answer/);
+    await page.getByText('Type the impacts instead').click();
+    await field('Velocity, row 5').waitFor();
+    assert.deepEqual([await field('Velocity, row 5').inputValue(), await field('Rebound velocity, row 5').inputValue()], ['3.3', '1.2'], 'rows of the file');
+    await field('Rebound velocity, row 2').fill('stuck');
+    await settled(page);
+    await page.getByText('Read: 3 rebounds, 2 that stayed').waitFor();
+    for (const [typed, told] of [['fast', /Rebound velocity, row 3: is "fast"/], ['2.2', /Rebound velocity, row 3: restitution is 1.04762;/]]) {
+        await field('Rebound velocity, row 3').fill(typed);
+        await settled(page);
+        assert.match(await wrongTold(page), told);
+        assert.equal(await field('Rebound velocity, row 3').getAttribute('aria-invalid'), 'true');
+    }
+    await undo('Type the impacts instead');
+    assert.equal(await wrongTold(page), '');
+    await page.getByText('Type the phases instead').click();
+    for (const [typed, weight, told] of [['quartz', '102.9', /row 1: the fraction is 102.9 %/], ['kryptonite', '60', /row 1: no phase is called "kryptonite".*the field “Phase” lists/]]) {
+        await field('Phase, row 1').fill(typed);
+        await field('Weight [%], row 1').fill(weight);
+        await settled(page);
+        assert.match(await wrongTold(page), told);
+        assert.doesNotMatch(await wrongTold(page), /--phases/);
+    }
+    await undo('Type the phases instead');
+    for (const law of ['Hertz', 'DMT', 'Brach-Dunn', 'JKR']) await field(law).uncheck();
+    await settled(page);
+    assert.equal(await page.locator('#app-missing').textContent(), 'Still missing: a contact law.');
+    await field('Maugis-Dugdale').check();
+    assert.equal(await page.getByLabel('Unit of: Range of cohesion').inputValue(), 'nm');
+    await page.click('#app-new');
+    await settled(page);
+    await undo('Begin anew');
+    await page.getByText('XRD result: ash.csv').waitFor();
+    await page.getByRole('button', { name: 'Redo: Begin anew' }).click();
+    await page.getByText('XRD result: none yet').waitFor();
+    await settled(page);
+    assert.deepEqual(complaints, []);
+    await context.close();
+}
+
+// The what-if of computed impacts: as measured it tells the velocity of the answer, and with a slider that of its own curve.
+async function whatIfAgrees(page, where) {
+    const told = () => page.locator('#app-what-if .answer').textContent();
+    const numbers = async () => (await told()).match(/[\d.e-]+(?= m\/s)/g)?.map(Number) ?? [];
+    const law = await page.locator('#app-what-if-law').inputValue();
+    const answer = Number(/JKR ([\d.]+) m\/s/.exec(await page.locator('#app-answers').textContent())[1]);
+    assert.equal(law, 'jkr');
+    for (let i = 0; i < 200 && (await numbers()).length < 2; ++i) await page.waitForTimeout(20);
+    assert.deepEqual(await numbers(), [answer, answer], `${where}: as measured`);
+    await page.focus('#app-slider-damping');
+    for (let i = 0; i < 10; ++i) await page.keyboard.press('ArrowRight');
+    for (let i = 0; i < 200 && (await numbers())[1] === answer; ++i) await page.waitForTimeout(20);
+    await page.waitForTimeout(300);  // the last of the curves
+    const { before, after, mark } = await page.evaluate(() => {
+        const points = document.querySelector('#app-what-if path.new').getAttribute('d').slice(1).split('L').map(each => each.split(' ').map(Number));
+        const first = points.findIndex(([, y]) => y < points[0][1]);
+        const marks = [...document.querySelectorAll('#app-what-if path.new')].map(each => /^M([\d.]+) [\d.]+v-26$/.exec(each.getAttribute('d'))).filter(Boolean);
+        return { before: points[first - 1][0], after: points[first][0], mark: Number(marks[0][1]) };
+    });
+    assert.ok(before - 0.1 <= mark && mark <= after + 0.1, `${where}: the mark at ${mark} is where the curve leaves zero, ${before} to ${after}`);
 }
 
 // Each step has an example at a click, and together they are a case that can be computed.
@@ -229,10 +348,11 @@ async function slidersAndStop(browser) {
         for (let i = 0; i < 200 && (await curve('new')) === start; ++i) await page.waitForTimeout(20);
         assert.notEqual(await curve('new'), start, `${key} moves the curve`);
         assert.equal(await curve('base'), base, `${key} leaves the other curve`);
-        await page.getByText('Back to what it is').click();
+        await page.getByText('Reset the sliders').click();
         for (let i = 0; i < 200 && (await curve('new')) !== start; ++i) await page.waitForTimeout(20);
         assert.equal(await curve('new'), start, `${key} comes back`);
     }
+    assert.match(await page.locator('#app-what-if .answer').textContent(), /a guess .* not the critical velocity of your ash/);
     await page.click('#app-run');
     await page.click('#app-stop');
     assert.equal(await page.locator('#app-progress').textContent(), 'Stopped.');
@@ -301,7 +421,7 @@ async function millionLines(browser) {
 
 async function allParts(name) {
     const browser = await launch[name]();
-    const parts = { agreement, typing, asPeopleWrite, examples, slidersAndStop, small: each => journey(each, 360, 'dark'), large: each => journey(each, 1440, 'light'), wrongOnes, millionLines };
+    const parts = { agreement, typing, slips, asPeopleWrite, examples, slidersAndStop, small: each => journey(each, 360, 'dark'), large: each => journey(each, 1440, 'light'), wrongOnes, millionLines };
     const chosen = process.env.ASHIMPACT_PAGE_PART;
     for (const [part, run] of Object.entries(parts)) {
         if (chosen ? chosen !== part : !whole && name === 'Firefox' && !inShort.includes(part)) continue;

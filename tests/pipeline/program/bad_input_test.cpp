@@ -50,7 +50,7 @@ const Spoiled spoiled_cases[]{
      "/samples/1/composition", "amorphous"},
     {"negative fraction",
      [](Json& c) { c["samples"][1]["composition"]["weight_fractions"]["quartz"] = -0.1; },
-     "/samples/1/composition/weight_fractions/quartz", "fraction is -0.1"},
+     "/samples/1/composition/weight_fractions/quartz", "fraction is -10 %"},
     {"two compositions",
      [](Json& c) {
          c["samples"][0]["composition"]["weight_fractions"] = {{"quartz", 1}};
