@@ -14,6 +14,8 @@ endif()
 
 add_library(ashimpact_options INTERFACE)
 target_include_directories(ashimpact_options INTERFACE "${PROJECT_SOURCE_DIR}")
+# Failed assertions name files as they lie in the project, so that builds in two folders are the same bytes.
+target_compile_options(ashimpact_options INTERFACE "-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=")
 target_compile_options(ashimpact_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
 if(ASHIMPACT_WEB)
   # Warnings are looked for in the builds for this machine, with a newer compiler and a whole standard library.
