@@ -15,7 +15,7 @@ import sys
 import tempfile
 
 MOST = 1e-12
-COUNTED = ("sha256", "result_sha256", "run", "intervals", "inputs", "bytes")  # hashes and sizes of what is compared itself
+COUNTED = ("sha256", "result_sha256", "run", "revision", "intervals", "inputs", "bytes")  # what names a build, or is counted of what is compared itself
 
 
 def artifacts_of(program, folder):
