@@ -15,7 +15,8 @@ import sys
 import tempfile
 
 MOST = 1e-12
-COUNTED = ("sha256", "result_sha256", "run", "revision", "intervals", "inputs", "bytes")  # what names a build, or is counted of what is compared itself
+# What names a build, and hashes and sizes of what is compared itself.
+COUNTED = ("sha256", "result_sha256", "run", "revision", "intervals", "inputs", "bytes")
 
 
 def artifacts_of(program, folder):
