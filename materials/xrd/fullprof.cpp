@@ -28,7 +28,8 @@ FullProfPhase read_phase_line(std::string_view text, std::size_t line) {
     const auto blank = std::min(text.find_first_of(" \t"), text.size());
     const auto number = read_number(text.substr(0, blank));
     const std::string_view name = trimmed(text.substr(blank));
-    if (!number || number->value < 1 || name.empty())
+    constexpr double most_phases = 10'000;  // what no refinement has
+    if (!number || number->value < 1 || number->value > most_phases || name.empty())
         throw InputError("cannot read " + in_quotes(text), "=> Phase: NUMBER NAME").at(at_line(line));
     return {.name = std::string(name), .number = static_cast<int>(number->value), .line = line};
 }

@@ -193,6 +193,12 @@ std::vector<Entry> wide_entries(const Table& table, Role row_role) {
                                .amount = number});
         }
     }
+    if (entries.empty())
+        throw InputError("no column beside " + in_quotes(table.headings[label].written) + " has a heading",
+                         row_role == Role::sample
+                             ? "the name of a phase above each column of fractions"
+                             : "\"weight %\" or the name of a sample above each column of fractions")
+            .at(at_line(table.heading_line));
     return entries;
 }
 

@@ -77,8 +77,8 @@ std::string at_cell(std::size_t line, std::size_t column) {
 
 TextLines::TextLines(std::string_view bytes, const TextLimits& limits) {
     if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
-    check_bytes(bytes, limits);
     if (bytes.ends_with('\x1a')) bytes.remove_suffix(1);  // end-of-file mark of DOS editors
+    check_bytes(bytes, limits);
     was_latin1_ = !is_utf8(bytes);
     text_ = was_latin1_ ? from_latin1(bytes) : std::string(bytes);
     std::string_view rest = text_;

@@ -97,8 +97,10 @@ TEST_CASE("malformed FullProf summaries are refused at their line") {
     CHECK(holds(refused_text(fullprof_phase(1, "Quartz", "4.00( 1.0")), "line 2: cannot read"));
     CHECK(holds(refused_text(fullprof_phase(1, "Quartz", "abc")), "line 2: cannot read"));
     CHECK(holds(refused_text(fullprof_phase(1, "Quartz", "0.00")), "no phase has a fraction"));
-    CHECK(holds(refused_text(" => Phase:  x     Quartz\n => Bragg R-factor: 2 Fract(%): 4\n"),
-                "line 1: cannot read"));
+    for (const std::string number : {"x", "0", "3e43", "-1e300"})
+        CHECK(
+            holds(refused_text(" => Phase:  " + number + "     Quartz\n => Bragg R-factor: 2 Fract(%): 4\n"),
+                  "line 1: cannot read"));
     CHECK(holds(refused_text(" Fract(%): 4\n" + quartz), "line 1: a fraction stands before the first phase"));
 }
 

@@ -53,6 +53,8 @@ TEST_CASE("empty, blank, binary and unknown files") {
     CHECK(refused("") == "ash.lst: line 1: the file is empty; allowed: an XRD result");
     CHECK(refused("  \r\n\t\n") == "ash.lst: line 1: the file is empty; allowed: an XRD result");
     CHECK(refused("\xef\xbb\xbf") == "ash.lst: line 1: the file is empty; allowed: an XRD result");
+    CHECK(refused("\x1a") == "ash.lst: line 1: the file is empty; allowed: an XRD result");
+    CHECK(refused("\n\x1a") == "ash.lst: line 1: the file is empty; allowed: an XRD result");
     CHECK(holds(refused(std::string("phase,weight\nQuartz,") + '\0'), "line 2: this is a binary file"));
     CHECK(holds(refused("\x7f"
                         "ELF\x02\x01"),
@@ -88,6 +90,14 @@ TEST_CASE("a file of too many lines, bytes or cells is refused where it becomes 
     const std::string row = repeated(",0", 100'000) + "\n";
     CHECK(holds(refused("sample" + repeated(",Quartz", 100'000) + "\n" + repeated("s" + row, 6)),
                 "line 6: the table is too large for an XRD result; allowed: 500000 cells or fewer"));
+}
+
+TEST_CASE("a table whose columns beside the first have no heading") {
+    CHECK(holds(
+        refused("\xef\xbb\xbfPhase;\r\nMullit;62\r\n"),
+        "line 1: no column beside \"Phase\" has a heading; allowed: \"weight %\" or the name of a sample"));
+    CHECK(holds(refused("sample,,\nash,62,38\n"),
+                "line 1: no column beside \"sample\" has a heading; allowed: the name of a phase"));
 }
 
 TEST_CASE("malformed BGMN lists") {

@@ -1,5 +1,6 @@
 #include "tests/reliability/fuzz/targets.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -7,6 +8,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/tables/text_lines.hpp"
+#include "materials/base/tables/workbook/workbook.hpp"
 #include "materials/base/units.hpp"
 #include "materials/xrd/readers.hpp"
 #include "materials/xrd/xrd.hpp"
@@ -17,6 +19,7 @@
 #include "pipeline/text/artifact_text.hpp"
 #include "solver/batch/impact_batch.hpp"
 #include "solver/measurement/measurement_reader.hpp"
+#include "tests/reliability/fuzz/stored_zip.hpp"
 
 namespace ashimpact::test {
 
@@ -34,16 +37,61 @@ void feed_case(std::string_view bytes) {
     static_cast<void>(read_case(View(document), built_in_phases(), files));
 }
 
-void check_fractions(const XrdResult& result) {
+void check_xrd(const XrdResult& result) {
+    require(!result.samples.empty(), "a result has a sample");
+    const auto nameless = [](const XrdSample& sample) { return sample.name.empty(); };
+    require(std::count_if(result.samples.begin(), result.samples.end(), nameless) <= 1,
+            "of several samples one at most takes the name of the file");
     for (const XrdSample& sample : result.samples)
-        require(!sample.name.empty() || result.samples.size() == 1, "a name");
+        for (const PhaseFraction& phase : sample.analysis.phases) {
+            require(phase.fraction >= 0.0 && std::isfinite(phase.fraction), "a fraction is zero or more");
+            require(!phase.standard_uncertainty ||
+                        (*phase.standard_uncertainty >= 0.0 && std::isfinite(*phase.standard_uncertainty)),
+                    "an uncertainty is zero or more");
+        }
 }
 
 constexpr TextLimits limits{};
 
-template <XrdResult (*read)(const TextLines&)>
+/// A reader gets what it takes for its own.
+template <bool (*recognises)(const TextLines&), XrdResult (*read)(const TextLines&)>
 void feed_reader(std::string_view bytes) {
-    check_fractions(read(TextLines(bytes, limits)));
+    const TextLines file(bytes, limits);
+    if (recognises(file)) check_xrd(read(file));
+}
+
+/// The parts of a spreadsheet, uncompressed: "o" and the content of an .ods, or any other byte and the sheet,
+/// the styles and the strings of an .xlsx with a NUL between them.
+std::string workbook_from(std::string_view bytes) {
+    if (bytes.starts_with('o')) return stored_zip({{"content.xml", bytes.substr(1)}});
+    std::array<std::string_view, 3> parts;
+    bytes.remove_prefix(std::min<std::size_t>(1, bytes.size()));
+    for (std::string_view& part : parts) {
+        part = bytes.substr(0, bytes.find('\0'));
+        bytes.remove_prefix(std::min(part.size() + 1, bytes.size()));
+    }
+    static const std::string office = "http://schemas.openxmlformats.org/officeDocument/2006/relationships/";
+    static const std::string root = "<Relationships><Relationship Id='r' Type='" + office +
+                                    "officeDocument' Target='xl/workbook.xml'/></Relationships>";
+    static const std::string relations =
+        "<Relationships><Relationship Id='a' Type='" + office + "worksheet' Target='worksheets/s.xml'/>" +
+        "<Relationship Id='b' Type='" + office + "styles' Target='styles.xml'/>" +
+        "<Relationship Id='c' Type='" + office + "sharedStrings' Target='strings.xml'/></Relationships>";
+    return stored_zip(
+        {{"_rels/.rels", root},
+         {"xl/workbook.xml",
+          "<workbook xmlns:r='x'><sheets><sheet name='S' sheetId='1' r:id='a'/></sheets></workbook>"},
+         {"xl/_rels/workbook.xml.rels", relations},
+         {"xl/worksheets/s.xml", parts[0]},
+         {"xl/styles.xml", parts[1]},
+         {"xl/strings.xml", parts[2]}});
+}
+
+void feed_workbook(std::string_view bytes) {
+    const std::string archive = workbook_from(bytes);
+    require(is_workbook(archive), "a zip archive is taken for a spreadsheet");
+    for (const Sheet& sheet : read_workbook(archive)) static_cast<void>(sheet.as_text());
+    check_xrd(read_xrd(archive, "input"));
 }
 
 void feed_artifact(std::string_view bytes) {
@@ -136,11 +184,14 @@ void feed_solver(std::string_view bytes) {
 const std::map<std::string, FuzzTarget>& fuzz_targets() {
     static const std::map<std::string, FuzzTarget> targets{
         {"case", feed_case},
-        {"xrd-bgmn", feed_reader<xrd::read_bgmn>},
-        {"xrd-gsas2", feed_reader<xrd::read_gsas2>},
-        {"xrd-table", feed_reader<xrd::read_table>},
-        {"xrd-json", feed_reader<xrd::read_json>},
-        {"xrd", [](std::string_view bytes) { check_fractions(read_xrd(bytes, "input")); }},
+        {"xrd-bgmn", feed_reader<xrd::looks_like_bgmn, xrd::read_bgmn>},
+        {"xrd-gsas2", feed_reader<xrd::looks_like_gsas2, xrd::read_gsas2>},
+        {"xrd-fullprof", feed_reader<xrd::looks_like_fullprof, xrd::read_fullprof>},
+        {"xrd-topas", feed_reader<xrd::looks_like_topas, xrd::read_topas>},
+        {"xrd-table", feed_reader<xrd::looks_like_table, xrd::read_table>},
+        {"xrd-json", feed_reader<xrd::looks_like_json, xrd::read_json>},
+        {"xrd", [](std::string_view bytes) { check_xrd(read_xrd(bytes, "input")); }},
+        {"workbook", feed_workbook},
         {"impacts", [](std::string_view bytes) { static_cast<void>(read_measurements(bytes, "input")); }},
         {"artifact", feed_artifact},
         {"sweep", feed_sweep},

@@ -500,3 +500,33 @@ TEST_CASE(
     }
     CHECK(refused > 0);
 }
+
+TEST_CASE("of the size of atoms, soft and strongly damped, impacts end or are refused with the limit") {
+    Random random(8);
+    int ended = 0;
+    for (int i = 0; i < repetitions(400); ++i) {
+        const auto near = [&](double value) { return value * random.log_uniform(0.5, 2.0); };
+        const double radius = near(1.6e-10);
+        const Impact impact{
+            .law = Law::of<ThorntonNing>(),
+            .detachment = Detachment::pull_off,
+            .damping = {DampingLaw::constant, near(2317.0)},
+            .contact = {.mass = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * 2600.0,
+                        .effective_radius = radius,
+                        .contact_modulus = near(1.65e5),
+                        .work_of_adhesion = near(2.05),
+                        .yield_pressure = near(9.46e8)},
+            .velocity = random.log_uniform(0.1, 100.0)};
+        CAPTURE(describe(impact));
+        try {
+            const ImpactResult result = solve_impact(impact);
+            ++ended;
+            CHECK(result.outcome == Outcome::capture);
+            CHECK(std::isfinite(result.maximum_overlap));
+            CHECK(std::abs(result.energy.residual) <= 1e-9 * std::abs(result.energy.minimum));
+        } catch (const InputError& error) {
+            CHECK(error.problem().find("outside the range of the plastic closure") != std::string::npos);
+        }
+    }
+    CHECK(ended > 0);
+}

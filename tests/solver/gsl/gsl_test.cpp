@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include <gsl/gsl_errno.h>
+
 #include "materials/base/error.hpp"
 #include "solver/gsl/distribution.hpp"
 #include "solver/gsl/linear_fit.hpp"
@@ -104,4 +106,8 @@ TEST_CASE("a weighted mean is the simplest linear fit") {
 TEST_CASE("a failed status is an error with GSL's words") {
     CHECK_NOTHROW(gsl::check(0, "nothing"));
     CHECK_THROWS_WITH_AS(gsl::check(1, "a step"), "a step: input domain error", ConvergenceError);
+    for (const int status : {GSL_EBADFUNC, GSL_EFAILED, GSL_ENOPROG})  // its words for programmers
+        CHECK_THROWS_WITH_AS(gsl::check(status, "a step"),
+                             "a step: the function has no finite value there, or the search gets no further",
+                             ConvergenceError);
 }
