@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -277,6 +278,21 @@ XrdSample sample_of(const TopasPattern& pattern) {
     return completed(std::move(sample), pattern);
 }
 
+/// Of several patterns, those of no name or of another's are told apart by their number.
+void tell_apart(std::vector<XrdSample>& samples) {
+    if (samples.size() < 2) return;
+    std::map<std::string, std::size_t> count;
+    for (const XrdSample& sample : samples) ++count[sample.name];
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        std::string& name = samples[i].name;
+        const std::string number = "pattern " + std::to_string(i + 1);
+        if (name.empty())
+            name = number;
+        else if (count[name] > 1)
+            name += " (" + number + ")";
+    }
+}
+
 }  // namespace
 
 bool looks_like_topas(const TextLines& file) {
@@ -293,6 +309,7 @@ XrdResult read_topas(const TextLines& file) {
     if (result.samples.empty())
         throw InputError("there is no phase", "str with phase_name and weight_percent")
             .at(at_line(file.last_line()));
+    tell_apart(result.samples);
     return result;
 }
 

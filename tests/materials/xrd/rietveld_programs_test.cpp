@@ -152,6 +152,14 @@ TEST_CASE("TOPAS: several patterns, phases without an xdd, a phase without a wei
     REQUIRE(two.samples.size() == 2);
     CHECK(two.samples[0].name == "a");
     CHECK(two.samples[1].analysis.phases[0].name == "Mullite");
+    const XrdResult alike = read_text(
+        "xdd \"day 1\\a.raw\"\nstr phase_name Quartz weight_percent 100\n"
+        "xdd \"day 2\\a.raw\"\nstr phase_name Lime weight_percent 100\n"
+        "xdd \"\"\nstr phase_name Mullite weight_percent 100\n");
+    REQUIRE(alike.samples.size() == 3);
+    CHECK(alike.samples[0].name == "a (pattern 1)");
+    CHECK(alike.samples[1].name == "a (pattern 2)");
+    CHECK(alike.samples[2].name == "pattern 3");
     const XrdSample bare = read_text(
                                "str\nphase_name \"Quartz\"\nMVW(1,2,60)\nstr phase_name Lime scale @ 1\n"
                                "hkl_Is phase_name \"Calcite\" MVW( 0, 0, 40`_1)\n")

@@ -160,6 +160,9 @@ const Spoiled spoiled_specs[]{
      "/sensitivity/0: a captured particle has none"},
     {"resolution of nothing", [](Json& s) { s["statistics"]["restitution"]["resolution"] = 0; },
      "/statistics/restitution/resolution: is 0"},
+    {"resolution coarser than half of all",
+     [](Json& s) { s["statistics"]["restitution"]["resolution"] = 0.501; },
+     "/statistics/restitution/resolution: is 0.501; allowed: 1e-5 to 0.5"},
     {"quantile above one", [](Json& s) { s["statistics"]["restitution"]["quantiles"] = {1.5}; },
      "/statistics/restitution/quantiles/0: is 1.5; allowed: 0 to 1"},
 };
