@@ -64,6 +64,17 @@ TEST_CASE("ticks are round numbers within the axis, few enough to be read") {
     CHECK(number_label(2e10) == "2\u00b710\u00b9\u2070");
 }
 
+TEST_CASE("a range of one value is drawn a tenth of it to both sides, in the logarithm by a factor") {
+    const auto ends = [](Spacing spacing, double value) {
+        const Range range = drawable({value, value}, spacing);
+        return std::pair{range.from, range.to};
+    };
+    CHECK(ends(Spacing::linear, 20.0) == std::pair{18.0, 22.0});
+    CHECK(ends(Spacing::linear, -20.0) == std::pair{-22.0, -18.0});
+    CHECK(ends(Spacing::linear, 0.0) == std::pair{-1.0, 1.0});
+    CHECK(ends(Spacing::logarithmic, 3.0) == std::pair{2.0, 4.5});
+}
+
 TEST_CASE("a scale takes its ends to its pixels, straight or in the logarithm") {
     const Scale straight(Spacing::linear, {2, 4}, {100, 0});
     CHECK(straight(2) == doctest::Approx(100));

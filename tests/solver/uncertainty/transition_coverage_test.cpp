@@ -9,6 +9,7 @@
 #include "tests/support/random.hpp"
 
 using namespace ashimpact;
+using ashimpact::test::Random;
 
 namespace {
 
