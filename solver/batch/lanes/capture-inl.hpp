@@ -43,11 +43,14 @@ template <class F>
 
 /// Share of the energy in the well below which double precision does not tell capture from rebound.
 inline constexpr double energy_doubt = 1e-9;
+/// v^2 in the well from which on rounding in the well is seen in the energy of a rebound.
+inline constexpr double deepest_well = 1e5;
 
-/// Lanes that are captured, and those of them that double precision leaves in doubt.
+/// Lanes that are captured, those of them that double precision leaves in doubt, and those that never turn.
 struct LaneVerdict {
     Mask captured;
     Mask doubtful;
+    Mask never_turn;
 };
 
 /// Decides capture from the state, as CaptureTest does.
@@ -63,10 +66,12 @@ class LaneCapture {
         const Mask leaving = without(without(active, approaching), places_.by_force);
         const Lanes left = energy_left(q, v);
         const Mask caught = both(both(leaving, q > places_.end), left < Lanes(0.0));
-        LaneVerdict verdict{caught, both(caught, left > places_.speed_squared * Lanes(-energy_doubt))};
+        LaneVerdict verdict{caught, both(caught, left > places_.speed_squared * Lanes(-energy_doubt)),
+                            none()};
         if (look_for_creeping) {
+            verdict.never_turn = both(both(active, approaching), creeping_up(q, v));
             verdict.captured = either(verdict.captured, both(without(active, approaching), creeping(q, v)));
-            verdict.captured = either(verdict.captured, both(both(active, approaching), creeping_up(q, v)));
+            verdict.captured = either(verdict.captured, verdict.never_turn);
         }
         return verdict;
     }

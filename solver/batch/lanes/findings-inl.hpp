@@ -21,8 +21,10 @@ struct LaneFindings {
     Mask captured = none();
     Mask turned = none();
     Mask ended = none();
-    Mask doubtful = none();  ///< captured or not, for lack of digits in the energy
+    Mask doubtful = none();     ///< captured or not, for lack of digits in the energy
+    Mask never_turns = none();  ///< creeps up to equilibrium
 
+    /// Forgets all but the lanes that never turn.
     HWY_INLINE void forget() { captured = turned = ended = doubtful = none(); }
 
     HWY_INLINE void record(Mask turning, Mask ending, const LaneState& state) {
@@ -34,12 +36,13 @@ struct LaneFindings {
     HWY_INLINE void record(const LaneVerdict& verdict) {
         doubtful = either(doubtful, verdict.doubtful);
         captured = either(captured, verdict.captured);
+        never_turns = either(never_turns, verdict.never_turn);
     }
 
     /// Lanes that have certainly ended, with a reliable speed.
     [[nodiscard]] HWY_INLINE Mask surely_ended(const LaneArrival& arrival, const Places& places) const {
-        return both(both(ended, arrival.found),
-                    arrival.speed * arrival.speed > places.speed_squared * Lanes(energy_doubt));
+        const Mask fast = arrival.speed * arrival.speed > places.speed_squared * Lanes(energy_doubt);
+        return both(both(ended, arrival.found), both(fast, places.speed_squared < Lanes(deepest_well)));
     }
     /// Lanes whose turning point at @p time, or its absence, is certain. In doubt are those that turn while
     /// hardly anything pulls them back, so that rounding moves the time of the turn.
@@ -48,7 +51,7 @@ struct LaneFindings {
                                                 const Places& places) const {
         const Lanes pull = rates_of(equation, turn.position, Lanes(0.0)).acceleration * time;
         const Mask doubt = pull * pull < places.speed_squared * Lanes(1e-3);
-        return either(without(turned, doubt), surely_captured());
+        return either(without(turned, doubt), never_turns);
     }
     /// Captured lanes, except those in doubt.
     [[nodiscard]] HWY_INLINE Mask surely_captured() const { return without(captured, doubtful); }

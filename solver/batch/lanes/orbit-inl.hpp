@@ -40,7 +40,7 @@ class LaneOrbit {
     }
 
     /// Goes back to a state beside the turn, to end at the turning point; the step from there is chosen. What
-    /// was found before is forgotten.
+    /// was found before is forgotten, but which lanes never turn.
     HWY_INLINE void return_to_turn() {
         const StepToTurn next = around_.step_to_turn();
         state_ = next.state;
@@ -49,8 +49,8 @@ class LaneOrbit {
         stiffness_ = 0.0;
         pilot_ = Pilot(next.usual);
         to_turn_ = true;
-        approaching_ = active_ = every();
         found_.forget();
+        approaching_ = active_ = without(every(), found_.never_turns);
     }
 
     [[nodiscard]] HWY_INLINE const Equation<F>& equation() const { return equation_; }
@@ -81,8 +81,8 @@ class LaneOrbit {
         active_ = without(active_, ending);
         approaching_ = without(approaching_, turning);
         if (to_turn_) active_ = without(active_, turning);
-        const LaneVerdict verdict =
-            LaneCapture<F>(equation_, places_).verdict(q, v, active_, approaching_, pass >= late);
+        const LaneVerdict verdict = LaneCapture<F>(equation_, places_)
+                                        .verdict(q, v, active_, approaching_, !to_turn_ && pass >= late);
         found_.record(verdict);
         active_ = without(active_, verdict.captured);
         const Mask within = without(event < usual * pilot_.reach(), turning);

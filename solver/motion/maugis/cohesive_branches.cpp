@@ -182,7 +182,8 @@ MotionExpansion<Extended> TouchingBranch::expanded(const MotionState<Extended>& 
         x.dissipation[n + 1] = factor * product(power, x.velocity);
         zone.follow(rate, n);
     }
-    const Extended within = std::min(convergence(x.position), convergence(x.velocity));
+    // Fast enough, the motion hardly feels the contact, and its time is the series that converges least.
+    const Extended within = std::min({convergence(x.position), convergence(x.velocity), convergence(x.time)});
     return from_start(start, x, within / (std::numbers::e_v<Extended> * std::numbers::e_v<Extended>));
 }
 

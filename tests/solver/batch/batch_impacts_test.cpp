@@ -261,6 +261,48 @@ TEST_CASE("Hertz: damping beyond all bounds captures, and asking for the turning
     CHECK(seen == 1);
 }
 
+TEST_CASE(
+    "a turn that is lost in rounding, and a rebound out of a well far deeper than its energy, are right") {
+    // Stopped by damping alone: the contact's own force is 1e-12 of that of the damping.
+    const Impact stopped{.law = Law::of<Dmt>(),
+                         .detachment = Detachment::zero_overlap,
+                         .damping = {DampingLaw::constant, 3313.3401365340842},
+                         .contact = {.mass = 5.4671483166794746e-9,
+                                     .effective_radius = 2.0795602945493365e-10,
+                                     .contact_modulus = 709577.23094357073,
+                                     .work_of_adhesion = 1.0001917812836072e-9},
+                         .velocity = 9.6807852957046414};
+    // Adhesion takes eight million times what the impact brings.
+    const Impact deep{.law = Law::of<Jkr>(),
+                      .detachment = Detachment::zero_overlap,
+                      .damping = {DampingLaw::constant, 6.045384999413128e-13},
+                      .contact = {.mass = 1.4825068210814381e-13,
+                                  .effective_radius = 2.0123254187960524e-6,
+                                  .contact_modulus = 2362878797.0190778,
+                                  .work_of_adhesion = 205.94837477023944},
+                      .velocity = 0.04369800849136795};
+    for (const Impact& impact : {stopped, deep}) {
+        CAPTURE(impact.law.name());
+        const auto one = [](double value) { return Eigen::ArrayXd::Constant(1, value).eval(); };
+        const ContactPair& pair = impact.contact;
+        const Eigen::ArrayXd mass = one(pair.mass), radius = one(pair.effective_radius),
+                             modulus = one(pair.contact_modulus), adhesion = one(pair.work_of_adhesion),
+                             yield = one(pair.yield_pressure), damping = one(impact.damping.coefficient),
+                             velocity = one(impact.velocity);
+        const ImpactBatchResult result = solve_impacts({impact.law,
+                                                        impact.detachment,
+                                                        impact.damping.law,
+                                                        {mass, radius, modulus, adhesion, yield},
+                                                        damping,
+                                                        velocity});
+        const ImpactResult reference = solve_impact(impact);
+        CHECK(result.outcome[0] == reference.outcome);
+        CHECK(conditioned_error(result.restitution[0], reference) <= bound);
+        CHECK(relative_difference(result.maximum_overlap[0], reference.maximum_overlap) < 1e-8);
+        CHECK(relative_difference(result.approach_time[0], reference.approach_time.value()) < 1e-6);
+    }
+}
+
 TEST_CASE("what is inadmissible is refused with the place of the first such impact") {
     Impacts impacts = random_impacts(5000, 1.0, 17).front();
     impacts.velocity[4321] = -1.0;

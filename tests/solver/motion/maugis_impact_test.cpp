@@ -193,3 +193,20 @@ TEST_CASE("momenta balance, and the trajectory runs from the reach to the break"
     CHECK(ringing.size() == 400);
     CHECK(std::abs(ringing.back().velocity) < std::abs(ringing.front().velocity) * 6.0);
 }
+
+TEST_CASE("far above the velocity of adhesion contact times are those of Hertz, the approach takes half") {
+    // T v_in / delta_max = (4 sqrt(pi)/5) Gamma(2/5)/Gamma(9/10), Johnson 1985, 11.24.
+    const double hertz = 0.8 * std::sqrt(std::numbers::pi) * std::tgamma(0.4) / std::tgamma(0.9);
+    for (const double lambda : {0.05, 0.5, 5.0}) {
+        for (const double velocity : {1e9, 1e12, 1e16}) {
+            CAPTURE(lambda);
+            CAPTURE(velocity);
+            const Impact impact =
+                maugis(lambda, velocity, 0.0, DampingLaw::constant, Detachment::zero_overlap);
+            const ImpactResult result = solve_impact(impact);
+            const double time = result.contact_time.value();
+            CHECK(relative_difference(time * impact.velocity / result.maximum_overlap, hertz) < 1e-9);
+            CHECK(relative_difference(result.approach_time.value(), time / 2.0) < 1e-9);
+        }
+    }
+}
