@@ -49,8 +49,9 @@ struct LaneFindings {
     template <class F>
     [[nodiscard]] HWY_INLINE Mask surely_turned(Lanes time, const Equation<F>& equation,
                                                 const Places& places) const {
-        const Lanes pull = rates_of(equation, turn.position, Lanes(0.0)).acceleration * time;
-        const Mask doubt = pull * pull < places.speed_squared * Lanes(1e-3);
+        const Lanes slope = value_of<F::slope>(equation.adhesion, turn.position);
+        const Lanes pull = rates_of(equation, turn.position, Lanes(0.0)).acceleration / slope * time;
+        const Mask doubt = pull * pull < places.speed_squared * Lanes(1e-8);  // 1e-8 of the time
         return either(without(turned, doubt), never_turns);
     }
     /// Captured lanes, except those in doubt.
