@@ -182,8 +182,11 @@ MotionExpansion<Extended> TouchingBranch::expanded(const MotionState<Extended>& 
         x.dissipation[n + 1] = factor * product(power, x.velocity);
         zone.follow(rate, n);
     }
-    // Fast enough, the motion hardly feels the contact, and its time is the series that converges least.
-    const Extended within = std::min({convergence(x.position), convergence(x.velocity), convergence(x.time)});
+    // Fast enough, the motion hardly feels the contact, and time is the series that converges least. What
+    // counts of it is a part of the time that a unit length takes.
+    Terms time = x.time;
+    time[0] = 1 / (1 + std::abs(x.velocity[0]));
+    const Extended within = std::min({convergence(x.position), convergence(x.velocity), convergence(time)});
     return from_start(start, x, within / (std::numbers::e_v<Extended> * std::numbers::e_v<Extended>));
 }
 
