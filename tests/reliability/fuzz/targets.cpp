@@ -20,6 +20,7 @@
 #include "solver/batch/impact_batch.hpp"
 #include "solver/measurement/measurement_reader.hpp"
 #include "tests/reliability/fuzz/stored_zip.hpp"
+#include "tests/support/solve_as_batch.hpp"
 
 namespace ashimpact::test {
 
@@ -161,17 +162,8 @@ void feed_solver(std::string_view bytes) {
     require(alone.restitution >= 0.0 && alone.restitution <= 1.0, "0 <= e <= 1");
     require((alone.outcome == Outcome::rebound) == (alone.restitution > 0.0), "a rebound has a restitution");
     require(!alone.contact_time || *alone.contact_time > 0.0, "a contact takes time");
-    const auto one = [](double value) { return Eigen::ArrayXd::Constant(1, value).eval(); };
-    const ContactPair& pair = impact.contact;
-    const Eigen::ArrayXd mass = one(pair.mass), radius = one(pair.effective_radius),
-                         modulus = one(pair.contact_modulus), adhesion = one(pair.work_of_adhesion),
-                         yield = one(pair.yield_pressure), damping = one(impact.damping.coefficient),
-                         velocity = one(impact.velocity);
-    const ImpactBatch batch{
-        impact.law, impact.detachment, impact.damping.law, {mass, radius, modulus, adhesion, yield},
-        damping,    velocity};
-    const ImpactBatchResult with_turn = solve_impacts(batch);
-    const ImpactBatchResult without = solve_impacts(batch, {.turning_point = false});
+    const ImpactBatchResult with_turn = solve_as_batch(impact);
+    const ImpactBatchResult without = solve_as_batch(impact, {.turning_point = false});
     const double conditioning = 1.0 + std::abs(alone.energy.minimum) / alone.energy.incident;
     const double difference = std::abs(std::pow(without.restitution[0], 2) - std::pow(alone.restitution, 2));
     require(difference <= 2e-12 * conditioning, "the batch agrees with the scalar solver");

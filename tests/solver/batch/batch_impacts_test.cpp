@@ -11,6 +11,7 @@
 #include "solver/motion/scale.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/solver/batch/batch_sample.hpp"
+#include "tests/support/solve_as_batch.hpp"
 
 using namespace ashimpact;
 using namespace ashimpact::test;
@@ -283,18 +284,7 @@ TEST_CASE(
                       .velocity = 0.04369800849136795};
     for (const Impact& impact : {stopped, deep}) {
         CAPTURE(impact.law.name());
-        const auto one = [](double value) { return Eigen::ArrayXd::Constant(1, value).eval(); };
-        const ContactPair& pair = impact.contact;
-        const Eigen::ArrayXd mass = one(pair.mass), radius = one(pair.effective_radius),
-                             modulus = one(pair.contact_modulus), adhesion = one(pair.work_of_adhesion),
-                             yield = one(pair.yield_pressure), damping = one(impact.damping.coefficient),
-                             velocity = one(impact.velocity);
-        const ImpactBatchResult result = solve_impacts({impact.law,
-                                                        impact.detachment,
-                                                        impact.damping.law,
-                                                        {mass, radius, modulus, adhesion, yield},
-                                                        damping,
-                                                        velocity});
+        const ImpactBatchResult result = solve_as_batch(impact);
         const ImpactResult reference = solve_impact(impact);
         CHECK(result.outcome[0] == reference.outcome);
         CHECK(conditioned_error(result.restitution[0], reference) <= bound);
