@@ -282,6 +282,17 @@ TEST_CASE(
                                   .contact_modulus = 2362878797.0190778,
                                   .work_of_adhesion = 205.94837477023944},
                       .velocity = 0.04369800849136795};
+    // Damped nearly critically: it creeps up to equilibrium, and rounding makes it seem to turn there.
+    const Impact creeping{.law = Law::of<Jkr>(),
+                          .detachment = Detachment::load_controlled,
+                          .damping = {DampingLaw::constant, 0.12285755870029297},
+                          .contact = {.mass = 1.5773306577260458e-9,
+                                      .effective_radius = 36.449984335509349,
+                                      .contact_modulus = 878769.27807571762,
+                                      .work_of_adhesion = 546.34430536746243},
+                          .velocity = 0.0044471614277916943};
+    CHECK(std::isnan(solve_as_batch(creeping).approach_time[0]));
+    CHECK_FALSE(solve_impact(creeping).approach_time.has_value());
     for (const Impact& impact : {stopped, deep}) {
         CAPTURE(impact.law.name());
         const ImpactBatchResult result = solve_as_batch(impact);
