@@ -33,11 +33,17 @@ constexpr std::array codes{Code{"openfoam", openfoam_folder}, Code{"lammps", lam
                            Code{"liggghts", liggghts_folder}, Code{"yade", yade_folder},
                            Code{"fluent", fluent_folder},     Code{"table", nullptr}};
 
+std::vector<std::string> names_of_codes() {
+    std::vector<std::string> names;
+    names.reserve(codes.size());
+    for (const Code& code : codes) names.emplace_back(code.name);
+    return names;
+}
+
 const Code& code_named(const std::string& name) {
     for (const Code& code : codes)
         if (code.name == name) return code;
-    std::vector<std::string> names;
-    for (const Code& code : codes) names.emplace_back(code.name);
+    const auto names = names_of_codes();
     const auto guess = nearest(name, names, 1);
     throw InputError("no code is called " + in_quotes(name) +
                          (guess.empty() ? "" : ", did you mean " + guess.front() + "?"),
@@ -192,9 +198,7 @@ void require_free(const std::filesystem::path& folder, const ExportFolder& files
 }  // namespace
 
 std::string exported_codes() {
-    std::vector<std::string> names;
-    for (const Code& code : codes) names.emplace_back(code.name);
-    return joined(names);
+    return joined(names_of_codes());
 }
 
 void run_export_command(const ExportOptions& options, const TableImage& image, std::ostream& out) {

@@ -22,9 +22,10 @@ std::vector<double> linear_ticks(Range range, int most) {
         if (std::floor(range.to / step + rounding) - std::ceil(range.from / step - rounding) + 1 <= most)
             break;
     }
-    std::vector<double> values;
     const double first = std::ceil(range.from / step - rounding);
     const auto count = static_cast<int>(std::floor(range.to / step + rounding) - first) + 1;
+    std::vector<double> values;
+    values.reserve(static_cast<std::size_t>(std::max(count, 0)));
     for (int i = 0; i < count; ++i) values.push_back((first + i) * step);
     return values;
 }

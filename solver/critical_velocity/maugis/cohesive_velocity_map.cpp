@@ -68,16 +68,16 @@ CohesiveVelocityMap::CohesiveVelocityMap(const CriticalVelocityProblem& nominal,
     }
 }
 
-bool CohesiveVelocityMap::holds(double x, double y) const {
-    return surface_ && std::abs(x - centre_[0]) <= spread_[0] && std::abs(y - centre_[1]) <= spread_[1];
+bool CohesiveVelocityMap::holds(const CohesiveNumbers& numbers) const {
+    return surface_ && std::abs(std::log(numbers.damping) - centre_[0]) <= spread_[0] &&
+           std::abs(std::log(numbers.lambda) - centre_[1]) <= spread_[1];
 }
 
 std::optional<double> CohesiveVelocityMap::operator()(const CriticalVelocityProblem& problem) const {
     const CohesiveNumbers numbers = cohesive_numbers(problem);
-    const double x = std::log(numbers.damping);
-    const double y = std::log(numbers.lambda);
-    if (!holds(x, y)) return critical_velocity(problem).value;
-    return std::exp((*surface_)(x, y).value) * maugis_velocity(problem.contact);
+    if (!holds(numbers)) return critical_velocity(problem).value;
+    return std::exp((*surface_)(std::log(numbers.damping), std::log(numbers.lambda)).value) *
+           maugis_velocity(problem.contact);
 }
 
 }  // namespace ashimpact

@@ -31,9 +31,10 @@ class CohesiveVelocityMap {
     /// v_c [m/s], none without a finite one. Law, detachment and damping law are those of the nominal pair.
     [[nodiscard]] std::optional<double> operator()(const CriticalVelocityProblem& problem) const;
 
-  private:
-    [[nodiscard]] bool holds(double x, double y) const;
+    /// Whether a pair is read from the map; else it is solved.
+    [[nodiscard]] bool holds(const CohesiveNumbers& numbers) const;
 
+  private:
     std::array<double, 2> centre_{};
     std::array<double, 2> spread_{};
     std::optional<ChebyshevSurface> surface_{};  ///< none where v_c is not finite throughout

@@ -83,7 +83,7 @@ CurvePosterior::Curvature CurvePosterior::curvature(const Vector& parameters, do
     };
     Vector below;
     Matrix both;  // on the diagonal a step of one parameter, below it steps of two
-    batch::for_each_item(static_cast<std::size_t>(size * (size + 1)), [&](std::size_t item) {
+    batch::for_each_item(static_cast<std::size_t>(size) * (size + 1), [&](std::size_t item) {
         const int i = static_cast<int>(item) / (size + 1);
         const int j = static_cast<int>(item) % (size + 1);
         if (j == size)

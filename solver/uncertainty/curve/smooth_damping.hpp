@@ -18,7 +18,8 @@ class SmoothDamping {
   public:
     static constexpr int terms = 7;
 
-    /// @param log_critical_velocity ln v_c @param fastest ln v of the fastest impact
+    /// @param log_critical_velocity ln v_c @param fastest ln v of the fastest impact; taken as
+    /// 0.1 above v_c where it is below that
     SmoothDamping(const CurveTable& table, double log_critical_velocity, double fastest,
                   const std::array<double, terms>& coefficients);
 

@@ -1,7 +1,9 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <regex>
 
+#include "pipeline/report/drawing/axes.hpp"
 #include "pipeline/report/drawing/markup.hpp"
 #include "pipeline/report/drawing/panel.hpp"
 #include "pipeline/report/figure.hpp"
@@ -37,22 +39,21 @@ TEST_CASE("labels keep their characters; a subscript follows an underscore") {
 }
 
 TEST_CASE("ticks are round numbers within the axis, few enough to be read") {
-    const std::pair<double, double> ranges[]{{0, 1},       {0.0123, 0.0127}, {-3, 1e4},
-                                             {1e-9, 3e-9}, {5, 1e7},         {0.7, 0.71}};
-    for (const auto& [from, to] : ranges)
+    const Range ranges[]{{0, 1}, {0.0123, 0.0127}, {-3, 1e4}, {1e-9, 3e-9}, {5, 1e7}, {0.7, 0.71}};
+    for (const Range& range : ranges)
         for (const Spacing spacing : {Spacing::linear, Spacing::logarithmic}) {
-            if (spacing == Spacing::logarithmic && from <= 0) continue;
+            if (spacing == Spacing::logarithmic && range.from <= 0) continue;
             for (const int most : {3, 5, 9}) {
-                const Scale scale(spacing, {from, to}, {0, 300});
+                const Scale scale(spacing, range, {0, 300});
                 const auto ticks = scale.ticks(most);
-                CAPTURE(from);
-                CAPTURE(to);
+                CAPTURE(range.from);
+                CAPTURE(range.to);
                 CAPTURE(most);
                 CHECK(ticks.size() >= 1);
                 CHECK(static_cast<int>(ticks.size()) <= most);
                 for (const Tick& tick : ticks) {
-                    CHECK(tick.value >= from - 1e-9 * std::abs(to));
-                    CHECK(tick.value <= to + 1e-9 * std::abs(to));
+                    CHECK(tick.value >= range.from - 1e-9 * std::abs(range.to));
+                    CHECK(tick.value <= range.to + 1e-9 * std::abs(range.to));
                     CHECK(scale(tick.value) >= -1e-6);
                     CHECK(scale(tick.value) <= 300 + 1e-6);
                 }
@@ -124,6 +125,53 @@ TEST_CASE("what is not finite or outside of fixed ends is not drawn") {
     const std::string drawn_marks = drawn(marks, {0, 0, 300, 200});
     CHECK(drawn_marks.find("<use") != std::string::npos);
     CHECK(drawn_marks.find("<use") == drawn_marks.rfind("<use"));
+}
+
+TEST_CASE("a legend stays within its figure: long names are cut, and what has no room begins a row") {
+    Figure figure{.id = "f", .title = "f", .counterpart = "", .caption = "", .panels = {}, .numbers = {}};
+    XyPanel panel = one_line({{0, 0}, {5, 5}});
+    panel.series.front().legend = std::string(300, 'w');
+    for (const char* name : {"one", "another", "a third"}) {
+        panel.series.push_back(panel.series.front());
+        panel.series.back().legend = name;
+    }
+    figure.panels = {panel};
+    for (const Width form : {Width::wide, Width::narrow}) {
+        const std::string svg = svg_of(figure, form);
+        const double width = form == Width::wide ? 840 : 340;
+        int entries = 0;
+        std::string first_row;
+        std::string last_row;
+        const std::regex entry(R"RE(<text x="([0-9.]+)" y="([0-9.]+)">([^<]*)</text>)RE");
+        const std::string legend = svg.substr(svg.find("class=\"legend\""));
+        for (std::sregex_iterator each(legend.begin(), legend.end(), entry), none; each != none; ++each) {
+            if (++entries > 4) break;
+            // the estimate of the ellipsis is on the safe side
+            CHECK(std::stod((*each)[1]) + text_width((*each)[3].str(), 12) <= width + 12);
+            if (entries == 1) first_row = (*each)[2];
+            last_row = (*each)[2];
+        }
+        CHECK(entries >= 4);
+        CHECK(first_row != last_row);
+    }
+}
+
+TEST_CASE("a title that has no room is set smaller, then cut, and stays in its place") {
+    const auto drawn_title = [](std::size_t letters) {
+        return title_text(std::string(letters, 'n'), {.least = 10, .x = 40, .end = 200, .y = 12});
+    };
+    CHECK(drawn_title(0).empty());
+    CHECK(drawn_title(3).find("<text class=\"title\" x=\"40\"") == 0);
+    std::vector<std::string> looks;
+    for (std::size_t letters = 1; letters < 100; ++letters) {
+        const std::string svg = drawn_title(letters);
+        const std::string look = svg.substr(0, svg.find(" x="));
+        if (looks.empty() || looks.back() != look) looks.push_back(look);
+        CHECK((svg.find("<title>") == std::string::npos) == (svg.find("\u2026") == std::string::npos));
+        CHECK(std::stod(svg.substr(svg.find("x=\"") + 3)) >= 10);
+    }
+    CHECK(looks == std::vector<std::string>{"<text class=\"title\"", "<text class=\"title tick\"",
+                                            "<text class=\"title sub\""});
 }
 
 TEST_CASE("CSV quotes what would break it") {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "pipeline/report/data/impact_search.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/impact.hpp"
 #include "tests/relative_difference.hpp"
 
@@ -30,17 +31,50 @@ TEST_CASE("impacts of wanted restitutions have their velocities, and the contact
             impact.velocity = velocity[i];
             e[i] = solve_impact(impact).restitution;
         }
-        const FoundImpacts found =
-            impacts_with(e, {choice, DampingLaw::tsuji, pair}, damping, 1.4 * velocity, 1e-2);
-        for (Eigen::Index i = 0; i < e.size(); ++i) {
-            CAPTURE(i);
-            CHECK(test::relative_difference(found.velocity[i], velocity[i]) < 1e-3);
-            impact.damping.coefficient = damping[i];
-            impact.velocity = found.velocity[i];
-            CHECK(test::relative_difference(found.contact_time[i], *solve_impact(impact).contact_time) <
-                  1e-3);
-        }
+        for (const double from : {1.4, 1.003})  // the second one is found at the first impact
+            for (Eigen::Index i = 0; i < e.size(); ++i) {
+                CAPTURE(from);
+                CAPTURE(i);
+                const FoundImpacts found =
+                    impacts_with(e, {choice, DampingLaw::tsuji, pair}, damping, from * velocity, 1e-2);
+                CHECK(test::relative_difference(found.velocity[i], velocity[i]) < 4e-3);
+                impact.damping.coefficient = damping[i];
+                impact.velocity = found.velocity[i];
+                CHECK(test::relative_difference(found.contact_time[i], *solve_impact(impact).contact_time) <
+                      1e-3);
+            }
     }
+}
+
+TEST_CASE("impacts of small restitutions are found, with contact times, though the search meets captures") {
+    const ContactPair pair{
+        .mass = 9.3e-10, .effective_radius = 44e-6, .contact_modulus = 90e9, .work_of_adhesion = 0.3};
+    Impact impact{.law = Law::of<Dmt>(),
+                  .detachment = Detachment::zero_overlap,
+                  .damping = {DampingLaw::constant, 0.012},
+                  .contact = pair,
+                  .velocity = 1.0};
+    const double critical =
+        critical_velocity({impact.law, impact.detachment, impact.damping, pair}).value.value();
+    const Eigen::ArrayXd velocity = critical * (1 + Eigen::ArrayXd::LinSpaced(12, 0.01, 0.5).square());
+    Eigen::ArrayXd e(velocity.size());
+    for (Eigen::Index i = 0; i < e.size(); ++i) {
+        impact.velocity = velocity[i];
+        e[i] = solve_impact(impact).restitution;
+    }
+    const Eigen::ArrayXd damping = Eigen::ArrayXd::Constant(e.size(), 0.012);
+    for (const double from : {0.9, 1.1, 1.4, 2.0})
+        for (Eigen::Index i = 0; i < e.size(); ++i) {
+            CAPTURE(from);
+            CAPTURE(i);
+            const FoundImpacts found =
+                impacts_with(e, {{impact.law, impact.detachment}, DampingLaw::constant, pair}, damping,
+                             from * velocity, 1e-4);
+            CHECK(test::relative_difference(found.velocity[i], velocity[i]) < 1e-4);
+            impact.velocity = velocity[i];
+            CHECK(test::relative_difference(found.contact_time[i], *solve_impact(impact).contact_time) <
+                  1e-2);
+        }
 }
 
 }  // namespace ashimpact::report

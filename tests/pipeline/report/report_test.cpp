@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <regex>
 #include <set>
 #include <stdexcept>
@@ -150,6 +151,26 @@ TEST_CASE("the numbers of a figure are those of the artifact") {
             ++found;
         }
     CHECK(found == damping.at("velocity").at("values").size());
+}
+
+TEST_CASE("every figure comes with the numbers behind it, the histories with those of every law") {
+    const RunData run(load_artifacts(paper().folder() / "results", report_artifacts()), "");
+    for (const char* id :
+         {"composition", "static-force", "regime-map", "restitution", "damping", "damping-fit",
+          "contact-time", "sizes", "histories", "energy", "critical-velocity", "sensitivity"}) {
+        CAPTURE(id);
+        const NumberTable numbers = figure_named(id, run).numbers;
+        CHECK(!numbers.rows.empty());
+        for (const auto& row : numbers.rows) REQUIRE(row.size() == numbers.columns.size());
+    }
+    std::map<std::pair<std::string, std::string>, int> listed;
+    for (const auto& row : figure_named("histories", run).numbers.rows)
+        ++listed[{std::get<std::string>(row[0]), std::get<std::string>(row[1])}];
+    for (const SampleData& sample : run.samples())
+        for (const LawData& law : sample.laws) {
+            const int rows = listed[{sample.name, law.name}];
+            CHECK(rows > 50);
+        }
 }
 
 /// A curve of a fly-ash particle by one law, with a damping that falls as the restitution rises.

@@ -68,7 +68,7 @@ bool fails() {
     errno = before;
     const char* which = setting("ASHIMPACT_FAULT_CALL");
     const char* error = setting("ASHIMPACT_FAULT_ERROR");
-    if (which == nullptr || error == nullptr || ++calls != std::atol(which) || !is_first()) {
+    if (which == nullptr || error == nullptr || ++calls != std::strtol(which, nullptr, 10) || !is_first()) {
         errno = before;
         return false;
     }
@@ -76,14 +76,15 @@ bool fails() {
         kill(getpid(), SIGKILL);
         for (;;) pause();
     }
-    errno = std::atoi(error);
+    errno = static_cast<int>(std::strtol(error, nullptr, 10));
     return true;
 }
 
 }  // namespace
 
-// The names of the C library's own functions, whose place these take.
-// NOLINTBEGIN(readability-identifier-naming)
+// The names of the C library's own functions, whose place these take; its headers' names of their parameters
+// are reserved ones.
+// NOLINTBEGIN(readability-identifier-naming,readability-inconsistent-declaration-parameter-name)
 extern "C" {
 
 int mkdir(const char* path, mode_t mode) {
@@ -169,4 +170,4 @@ pid_t waitpid(pid_t process, int* status, int options) {
     return real<pid_t(pid_t, int*, int)>("waitpid")(process, status, options);
 }
 }
-// NOLINTEND(readability-identifier-naming)
+// NOLINTEND(readability-identifier-naming,readability-inconsistent-declaration-parameter-name)

@@ -203,6 +203,7 @@ TEST_CASE("twenty runs into one folder: one at a time, the others say so, and th
     const Sandbox sandbox;
     scene.restore(sandbox);
     std::vector<std::unique_ptr<Process>> runs;
+    runs.reserve(20);
     for (int i = 0; i < 20; ++i)
         runs.push_back(std::make_unique<Process>(sandbox, command(), std::vector<std::string>{}));
     int done = 0;

@@ -27,6 +27,7 @@ std::vector<std::string> corpus_of(const std::string& target) {
         for (const auto& entry : std::filesystem::directory_iterator(folder)) paths.push_back(entry.path());
     std::sort(paths.begin(), paths.end());
     std::vector<std::string> files;
+    files.reserve(paths.size());
     for (const auto& path : paths) files.push_back(bytes_of(path));
     return files;
 }
@@ -72,7 +73,9 @@ std::string changed(std::string bytes, const std::vector<std::string>& corpus, R
 TEST_CASE("every target takes its corpus, and refuses or takes what is made of it") {
     Random random(11);
     const bool whole = std::getenv("ASHIMPACT_WHOLE") != nullptr;
-    for (const auto& [name, target] : fuzz_targets()) {
+    for (const auto& entry : fuzz_targets()) {
+        const std::string& name = entry.first;
+        const FuzzTarget& target = entry.second;
         CAPTURE(name);
         const auto corpus = corpus_of(name);
         REQUIRE_MESSAGE(!corpus.empty(), "no corpus for " << name);

@@ -3,8 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -141,6 +142,7 @@ ImpactBatchResult solve_batch(const Many& many, const BatchOptions& options) {
     for (Eigen::Index i = 0; i < size; ++i)
         for (const auto& [name, value] : many.impacts[static_cast<std::size_t>(i)].contact.parameters)
             values[name][i] = value;
+    parameters.reserve(values.size());
     for (const auto& [name, column] : values) parameters.push_back({name, column});
     const ImpactBatch batch{
         one.law,         one.detachment,
@@ -150,7 +152,8 @@ ImpactBatchResult solve_batch(const Many& many, const BatchOptions& options) {
 }
 
 bool same_bits(double a, double b) {
-    return std::memcmp(&a, &b, sizeof(double)) == 0 || (std::isnan(a) && std::isnan(b));
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) ||
+           (std::isnan(a) && std::isnan(b));
 }
 
 void check_batches(const Many& many, NumbersReport& report) {

@@ -113,9 +113,27 @@ TEST_CASE("the jump in ends in contact for lambda > 0.655, the fold lies in cont
     CHECK(CohesiveZone(0.939L).pull_off().touching());
 }
 
+TEST_CASE("the state at an overlap has this overlap, in the gap and in contact") {
+    for (const Extended lambda : {0.05L, 0.3L, 0.6L, 0.9L, 0.95L, 3.0L}) {
+        const CohesiveZone zone(lambda);
+        const Extended first = zone.overlap(zone.pull_off());
+        const Extended join = zone.overlap(zone.join());
+        for (const Extended share : {0.001L, 0.3L, 0.7L, 0.999L, 1.001L, 2.0L, 10.0L}) {
+            const Extended overlap = first + share * std::abs(join - first);
+            const CohesiveState state = zone.at_overlap(overlap);
+            CAPTURE(static_cast<double>(lambda));
+            CAPTURE(static_cast<double>(share));
+            CHECK(state.touching() == (overlap > join || zone.pull_off().touching()));
+            CHECK(std::abs(static_cast<double>(zone.overlap(state) - overlap)) <
+                  1e-14 * static_cast<double>(std::abs(first) + std::abs(overlap)));
+        }
+    }
+}
+
 TEST_CASE("pull-off runs from -2 pi w R to -1.5 pi w R, within 2 % of Carpick, Ogletree & Salmeron 1999") {
     double before = -2.0;
-    for (double lambda = 1e-3; lambda < 1e4; lambda *= 1.3) {
+    for (int i = 0; i < 62; ++i) {
+        const double lambda = 1e-3 * std::pow(1.3, i);
         CAPTURE(lambda);
         const CohesiveZone zone(lambda);
         const double tension = force_of(zone, zone.greatest_tension());
@@ -151,7 +169,8 @@ TEST_CASE("the work of separation runs from that of DMT, none, to that of JKR, a
                                           .contact_modulus = pair.contact_modulus});
     double before = 0.0;
     double worst = 0.0;
-    for (double lambda = 0.01; lambda < 1e4; lambda *= 1.02) {
+    for (int i = 0; i < 698; ++i) {
+        const double lambda = 0.01 * std::pow(1.02, i);
         const double energy = cohesive_separation_energy(pair, lambda);
         CHECK(energy > before);
         CHECK(energy < jkr);

@@ -52,6 +52,20 @@ TEST_CASE("the table of restitutions is the model's, for laws with and without a
     }
 }
 
+TEST_CASE("the fastest impact counts from a tenth above v_c on") {
+    const ContactModel model = ash_model(Law::of<Dmt>());
+    const CurveTable table(model, {0.1, 20.0});
+    const auto restitution = [&](double above) {
+        const double critical = std::log(1.3);
+        return SmoothDamping(table, critical, critical + above, {-0.3, 0.02, 0, 0, 0, 0, 0})
+            .at(critical + 0.05)
+            .restitution;
+    };
+    CHECK(restitution(-1.0) == restitution(0.1));
+    CHECK(restitution(0.09) == restitution(0.1));
+    CHECK(restitution(0.1005) != restitution(0.1));
+}
+
 TEST_CASE("what can be recorded of an impact has probability one in all") {
     const ContactModel model = ash_model(Law::of<Dmt>());
     const CurveTable table(model, {0.1, 20.0});

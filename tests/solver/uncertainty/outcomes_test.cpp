@@ -96,6 +96,7 @@ TEST_CASE("captures that may be slow rebounds leave the measured v_c without a l
 
 TEST_CASE("mixed outcomes widen the transition") {
     std::vector<Measurement> points;
+    points.reserve(20);
     for (int i = 0; i < 20; ++i)
         points.push_back(impact(0.8 + 0.04 * i, i > 9 || i % 3 == 0 ? 0.1 : 0.0, 0.01));
     const auto measured = measured_critical_velocity(set_of(points));
@@ -135,6 +136,7 @@ TEST_CASE("captures and rebounds that overlap by about their noise: always a v_c
 
 TEST_CASE("the most likely transition is where neither its centre nor its width can be bettered") {
     std::vector<Measurement> points;
+    points.reserve(20);
     for (int i = 0; i < 20; ++i)
         points.push_back(impact(0.8 + 0.04 * i, i > 9 || i % 3 == 0 ? 0.1 : 0.0, 0.01));
     const MeasurementSet set = set_of(points);
@@ -237,7 +239,8 @@ TEST_CASE("three parts of eta(v_in): falling, flat, rising") {
     // eta falls as v^-1 to 2 m/s, is flat, and rises as v from 5 m/s on.
     const auto eta = [](double v) { return v < 2.0 ? 0.010 * 2.0 / v : v < 5.0 ? 0.010 : 0.010 * v / 5.0; };
     MeasurementSet set = set_of({});
-    for (double v = 1.5; v < 9.0; v *= 1.02) {
+    for (int i = 0; i < 91; ++i) {
+        const double v = 1.5 * std::pow(1.02, i);
         const double e = model.restitution(v, eta(v));
         REQUIRE(e > 0.0);
         set.points.push_back(impact(v, e * v, 0.01));

@@ -162,22 +162,25 @@ TEST_CASE("maugis-dugdale: draws are read from a map, that gives each as the sol
 TEST_CASE("a map of critical velocities: within its accuracy, beyond it solved, of every damping law") {
     ContactPair pair{
         .mass = 1e-12, .effective_radius = 4e-6, .contact_modulus = 90e9, .work_of_adhesion = 0.3};
-    pair.parameters = {{stated_tabor.name, 1.0}};
-    for (const auto& [damping_law, coefficient] :
-         {std::pair{DampingLaw::constant, 2e-4}, std::pair{DampingLaw::tsuji, 0.2}}) {
-        CriticalVelocityProblem problem{
-            Law::of<MaugisDugdale>(), Detachment::pull_off, {damping_law, coefficient}, pair};
-        const CohesiveVelocityMap map(problem, {0.4, 0.3});
-        for (const double share : {0.67, 0.8, 0.99, 1.2, 1.45, 3.0}) {  // the last one lies outside
-            problem.damping.coefficient = coefficient * share;
-            problem.contact.parameters = {{stated_tabor.name, std::pow(share, -0.7)}};
-            problem.contact.mass = pair.mass;
-            const auto read = map(problem);
-            REQUIRE(read.has_value());
-            CHECK(relative_difference(*read, *critical_velocity(problem).value) <
-                  CohesiveVelocityMap::accuracy());
+    // At Tabor 1 the map would cross lambda = 0.94, where force over overlap gets a fold and v_c is not
+    // smooth: all of it is solved.
+    for (const double tabor : {2.0, 1.0})
+        for (const auto& [damping_law, coefficient] :
+             {std::pair{DampingLaw::constant, 2e-4}, std::pair{DampingLaw::tsuji, 0.2}}) {
+            pair.parameters = {{stated_tabor.name, tabor}};
+            CriticalVelocityProblem problem{
+                Law::of<MaugisDugdale>(), Detachment::pull_off, {damping_law, coefficient}, pair};
+            const CohesiveVelocityMap map(problem, {0.4, 0.3});
+            for (const double share : {0.68, 0.8, 0.99, 1.2, 1.45, 3.0}) {  // the last one lies outside
+                problem.damping.coefficient = coefficient * share;
+                problem.contact.parameters = {{stated_tabor.name, tabor * std::pow(share, -0.7)}};
+                CHECK(map.holds(cohesive_numbers(problem)) == (tabor > 1 && share < 1.5));
+                const auto read = map(problem);
+                REQUIRE(read.has_value());
+                CHECK(relative_difference(*read, *critical_velocity(problem).value) <
+                      CohesiveVelocityMap::accuracy());
+            }
         }
-    }
 }
 
 TEST_CASE("with the damping read again, errors of the contact cancel in v_c; held, they do not") {
@@ -203,6 +206,7 @@ TEST_CASE("with the damping read again, errors of the contact cancel in v_c; hel
 
 TEST_CASE("thirty uncertain inputs, sixty dimensions of the sequence") {
     std::vector<RandomInput> inputs;
+    inputs.reserve(30);
     for (int i = 0; i < 30; ++i)
         inputs.push_back(
             {.name = std::to_string(i), .value = 1.0, .standard_uncertainty = 0.1 * (i % 5 + 1)});
