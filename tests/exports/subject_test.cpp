@@ -148,4 +148,18 @@ TEST_CASE("inputs carry the conversions of the code") {
         }
 }
 
+TEST_CASE("the assumptions of LAMMPS name each force that is added to its wall, and no other") {
+    const auto names = [](ExportSubject subject, const std::string& force) {
+        return content(lammps_folder(subject), "assumptions.md").find(force) != std::string::npos;
+    };
+    ExportSubject tsuji = ash("dmt");
+    tsuji.damping = {.law = DampingLaw::tsuji, .nodes = {{0, 0.5}}, .reference_diameter = 88e-6};
+    CHECK_FALSE(names(ash("hertz"), "`fix addforce`"));
+    CHECK_FALSE(names(ash("dmt"), "`fix addforce`"));
+    CHECK(names(ash("brach-dunn"), "attraction 2 pi f sqrt(R* overlap)"));
+    CHECK_FALSE(names(ash("brach-dunn"), "damping force -eta v"));
+    CHECK_FALSE(names(tsuji, "attraction 2 pi w R*"));
+    CHECK(names(tsuji, "damping force -eta v"));
+}
+
 }  // namespace ashimpact::test

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "materials/base/error.hpp"
 #include "tests/relative_difference.hpp"
 
@@ -12,7 +14,8 @@ TEST_CASE("roughness leaves smooth surfaces alone and takes most of the adhesion
     constexpr double radius = 44e-6;
     CHECK(roughness_reduction(radius, {.rms = 0}) == 1);
     double before = 1;
-    for (double rms = 1e-14; rms < 1e-9; rms *= 2) {
+    for (int i = 0; i < 17; ++i) {
+        const double rms = 1e-14 * std::pow(2.0, i);
         const double left = roughness_reduction(radius, {.rms = rms});
         CHECK(left < before);
         before = left;

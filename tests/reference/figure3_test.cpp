@@ -29,7 +29,8 @@ TEST_CASE("Hertz, DMT and Brach-Dunn: Eqs. 22-24") {
         const StaticCurve curve = StaticCurve::normalised(law);
         CAPTURE(law.name());
         CHECK(curve.first().overlap == 0.0);
-        for (double overlap = 0.01; overlap < 6.0; overlap *= 1.2) {
+        for (int i = 0; i < 36; ++i) {
+            const double overlap = 0.01 * std::pow(1.2, i);
             CAPTURE(overlap);
             const StaticPoint point = curve.at_overlap(overlap);
             const double repulsion = std::pow(overlap, 1.5);

@@ -63,7 +63,8 @@ const StaticCurve& normalised() {
 
 TEST_CASE("normalised: Eqs. 25-27 on both ranges of contact radius") {
     Worst worst;
-    for (double a = std::pow(6.0, -1.0 / 3.0) * (1.0 + 1e-12); a < 4.0; a += 0.01) {
+    for (int i = 0; i < 345; ++i) {
+        const double a = std::pow(6.0, -1.0 / 3.0) * (1.0 + 1e-12) + 0.01 * i;
         const StaticPoint point = normalised().at_contact_radius(a);
         const Published p = published(a);
         const double size = a * a * a + std::sqrt(6.0) * std::pow(a, 1.5);

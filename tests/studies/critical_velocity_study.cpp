@@ -122,6 +122,11 @@ bool study(int repetitions, const std::string& only_row, const std::string& only
     return good;
 }
 
+/// At least one, also where the word is no number.
+int repetitions_of(const std::string& word) {
+    return std::max(1, static_cast<int>(std::strtol(word.c_str(), nullptr, 10)));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -131,8 +136,8 @@ int main(int argc, char** argv) {
         "| truth and file | law | covered | above | below | warned | no estimate | off by 3 | median of "
         "v_c/truth | "
         "median width | s each |\n|---|---|---|---|---|---|---|---|---|---|---|");
-    if (word(0) == "quick") return quick(std::max(1, std::atoi(word(1).c_str()))) ? 0 : 1;
-    const int repetitions = words.empty() ? 1000 : std::max(1, std::atoi(word(0).c_str()));
+    if (word(0) == "quick") return quick(repetitions_of(word(1))) ? 0 : 1;
+    const int repetitions = words.empty() ? 1000 : repetitions_of(word(0));
     const unsigned long seed = word(3).empty() ? studies::default_seed : std::stoul(word(3));
     return study(repetitions, word(1), word(2), seed) ? 0 : 1;
 }

@@ -72,7 +72,8 @@ bool run(const studies::Row& row, const Law& law, int repetitions) {
 
 int main(int argc, char** argv) {
     const std::vector<std::string> words(argv + 1, argv + argc);
-    const int repetitions = words.empty() ? 200 : std::max(1, std::atoi(words[0].c_str()));
+    const int repetitions =
+        words.empty() ? 200 : std::max(1, static_cast<int>(std::strtol(words[0].c_str(), nullptr, 10)));
     std::puts(
         "| truth and file | law | disagree | falsely | no fit | robust: disagree | falsely | no fit |\n"
         "|---|---|---|---|---|---|---|---|");

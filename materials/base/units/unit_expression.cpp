@@ -1,6 +1,7 @@
 #include "materials/base/units/unit_expression.hpp"
 
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -113,7 +114,8 @@ class Expression {
         const std::size_t first = end;
         while (end < rest_.size() && end < first + 9 && is_decimal_digit(rest_[end])) ++end;
         if (end == first) return std::nullopt;
-        const int value = std::atoi(std::string(rest_.substr(0, end)).c_str());
+        int value = 0;
+        std::from_chars(rest_.data() + (rest_.front() == '+' ? 1 : 0), rest_.data() + end, value);
         rest_.remove_prefix(end);
         return value;
     }

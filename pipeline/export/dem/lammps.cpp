@@ -16,17 +16,24 @@ constexpr DemCode lammps{.name = "LAMMPS",
                          .setup = "atom_style       sphere\n",
                          .sets_mass = true};
 
-/// What this version's `fix wall/gran granular` does itself; the rest goes through added_forces().
-struct OwnForces {
+/// Which forces of a wall somebody computes.
+struct Forces {
     bool attraction;
     bool damping;
 };
 
-OwnForces own_forces(const ExportSubject& subject) {
+/// What `fix wall/gran granular` of this version does itself.
+Forces own_forces(const ExportSubject& subject) {
     const SizedDamping& damping = subject.damping;
     return {.attraction = subject.law.name() == "dmt",
             .damping = damping.law == DampingLaw::constant && !damping.depends_on_velocity() &&
                        damping.exponent == 0};
+}
+
+/// The rest, which goes through added_forces().
+Forces added_to(const Forces& own, const ExportSubject& subject) {
+    return {.attraction = attracts(subject) && !own.attraction,
+            .damping = !own.damping && !subject.damping.is_zero()};
 }
 
 void require_lammps(const ExportSubject& subject) {
@@ -37,7 +44,7 @@ void require_lammps(const ExportSubject& subject) {
     require_added_forces(subject, lammps.name);
 }
 
-std::string wall(const ExportSubject& subject, const OwnForces& own) {
+std::string wall(const ExportSubject& subject, const Forces& own) {
     const double modulus = subject.contact.contact_modulus;
     const std::string damping = exact(own.damping ? subject.damping.nodes.front().coefficient : 0);
     const std::string model = own.attraction
@@ -52,9 +59,8 @@ std::string wall(const ExportSubject& subject, const OwnForces& own) {
 }
 
 std::string lammps_wall_file(const ExportSubject& subject) {
-    const OwnForces own = own_forces(subject);
-    const bool attraction = attracts(subject) && !own.attraction;
-    const bool damping = !own.damping && !subject.damping.is_zero();
+    const Forces own = own_forces(subject);
+    const Forces added = added_to(own, subject);
     return fmt::format(
                "# Ash on the wall z = ash_wall_z: law {}, contact ends at zero overlap. Needs the variable "
                "ash_wall_z.\n# `damping velocity` must stand there: the default, viscoelastic, is another "
@@ -62,11 +68,11 @@ std::string lammps_wall_file(const ExportSubject& subject) {
                "version. "
                "Its surface energy is w/2.\n",
                subject.law.name()) +
-           wall(subject, own) + added_forces(subject, attraction, damping);
+           wall(subject, own) + added_forces(subject, added.attraction, added.damping);
 }
 
 std::vector<std::string> lammps_conversions(const ExportSubject& subject) {
-    const OwnForces own = own_forces(subject);
+    const Forces own = own_forces(subject);
     std::vector<std::string> lines{
         own.attraction
             ? "`dmt`: E = 2 E* with nu = 0, since its wall takes E/(2(1 - nu)) as effective modulus; "
@@ -75,9 +81,9 @@ std::vector<std::string> lammps_conversions(const ExportSubject& subject) {
         "R* is the radius of the sphere: the wall is flat"};
     if (own.damping && !subject.damping.is_zero())
         lines.emplace_back("`damping velocity` with eta in kg/s: F_d = -eta v, as here");
-    const auto added = added_force_conversions(subject, attracts(subject) && !own.attraction,
-                                               !own.damping && !subject.damping.is_zero());
-    lines.insert(lines.end(), added.begin(), added.end());
+    const Forces added = added_to(own, subject);
+    const auto more = added_force_conversions(subject, added.attraction, added.damping);
+    lines.insert(lines.end(), more.begin(), more.end());
     return lines;
 }
 

@@ -12,16 +12,15 @@ TEST_CASE("an uncertainty in brackets counts in the last place of the number, it
         double value;
         double uncertainty;
     };
-    for (const auto& [text, value, uncertainty] :
-         {Row{"2.54e1(3)", 25.4, 0.3}, Row{"2.54e1(12)", 25.4, 1.2}, Row{"25.4E-2(3)", 0.254, 0.003},
-          Row{"12.3(4)", 12.3, 0.4}, Row{"12(4)", 12, 4}, Row{"12.3(0.25)", 12.3, 0.25},
-          Row{"0.2548+-0.0029", 0.2548, 0.0029}, Row{"12.3 \u00b1 0.4", 12.3, 0.4},
-          Row{"2.54e1 +/- 3e-1", 25.4, 0.3}}) {
-        CAPTURE(text);
-        const auto number = read_number(text);
+    for (const Row& row : {Row{"2.54e1(3)", 25.4, 0.3}, Row{"2.54e1(12)", 25.4, 1.2},
+                           Row{"25.4E-2(3)", 0.254, 0.003}, Row{"12.3(4)", 12.3, 0.4}, Row{"12(4)", 12, 4},
+                           Row{"12.3(0.25)", 12.3, 0.25}, Row{"0.2548+-0.0029", 0.2548, 0.0029},
+                           Row{"12.3 \u00b1 0.4", 12.3, 0.4}, Row{"2.54e1 +/- 3e-1", 25.4, 0.3}}) {
+        CAPTURE(row.text);
+        const auto number = read_number(row.text);
         REQUIRE(number);
-        CHECK(relative_difference(number->value, value) < 1e-14);
-        CHECK(relative_difference(number->standard_uncertainty.value_or(0), uncertainty) < 1e-14);
+        CHECK(relative_difference(number->value, row.value) < 1e-14);
+        CHECK(relative_difference(number->standard_uncertainty.value_or(0), row.uncertainty) < 1e-14);
         CHECK_FALSE(number->per_cent);
     }
 }

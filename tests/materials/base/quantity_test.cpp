@@ -46,17 +46,16 @@ TEST_CASE("a string may carry its standard uncertainty, with one unit for both, 
         double value;
         double uncertainty;
     };
-    for (const auto& [text, dimension, value, uncertainty] :
-         {Row{R"("60 +- 3 um")", Dimension::length, 60e-6, 3e-6},
-          Row{R"("60 um +- 3 um")", Dimension::length, 60e-6, 3e-6},
-          Row{R"("60 um +/- 5 %")", Dimension::length, 60e-6, 3e-6},
-          Row{"\"2.6 \u00b1 0.1 g/cm3\"", Dimension::density, 2600, 100},
-          Row{R"("0.42 +- 0.02")", Dimension::fraction, 0.42, 0.02},
-          Row{R"("42 +- 2 %")", Dimension::fraction, 0.42, 0.02}}) {
-        CAPTURE(text);
-        const Quantity quantity = read_quantity(json::parse(text), dimension);
-        CHECK(relative_difference(quantity.value, value) < 1e-14);
-        CHECK(relative_difference(quantity.standard_uncertainty.value(), uncertainty) < 1e-14);
+    for (const Row& row : {Row{R"("60 +- 3 um")", Dimension::length, 60e-6, 3e-6},
+                           Row{R"("60 um +- 3 um")", Dimension::length, 60e-6, 3e-6},
+                           Row{R"("60 um +/- 5 %")", Dimension::length, 60e-6, 3e-6},
+                           Row{"\"2.6 \u00b1 0.1 g/cm3\"", Dimension::density, 2600, 100},
+                           Row{R"("0.42 +- 0.02")", Dimension::fraction, 0.42, 0.02},
+                           Row{R"("42 +- 2 %")", Dimension::fraction, 0.42, 0.02}}) {
+        CAPTURE(row.text);
+        const Quantity quantity = read_quantity(json::parse(row.text), row.dimension);
+        CHECK(relative_difference(quantity.value, row.value) < 1e-14);
+        CHECK(relative_difference(quantity.standard_uncertainty.value(), row.uncertainty) < 1e-14);
     }
     CHECK(json_message(R"("60 +- -3 um")", Dimension::length).find("is below zero") != std::string::npos);
     CHECK_FALSE(json_message(R"("60 um +- 3 kg")", Dimension::length).empty());

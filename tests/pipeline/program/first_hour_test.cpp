@@ -1,5 +1,6 @@
 // What somebody types who has an ash, a camera and no knowledge of the program: a transcript.
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <filesystem>
 #include <regex>
@@ -56,7 +57,7 @@ Json reported(const Json& comparison) {
 TEST_CASE("the first hour: files as a German laboratory has them end in the v_c of tidy files") {
     const Sandbox sandbox;
     auto typed = [&](const std::string& arguments) {
-        const auto finished = ashimpact_program(sandbox, arguments);
+        auto finished = ashimpact_program(sandbox, arguments);
         CHECK_MESSAGE(finished.status == 0, arguments, "\n", finished.err);
         return finished;
     };
@@ -82,7 +83,7 @@ TEST_CASE("the first hour: files as a German laboratory has them end in the v_c 
         sandbox.write(path + "ash.csv", ash);
         sandbox.write(path + "impacts.csv", impacts);
         sandbox.write(path + "case.json", own_case(sandbox.json(path + "case.json")).dump(1));
-        const auto run = typed("run " + path + "case.json -o " + path + "results");
+        const auto run = typed(fmt::format("run {0}case.json -o {0}results", path));
         CHECK_MESSAGE(run.out.find("Report this critical velocity") != std::string::npos, run.out);
         CHECK_MESSAGE(run.out.find("not given: that of the phases without any pores") != std::string::npos,
                       run.out);

@@ -1,4 +1,5 @@
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -61,7 +62,8 @@ TEST_CASE("impact: the energies printed add up, with adhesion, damping and yield
          {std::string("jkr --damping '1e-7 kg/s'"), std::string("dmt --damping '1e-7 kg/s'"),
           std::string("thornton-ning --yield-pressure '35.3 MPa'")}) {
         CAPTURE(law);
-        const auto run = ashimpact_program(sandbox, "impact --velocity '5 m/s' --law " + law + ammonium);
+        const auto run =
+            ashimpact_program(sandbox, fmt::format("impact --velocity '5 m/s' --law {}{}", law, ammonium));
         REQUIRE(run.status == 0);
         double before = 0;
         double after = 0;
@@ -454,7 +456,7 @@ TEST_CASE("impact and critical-velocity tell the regime, and warn of a law out o
     CHECK(impact.err.find("warning: Tabor parameter") != std::string::npos);
     CHECK(ashimpact_program(sandbox, "impact --law dmt --velocity 2 -q" + soft).err.empty());
     for (const std::string command : {"impact --velocity 2", "critical-velocity --damping 0.002"}) {
-        const Json regime = json_of(sandbox, command + " --law jkr" + soft)["regime"];
+        const Json regime = json_of(sandbox, fmt::format("{} --law jkr{}", command, soft))["regime"];
         CHECK(regime["adhesion"] == "jkr");
         CHECK(regime["warnings"].empty());
         CHECK(regime["tabor_parameter"].get<double>() > 5);
@@ -678,8 +680,8 @@ TEST_CASE("an interrupted run leaves whole results: those before it or its own")
         const std::string wait = "0." + std::string(i < 8 ? "0" : "") + std::to_string(i < 8 ? i + 2 : 2 * i);
         const std::string which = i % 2 == 0 ? "case.json" : "";
         const std::string program = "'" ASHIMPACT_PROGRAM "' run " + which + " -o out";
-        const std::string shell = "cd '" + sandbox.folder().string() + "' && timeout -s TERM " + wait + " " +
-                                  program + " >/dev/null 2>&1";
+        const std::string shell = fmt::format("cd '{}' && timeout -s TERM {} {} >/dev/null 2>&1",
+                                              sandbox.folder().string(), wait, program);
         interrupted += std::system(shell.c_str()) == 0 ? 0 : 1;
         const Json manifest = sandbox.json("out/manifest.json");
         REQUIRE(manifest["result"]["artifacts"].size() == 10);

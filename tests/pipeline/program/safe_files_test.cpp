@@ -83,7 +83,7 @@ TEST_CASE("a limit on the size of files is an error of the write and leaves noth
     CHECK(result == 2 << 8);  // its exit status, no signal
     CHECK_MESSAGE(outputs.read("err").find("cannot be written: File too large") != std::string::npos,
                   outputs.read("err"));
-    for (const auto& [name, _] : sandbox.everything()) CHECK_MESSAGE(name == "out", name);
+    for (const auto& file : sandbox.everything()) CHECK_MESSAGE(file.first == "out", file.first);
 }
 
 TEST_CASE("without ashimpact-sweep beside it the program says what is missing") {

@@ -1,5 +1,6 @@
 // Law maugis-dugdale, a second sphere and rough surfaces, as typed.
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <array>
 #include <cmath>
@@ -64,7 +65,7 @@ TEST_CASE("maugis-dugdale takes exactly one of Tabor parameter, cohesive stress 
 TEST_CASE("two spheres: m* and R* of both, the wall as the limit of a large partner") {
     const Sandbox sandbox;
     for (const std::string law : {"dmt", "jkr"}) {
-        const std::string command = "critical-velocity --law " + law + rest;
+        const std::string command = fmt::format("critical-velocity --law {}{}", law, rest);
         const auto velocity = [&](const std::string& bodies) {
             return number(printed(sandbox, command + bodies)["critical_velocity"]);
         };
@@ -319,7 +320,8 @@ TEST_CASE("a sweep over the partner's radius is so many impacts of two spheres")
     const std::string alone = "impact --law jkr --radius 44e-6 --density 2600 --velocity 2 --partner-radius ";
     for (const std::string radius : {"2e-5", "0.0001"}) {
         spec["variables"]["partner_radius"]["values"] = {std::stod(radius)};
-        const Json impact = printed(sandbox, alone + radius + " --partner-density 7800" + rest);
+        const Json impact =
+            printed(sandbox, fmt::format("{}{} --partner-density 7800{}", alone, radius, rest));
         CHECK(relative_difference(mean_of(), number(impact["restitution"])) < 1e-9);
     }
     spec["impact"].erase("partner_density");

@@ -29,12 +29,13 @@ Process::Process(const Sandbox& sandbox, const std::vector<std::string>& command
     redirect(STDOUT_FILENO, outputs_.path("out"), O_WRONLY | O_CREAT);
     redirect(STDERR_FILENO, outputs_.path("err"), O_WRONLY | O_CREAT);
     if (chdir(sandbox.folder().c_str()) != 0) _exit(127);
-    for (std::string each : environment) {
+    for (const std::string& each : environment) {
         const auto equals = each.find('=');
         setenv(each.substr(0, equals).c_str(), each.substr(equals + 1).c_str(), 1);
     }
     std::vector<std::string> words = command;
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     execvp(arguments.front(), arguments.data());

@@ -108,7 +108,9 @@ TEST_CASE("the curve as velocity over restitution and as restitution over veloci
     for_each_published([&](const PublishedDamping& published) {
         const CurvePoint least = least_rebound(published);
         double before = least.velocity;
-        for (double e = least.restitution + 0.002; e < 0.5; e += 0.01) {
+        const double first = least.restitution + 0.002;
+        for (int i = 0; i < (0.5 - first) / 0.01; ++i) {
+            const double e = first + 0.01 * i;
             const double velocity = reconstructed_velocity(published, e);
             if (velocity <= before) break;  // the end of the rising branch
             before = velocity;

@@ -130,7 +130,7 @@ TEST_CASE("ever weaker damping: the critical velocity falls without losing digit
     // At w = 0.3 the well is far deeper than the kinetic energy; v_c goes with the root of the damping there.
     for (const Law law : {Law::of<Dmt>(), Law::of<BrachDunn>()}) {
         CAPTURE(law.name());
-        for (double damping = 1e-6; damping > 1e-14; damping /= 100) {
+        for (const double damping : {1e-6, 1e-8, 1e-10, 1e-12}) {
             CAPTURE(damping);
             CHECK(std::abs(critical_at(law, damping) / critical_at(law, damping / 100) - 10.0) < 0.01);
         }

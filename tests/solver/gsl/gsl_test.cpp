@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -89,6 +90,21 @@ TEST_CASE("a simplex finds minima of curved valleys and at kinks, and lets excep
     CHECK_THROWS_WITH_AS(
         static_cast<void>(gsl::minimise(throwing, Eigen::Vector2d(1.0, 1.0), Eigen::Vector2d(0.2, 0.2))),
         "too far", InputError);
+}
+
+TEST_CASE("the minimum between two ends, of smooth functions and of those that are infinite beyond a place") {
+    const auto well = [](double x) { return std::cosh(x - 0.7); };
+    CHECK(std::abs(gsl::minimise_between(well, -3.0, 0.0, 2.0, 1e-8) - 0.7) < 1e-6);
+    CHECK(std::abs(gsl::minimise_between(well, -3.0, 0.0, 2.0) - 0.7) < 5e-4);
+    const auto walled = [](double x) { return x < 0.5 ? std::numeric_limits<double>::infinity() : x * x; };
+    CHECK(std::abs(gsl::minimise_between(walled, 0.0, 0.9, 2.0, 1e-6) - 0.5) < 1e-5);
+    CHECK(gsl::minimise_between([](double x) { return x; }, 0.0, 0.5, 1.0) == 0.5);  // no minimum between
+    const auto throwing = [](double x) -> double {
+        if (x > 0.9) throw InputError("too far");
+        return x * x;
+    };
+    CHECK_THROWS_WITH_AS(static_cast<void>(gsl::minimise_between(throwing, -1.0, 0.5, 1.0)), "too far",
+                         InputError);
 }
 
 TEST_CASE("a weighted mean is the simplest linear fit") {

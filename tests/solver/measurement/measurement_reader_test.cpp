@@ -145,11 +145,12 @@ TEST_CASE("an uncertainty without a quantity is that of the column before it, in
 }
 
 TEST_CASE("uncertainties of unclear coverage are not read, and one line says why and how to write them") {
-    for (const auto& [heading, why] :
+    for (const auto& [name, why] :
          {std::pair{"95 % CI", "half-widths"}, std::pair{"Konfidenzintervall (95 %)", "half-widths"},
           std::pair{"expanded uncertainty", "needs its coverage factor"},
           std::pair{"erweiterte Unsicherheit", "needs its coverage factor"},
           std::pair{"Unsicherheit (80 %)", "not one that is known"}}) {
+        const char* heading = name;
         CAPTURE(heading);
         const MeasurementSet set = read_measurements(
             "v_in [m/s];v_r [m/s];" + std::string(heading) + "\n2,1;0,4;0,06\n2,2;0,5;0,06\n", "t.csv");

@@ -45,7 +45,7 @@ TEST_CASE("the scheme is of first order: half the step, half the error") {
         CAPTURE(describe(impact));
         double error_before = 0.0;
         double time_before = 0.0;
-        for (double steps = 1000.0; steps < 40000.0; steps *= 2) {
+        for (const double steps : {1e3, 2e3, 4e3, 8e3, 16e3, 32e3}) {
             const ImpactResult result = with_steps(impact, steps);
             const double error = std::abs(result.restitution - exact.restitution);
             const double time = std::abs(*result.contact_time - *exact.contact_time);

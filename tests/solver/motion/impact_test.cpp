@@ -73,9 +73,10 @@ TEST_CASE(
                            .effective_radius = 48e-6,
                            .contact_modulus = 90e9,
                            .work_of_adhesion = 0.2959};
-    for (const auto& [detachment, damping, velocity] : found) {
-        CAPTURE(name_of(detachment));
-        const Impact impact{Law::of<Jkr>(), detachment, {DampingLaw::constant, damping}, pair, velocity};
+    for (const Critical& at : found) {
+        CAPTURE(name_of(at.detachment));
+        const Impact impact{
+            Law::of<Jkr>(), at.detachment, {DampingLaw::constant, at.damping}, pair, at.velocity};
         double restitution = 1.0;
         CHECK_NOTHROW(restitution = restitution_of(impact));
         CHECK(restitution < 1e-7);

@@ -42,6 +42,7 @@ double force_on(const TrajectoryPoint& p) {
 
 std::vector<double> forces_of(const std::vector<TrajectoryPoint>& path) {
     std::vector<double> forces;
+    forces.reserve(path.size());
     for (const TrajectoryPoint& p : path) forces.push_back(force_on(p));
     return forces;
 }

@@ -49,9 +49,10 @@ TEST_CASE("quantiles are the inverse of what is below them, at fly-ash scale") {
 
 TEST_CASE("normal quantiles in lanes are those of GSL, over the whole range and one by one") {
     std::vector<double> probabilities;
-    for (double p = 0x1p-1070; p < 0.5; p *= 1.37) probabilities.push_back(p);
-    for (double p = 0.0003; p < 1.0; p += 0.0007) probabilities.push_back(p);
-    for (double p = 0x1p-53; p < 0.1; p *= 3.0) probabilities.push_back(1.0 - p);
+    probabilities.reserve(2354 + 1429 + 32);
+    for (int i = 0; i < 2354; ++i) probabilities.push_back(std::exp2(-1070 + std::log2(1.37) * i));
+    for (int i = 0; i < 1429; ++i) probabilities.push_back(0.0003 + 0.0007 * i);
+    for (int i = 0; i < 32; ++i) probabilities.push_back(1.0 - 0x1p-53 * std::pow(3.0, i));
     std::vector<double> together = probabilities;
     to_quantiles(Normal{0.0, 1.0}, together);
     std::vector<double> sizes = probabilities;
@@ -69,7 +70,8 @@ TEST_CASE("normal quantiles in lanes are those of GSL, over the whole range and 
 
 TEST_CASE("log-normal quantiles of a spread that fills the range of numbers") {
     for (const double spread : {1e-3, 3.0, 40.0}) {
-        for (double p = 0x1p-53; p < 1.0; p += 0.00073) {
+        for (int i = 0; i < 1370; ++i) {
+            const double p = 0x1p-53 + 0.00073 * i;
             CAPTURE(spread);
             CAPTURE(p);
             const double exponent = std::log(std::exp(spread)) * quantile(Normal{0.0, 1.0}, p);
