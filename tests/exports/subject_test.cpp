@@ -149,7 +149,7 @@ TEST_CASE("inputs carry the conversions of the code") {
 }
 
 TEST_CASE("the assumptions of LAMMPS name each force that is added to its wall, and no other") {
-    const auto names = [](ExportSubject subject, const std::string& force) {
+    const auto names = [](const ExportSubject& subject, const std::string& force) {
         return content(lammps_folder(subject), "assumptions.md").find(force) != std::string::npos;
     };
     ExportSubject tsuji = ash("dmt");

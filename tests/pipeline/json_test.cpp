@@ -7,6 +7,7 @@
 #include "pipeline/json/document.hpp"
 #include "pipeline/json/schema.hpp"
 #include "pipeline/json/writer.hpp"
+#include "pipeline/stages/json/uncertainty_json.hpp"
 
 using namespace ashimpact;
 
@@ -174,4 +175,21 @@ TEST_CASE("a violation is told by pointer, what is wrong and what is allowed") {
 TEST_CASE("an unknown schema is refused with the names there are") {
     CHECK(message_of([] { static_cast<void>(schema_named("cases")); }).find("allowed: 0-case, ") !=
           std::string::npos);
+}
+
+TEST_CASE(
+    "a velocity is compared with a measured one where one of them is uncertain, or nothing was measured") {
+    MeasuredCriticalVelocity measured{};
+    const auto verdict = [&](double uncertainty) {
+        return check_json({1.0, uncertainty, 1.0 - 2 * uncertainty, 1.0 + 2 * uncertainty}, measured, false)
+            .at("verdict")
+            .get<std::string>();
+    };
+    const std::string nothing = verdict(0.0);
+    measured.value = 1.05;
+    CHECK(verdict(0.0) == name_of(CriticalVelocityVerdict::not_comparable));
+    CHECK(verdict(0.1) == name_of(CriticalVelocityVerdict::agrees));
+    measured.standard_uncertainty = 0.1;
+    CHECK(verdict(0.0) == name_of(CriticalVelocityVerdict::agrees));
+    CHECK(nothing == name_of(check({1.0, 0.0, 1.0, 1.0}, MeasuredCriticalVelocity{}, false).verdict));
 }

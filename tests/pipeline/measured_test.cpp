@@ -290,6 +290,30 @@ TEST_CASE("a rebound faster than the impact is left out with a reason where unce
     CHECK(unreachable[0]["reason"].get<std::string>().find("without any damping") != std::string::npos);
 }
 
+TEST_CASE(
+    "a rebound faster than its impact is taken where uncertainties explain it, with their correlation") {
+    Laboratory laboratory(0.005);
+    Json& data = laboratory.document["samples"][0]["restitution"];
+    const std::size_t last = data["velocity"].size() - 1;
+    // Three standard uncertainties of the difference: 21 mm/s, and with correlation 7 or 29 mm/s.
+    data["rebound_velocity"][last] = data["velocity"][last].get<double>() + 0.015;
+    const auto is_taken = [&] {
+        try {
+            static_cast<void>(computed_from(laboratory.document, "contact"));
+            return true;
+        } catch (const InputError&) {
+            return false;
+        }
+    };
+    CHECK(is_taken());
+    data["velocity_correlation"] = std::vector<double>(last + 1, 0.9);
+    CHECK_FALSE(is_taken());
+    data["velocity_correlation"] = std::vector<double>(last + 1, -0.9);
+    CHECK(is_taken());
+    data["rebound_velocity"][last] = data["velocity"][last].get<double>() + 0.035;
+    CHECK_FALSE(is_taken());
+}
+
 TEST_CASE("7-critical-velocity judges the regime, and a law out of its range is warned of") {
     Json document = one_sample("dmt");
     document["laws"] = {"dmt", "jkr"};

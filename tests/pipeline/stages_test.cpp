@@ -5,6 +5,7 @@
 
 #include "materials/separation_energy.hpp"
 #include "pipeline/case/case.hpp"
+#include "pipeline/case/case_reader.hpp"
 #include "pipeline/json/schema.hpp"
 #include "pipeline/run.hpp"
 #include "pipeline/stages/analytic.hpp"
@@ -15,6 +16,7 @@
 #include "pipeline/stages/fit.hpp"
 #include "pipeline/stages/modulus.hpp"
 #include "pipeline/stages/restitution.hpp"
+#include "pipeline/stages/uncertainty/calibration_problem.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/momentum_balance.hpp"
 #include "tests/pipeline/sandbox.hpp"
@@ -400,4 +402,15 @@ TEST_CASE("without adhesive laws no work of adhesion is needed") {
     const Json& comparison = artifacts.at("comparison.json").document["result"];
     CHECK(comparison["samples"][0]["analytic_critical_velocity"]["value"] == 0);
     CHECK(comparison["conclusion"].get<std::string>().find("there is none to compare") != std::string::npos);
+}
+
+TEST_CASE("a published contact time that states no uncertainty counts with a thousandth of itself") {
+    LoadedCase loaded = load_case(std::nullopt);
+    for (Sample& sample : loaded.data.samples)
+        for (auto& time : sample.published.value().contact_times)
+            time.contact_time.standard_uncertainty.reset();
+    const CalibrationProblem problem = calibration_problem(loaded.data, built_in());
+    REQUIRE(problem.contact_times.size() == 3);
+    for (const auto& time : problem.contact_times)
+        CHECK(relative_difference(time.standard_uncertainty, 1e-3 * time.value) < 1e-14);
 }

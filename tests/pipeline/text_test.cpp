@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "materials/base/text.hpp"
+#include "pipeline/cli/colors.hpp"
 #include "pipeline/text/artifact_text.hpp"
 #include "pipeline/text/comparison_table.hpp"
 #include "pipeline/text/readable.hpp"
@@ -26,6 +27,15 @@ TEST_CASE("quantities read in the unit that keeps them short") {
     CHECK(readable({.value = 1.5, .unit = "m/s", .standard_uncertainty = 4e-15}) == "1.5 m/s");
     CHECK(readable({.value = 0.47, .unit = "1", .standard_uncertainty = 0.02}) == "0.470 +- 0.020");
     CHECK(readable({.value = 2300, .unit = "kg/m3", .standard_uncertainty = 300}) == "2300 +- 300 kg/m3");
+}
+
+TEST_CASE(
+    "on a terminal the headings of tables are bold, the word warning is yellow, and the rest is as it was") {
+    CHECK(with_colors("name\n  -----\n1\n") == "\x1b[1mname\x1b[0m\n  -----\n1\n");
+    CHECK(with_colors("name\n--\n1\n") == "name\n--\n1\n");
+    CHECK(with_colors("a\nwarning: b\nc") == "a\n\x1b[33mwarning:\x1b[0m b\nc");
+    CHECK(with_colors("") == "");
+    CHECK(error_in_color("wrong\n") == "\x1b[31mwrong\x1b[0m\n");
 }
 
 TEST_CASE("a table keeps its columns whatever the width of its cells") {

@@ -131,7 +131,7 @@ SampleEstimate estimated(const XrdSample& sample, const PhaseCatalogue& catalogu
     result.porosity = porosity_of(options, result.composition.density, note);
     result.estimate = estimate_modulus(result.composition, {.rule = rule, .porosity = result.porosity});
     const auto stated =
-        result.porosity && !options.porosity.empty() ? std::optional(result.porosity->value) : std::nullopt;
+        options.porosity.empty() ? std::nullopt : std::optional(result.porosity.value().value);
     result.density = at_place("--particle-density", [&] {
         return particle_density(result.composition.density, stated, measured_density(options));
     });

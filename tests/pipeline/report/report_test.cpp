@@ -119,6 +119,18 @@ TEST_CASE("a run ends with a report that holds every figure, asks for nothing an
         CHECK_MESSAGE(ids.insert((*match)[1]).second, "twice: " << (*match)[1]);
 }
 
+TEST_CASE("in the sketch the contact radius is marked below the wall, half as wide as the contact") {
+    const std::string page = paper().read("results/report.html");
+    std::smatch contact;
+    std::smatch radius;
+    REQUIRE(std::regex_search(page, contact, std::regex(R"RE(d="M([0-9.]+) ([0-9.]+)h56")RE")));
+    REQUIRE(std::regex_search(page, radius,
+                              std::regex(R"RE(d="M([0-9.]+) ([0-9.]+)v10M([0-9.]+) [0-9.]+v10M)RE")));
+    CHECK(std::stod(radius[2]) > std::stod(contact[2]));
+    CHECK(std::stod(radius[1]) == std::stod(contact[1]) + 28);
+    CHECK(std::stod(radius[3]) == std::stod(radius[1]) + 28);
+}
+
 TEST_CASE("the content security policy lets the page's own style and script through, and nothing else") {
     const std::string page = paper().read("results/report.html");
     const std::string policy = between(page, "Content-Security-Policy\" content=\"", "\"");
