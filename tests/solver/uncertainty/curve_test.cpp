@@ -90,6 +90,40 @@ TEST_CASE("what can be recorded of an impact has probability one in all") {
     }
 }
 
+TEST_CASE("readings scatter alike near capture, where they are integrated, and beyond, where a line serves") {
+    const ContactModel model = ash_model(Law::of<Dmt>());
+    const CurveTable table(model, {0.1, 20.0});
+    const SmoothDamping curve(table, std::log(5.0), std::log(15.0), {-0.3, 0.02, 0, 0, 0, 0, 0});
+    const Scatter scatter{.noise = 1.0, .damping = 0.004, .outliers = 0.0};
+    const auto variance = [&](double log_velocity) {
+        RecordedImpact impact{.recorded = Recorded::rebound,
+                              .velocity = std::exp(log_velocity),
+                              .log_velocity = log_velocity,
+                              .rebound = 0.0,
+                              .incident_u = 0.05,
+                              .rebound_u = 0.05,
+                              .correlation = -0.6,
+                              .resolution = 0.0};
+        double sum = 0.0;
+        double first = 0.0;
+        double second = 0.0;
+        for (int i = 0; i < 5000; ++i) {
+            impact.rebound = 0.001 * i;
+            const double density = std::exp(log_probability(curve, scatter, impact));
+            sum += density;
+            first += density * impact.rebound;
+            second += density * impact.rebound * impact.rebound;
+        }
+        return second / sum - std::pow(first / sum, 2);
+    };
+    // One passes into the other between 0.05 and 0.08 above v_c, in ln v.
+    std::vector<double> found;
+    found.reserve(10);
+    for (int i = 0; i < 10; ++i) found.push_back(variance(std::log(5.0) + 0.05 + 0.005 * i));
+    for (std::size_t i = 1; i + 1 < found.size(); ++i)
+        CHECK(std::abs(found[i + 1] - 2.0 * found[i] + found[i - 1]) < 1.6e-5);
+}
+
 TEST_CASE("eight impacts give no absurd critical velocity") {
     const ContactModel model = ash_model(Law::of<Hertz>());
     const MeasurementSet set = told({{0.605, 0.0},
