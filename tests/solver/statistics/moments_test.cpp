@@ -8,8 +8,10 @@
 #include "solver/statistics/group_moments.hpp"
 #include "solver/statistics/pairwise_merge.hpp"
 #include "solver/statistics/philox.hpp"
+#include "tests/relative_difference.hpp"
 
 using namespace ashimpact;
+using test::relative_difference;
 
 namespace {
 
@@ -41,6 +43,26 @@ void check_same(const Moments& moments, const std::vector<double>& values) {
 }
 
 }  // namespace
+
+TEST_CASE("moments from sums about a guess are those about the mean, wherever the guess lies") {
+    const std::vector<double> values{1.0, 2.5, 2.75, 4.0, 9.0};
+    const Moments whole = Moments::of(values);
+    for (const double guess : {3.0, 3.85, 5.0}) {
+        DeviationSums sums{.count = 5, .guess = guess, .minimum = 1.0, .maximum = 9.0};
+        for (const double value : values) {
+            const double d = value - guess;
+            sums.first += d;
+            sums.second += d * d;
+            sums.third += d * d * d;
+            sums.fourth += d * d * d * d;
+        }
+        const Moments moments = Moments::of(sums);
+        CHECK(relative_difference(moments.mean, whole.mean) < 1e-14);
+        CHECK(relative_difference(moments.second, whole.second) < 1e-13);
+        CHECK(relative_difference(moments.third, whole.third) < 1e-12);
+        CHECK(relative_difference(moments.fourth, whole.fourth) < 1e-12);
+    }
+}
 
 TEST_CASE("moments agree with extended precision, also far from zero") {
     for (const double offset : {0.0, 1e6}) {
