@@ -15,11 +15,11 @@
 
 namespace ashimpact::batch {
 
+#ifdef __SANITIZE_THREAD__
 namespace {
 
-#ifdef __SANITIZE_THREAD__
 /// For the thread sanitizer, which does not see how the threads of TBB, a library built without it, wait for
-/// one another.
+/// one another. An exception of @p body ends the program.
 void in_threads(std::size_t count, const std::function<void(std::size_t)>& body) {
     std::atomic<std::size_t> next = 0;
     std::vector<std::jthread> crew;
@@ -28,9 +28,9 @@ void in_threads(std::size_t count, const std::function<void(std::size_t)>& body)
             for (std::size_t item = next++; item < count; item = next++) body(item);
         });
 }
-#endif
 
 }  // namespace
+#endif
 
 void for_chunks(std::size_t count, std::size_t chunk, int threads,
                 const std::function<void(std::size_t, std::size_t)>& body) {

@@ -37,7 +37,7 @@ class CohesiveVelocityMap {
   private:
     std::array<double, 2> centre_{};
     std::array<double, 2> spread_{};
-    std::optional<ChebyshevSurface> surface_{};  ///< none where v_c is not finite throughout
+    std::optional<ChebyshevSurface> surface_{};  ///< none where v_c is not finite and smooth throughout
 };
 
 }  // namespace ashimpact

@@ -27,6 +27,10 @@ namespace {
 using test::ashimpact_program;
 using test::Sandbox;
 
+constexpr const char* figures_of_a_run[] = {
+    "composition",  "static-force", "regime-map", "restitution", "damping",           "damping-fit",
+    "contact-time", "sizes",        "histories",  "energy",      "critical-velocity", "sensitivity"};
+
 const Sandbox& paper() {
     static const Sandbox sandbox;
     static const bool done = [] {
@@ -100,9 +104,7 @@ std::string unpacked(const std::string& pdf) {
 TEST_CASE("a run ends with a report that holds every figure, asks for nothing and stays small") {
     const std::string page = paper().read("results/report.html");
     CHECK(page.size() < 1'000'000);
-    for (const char* id :
-         {"composition", "static-force", "regime-map", "restitution", "damping", "damping-fit",
-          "contact-time", "sizes", "histories", "energy", "critical-velocity", "sensitivity"}) {
+    for (const char* id : figures_of_a_run) {
         CAPTURE(id);
         CHECK(page.find("<figure id=\"" + std::string(id) + "\">") != std::string::npos);
     }
@@ -167,9 +169,7 @@ TEST_CASE("the numbers of a figure are those of the artifact") {
 
 TEST_CASE("every figure comes with the numbers behind it, the histories with those of every law") {
     const RunData run(load_artifacts(paper().folder() / "results", report_artifacts()), "");
-    for (const char* id :
-         {"composition", "static-force", "regime-map", "restitution", "damping", "damping-fit",
-          "contact-time", "sizes", "histories", "energy", "critical-velocity", "sensitivity"}) {
+    for (const char* id : figures_of_a_run) {
         CAPTURE(id);
         const NumberTable numbers = figure_named(id, run).numbers;
         CHECK(!numbers.rows.empty());
