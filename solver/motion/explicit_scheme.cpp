@@ -2,6 +2,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/text.hpp"
+#include "solver/motion/hertz_contact.hpp"
 #include "solver/motion/orbit.hpp"
 #include "solver/motion/scaled_impact.hpp"
 
@@ -12,9 +13,6 @@
 namespace ashimpact {
 
 namespace {
-
-/// Contact time of an undamped Hertz impact in units of L/v.
-constexpr double hertz_contact_time = 3.21806546;
 
 /// Longest step that the scheme takes, in units of the undamped Hertz contact: beyond it nothing is resolved.
 constexpr double longest_step = 0.1;
@@ -41,7 +39,8 @@ std::string treatable_laws() {
 double longest_time_step(const Impact& impact) {
     const Scale scale = Scale::of(impact.contact, impact.velocity);
     const double damping = scale.damping_number(impact.damping);
-    return std::min(longest_step * hertz_contact_time, 1.0 / damping) * scale.time();
+    return std::min(longest_step * hertz_contact_time(impact.contact, impact.velocity),
+                    scale.time() / damping);
 }
 
 void require_treatable(const Impact& impact, const ExplicitSchemeOptions& options) {
@@ -124,7 +123,8 @@ struct Recurrence {
 double explicit_time_step(const Impact& impact, double steps) {
     const Scale scale = Scale::of(impact.contact, impact.velocity);
     const double damping = scale.damping_number(impact.damping);
-    return std::min(hertz_contact_time / steps, 1.0 / (steps_per_damping_time * damping)) * scale.time();
+    return std::min(hertz_contact_time(impact.contact, impact.velocity) / steps,
+                    scale.time() / (steps_per_damping_time * damping));
 }
 
 ImpactResult solve_impact_explicit(const Impact& impact, const ExplicitSchemeOptions& options) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
+#include <string>
 
 #include "materials/base/error.hpp"
 #include "pipeline/export/dem/dem.hpp"
@@ -146,6 +148,26 @@ TEST_CASE("inputs carry the conversions of the code") {
             CHECK(file.name.find("..") == std::string::npos);
             CHECK_FALSE(file.content.empty());
         }
+}
+
+TEST_CASE(
+    "LAMMPS gets the damping along its nodes: lines between them, and what it is at either end beyond") {
+    ExportSubject subject = ash("dmt");
+    subject.damping.nodes = {{1, 0.016}, {2, 0.012}, {4, 0.011}};
+    const std::string input = content(lammps_folder(subject), "ash_wall.in");
+    const auto at = input.find("ash_curve0 atom \"");
+    REQUIRE(at != std::string::npos);
+    const std::string curve = input.substr(at, input.find('\n', at) - at);
+    // A sum of ramps: the coefficient at the first node, and the change of slope at each.
+    const std::regex ramp(
+        R"RE(\(([-+.0-9e]+)\)\*\(f_ash_memory>([-+.0-9e]+)\)\*\(f_ash_memory-([-+.0-9e]+)\))RE");
+    for (const double velocity : {0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 9.0}) {
+        CAPTURE(velocity);
+        double sum = std::stod(curve.substr(curve.find('"') + 1));
+        for (std::sregex_iterator match(curve.begin(), curve.end(), ramp), end; match != end; ++match)
+            sum += std::stod((*match)[1]) * std::max(0.0, velocity - std::stod((*match)[2]));
+        CHECK(relative_difference(sum, subject.damping.coefficient(88e-6, velocity)) < 1e-12);
+    }
 }
 
 TEST_CASE("the assumptions of LAMMPS name each force that is added to its wall, and no other") {

@@ -130,6 +130,11 @@ TEST_CASE("a laboratory gets its damping and critical velocity back, within the 
     const auto& exact = extrapolated["uncertainty"]["taken_as_exact"];
     CHECK(std::find(exact.begin(), exact.end(), "diameter") != exact.end());
 
+    // The modulus is uncertain by its phases, each an input of its own.
+    for (const char* phase : {"quartz", "mullite", "hematite"})
+        CHECK(extrapolated["uncertainty"]["relative_standard_uncertainties"].contains(
+            std::string("Young's modulus of ") + phase));
+
     const Json& measured = result(artifacts, "7-critical-velocity.json")["measured"];
     CHECK(measured["fastest_capture"]["value"].get<double>() < laboratory.critical_velocity);
     CHECK(measured["slowest_rebound"]["value"].get<double>() > laboratory.critical_velocity);

@@ -27,7 +27,7 @@ void check_bytes(std::string_view bytes, const TextLimits& limits) {
             line_start = i + 1;
             const bool crlf = c == '\r' && bytes.substr(i + 1).starts_with('\n');
             line += crlf ? 0 : 1;
-        } else if (i - line_start > longest_line) {
+        } else if (i - line_start >= longest_line) {
             throw InputError("the line is longer than a megabyte", "a text file with lines")
                 .at(at_line(line));
         } else if ((c < 0x20 && c != '\t' && c != '\f' && c != 0x1a) || c == 0x7f) {

@@ -12,6 +12,7 @@
 #include "pipeline/text/readable.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/contact/sjkr.hpp"
+#include "solver/motion/hertz_contact.hpp"
 
 namespace ashimpact {
 
@@ -30,11 +31,8 @@ bool is(const ExportSubject& subject, std::string_view law) {
     return subject.law.name() == law;
 }
 
-/// Contact time of an elastic Hertz impact [s]: 3.218 (m^2/(k^2 v))^(1/5); Johnson 1985, section 11.4.
 double hertz_time(const ExportSubject& subject, double diameter, double velocity) {
-    const ContactPair contact = contact_at(subject, diameter);
-    const double k = hertz_stiffness(contact);
-    return 3.21806546 * std::pow(contact.mass * contact.mass / (k * k * velocity), 0.2);
+    return hertz_contact_time(contact_at(subject, diameter), velocity);
 }
 
 /// Steps to run, in contacts.

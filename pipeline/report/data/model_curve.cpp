@@ -9,6 +9,7 @@
 #include "pipeline/report/data/impact_search.hpp"
 #include "solver/measurement/interpolation.hpp"
 #include "solver/motion/maugis/cohesive_impact.hpp"
+#include "solver/statistics/inference/interval.hpp"
 
 namespace ashimpact::report {
 
@@ -23,7 +24,6 @@ constexpr int costly_band_stride = 4;
 constexpr double enough_for_curve = 1e-5;
 constexpr double enough_for_costly_band = 1e-3;
 static_assert((costly_curve_points - 1) % costly_band_stride == 0, "the band ends where the curve does");
-constexpr double normal_quantile_95 = 1.959963984540054;  // two-sided
 
 using Values = Eigen::ArrayXd;
 
@@ -133,7 +133,7 @@ Band band_at(const CurveProblem& problem, const Values& e) {
     const Values at = e(some);
     const Values eta = at.unaryExpr(damping_at);
     const Values half = at.binaryExpr(eta, [&](double each, double damping) {
-        return std::min(normal_quantile_95 * uncertainty_at(problem, each), 0.9 * damping);
+        return std::min(confidence_quantile() * uncertainty_at(problem, each), 0.9 * damping);
     });
     if (!found.isFinite().any() || !(half > 0).any()) return band;
     Values damping(2 * at.size());

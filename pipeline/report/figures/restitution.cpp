@@ -6,12 +6,11 @@
 #include "pipeline/report/figures/axis_units.hpp"
 #include "pipeline/report/figures/figures.hpp"
 #include "pipeline/report/figures/law_series.hpp"
+#include "solver/statistics/inference/interval.hpp"
 
 namespace ashimpact::report {
 
 namespace {
-
-constexpr double quantile = 1.959963984540054;  // of the normal distribution, 95 % two-sided
 
 /// The impacts of one series: the law's own where reconstructed, shared by all laws where measured.
 Series impacts_series(const SampleData& sample, const LawData& law) {
@@ -23,7 +22,7 @@ Series impacts_series(const SampleData& sample, const LawData& law) {
         const double e = impact.restitution();
         double error = 0;
         if (!reconstructed && impact.noise)
-            error = quantile *
+            error = confidence_quantile() *
                     std::sqrt(std::max(0.0, impact.noise->rebound + e * e * impact.noise->incident -
                                                 2 * e * impact.noise->covariance)) /
                     impact.velocity;

@@ -8,20 +8,11 @@
 namespace ashimpact {
 
 Crew::Crew(int threads, Work work)
-    : threads_(static_cast<std::size_t>(threads)),
-      work_(std::move(work)),
-      threads_allowed_(tbb::global_control::max_allowed_parallelism,
-                       threads_ + 1),  // they and the one that waits
-      arena_(threads, 0) {}
-
-Crew::~Crew() noexcept {
-    tasks_.cancel();
-    arena_.execute([this] { tasks_.wait(); });
-}
+    : capacity_(2 * static_cast<std::size_t>(threads)), work_(std::move(work)), threads_(threads) {}
 
 void Crew::assign(const Block& block) {
     ++assigned_;
-    arena_.enqueue(tasks_.defer([this, block] { compute(block); }));
+    threads_.start([this, block] { compute(block); });
 }
 
 void Crew::compute(const Block& block) {

@@ -1,15 +1,12 @@
 #pragma once
 
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/task_arena.h>
-#include <oneapi/tbb/task_group.h>
-
 #include <condition_variable>
 #include <deque>
 #include <exception>
 #include <mutex>
 
 #include "pipeline/sweep/crew/team.hpp"
+#include "pipeline/sweep/crew/threads.hpp"
 
 namespace ashimpact {
 
@@ -17,13 +14,8 @@ namespace ashimpact {
 class Crew : public Team {
   public:
     Crew(int threads, Work work);
-    ~Crew() noexcept override;
-    Crew(const Crew&) = delete;
-    Crew& operator=(const Crew&) = delete;
-    Crew(Crew&&) = delete;
-    Crew& operator=(Crew&&) = delete;
 
-    [[nodiscard]] std::size_t capacity() const override { return 2 * threads_; }
+    [[nodiscard]] std::size_t capacity() const override { return capacity_; }
     [[nodiscard]] std::size_t vacancies() const override { return capacity() - assigned_; }
     void assign(const Block& block) override;
     [[nodiscard]] std::optional<FinishedBlock> finished(std::chrono::microseconds patience) override;
@@ -31,7 +23,7 @@ class Crew : public Team {
   private:
     void compute(const Block& block);
 
-    std::size_t threads_;
+    std::size_t capacity_;
     Work work_;
     std::size_t assigned_ = 0;  ///< blocks not yet returned by finished()
 
@@ -40,9 +32,7 @@ class Crew : public Team {
     std::deque<FinishedBlock> finished_;
     std::exception_ptr failure_;
 
-    tbb::global_control threads_allowed_;
-    tbb::task_arena arena_;
-    tbb::task_group tasks_;
+    Threads threads_;  ///< last, so that they have ended before what they use goes
 };
 
 /// Number of threads for this process: its share of the cores that the processes of the job may use on this

@@ -186,6 +186,12 @@ TEST_CASE("the first hour: what is still of init's example is told, and nothing 
     told = warnings();
     CHECK_MESSAGE(told.find("/camera") != std::string::npos, told);
     CHECK_MESSAGE(told.find("/wall") == std::string::npos, told);
+    CHECK_MESSAGE(told.find("/samples/0/composition/amorphous") != std::string::npos, told);
+    CHECK_MESSAGE(told.find("weight_fractions") == std::string::npos, told);
+    document["samples"][0]["composition"]["amorphous"] = "30 %";
+    sandbox.write("mine/case.json", document.dump(1));
+    told = warnings();
+    CHECK_MESSAGE(told.find("/composition") == std::string::npos, told);
     document.erase("camera");
     sandbox.write("mine/case.json", document.dump(1));
     CHECK(warnings().find("of the example") == std::string::npos);

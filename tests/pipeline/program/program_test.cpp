@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 #include <sstream>
 #include <string>
 
@@ -65,10 +66,13 @@ TEST_CASE("impact: the energies printed add up, with adhesion, damping and yield
         const auto run =
             ashimpact_program(sandbox, fmt::format("impact --velocity '5 m/s' --law {}{}", law, ammonium));
         REQUIRE(run.status == 0);
+        const double mass = 1350 * 4.0 / 3.0 * std::numbers::pi * std::pow(2.45e-6, 3);
+        const std::string incident = fmt::format(" {:.3f} pJ", 1e12 * 0.5 * mass * 25.0);
         double before = 0;
         double after = 0;
         std::istringstream lines(run.out);
         for (std::string line; std::getline(lines, line);) {
+            if (line.starts_with("incident energy")) CHECK_MESSAGE(line.ends_with(incident), line);
             for (const char* term : {"incident energy", "  at first touch", "  dissipated",
                                      "  spent in yielding", "  left in motion", "  left in the contact"}) {
                 if (!line.starts_with(term)) continue;

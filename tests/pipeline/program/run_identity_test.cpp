@@ -34,6 +34,14 @@ void check_command_refused(const Sandbox& sandbox, const std::string& arguments,
     CHECK(sandbox.everything() == before);
 }
 
+/// The analytic v_c of the first sample is that of this mass.
+void check_analytic_velocity(const Sandbox& sandbox, double mass) {
+    const Json analytic = sandbox.json("one/3-analytic.json")["result"]["samples"][0];
+    const double energy = analytic["separation_energy"]["value"];
+    const double velocity = analytic["critical_velocity"]["value"];
+    CHECK(velocity == doctest::Approx(std::sqrt(2 * energy / mass)).epsilon(1e-4));
+}
+
 }  // namespace
 
 TEST_CASE("every artifact carries the identity of its run; a mixture of two runs is refused") {
@@ -278,10 +286,21 @@ TEST_CASE("an edited density changes the mass, and v_c with it") {
     const auto run = ashimpact_program(sandbox, "run -o one --from analytic");
     REQUIRE_MESSAGE(run.status == 0, run.err);
     CHECK_MESSAGE(run.err.find("mass: follows radius and density") != std::string::npos, run.err);
-    const Json analytic = sandbox.json("one/3-analytic.json")["result"]["samples"][0];
-    const double energy = analytic["separation_energy"]["value"];
-    const double velocity = analytic["critical_velocity"]["value"];
-    CHECK(velocity == doctest::Approx(std::sqrt(2 * energy / mass)).epsilon(1e-4));
+    check_analytic_velocity(sandbox, mass);
+}
+
+TEST_CASE("an edited mass changes the density, and v_c with it") {
+    const Sandbox sandbox;
+    run_case(sandbox, quick_case(), "one");
+    Json artifact = sandbox.json("one/2-contact.json");
+    Json& sample = artifact["result"]["samples"][0];
+    const double mass = 1.5 * sample["mass"]["value"].get<double>();
+    sample["mass"]["value"] = mass;
+    sandbox.write("one/2-contact.json", artifact.dump());
+    const auto run = ashimpact_program(sandbox, "run -o one --from analytic");
+    REQUIRE_MESSAGE(run.status == 0, run.err);
+    CHECK_MESSAGE(run.err.find("density: follows the mass") != std::string::npos, run.err);
+    check_analytic_velocity(sandbox, mass);
 }
 
 TEST_CASE("artifacts and cases of another schema version are refused by version") {

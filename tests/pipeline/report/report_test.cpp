@@ -15,6 +15,7 @@
 #include "pipeline/files/sha256.hpp"
 #include "pipeline/report/data/model_curve.hpp"
 #include "pipeline/report/drawing/markup.hpp"
+#include "pipeline/report/figure_file.hpp"
 #include "pipeline/report/figures/figures.hpp"
 #include "pipeline/report/report.hpp"
 #include "solver/motion/impact.hpp"
@@ -131,6 +132,37 @@ TEST_CASE("in the sketch the contact radius is marked below the wall, half as wi
     CHECK(std::stod(radius[2]) > std::stod(contact[2]));
     CHECK(std::stod(radius[1]) == std::stod(contact[1]) + 28);
     CHECK(std::stod(radius[3]) == std::stod(radius[1]) + 28);
+}
+
+TEST_CASE("each sphere of the sketch stands in the middle of its part of the wall") {
+    const std::string page = paper().read("results/report.html");
+    const std::string wide = between(page, "<svg class=\"wide\"", "</svg>");
+    std::vector<double> middles;
+    std::vector<double> walls;
+    const std::regex circle(R"RE(<circle class="frame" cx="([0-9.]+)")RE");
+    const std::regex wall(R"RE(<rect class="shade" x="([0-9.]+)" y="[0-9.]+" width="280")RE");
+    for (std::sregex_iterator match(wide.begin(), wide.end(), circle), end; match != end; ++match)
+        middles.push_back(std::stod((*match)[1]));
+    for (std::sregex_iterator match(wide.begin(), wide.end(), wall), end; match != end; ++match)
+        walls.push_back(std::stod((*match)[1]) + 140);
+    CHECK(middles == std::vector<double>{140, 420, 700});
+    CHECK(walls == middles);
+}
+
+TEST_CASE("the map of laws: its ends, and the load above which Hertz is enough") {
+    const RunData run(load_artifacts(paper().folder() / "results", report_artifacts()), "");
+    const Figure figure = figure_named("regime-map", run);
+    const auto& panel = std::get<XyPanel>(figure.panels.at(0));
+    CHECK(panel.x.from == 0.01);
+    CHECK(panel.x.to == 100);
+    const std::vector<Point>& line = panel.series.at(0).line;
+    CHECK(line.front().x == doctest::Approx(0.01).epsilon(1e-12));
+    CHECK(line.back().x == doctest::Approx(100).epsilon(1e-12));
+    // Adhesion is 5 % of the load P: Maugis's equations solved apart from this program (40 in DMT's limit).
+    CHECK(line.front().y == doctest::Approx(47.8038194).epsilon(1e-7));
+    // By JKR sqrt(6 x) = 0.05 P with P = x - sqrt(6 x).
+    const double root = 1.05 * std::sqrt(6.0) / 0.05;
+    CHECK(line.back().y == doctest::Approx(root * root - std::sqrt(6.0) * root).epsilon(1e-3));
 }
 
 TEST_CASE("the content security policy lets the page's own style and script through, and nothing else") {
@@ -466,6 +498,33 @@ TEST_CASE("a figure as SVG, PDF and PNG, for one column and for two") {
     CHECK(paper().read("again.pdf") == bytes);
     REQUIRE(ashimpact_program(paper(), "figure restitution results -o figure.png").status == 0);
     CHECK(paper().read("figure.png").starts_with("\x89PNG"));
+}
+
+TEST_CASE("a figure that is larger than a pipe holds goes through the converter whole") {
+    try {
+        require_converter(FigureFormat::pdf);
+    } catch (const InputError&) {
+        MESSAGE("SKIPPED: no rsvg-convert, so no PDF");
+        CHECK(std::getenv("CI") == nullptr);
+        return;
+    }
+    Series many{.name = "many", .legend = "many", .look = Look::plain(0)};
+    for (int i = 0; i < 4000; ++i) many.marks.push_back({i / 4000.0, i * 7919 % 4000 / 4000.0, 0, 0});
+    XyPanel panel{.title = "", .x = {.label = "x"}, .y = {.label = "y"}};
+    panel.series.push_back(std::move(many));
+    const Figure figure{.id = "many",
+                        .title = "Many marks",
+                        .counterpart = {},
+                        .caption = "",
+                        .panels = {std::move(panel)},
+                        .numbers = {},
+                        .columns = 1,
+                        .panel_height = 320};
+    const std::string svg = figure_bytes(figure, Width::wide, FigureFormat::svg);
+    REQUIRE(svg.size() > 200'000);
+    const std::string pdf = figure_bytes(figure, Width::wide, FigureFormat::pdf);
+    CHECK(pdf.starts_with("%PDF"));
+    CHECK(pdf.find("%%EOF") != std::string::npos);
 }
 
 }  // namespace ashimpact::report

@@ -264,3 +264,11 @@ TEST_CASE("an input that no law uses is said, not refused") {
     REQUIRE(spec.warnings.size() == 1);
     CHECK(spec.warnings[0].find("work_of_adhesion changes nothing") != std::string::npos);
 }
+
+TEST_CASE("every parameter of a law is an input of its own, by its name") {
+    REQUIRE(law_parameters().size() > 1);
+    for (const LawParameter& parameter : law_parameters()) {
+        CAPTURE(parameter.name);
+        CHECK(name_of(input_of(parameter)) == parameter.name);
+    }
+}

@@ -1,8 +1,9 @@
 // Loaded before the program (LD_PRELOAD), it has one system call of the write phase fail, or kills the
 // process there. The write phase begins when the folder of the new files is made, or with
 // ASHIMPACT_FAULT_FROM=0 at once. ASHIMPACT_FAULT_CALL: which call, from 1 on; ASHIMPACT_FAULT_ERROR: the
-// errno it fails with, or "kill". ASHIMPACT_FAULT_COUNT: a file that gets one byte for each call seen, so
-// that a test knows how many there are.
+// errno it fails with, or "kill". ASHIMPACT_FAULT_COUNT: a file that gets one letter for each call seen, so
+// that a test knows how many there are and in which order: f for fsync, F for that of a folder, R for rename,
+// others for others.
 #ifndef _GNU_SOURCE
 #define _GNU_SOURCE 1
 #endif
@@ -34,14 +35,14 @@ const char* setting(const char* name) {
     return std::getenv(name);
 }
 
-void count_call() {
+void count_call(char letter) {
     const char* file = setting("ASHIMPACT_FAULT_COUNT");
     if (file == nullptr) return;
     static auto* const open_file = real<int(const char*, int, ...)>("open");
     static auto* const write_file = real<ssize_t(int, const void*, size_t)>("write");
     const int stream = open_file(file, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
     if (stream < 0) return;
-    static_cast<void>(write_file(stream, ".", 1));
+    static_cast<void>(write_file(stream, &letter, 1));
     static auto* const close_file = real<int(int)>("close");
     close_file(stream);
 }
@@ -61,10 +62,10 @@ bool is_first() {
 }
 
 /// Whether this call is the one that fails; errno is set then.
-bool fails() {
+bool fails(char letter) {
     if (!in_write_phase) return false;
     const int before = errno;
-    count_call();
+    count_call(letter);
     errno = before;
     const char* which = setting("ASHIMPACT_FAULT_CALL");
     const char* error = setting("ASHIMPACT_FAULT_ERROR");
@@ -89,7 +90,7 @@ extern "C" {
 
 int mkdir(const char* path, mode_t mode) {
     if (std::strstr(path, ".ashimpact-new") != nullptr) in_write_phase = true;
-    if (fails()) return -1;
+    if (fails('m')) return -1;
     return real<int(const char*, mode_t)>("mkdir")(path, mode);
 }
 
@@ -98,7 +99,7 @@ int open(const char* path, int flags, ...) {
     va_start(rest, flags);
     const mode_t mode = (flags & O_CREAT) != 0 ? va_arg(rest, mode_t) : 0;
     va_end(rest);
-    if (fails()) return -1;
+    if (fails('o')) return -1;
     return real<int(const char*, int, ...)>("open")(path, flags, mode);
 }
 
@@ -107,22 +108,24 @@ int open64(const char* path, int flags, ...) {
     va_start(rest, flags);
     const mode_t mode = (flags & O_CREAT) != 0 ? va_arg(rest, mode_t) : 0;
     va_end(rest);
-    if (fails()) return -1;
+    if (fails('o')) return -1;
     return real<int(const char*, int, ...)>("open64")(path, flags, mode);
 }
 
 ssize_t write(int file, const void* bytes, size_t count) {
-    if (file > 2 && fails()) return -1;
+    if (file > 2 && fails('w')) return -1;
     return real<ssize_t(int, const void*, size_t)>("write")(file, bytes, count);
 }
 
 int fsync(int file) {
-    if (fails()) return -1;
+    struct stat status {};
+    const bool is_folder = fstat(file, &status) == 0 && S_ISDIR(status.st_mode);
+    if (fails(is_folder ? 'F' : 'f')) return -1;
     return real<int(int)>("fsync")(file);
 }
 
 int close(int file) {
-    const bool failing = fails();
+    const bool failing = fails('c');
     const int error = errno;
     const int result = real<int(int)>("close")(file);
     if (!failing) return result;
@@ -131,42 +134,42 @@ int close(int file) {
 }
 
 int rename(const char* from, const char* to) {
-    if (fails()) return -1;
+    if (fails('R')) return -1;
     return real<int(const char*, const char*)>("rename")(from, to);
 }
 
 int link(const char* from, const char* to) {
-    if (fails()) return -1;
+    if (fails('l')) return -1;
     return real<int(const char*, const char*)>("link")(from, to);
 }
 
 int unlink(const char* path) {
-    if (fails()) return -1;
+    if (fails('u')) return -1;
     return real<int(const char*)>("unlink")(path);
 }
 
 int unlinkat(int folder, const char* path, int flags) {
-    if (fails()) return -1;
+    if (fails('u')) return -1;
     return real<int(int, const char*, int)>("unlinkat")(folder, path, flags);
 }
 
 int remove(const char* path) {
-    if (fails()) return -1;
+    if (fails('r')) return -1;
     return real<int(const char*)>("remove")(path);
 }
 
 int pipe(int ends[2]) {
-    if (fails()) return -1;
+    if (fails('p')) return -1;
     return real<int(int*)>("pipe")(ends);
 }
 
 pid_t fork() {
-    if (fails()) return -1;
+    if (fails('k')) return -1;
     return real<pid_t()>("fork")();
 }
 
 pid_t waitpid(pid_t process, int* status, int options) {
-    if (fails()) return -1;
+    if (fails('w')) return -1;
     return real<pid_t(pid_t, int*, int)>("waitpid")(process, status, options);
 }
 }

@@ -90,13 +90,18 @@ std::vector<std::string> with_fault(const Sandbox& counts, long call, const std:
             "ASHIMPACT_FAULT_ERROR=" + error, "ASHIMPACT_FAULT_COUNT=" + counts.path("calls")};
 }
 
-/// How many system calls a write phase has in which nothing fails.
-long calls_of(const Scene& scene) {
+/// The system calls of a write phase in which nothing fails, a letter each.
+std::string letters_of(const Scene& scene) {
     const Sandbox sandbox;
     const Sandbox counts;
     scene.restore(sandbox);
     CHECK(test::run(sandbox, command(), with_fault(counts, 0, "kill")).status == 0);
-    return static_cast<long>(counts.read("calls").size());
+    return counts.read("calls");
+}
+
+/// How many they are.
+long calls_of(const Scene& scene) {
+    return static_cast<long>(letters_of(scene).size());
 }
 
 /// Waits until the process that renames, which outlives a run that is killed, is done too.
@@ -142,6 +147,16 @@ TEST_CASE("each system call of the write phase fails once: the folder is the old
         CHECK(calls > 20);
         if (error != EINTR) CHECK(refused > 5);
     }
+}
+
+TEST_CASE("new files and their folder are on the disk before the first rename, the renames at the end") {
+    const std::string calls = letters_of(Scene());
+    CAPTURE(calls);
+    REQUIRE(calls.find('R') != std::string::npos);
+    CHECK(calls.find('f') < calls.find('F'));
+    CHECK(calls.find('F') < calls.find('R'));
+    REQUIRE(calls.rfind('F') != std::string::npos);
+    CHECK(calls.rfind('F') > calls.rfind('R'));
 }
 
 TEST_CASE("killed at each system call of the write phase, the folder is the old run or the new one") {

@@ -64,16 +64,22 @@ TEST_CASE("damping found from a restitution gives it back") {
         }
         Impacts again = impacts.picked(rebounds);
         const Eigen::ArrayXd wanted = forward.restitution(rebounds);
+        Impacts undamped = again;
+        undamped.damping.setZero();
+        const Eigen::ArrayXd greatest = solve_impacts(undamped.batch()).restitution;
         CAPTURE(impacts.law.name());
         CAPTURE(name_of(impacts.detachment));
         CAPTURE(name_of(impacts.damping_law));
         for (const BatchMethod method : {BatchMethod::integration, BatchMethod::table}) {
             CAPTURE(method);
-            again.damping = dampings_from_restitutions(damping_batch(again, wanted), 1, method).damping;
+            const DampingBatchResult found =
+                dampings_from_restitutions(damping_batch(again, wanted), 1, method);
+            again.damping = found.damping;
             for (Eigen::Index i = 0; i < again.size(); ++i) {
                 CAPTURE(i);
                 ImpactResult target = solve_impact(again.at(i));
                 CHECK(conditioned_error(wanted[i], target) <= 3e-12);
+                CHECK(relative_difference(found.greatest_restitution[i], greatest[i]) <= 1e-12);
             }
         }
     }

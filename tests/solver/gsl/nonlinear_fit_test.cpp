@@ -104,12 +104,19 @@ TEST_CASE("an exact model is recovered at any scale") {
     CHECK(fit.chi_squared < 1e-18);
 }
 
-TEST_CASE("too few iterations are a failure, not an answer") {
+TEST_CASE("too few iterations are a failure, not an answer, in whatever unit the residuals are") {
     const Certified misra = misra_problem();
-    CHECK_THROWS_AS(
-        static_cast<void>(gsl::fit_nonlinear([&](const Eigen::VectorXd& b) { return misra.residuals(b); },
-                                             Eigen::Vector2d(500.0, 1e-4), {.most_iterations = 1})),
-        ConvergenceError);
+    for (const double unit : {1e-6, 1.0, 1e6}) {
+        CAPTURE(unit);
+        const auto residuals = [&](const Eigen::VectorXd& b) -> Eigen::VectorXd {
+            return unit * misra.residuals(b);
+        };
+        const Eigen::Vector2d start(500.0, 1e-4);
+        CHECK_THROWS_AS(static_cast<void>(gsl::fit_nonlinear(residuals, start, {.most_iterations = 2})),
+                        ConvergenceError);
+        CHECK(relative_difference(gsl::fit_nonlinear(residuals, start).parameters[0],
+                                  misra.data["parameters"][0].get<double>()) < 1e-6);
+    }
 }
 
 TEST_CASE("what the residuals throw comes out of GSL unchanged") {

@@ -3,7 +3,10 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <numbers>
 
+#include "solver/motion/hertz_contact.hpp"
+#include "solver/motion/impact.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/contact_cases.hpp"
 
@@ -28,6 +31,20 @@ TEST_CASE("the units of the scaled impact: mass, Hertz stiffness and velocity ar
     }
     // At 2 m/s: L = (9.277e-10 * 4/7.96e8)^0.4 m; the greatest overlap of the reference impact is 1.093 L.
     CHECK(relative_difference(Scale::of(pair, 2.0).length * std::pow(1.25, 0.4), 1.2770060733e-7) < 1e-10);
+}
+
+TEST_CASE("the contact time of Hertz is that of the solver, and Johnson's closed form") {
+    const ContactPair pair = ash(0.0);
+    const double scaled =
+        2 * std::pow(1.25, 0.4) * std::sqrt(std::numbers::pi) * std::tgamma(1.4) / std::tgamma(0.9);
+    for (const double v : ash_velocities) {
+        CAPTURE(v);
+        const double time = hertz_contact_time(pair, v);
+        CHECK(relative_difference(time, scaled * Scale::of(pair, v).time()) < 1e-14);
+        const ImpactResult impact =
+            solve_impact({Law::of<Hertz>(), Detachment::zero_overlap, {DampingLaw::constant, 0.0}, pair, v});
+        CHECK(relative_difference(time, impact.contact_time.value()) < 1e-12);
+    }
 }
 
 TEST_CASE(

@@ -166,6 +166,24 @@ TEST_CASE("the velocity at which a contact just yields, with the adhesion of its
     CHECK(*regime_of(impact, 1e-7).law_yield_velocity == 0.0);
 }
 
+TEST_CASE("maugis-dugdale just yields where the undamped impact has the yield pressure in its centre") {
+    Impact impact = impact_with(Law::of<MaugisDugdale>(), 0.3, 0.5);
+    impact.damping.coefficient = 0.0;
+    impact.contact.parameters = ash(0.3).parameters;
+    impact.contact.yield_pressure = 2e9;
+    const double at_yield = *regime_of(impact, 1e-7).law_yield_velocity;
+    // Cohesion pulls the centre less than JKR would, and takes from the pressure of Hertz.
+    CHECK(at_yield > 0.5);
+    CHECK(at_yield < 1.0);
+    for (const double side : {-1e-3, 0.0, 1e-3}) {
+        CAPTURE(side);
+        impact.velocity = at_yield * (1.0 + side);
+        const Regime regime = regime_of(impact, solve_impact(impact).maximum_overlap);
+        if (side == 0.0) CHECK(relative_difference(regime.greatest_pressure, 2e9) < 1e-9);
+        if (side != 0.0) CHECK(regime.yields == (side > 0.0));
+    }
+}
+
 TEST_CASE("damping that keeps a contact below yield keeps the warning away") {
     Impact impact = impact_with(Law::of<Hertz>(), 0.0, 0.75);
     impact.contact.yield_pressure = 2e9;  // V_y = 0.676 m/s

@@ -6,6 +6,7 @@
 
 #include "solver/uncertainty/curve/headline.hpp"
 #include "solver/uncertainty/curve/impact_groups.hpp"
+#include "tests/relative_difference.hpp"
 #include "tests/solver/uncertainty/ash_laboratory.hpp"
 #include "tests/support/errors.hpp"
 
@@ -64,6 +65,20 @@ TEST_CASE("the fastest impact counts from a tenth above v_c on") {
     CHECK(restitution(-1.0) == restitution(0.1));
     CHECK(restitution(0.09) == restitution(0.1));
     CHECK(restitution(0.1005) != restitution(0.1));
+}
+
+TEST_CASE("up to its first place above v_c the slope of a curve is a line through the next two") {
+    const ContactModel model = ash_model(Law::of<Dmt>());
+    const CurveTable table(model, {0.1, 20.0});
+    const double critical = std::log(1.3);
+    const double fastest = std::log(5.0);
+    const SmoothDamping curve(table, critical, fastest, {-0.3, 0.02, 0, 0, 0, 0, 0});
+    const auto slope = [&](double places) {
+        const double root = places * std::sqrt(fastest + 0.25 - critical) / 56;
+        return curve.at(critical + root * root).by_distance;
+    };
+    CHECK(relative_difference(slope(0.5), 1.5 * slope(1.0) - 0.5 * slope(2.0)) < 1e-9);
+    CHECK(relative_difference(slope(0.5), (slope(0.25) + slope(0.75)) / 2.0) < 1e-9);
 }
 
 TEST_CASE("what can be recorded of an impact has probability one in all") {

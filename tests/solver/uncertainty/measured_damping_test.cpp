@@ -10,6 +10,7 @@
 
 #include "materials/contact_properties.hpp"
 #include "solver/statistics/moments.hpp"
+#include "solver/uncertainty/likelihood/rebound_selection.hpp"
 #include "solver/uncertainty/outcomes/rebound_check.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/solver/uncertainty/ash_laboratory.hpp"
@@ -190,6 +191,8 @@ TEST_CASE("one wild impact is flagged, stays in, and a robust fit takes it back"
     CHECK(std::find(result.parts.outliers.begin(), result.parts.outliers.end(), index) !=
           result.parts.outliers.end());
     CHECK(has_note(result, "flagged and left in"));
+    // Impacts that come from no file are counted from 1 on.
+    CHECK(has_note(result, std::to_string(result.parts.outliers.front() + 1)));
     CHECK(result.rising->set.points.size() == set.points.size());
 
     const ContactModel model = ash_model(Law::of<BrachDunn>());
@@ -411,6 +414,19 @@ TEST_CASE("degenerate: restitution above one is set aside and counted") {
     REQUIRE(result.extrapolated);
     REQUIRE(result.extrapolated->fit.excluded.size() == 1);
     CHECK(result.extrapolated->fit.excluded[0].index == set.points.size() - 1);
+}
+
+TEST_CASE("a rebound faster than its impact is excluded beyond three uncertainties of their difference") {
+    // Both velocities err alike: their difference is known better than each.
+    const VelocityNoise noise{.incident = 1e-4, .rebound = 1e-4, .covariance = 0.9e-4};
+    const ContactModel model = ash_model(Law::of<BrachDunn>());
+    for (const double uncertainties : {2.95, 3.05}) {
+        CAPTURE(uncertainties);
+        MeasurementSet set = measured(40);
+        set.points.push_back(
+            {.velocity = 2.0, .rebound = 2.0 + uncertainties * std::sqrt(0.2e-4), .noise = noise});
+        CHECK(select_rebounds(model, set).excluded.size() == (uncertainties > 3 ? 1 : 0));
+    }
 }
 
 TEST_CASE("degenerate: order does not matter, duplicates count as what they are") {

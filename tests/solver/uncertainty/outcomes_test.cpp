@@ -241,6 +241,25 @@ TEST_CASE("bins hold the mean of their impacts and its uncertainty; captures sta
     CHECK_THROWS_AS(static_cast<void>(binned(set, {})), InputError);
 }
 
+TEST_CASE("the uncertainty of a bin is that of its weighted mean, with what both velocities share") {
+    const VelocityNoise good{.incident = 1e-4, .rebound = 2e-4, .covariance = 0.5e-4};
+    const VelocityNoise poor{.incident = 4e-4, .rebound = 5e-4, .covariance = -2e-4};
+    const MeasurementSet pair = binned(set_of({{.velocity = 2.0, .rebound = 0.6, .noise = good},
+                                               {.velocity = 2.2, .rebound = 0.8, .noise = poor}}),
+                                       {.impacts_per_bin = 2});
+    REQUIRE(pair.points.size() == 1);
+    const double first = 1 / 3e-4;  // weights
+    const double second = 1 / 9e-4;
+    const auto of_mean = [&](double x, double y) {
+        return (first * first * x + second * second * y) / ((first + second) * (first + second));
+    };
+    const Measurement& mean = pair.points[0];
+    CHECK(relative_difference(mean.velocity, (first * 2.0 + second * 2.2) / (first + second)) < 1e-14);
+    CHECK(relative_difference(mean.noise->incident, of_mean(1e-4, 4e-4)) < 1e-14);
+    CHECK(relative_difference(mean.noise->rebound, of_mean(2e-4, 5e-4)) < 1e-14);
+    CHECK(relative_difference(mean.noise->covariance, of_mean(0.5e-4, -2e-4)) < 1e-14);
+}
+
 TEST_CASE("three parts of eta(v_in): falling, flat, rising") {
     const ContactModel model = ash_model(Law::of<BrachDunn>());
     // eta falls as v^-1 to 2 m/s, is flat, and rises as v from 5 m/s on.

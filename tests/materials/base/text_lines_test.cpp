@@ -1,0 +1,24 @@
+#include "materials/base/tables/text_lines.hpp"
+
+#include <doctest/doctest.h>
+
+#include "materials/base/error.hpp"
+
+using namespace ashimpact;
+
+TEST_CASE("lines of a megabyte are read, wherever they stand; longer ones are refused with their number") {
+    const std::string megabyte(std::size_t{1} << 20, 'x');
+    for (const char* end : {"\n", "\r\n", "\r"}) {
+        const TextLines lines(megabyte + end + megabyte + end + "last", {});
+        REQUIRE(lines.lines().size() == 3);
+        CHECK(lines.lines()[1].text.size() == megabyte.size());
+        CHECK(lines.lines()[2].text == "last");
+        std::string message;
+        try {
+            const TextLines refused(megabyte + end + megabyte + "x" + end, {});
+        } catch (const InputError& error) {
+            message = error.what();
+        }
+        CHECK(message == "line 2: the line is longer than a megabyte; allowed: a text file with lines");
+    }
+}
