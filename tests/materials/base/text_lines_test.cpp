@@ -9,13 +9,18 @@ using namespace ashimpact;
 TEST_CASE("lines of a megabyte are read, wherever they stand; longer ones are refused with their number") {
     const std::string megabyte(std::size_t{1} << 20, 'x');
     for (const char* end : {"\n", "\r\n", "\r"}) {
-        const TextLines lines(megabyte + end + megabyte + end + "last", {});
+        const std::string line = megabyte + end;
+        std::string text = line;
+        text.append(line).append("last");
+        const TextLines lines(text, {});
         REQUIRE(lines.lines().size() == 3);
         CHECK(lines.lines()[1].text.size() == megabyte.size());
         CHECK(lines.lines()[2].text == "last");
+        text = line;
+        text.append("x").append(line);
         std::string message;
         try {
-            const TextLines refused(megabyte + end + megabyte + "x" + end, {});
+            const TextLines refused(text, {});
         } catch (const InputError& error) {
             message = error.what();
         }

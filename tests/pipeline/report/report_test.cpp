@@ -501,13 +501,6 @@ TEST_CASE("a figure as SVG, PDF and PNG, for one column and for two") {
 }
 
 TEST_CASE("a figure that is larger than a pipe holds goes through the converter whole") {
-    try {
-        require_converter(FigureFormat::pdf);
-    } catch (const InputError&) {
-        MESSAGE("SKIPPED: no rsvg-convert, so no PDF");
-        CHECK(std::getenv("CI") == nullptr);
-        return;
-    }
     Series many{.name = "many", .legend = "many", .look = Look::plain(0)};
     for (int i = 0; i < 4000; ++i) many.marks.push_back({i / 4000.0, i * 7919 % 4000 / 4000.0, 0, 0});
     XyPanel panel{.title = "", .x = {.label = "x"}, .y = {.label = "y"}};
@@ -522,9 +515,15 @@ TEST_CASE("a figure that is larger than a pipe holds goes through the converter 
                         .panel_height = 320};
     const std::string svg = figure_bytes(figure, Width::wide, FigureFormat::svg);
     REQUIRE(svg.size() > 200'000);
-    const std::string pdf = figure_bytes(figure, Width::wide, FigureFormat::pdf);
-    CHECK(pdf.starts_with("%PDF"));
-    CHECK(pdf.find("%%EOF") != std::string::npos);
+    // A converter that gives back what it gets.
+    const Sandbox sandbox;
+    sandbox.write("rsvg-convert", "#!/bin/sh\nexec cat\n");
+    std::filesystem::permissions(sandbox.folder() / "rsvg-convert", std::filesystem::perms::owner_all);
+    const std::string before = std::getenv("PATH");
+    setenv("PATH", (sandbox.folder().string() + ":" + before).c_str(), 1);
+    const std::string converted = figure_bytes(figure, Width::wide, FigureFormat::pdf);
+    setenv("PATH", before.c_str(), 1);
+    CHECK(converted == svg);
 }
 
 }  // namespace ashimpact::report
