@@ -120,15 +120,14 @@ class Expression {
         return value;
     }
 
-    /// "/" or "per", with spaces on either side.
+    /// "/" or "per", with spaces on either side. Without one before it, "per" may begin a longer name
+    /// instead.
     bool division() {
         const std::string_view before = rest_;
         spaces();
-        const auto longer = [&] {
-            return rest_.size() > 3 && (is_letter_of_name(rest_[3]) || is_decimal_digit(rest_[3]));
-        };
         if (skip("/")) return spaces();
-        if (is_per(rest_.substr(0, 3)) && !longer()) {
+        const bool longer = rest_.size() > 3 && (is_letter_of_name(rest_[3]) || is_decimal_digit(rest_[3]));
+        if (is_per(rest_.substr(0, 3)) && (!longer || rest_.size() < before.size())) {
             rest_.remove_prefix(3);
             return spaces();
         }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #ifdef __SANITIZE_THREAD__
 #include <condition_variable>
 #include <deque>

@@ -9,22 +9,21 @@ namespace ashimpact::report {
 namespace {
 
 /// Impacts whose velocities are far below and far above any critical velocity.
-SweepSpec slow_and_fast(const char* sampling) {
-    return read_sweep_spec(std::string(R"({
+SweepSpec slow_and_fast() {
+    return read_sweep_spec(R"({
         "impact": {"laws": ["jkr"], "density": "2300 kg/m3", "contact_modulus": "90 GPa",
                    "work_of_adhesion": "0.3 J/m2", "damping": "0.001 kg/s"},
         "variables": {
             "velocity": {"values": ["1 mm/s", "500 m/s"]},
             "radius": {"grid": "linear", "from": "20 um", "to": "60 um", "points": 40}},
-        "sampling": )") + sampling +
-                           "}")
+        "sampling": {"method": "grid"}})")
         .spec;
 }
 
 }  // namespace
 
 TEST_CASE("capture against a variable of few values: all of the slow impacts, none of the fast") {
-    const auto curves = capture_curves(slow_and_fast(R"({"method": "grid"})"));
+    const auto curves = capture_curves(slow_and_fast());
     REQUIRE(curves.size() == 2);
     const std::vector<CaptureShare>& velocity = curves[0].shares;
     REQUIRE(velocity.size() == 2);
@@ -38,7 +37,7 @@ TEST_CASE("capture against a variable of few values: all of the slow impacts, no
 }
 
 TEST_CASE("capture against a variable of many values, in sixteen parts of equally many impacts") {
-    const auto curves = capture_curves(slow_and_fast(R"({"method": "grid"})"));
+    const auto curves = capture_curves(slow_and_fast());
     const std::vector<CaptureShare>& radius = curves[1].shares;
     REQUIRE(radius.size() == 16);
     for (std::size_t i = 0; i < radius.size(); ++i) {

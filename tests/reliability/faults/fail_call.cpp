@@ -2,8 +2,8 @@
 // process there. The write phase begins when the folder of the new files is made, or with
 // ASHIMPACT_FAULT_FROM=0 at once. ASHIMPACT_FAULT_CALL: which call, from 1 on; ASHIMPACT_FAULT_ERROR: the
 // errno it fails with, or "kill". ASHIMPACT_FAULT_COUNT: a file that gets one letter for each call seen, so
-// that a test knows how many there are and in which order: f for fsync, F for that of a folder, R for rename,
-// others for others.
+// that a test knows how many there are and in which order: f for fsync of a file, F for
+// fsync of a folder, R for rename; the letters of the others mean nothing.
 #ifndef _GNU_SOURCE
 #define _GNU_SOURCE 1
 #endif
