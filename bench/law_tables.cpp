@@ -1,7 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/law_tables.hpp"
-
-#include <benchmark/benchmark.h>
-#include <fmt/core.h>
 
 #include <cstdio>
 #include <ctime>
@@ -11,6 +9,9 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include <benchmark/benchmark.h>
+#include <fmt/core.h>
 
 #include "bench/multiply_add.hpp"
 #include "bench/population.hpp"

@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/machine.hpp"
-
-#include <sched.h>
-#include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
+
+#include <sched.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include "tests/oracles/dem/program.hpp"
 

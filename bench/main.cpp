@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // ./dev bench: one table from one run. What is timed runs on one core, but for the scaling over threads.
-
-#include <benchmark/benchmark.h>
-#include <fmt/core.h>
-#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <functional>
 #include <iostream>
 #include <map>
+
+#include <CLI/CLI.hpp>
+#include <benchmark/benchmark.h>
+#include <fmt/core.h>
 
 #include "bench/dem_rates.hpp"
 #include "bench/law_tables.hpp"

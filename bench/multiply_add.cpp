@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/multiply_add.hpp"
 
 // This file once more for each instruction set.

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Prints, for every law with a batch kernel, how many additions, multiplications and multiply-adds of the
 // power-series and leapfrog kind one impact takes: "law damping-law count". Divisions and roots are not
 // counted.
 
-#include <hwy/highway.h>
-
 #include <iostream>
+
+#include <hwy/highway.h>
 
 #include "solver/batch/lanes/block-inl.hpp"
 #include "solver/contact/registry.hpp"

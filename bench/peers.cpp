@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/peers.hpp"
 
 #include <array>
+#include <cmath>
+
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
-#include <cmath>
 
 #include "solver/contact/dmt.hpp"
 #include "solver/motion/scale.hpp"

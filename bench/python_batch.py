@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Seconds of CPU time that ashimpact.impacts takes for a batch, a line a call: python_batch.py ARRAYS CALLS.
 
 ARRAYS holds masses, radii and velocities of DMT impacts, one column after another, as bench/seams.cpp writes them.

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/thread_table.hpp"
-
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <thread>
+
+#include <fmt/core.h>
 
 #include "bench/machine.hpp"
 #include "bench/multiply_add.hpp"

@@ -1,6 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/viscoelastic.hpp"
-
-#include <fmt/core.h>
 
 #include <cmath>
 #include <functional>
@@ -8,6 +7,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <fmt/core.h>
 
 #include "bench/law_tables.hpp"
 #include "bench/population.hpp"

@@ -44,7 +44,7 @@ function(ashimpact_embed target)
 #include <span>
 #include <string_view>
 
-#include "data/embedded.hpp"
+#include "core/embedded.hpp"
 
 namespace @ARG_NAMESPACE@ {
 @declarations@

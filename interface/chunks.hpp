@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <algorithm>
@@ -5,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "materials/base/error.hpp"
+#include "core/error.hpp"
 
 namespace ashimpact {
 

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "materials/composition.hpp"
 
 #include <cassert>
 #include <cmath>
 #include <numeric>
 
-#include "materials/base/checks.hpp"
-#include "materials/base/text.hpp"
+#include "core/checks.hpp"
+#include "core/text.hpp"
 
 namespace ashimpact {
 

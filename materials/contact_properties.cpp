@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "materials/contact_properties.hpp"
 
 #include <numbers>
 
-#include "materials/base/checks.hpp"
+#include "core/checks.hpp"
 
 namespace ashimpact {
 

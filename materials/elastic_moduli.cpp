@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "materials/elastic_moduli.hpp"
 
-#include "materials/base/checks.hpp"
-#include "materials/base/error.hpp"
+#include "core/checks.hpp"
+#include "core/error.hpp"
 
 namespace ashimpact {
 

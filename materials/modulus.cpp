@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "materials/modulus.hpp"
 
 #include <array>
 #include <cmath>
 
-#include "materials/base/checks.hpp"
-#include "materials/base/text.hpp"
+#include "core/checks.hpp"
+#include "core/text.hpp"
 #include "materials/mixture_rules.hpp"
 
 namespace ashimpact {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <array>
@@ -6,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "materials/base/names.hpp"
-#include "materials/base/uncertainty.hpp"
+#include "core/names.hpp"
+#include "core/uncertainty.hpp"
 #include "materials/composition.hpp"
 #include "materials/porosity.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "materials/phase_catalogue.hpp"
 
 #include <algorithm>
@@ -6,9 +7,9 @@
 #include <optional>
 #include <set>
 
-#include "materials/base/checks.hpp"
-#include "materials/base/quantity.hpp"
-#include "materials/base/text.hpp"
+#include "core/checks.hpp"
+#include "core/quantity.hpp"
+#include "core/text.hpp"
 
 namespace ashimpact {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <cstddef>
@@ -7,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "materials/base/view.hpp"
+#include "core/json/view.hpp"
 #include "materials/phase.hpp"
 
 namespace ashimpact {

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "materials/porosity.hpp"
 
 #include <array>
 #include <cmath>
 
-#include "materials/base/checks.hpp"
-#include "materials/base/error.hpp"
-#include "materials/base/text.hpp"
+#include "core/checks.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
 #include "materials/elastic_moduli.hpp"
 #include "materials/mixture_rules.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <array>
@@ -5,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "materials/base/names.hpp"
+#include "core/names.hpp"
 
 namespace ashimpact {
 

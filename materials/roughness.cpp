@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "materials/roughness.hpp"
 
-#include "materials/base/checks.hpp"
+#include "core/checks.hpp"
 
 namespace ashimpact {
 

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "materials/separation_energy.hpp"
 
 #include <cmath>
 #include <numbers>
 
-#include "materials/base/checks.hpp"
+#include "core/checks.hpp"
 #include "materials/contact_properties.hpp"
 
 namespace ashimpact {

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "materials/work_of_adhesion.hpp"
 
 #include <cmath>
 #include <string>
 
-#include "materials/base/checks.hpp"
-#include "materials/base/error.hpp"
+#include "core/checks.hpp"
+#include "core/error.hpp"
 
 namespace ashimpact {
 

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <array>
 #include <optional>
 #include <string_view>
 
-#include "materials/base/names.hpp"
+#include "core/names.hpp"
 
 namespace ashimpact {
 

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # within.sh SECONDS COMMAND...: runs the command. Its short form is ended after so many seconds and fails then; the whole
 # form (ASHIMPACT_WHOLE) may take what ctest gives it.
 seconds=$1

@@ -58,7 +58,7 @@ web_library(web_nettle FOLDER "${sources}/nettle" SOURCES sha256.c sha256-compre
   DEFINE HAVE_CONFIG_H)
 add_library(nettle::nettle ALIAS web_nettle)
 
-# The database of UDUNITS-2, which materials/base/unit_database.cpp reads, where the program looks for it in the file system
+# The database of UDUNITS-2, which core/units/unit_database.cpp reads, where the program looks for it in the file system
 # in memory.
 set(ASHIMPACT_UNIT_DATABASE)
 foreach(part -prefixes -base -derived -accepted -common)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "interface/include/ashimpact.h"
 
 #include <algorithm>
@@ -7,12 +8,12 @@
 #include <string>
 #include <string_view>
 
-#include "data/version.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "core/version.hpp"
 #include "interface/c/floating_point.hpp"
 #include "interface/c/model.hpp"
 #include "interface/c/solve.hpp"
-#include "materials/base/error.hpp"
-#include "materials/base/text.hpp"
 
 namespace {
 

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "interface/c/columns.hpp"
 
 #include <string>
 #include <utility>
 
-#include "materials/base/error.hpp"
+#include "core/error.hpp"
 
 namespace ashimpact {
 

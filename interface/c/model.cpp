@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "interface/c/model.hpp"
 
 #include <string>
 #include <string_view>
 
-#include "materials/base/checks.hpp"
-#include "materials/base/error.hpp"
+#include "core/checks.hpp"
+#include "core/error.hpp"
 #include "solver/motion/impact.hpp"
 
 namespace ashimpact {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "interface/c/parameters.hpp"
 
 #include <algorithm>
@@ -5,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "materials/base/error.hpp"
-#include "materials/base/text.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
 #include "solver/contact/registry.hpp"
 
 namespace ashimpact {

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Impacts of fly-ash particles on a wall, as a C library. Plain C89; usable from C++, Fortran and CFD codes.
  *
  * A model is a contact law with the constants of a particle and a wall. It gives the coefficient of

@@ -1,32 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a page calls: functions on files in emscripten's file system in memory. The page writes the case
 // and what it names there, and reads artifacts and report from there. Each function returns one JSON object,
 // docs/web.md.
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <sstream>
+
 #include <emscripten/emscripten.h>
 #include <spdlog/details/null_mutex.h>
 #include <spdlog/sinks/base_sink.h>
 #include <spdlog/sinks/ostream_sink.h>
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <functional>
-#include <sstream>
-
+#include "core/error.hpp"
+#include "core/json/document.hpp"
+#include "core/json/writer.hpp"
 #include "interface/web/single_contact.hpp"
-#include "materials/base/error.hpp"
 #include "materials/xrd/xrd.hpp"
 #include "pipeline/case/case_reader.hpp"
-#include "pipeline/files/file.hpp"
-#include "pipeline/json/document.hpp"
-#include "pipeline/json/measurement_json.hpp"
-#include "pipeline/json/writer.hpp"
-#include "pipeline/report/figure_file.hpp"
-#include "pipeline/report/figures/figures.hpp"
-#include "pipeline/report/report.hpp"
-#include "pipeline/run.hpp"
-#include "pipeline/text/comparison_table.hpp"
-#include "pipeline/text/remarks.hpp"
-#include "solver/measurement/measurement_reader.hpp"
+#include "pipeline/document/files/file.hpp"
+#include "pipeline/document/measurement_json.hpp"
+#include "pipeline/present/report/figure_file.hpp"
+#include "pipeline/present/report/figures/figures.hpp"
+#include "pipeline/present/report/report.hpp"
+#include "pipeline/present/text/comparison_table.hpp"
+#include "pipeline/present/text/remarks.hpp"
+#include "pipeline/run/run.hpp"
+#include "solver/inference/impacts/measurement_reader.hpp"
 
 // Tells the page a line while a computation goes on, if it listens.
 EM_JS(void, tell_page, (const char* line), {

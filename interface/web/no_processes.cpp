@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A page starts no programs: what would start one is told so.
 #include <cerrno>
 

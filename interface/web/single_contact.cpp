@@ -1,15 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "interface/web/single_contact.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <string_view>
 #include <vector>
 
-#include "materials/base/error.hpp"
-#include "pipeline/commands/contact_options.hpp"
-#include "pipeline/commands/impact.hpp"
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "pipeline/app/commands/contact_options.hpp"
+#include "pipeline/app/commands/impact.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/impact.hpp"
 

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "pipeline/json/document.hpp"
+#include "core/json/document.hpp"
 
 namespace ashimpact {
 

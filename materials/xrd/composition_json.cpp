@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "materials/xrd/composition_json.hpp"
 
 #include <algorithm>
@@ -5,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "materials/base/text.hpp"
+#include "core/text.hpp"
 
 namespace ashimpact::xrd {
 

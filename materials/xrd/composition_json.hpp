@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "materials/base/view.hpp"
+#include "core/json/view.hpp"
 #include "materials/xrd/xrd.hpp"
 
 /// The composition of a sample in JSON. A case and the project's own XRD results write it in the same way,

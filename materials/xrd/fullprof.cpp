@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <optional>
 #include <set>
 
-#include "materials/base/tables/number.hpp"
-#include "materials/base/text.hpp"
+#include "core/tables/number.hpp"
+#include "core/text.hpp"
 #include "materials/xrd/normalise.hpp"
 #include "materials/xrd/readers.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -5,8 +6,8 @@
 #include <set>
 #include <utility>
 
-#include "materials/base/tables/number.hpp"
-#include "materials/base/text.hpp"
+#include "core/tables/number.hpp"
+#include "core/text.hpp"
 #include "materials/xrd/readers.hpp"
 
 namespace ashimpact::xrd {

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "materials/xrd/headings.hpp"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
-#include "materials/base/text.hpp"
+#include "core/text.hpp"
 
 namespace ashimpact::xrd {
 

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "materials/base/tables/coverage.hpp"
+#include "core/tables/coverage.hpp"
 
 namespace ashimpact::xrd {
 

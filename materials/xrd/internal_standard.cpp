@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
 
-#include "materials/base/checks.hpp"
-#include "materials/base/text.hpp"
+#include "core/checks.hpp"
+#include "core/text.hpp"
 #include "materials/xrd/normalise.hpp"
 #include "materials/xrd/xrd.hpp"
 

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <set>
 
-#include "materials/base/json_lines.hpp"
-#include "materials/base/text.hpp"
-#include "materials/base/view.hpp"
+#include "core/json/json_lines.hpp"
+#include "core/json/view.hpp"
+#include "core/text.hpp"
 #include "materials/xrd/composition_json.hpp"
 #include "materials/xrd/readers.hpp"
 

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "materials/composition.hpp"
-
 #include <vector>
+
+#include "materials/composition.hpp"
 
 namespace ashimpact::xrd {
 

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "materials/base/tables/text_lines.hpp"
+#include "core/tables/text_lines.hpp"
 #include "materials/xrd/xrd.hpp"
 
 /// One reader for each format, chosen by read_xrd(). Errors: InputError at "line N" (JSON: at the pointer).

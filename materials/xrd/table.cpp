@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
 
-#include "materials/base/checks.hpp"
-#include "materials/base/json_input.hpp"
-#include "materials/base/text.hpp"
+#include "core/checks.hpp"
+#include "core/json/json_input.hpp"
+#include "core/text.hpp"
 #include "materials/xrd/readers.hpp"
 #include "materials/xrd/table_layout.hpp"
 

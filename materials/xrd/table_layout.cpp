@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "materials/xrd/table_layout.hpp"
 
 #include <algorithm>
 
-#include "materials/base/checks.hpp"
-#include "materials/base/counting.hpp"
-#include "materials/base/error.hpp"
-#include "materials/base/text.hpp"
-#include "materials/base/units.hpp"
+#include "core/checks.hpp"
+#include "core/counting.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "core/units/units.hpp"
 
 namespace ashimpact::xrd {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <cstddef>
@@ -5,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "materials/base/tables/cells.hpp"
-#include "materials/base/tables/number.hpp"
-#include "materials/base/tables/text_lines.hpp"
+#include "core/tables/cells.hpp"
+#include "core/tables/number.hpp"
+#include "core/tables/text_lines.hpp"
 #include "materials/xrd/headings.hpp"
 
 namespace ashimpact::xrd {

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "materials/xrd/xrd.hpp"
 
 #include <array>
 
-#include "materials/base/error.hpp"
-#include "materials/base/tables/workbook/workbook.hpp"
+#include "core/error.hpp"
+#include "core/tables/workbook/workbook.hpp"
 #include "materials/xrd/readers.hpp"
 
 namespace ashimpact {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <array>
@@ -7,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "materials/base/names.hpp"
+#include "core/names.hpp"
 #include "materials/composition.hpp"
 
 namespace ashimpact {

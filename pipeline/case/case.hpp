@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <array>
@@ -7,16 +8,16 @@
 #include <variant>
 #include <vector>
 
-#include "materials/base/quantity.hpp"
+#include "core/quantity.hpp"
 #include "materials/composition.hpp"
 #include "materials/contact_properties.hpp"
 #include "materials/modulus.hpp"
 #include "materials/work_of_adhesion.hpp"
 #include "pipeline/case/law_map.hpp"
-#include "solver/calibration/calibration.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/damping/damping_polynomial.hpp"
-#include "solver/measurement/measurement.hpp"
+#include "solver/inference/calibration/calibration.hpp"
+#include "solver/inference/impacts/measurement.hpp"
 #include "solver/statistics/propagation.hpp"
 
 namespace ashimpact {

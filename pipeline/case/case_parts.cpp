@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/case/case_parts.hpp"
 
 #include <cmath>
 
-#include "materials/base/checks.hpp"
-#include "materials/base/text.hpp"
+#include "core/checks.hpp"
+#include "core/text.hpp"
 #include "materials/xrd/composition_json.hpp"
 #include "materials/xrd/xrd.hpp"
 #include "pipeline/case/measurement_parts.hpp"

@@ -1,18 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/case/case_reader.hpp"
 
 #include <algorithm>
 #include <map>
 #include <set>
 
-#include "data/embedded.hpp"
-#include "materials/base/checks.hpp"
-#include "materials/base/text.hpp"
+#include "core/checks.hpp"
+#include "core/embedded.hpp"
+#include "core/text.hpp"
 #include "pipeline/case/case_parts.hpp"
 #include "pipeline/case/example_remains.hpp"
 #include "pipeline/case/laws.hpp"
 #include "pipeline/case/measurement_parts.hpp"
-#include "pipeline/json/schema.hpp"
-#include "pipeline/json/schema_version.hpp"
+#include "pipeline/document/schema.hpp"
+#include "pipeline/document/schema_version.hpp"
 #include "solver/motion/impact.hpp"
 
 namespace ashimpact {

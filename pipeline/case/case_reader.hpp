@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <optional>
 #include <string>
 
-#include "materials/base/view.hpp"
+#include "core/json/view.hpp"
 #include "materials/phase_catalogue.hpp"
 #include "pipeline/case/case.hpp"
 #include "pipeline/case/input_files.hpp"

@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/case/example_remains.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
 
-#include "data/embedded.hpp"
-#include "pipeline/files/sha256.hpp"
-#include "pipeline/json/document.hpp"
+#include <fmt/format.h>
+
+#include "core/embedded.hpp"
+#include "core/json/document.hpp"
+#include "pipeline/document/files/sha256.hpp"
 
 namespace ashimpact {
 

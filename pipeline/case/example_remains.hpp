@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "materials/base/json_input.hpp"
+#include "core/json/json_input.hpp"
 #include "pipeline/case/input_files.hpp"
 
 namespace ashimpact {

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/case/input_files.hpp"
 
 #include <algorithm>
 
-#include "data/embedded.hpp"
-#include "materials/base/error.hpp"
-#include "pipeline/files/file.hpp"
-#include "pipeline/files/sha256.hpp"
+#include "core/embedded.hpp"
+#include "core/error.hpp"
+#include "pipeline/document/files/file.hpp"
+#include "pipeline/document/files/sha256.hpp"
 
 namespace ashimpact {
 

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "materials/base/view.hpp"
+#include "core/json/view.hpp"
 #include "pipeline/case/case.hpp"
 
 namespace ashimpact {

@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/case/measurement_parts.hpp"
 
 #include <fmt/format.h>
 
-#include "materials/base/checks.hpp"
-#include "pipeline/json/measurement_json.hpp"
-#include "pipeline/text/readable.hpp"
-#include "solver/measurement/binning.hpp"
-#include "solver/measurement/measurement_reader.hpp"
+#include "core/checks.hpp"
+#include "pipeline/document/measurement_json.hpp"
+#include "pipeline/present/text/readable.hpp"
+#include "solver/inference/impacts/binning.hpp"
+#include "solver/inference/impacts/measurement_reader.hpp"
 
 namespace ashimpact {
 

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <optional>
 
-#include "materials/base/view.hpp"
+#include "core/json/view.hpp"
 #include "pipeline/case/case.hpp"
 #include "pipeline/case/input_files.hpp"
 

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include "materials/base/error.hpp"
-#include "solver/motion/impact.hpp"
 
 #include <array>
 #include <optional>
 #include <string>
+
+#include "core/error.hpp"
+#include "solver/motion/impact.hpp"
 
 namespace ashimpact::batch {
 

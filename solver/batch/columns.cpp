@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/batch/columns.hpp"
 
-#include "materials/base/error.hpp"
-
 #include <string>
+
+#include "core/error.hpp"
 
 namespace ashimpact {
 

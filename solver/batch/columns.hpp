@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include "solver/contact/registry.hpp"
-
-#include <Eigen/Core>
 
 #include <limits>
 #include <string_view>
 #include <vector>
+
+#include <Eigen/Core>
+
+#include "solver/contact/registry.hpp"
 
 namespace ashimpact {
 

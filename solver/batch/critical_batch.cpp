@@ -1,19 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/batch/critical_batch.hpp"
-
-#include "materials/base/error.hpp"
-#include "solver/batch/admissibility.hpp"
-#include "solver/batch/parallel.hpp"
-#include "solver/batch/tables/critical_table.hpp"
-#include "solver/batch/task.hpp"
-#include "solver/motion/scale.hpp"
-#include "solver/motion/scaled_impact.hpp"
-#include "solver/motion/velocity_scales.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <string>
+
+#include "core/error.hpp"
+#include "solver/batch/admissibility.hpp"
+#include "solver/batch/parallel.hpp"
+#include "solver/batch/task.hpp"
+#include "solver/motion/scale.hpp"
+#include "solver/motion/scaled_impact.hpp"
+#include "solver/motion/velocity_scales.hpp"
+#include "solver/surrogate/batch/critical_table.hpp"
 
 namespace ashimpact {
 

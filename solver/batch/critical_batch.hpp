@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include "solver/batch/columns.hpp"
-#include "solver/critical_velocity/critical_velocity.hpp"
-
-#include <Eigen/Core>
 
 #include <cstdint>
 #include <optional>
+
+#include <Eigen/Core>
+
+#include "solver/batch/columns.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
 
 namespace ashimpact {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/batch/damping_search.hpp"
 
 #include <cmath>

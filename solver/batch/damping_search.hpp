@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include "solver/damping/damping.hpp"
 
 #include <array>
 #include <cstddef>
+
+#include "solver/damping/damping.hpp"
 
 namespace ashimpact::batch {
 

@@ -1,12 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/batch/impact_batch.hpp"
-
-#include "materials/base/error.hpp"
-#include "solver/batch/admissibility.hpp"
-#include "solver/batch/parallel.hpp"
-#include "solver/batch/tables/restitution_table.hpp"
-#include "solver/batch/task.hpp"
-#include "solver/motion/maugis/cohesive_impact.hpp"
-#include "solver/motion/scale.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,6 +7,14 @@
 #include <limits>
 #include <mutex>
 #include <string>
+
+#include "core/error.hpp"
+#include "solver/batch/admissibility.hpp"
+#include "solver/batch/parallel.hpp"
+#include "solver/batch/task.hpp"
+#include "solver/motion/maugis/cohesive_impact.hpp"
+#include "solver/motion/scale.hpp"
+#include "solver/surrogate/batch/restitution_table.hpp"
 
 namespace ashimpact {
 

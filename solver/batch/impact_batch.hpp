@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include "solver/batch/columns.hpp"
-#include "solver/batch/method.hpp"
-#include "solver/motion/impact.hpp"
-
-#include <Eigen/Core>
 
 #include <cstdint>
 #include <string>
 #include <vector>
+
+#include <Eigen/Core>
+
+#include "solver/batch/columns.hpp"
+#include "solver/batch/method.hpp"
+#include "solver/motion/impact.hpp"
 
 namespace ashimpact {
 

@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/batch/instruction_set.hpp"
-
-#include "materials/base/checks.hpp"
-
-#include <hwy/highway.h>
 
 #include <array>
 #include <cstdint>
 #include <string>
+
+#include <hwy/highway.h>
+
+#include "core/checks.hpp"
 
 namespace ashimpact {
 

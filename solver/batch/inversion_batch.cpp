@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/batch/inversion_batch.hpp"
-
-#include "materials/base/error.hpp"
-#include "solver/batch/admissibility.hpp"
-#include "solver/batch/parallel.hpp"
-#include "solver/batch/tables/restitution_table.hpp"
-#include "solver/batch/task.hpp"
 
 #include <array>
 #include <limits>
 #include <string>
+
+#include "core/error.hpp"
+#include "solver/batch/admissibility.hpp"
+#include "solver/batch/parallel.hpp"
+#include "solver/batch/task.hpp"
+#include "solver/surrogate/batch/restitution_table.hpp"
 
 namespace ashimpact {
 

@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+
+#include <cstdint>
+
+#include <Eigen/Core>
 
 #include "solver/batch/columns.hpp"
 #include "solver/batch/method.hpp"
 #include "solver/motion/damping_inversion.hpp"
-
-#include <Eigen/Core>
-
-#include <cstdint>
 
 namespace ashimpact {
 

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include "solver/contact/registry.hpp"
-#include "solver/damping/damping.hpp"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+
+#include "solver/contact/registry.hpp"
+#include "solver/damping/damping.hpp"
 
 namespace ashimpact::batch {
 

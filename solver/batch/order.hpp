@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include "solver/batch/kernel.hpp"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+
+#include "solver/batch/kernel.hpp"
 
 namespace ashimpact::batch {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // parallel.hpp where there are no threads: in a browser.
 #include <algorithm>
 

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/batch/single_impacts.hpp"
+
+#include <limits>
 
 #include "solver/batch/admissibility.hpp"
 #include "solver/batch/critical_batch.hpp"
-#include "solver/batch/tables/restitution_table.hpp"
 #include "solver/batch/task.hpp"
-
-#include <limits>
+#include "solver/surrogate/batch/restitution_table.hpp"
 
 namespace ashimpact {
 

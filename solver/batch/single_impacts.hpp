@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+
+#include <optional>
 
 #include "solver/batch/kernel.hpp"
 #include "solver/contact/pair.hpp"
-
-#include <optional>
 
 namespace ashimpact {
 

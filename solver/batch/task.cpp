@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/batch/task.hpp"
-
-#include "materials/base/checks.hpp"
-#include "materials/base/error.hpp"
-#include "solver/batch/kernels/laws.hpp"
-#include "solver/batch/range_lanes.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <string>
+
+#include "core/checks.hpp"
+#include "core/error.hpp"
+#include "solver/batch/kernels/laws.hpp"
+#include "solver/batch/range_lanes.hpp"
 
 namespace ashimpact::batch {
 

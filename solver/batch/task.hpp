@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include "solver/batch/columns.hpp"
-#include "solver/batch/kernel.hpp"
-#include "solver/motion/impact.hpp"
 
 #include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
+
+#include "solver/batch/columns.hpp"
+#include "solver/batch/kernel.hpp"
+#include "solver/motion/impact.hpp"
 
 namespace ashimpact::batch {
 

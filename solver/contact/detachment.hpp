@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include "materials/base/names.hpp"
 
 #include <array>
 #include <string_view>
+
+#include "core/names.hpp"
 
 namespace ashimpact {
 

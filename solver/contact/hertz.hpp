@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+
+#include <optional>
+#include <string_view>
 
 #include "solver/contact/detachment.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/numeric/power.hpp"
-
-#include <optional>
-#include <string_view>
 
 namespace ashimpact {
 

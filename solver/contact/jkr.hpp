@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include "solver/contact/detachment.hpp"
-#include "solver/contact/pair.hpp"
-#include "solver/numeric/power.hpp"
 
 #include <cmath>
 #include <numbers>
 #include <optional>
 #include <string_view>
+
+#include "solver/contact/detachment.hpp"
+#include "solver/contact/pair.hpp"
+#include "solver/numeric/power.hpp"
 
 namespace ashimpact {
 

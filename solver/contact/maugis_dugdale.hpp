@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+
+#include <array>
+#include <string_view>
 
 #include "solver/contact/detachment.hpp"
 #include "solver/contact/jkr.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/contact/parameter.hpp"
-
-#include <array>
-#include <string_view>
 
 namespace ashimpact {
 

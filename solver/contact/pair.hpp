@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include "solver/contact/parameter.hpp"
 
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "solver/contact/parameter.hpp"
 
 namespace ashimpact {
 

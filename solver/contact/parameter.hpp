@@ -1,6 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include "materials/base/units.hpp"
 
 #include <array>
 #include <cstddef>
@@ -10,6 +9,8 @@
 #include <stdexcept>
 #include <string_view>
 #include <utility>
+
+#include "core/units/units.hpp"
 
 namespace ashimpact {
 

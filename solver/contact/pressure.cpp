@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/contact/pressure.hpp"
-
-#include "solver/contact/maugis/cohesive_zone.hpp"
-#include "solver/contact/maugis/transition.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "solver/contact/maugis/cohesive_zone.hpp"
+#include "solver/contact/maugis/transition.hpp"
 
 namespace ashimpact {
 

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/contact/registry.hpp"
 
-#include "materials/base/checks.hpp"
-#include "materials/base/error.hpp"
-#include "materials/base/text.hpp"
-
 #include <algorithm>
+
+#include "core/checks.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
 
 namespace ashimpact {
 

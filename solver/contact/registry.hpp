@@ -1,12 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include "solver/contact/brach_dunn.hpp"
-#include "solver/contact/dmt.hpp"
-#include "solver/contact/hertz.hpp"
-#include "solver/contact/jkr.hpp"
-#include "solver/contact/maugis_dugdale.hpp"
-#include "solver/contact/sjkr.hpp"
-#include "solver/contact/thornton_ning.hpp"
 
 #include <array>
 #include <cstddef>
@@ -15,6 +8,14 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "solver/contact/brach_dunn.hpp"
+#include "solver/contact/dmt.hpp"
+#include "solver/contact/hertz.hpp"
+#include "solver/contact/jkr.hpp"
+#include "solver/contact/maugis_dugdale.hpp"
+#include "solver/contact/sjkr.hpp"
+#include "solver/contact/thornton_ning.hpp"
 
 namespace ashimpact {
 

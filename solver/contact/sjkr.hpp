@@ -1,15 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include "solver/contact/detachment.hpp"
-#include "solver/contact/pair.hpp"
-#include "solver/contact/parameter.hpp"
-#include "solver/numeric/power.hpp"
 
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
 #include <string_view>
+
+#include "solver/contact/detachment.hpp"
+#include "solver/contact/pair.hpp"
+#include "solver/contact/parameter.hpp"
+#include "solver/numeric/power.hpp"
 
 namespace ashimpact {
 

@@ -1,15 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/contact/static_curve.hpp"
-
-#include "materials/base/checks.hpp"
-#include "materials/base/error.hpp"
-#include "materials/base/text.hpp"
-#include "solver/motion/scaled_impact.hpp"
-#include "solver/numeric/series.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
+
+#include "core/checks.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "solver/motion/scaled_impact.hpp"
+#include "solver/numeric/series.hpp"
 
 namespace ashimpact {
 

@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+
+#include <optional>
+#include <vector>
 
 #include "solver/contact/maugis/cohesive_zone.hpp"
 #include "solver/contact/maugis/transition.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/contact/registry.hpp"
-
-#include <optional>
-#include <vector>
 
 namespace ashimpact {
 

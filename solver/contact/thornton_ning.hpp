@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include "solver/contact/jkr.hpp"
 
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <optional>
 #include <string_view>
+
+#include "solver/contact/jkr.hpp"
 
 namespace ashimpact {
 

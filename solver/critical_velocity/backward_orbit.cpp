@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/critical_velocity/backward_orbit.hpp"
-
-#include "materials/base/error.hpp"
-#include "solver/critical_velocity/rest_point.hpp"
-#include "solver/motion/orbit.hpp"
 
 #include <algorithm>
 #include <cmath>
+
+#include "core/error.hpp"
+#include "solver/critical_velocity/rest_point.hpp"
+#include "solver/motion/orbit.hpp"
 
 namespace ashimpact {
 

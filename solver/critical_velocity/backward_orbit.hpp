@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+
+#include <optional>
 
 #include "solver/motion/motion_stepper.hpp"
 #include "solver/numeric/extended.hpp"
-
-#include <optional>
 
 namespace ashimpact {
 

@@ -1,15 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/critical_velocity/critical_velocity.hpp"
 
-#include "materials/base/checks.hpp"
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/checks.hpp"
 #include "solver/critical_velocity/backward_orbit.hpp"
 #include "solver/critical_velocity/maugis/cohesive_critical_velocity.hpp"
 #include "solver/critical_velocity/plastic_critical_velocity.hpp"
 #include "solver/motion/scaled_impact.hpp"
 #include "solver/motion/velocity_scales.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace ashimpact {
 

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include "solver/motion/impact.hpp"
 
 #include <optional>
 #include <string_view>
 #include <vector>
+
+#include "solver/motion/impact.hpp"
 
 namespace ashimpact {
 

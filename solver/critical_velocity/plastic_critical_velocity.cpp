@@ -1,15 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/critical_velocity/plastic_critical_velocity.hpp"
-
-#include "materials/base/error.hpp"
-#include "solver/critical_velocity/backward_orbit.hpp"
-#include "solver/gsl/root.hpp"
-#include "solver/motion/scaled_impact.hpp"
-#include "solver/motion/velocity_scales.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
+
+#include "core/error.hpp"
+#include "solver/critical_velocity/backward_orbit.hpp"
+#include "solver/motion/scaled_impact.hpp"
+#include "solver/motion/velocity_scales.hpp"
+#include "solver/numeric/gsl/root.hpp"
 
 namespace ashimpact {
 

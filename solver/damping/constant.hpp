@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include "materials/base/units.hpp"
 
 #include <limits>
 #include <string_view>
+
+#include "core/units/units.hpp"
 
 namespace ashimpact {
 

@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include "materials/base/names.hpp"
-#include "materials/base/units.hpp"
-#include "solver/damping/constant.hpp"
-#include "solver/damping/contact_radius.hpp"
-#include "solver/damping/tsuji.hpp"
 
 #include <array>
 #include <cstddef>
 #include <string_view>
+
+#include "core/names.hpp"
+#include "core/units/units.hpp"
+#include "solver/damping/constant.hpp"
+#include "solver/damping/contact_radius.hpp"
+#include "solver/damping/tsuji.hpp"
 
 namespace ashimpact {
 

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include "materials/base/units.hpp"
 
 #include <cmath>
 #include <numbers>
 #include <string_view>
+
+#include "core/units/units.hpp"
 
 namespace ashimpact {
 

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include "solver/motion/orbit.hpp"
 
 #include <cmath>
 #include <limits>
+
+#include "solver/motion/orbit.hpp"
 
 namespace ashimpact {
 

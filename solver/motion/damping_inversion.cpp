@@ -1,15 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/motion/damping_inversion.hpp"
-
-#include "materials/base/error.hpp"
-#include "solver/gsl/root.hpp"
-#include "solver/motion/orbit.hpp"
-#include "solver/motion/scaled_impact.hpp"
-#include "solver/motion/velocity_scales.hpp"
 
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <sstream>
+
+#include "core/error.hpp"
+#include "solver/motion/orbit.hpp"
+#include "solver/motion/scaled_impact.hpp"
+#include "solver/motion/velocity_scales.hpp"
+#include "solver/numeric/gsl/root.hpp"
 
 namespace ashimpact {
 
@@ -20,9 +21,9 @@ bool is_adhesive(const DampingProblem& problem) {
 }
 
 /// Restitution as a function of the scaled damping coefficient.
-class RestitutionCurve {
+class RestitutionByDamping {
   public:
-    explicit RestitutionCurve(const DampingProblem& problem)
+    explicit RestitutionByDamping(const DampingProblem& problem)
         : problem_(problem), scale_(Scale::of(problem.contact, problem.velocity)) {}
 
     template <class Real>
@@ -58,7 +59,7 @@ class RestitutionCurve {
 }
 
 /// Scaled damping that is certainly too much for @p restitution.
-double too_much(RestitutionCurve& curve, double restitution) {
+double too_much(RestitutionByDamping& curve, double restitution) {
     double number =
         1.2;  // captures every zero-overlap impact with constant damping: beta_c = 1.128 for Hertz
     while (curve.at<double>(number) >= restitution) {
@@ -78,7 +79,7 @@ bool reaches_zero(const DampingProblem& problem) {
 }
 
 /// Smallest damping that captures, by bisection down to neighbouring numbers.
-double smallest_capturing(const DampingProblem& problem, RestitutionCurve& curve) {
+double smallest_capturing(const DampingProblem& problem, RestitutionByDamping& curve) {
     const double limit = overdamped_squared(problem.damping_law);
     const bool known =
         std::isfinite(limit) && !is_adhesive(problem) && !can_yield(problem.law, problem.contact);
@@ -96,14 +97,14 @@ constexpr double spacing = 2 * std::numeric_limits<double>::epsilon();
 
 /// The root in a bracket to the spacing of numbers, with restitution in extended precision: the loss may be
 /// so small, or restitution so steep, that double precision does not resolve it.
-double solution_within(RestitutionCurve& curve, double target, double lower, double upper) {
+double solution_within(RestitutionByDamping& curve, double target, double lower, double upper) {
     const auto miss = [&](double number) { return static_cast<double>(curve.at<Extended>(number) - target); };
     return gsl::brent(miss, lower, upper, {.relative = spacing}).root;
 }
 
 /// A root in double precision, improved to the spacing of numbers by one step of Newton's method in extended
 /// precision; none if one step is not enough, since restitution is too steep or too flat there.
-std::optional<double> mended(RestitutionCurve& curve, double target, double root) {
+std::optional<double> mended(RestitutionByDamping& curve, double target, double root) {
     const double step = 1e-6 * root;
     const double slope = (target - curve.at<double>(root - step)) / step;
     if (!(slope < 0.0)) return std::nullopt;
@@ -119,11 +120,11 @@ struct Bracket {
 
 /// A narrow bracket of the damping for law maugis-dugdale, whose impacts take a hundred times as long as
 /// those of law jkr, and mostly need nearly the same damping; none for other laws, or where it does not.
-std::optional<Bracket> bracket_by_jkr(const DampingProblem& problem, RestitutionCurve& curve) {
+std::optional<Bracket> bracket_by_jkr(const DampingProblem& problem, RestitutionByDamping& curve) {
     if (!is_cohesive(problem.law, problem.contact)) return std::nullopt;
     DampingProblem similar = problem;
     similar.law = Law::of<Jkr>();
-    RestitutionCurve other(similar);
+    RestitutionByDamping other(similar);
     if (other.at<double>(0.0) <= problem.restitution) return std::nullopt;
     const double guess =
         gsl::brent([&](double number) { return other.at<double>(number) - problem.restitution; }, 0.0,
@@ -138,7 +139,7 @@ std::optional<Bracket> bracket_by_jkr(const DampingProblem& problem, Restitution
     return std::nullopt;
 }
 
-double scaled_solution(const DampingProblem& problem, RestitutionCurve& curve) {
+double scaled_solution(const DampingProblem& problem, RestitutionByDamping& curve) {
     const double target = problem.restitution;
     if (target == 0.0) return smallest_capturing(problem, curve);
     const auto near = bracket_by_jkr(problem, curve);
@@ -160,7 +161,7 @@ double scaled_solution(const DampingProblem& problem, RestitutionCurve& curve) {
 }  // namespace
 
 DampingInversion damping_from_restitution(const DampingProblem& problem) {
-    RestitutionCurve curve(problem);
+    RestitutionByDamping curve(problem);
     validate(curve.impact(0.0));
     const double target = problem.restitution;
     const auto greatest = static_cast<double>(curve.at<Extended>(0.0));

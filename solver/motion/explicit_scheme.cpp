@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/motion/explicit_scheme.hpp"
-
-#include "materials/base/error.hpp"
-#include "materials/base/text.hpp"
-#include "solver/motion/hertz_contact.hpp"
-#include "solver/motion/orbit.hpp"
-#include "solver/motion/scaled_impact.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "solver/motion/hertz_contact.hpp"
+#include "solver/motion/orbit.hpp"
+#include "solver/motion/scaled_impact.hpp"
 
 namespace ashimpact {
 

@@ -1,16 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/motion/impact.hpp"
-
-#include "materials/base/checks.hpp"
-#include "materials/base/error.hpp"
-#include "materials/base/text.hpp"
-#include "solver/motion/orbit.hpp"
-#include "solver/motion/plastic_orbit.hpp"
-#include "solver/motion/scaled_impact.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <vector>
+
+#include "core/checks.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "solver/motion/orbit.hpp"
+#include "solver/motion/plastic_orbit.hpp"
+#include "solver/motion/scaled_impact.hpp"
 
 namespace ashimpact {
 

@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include "materials/base/names.hpp"
-#include "solver/contact/pair.hpp"
-#include "solver/contact/registry.hpp"
-#include "solver/damping/damping.hpp"
 
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include "core/names.hpp"
+#include "solver/contact/pair.hpp"
+#include "solver/contact/registry.hpp"
+#include "solver/damping/damping.hpp"
 
 namespace ashimpact {
 

@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/motion/momentum_balance.hpp"
-
-#include "materials/base/error.hpp"
-#include "solver/motion/scaled_impact.hpp"
-
-#include <boost/math/quadrature/gauss.hpp>
 
 #include <cmath>
 #include <sstream>
+
+#include <boost/math/quadrature/gauss.hpp>
+
+#include "core/error.hpp"
+#include "solver/motion/scaled_impact.hpp"
 
 namespace ashimpact {
 

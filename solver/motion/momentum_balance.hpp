@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/motion/impact.hpp"
-
 #include <string>
+
+#include "solver/motion/impact.hpp"
 
 namespace ashimpact {
 

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+
+#include <cmath>
+#include <optional>
 
 #include "solver/contact/detachment.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/numeric/polynomial.hpp"
-
-#include <cmath>
-#include <optional>
 
 namespace ashimpact {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/motion/motion_stepper.hpp"
 
 #include <numbers>

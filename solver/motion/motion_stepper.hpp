@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include "solver/motion/motion.hpp"
-#include "solver/numeric/series.hpp"
 
 #include <array>
 #include <cstddef>
+
+#include "solver/motion/motion.hpp"
+#include "solver/numeric/series.hpp"
 
 namespace ashimpact {
 

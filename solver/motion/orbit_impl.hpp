@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "materials/base/error.hpp"
+#include "core/error.hpp"
 #include "solver/motion/capture_impl.hpp"
 #include "solver/motion/orbit.hpp"
 

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+
+#include <algorithm>
 
 #include "solver/contact/thornton_ning.hpp"
 #include "solver/motion/motion.hpp"
-
-#include <algorithm>
 
 namespace ashimpact {
 

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+
+#include <optional>
 
 #include "solver/motion/orbit.hpp"
 #include "solver/motion/plastic_motion.hpp"
-
-#include <optional>
 
 namespace ashimpact {
 

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+
+#include <cmath>
 
 #include "solver/contact/pair.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/numeric/power.hpp"
-
-#include <cmath>
 
 namespace ashimpact {
 

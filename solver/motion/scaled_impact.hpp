@@ -1,4 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+
+#include <cmath>
+#include <type_traits>
 
 #include "solver/motion/impact.hpp"
 #include "solver/motion/maugis/cohesive_impact.hpp"
@@ -6,9 +10,6 @@
 #include "solver/motion/plastic_orbit.hpp"
 #include "solver/motion/scale.hpp"
 #include "solver/numeric/extended.hpp"
-
-#include <cmath>
-#include <type_traits>
 
 namespace ashimpact {
 

@@ -1,15 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/motion/trajectory.hpp"
-
-#include "materials/base/error.hpp"
-#include "solver/motion/maugis/cohesive_ringing.hpp"
-#include "solver/motion/orbit.hpp"
-#include "solver/motion/scaled_impact.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
 #include <string>
+
+#include "core/error.hpp"
+#include "solver/motion/maugis/cohesive_ringing.hpp"
+#include "solver/motion/orbit.hpp"
+#include "solver/motion/scaled_impact.hpp"
 
 namespace ashimpact {
 

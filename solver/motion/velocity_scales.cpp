@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/motion/velocity_scales.hpp"
-
-#include "solver/motion/scale.hpp"
 
 #include <cmath>
 #include <numbers>
+
+#include "solver/motion/scale.hpp"
 
 namespace ashimpact {
 

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include <Eigen/Dense>
 
 #include <functional>
 #include <optional>
+
+#include <Eigen/Dense>
 
 namespace ashimpact {
 

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/statistics/design.hpp"
 
 #include <limits>
 #include <stdexcept>
 
-#include "materials/base/error.hpp"
+#include "core/error.hpp"
 #include "solver/statistics/philox.hpp"
 #include "solver/statistics/random_lanes.hpp"
 

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/statistics/distribution.hpp"
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
 
-#include "solver/gsl/distribution.hpp"
+#include <Eigen/Core>
+
+#include "solver/numeric/gsl/distribution.hpp"
 #include "solver/statistics/normal_lanes.hpp"
 
 namespace ashimpact {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/statistics/group_moments.hpp"
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "solver/statistics/group_moments.cpp"
 #include <hwy/foreach_target.h>
+
 #include <hwy/highway.h>
 
 #ifndef ASHIMPACT_SOLVER_STATISTICS_GROUP_MOMENTS_ONCE

@@ -1,15 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/statistics/propagation.hpp"
-
-#include "materials/base/error.hpp"
-#include "materials/base/text.hpp"
-#include "solver/gsl/statistics.hpp"
-#include "solver/statistics/design.hpp"
-#include "solver/statistics/moments.hpp"
-#include "solver/statistics/sensitivity.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "solver/numeric/gsl/statistics.hpp"
+#include "solver/statistics/design.hpp"
+#include "solver/statistics/moments.hpp"
+#include "solver/statistics/sensitivity.hpp"
 
 namespace ashimpact {
 

@@ -1,7 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include "solver/statistics/distribution.hpp"
-#include "solver/statistics/inference/interval.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -10,6 +8,9 @@
 #include <span>
 #include <string>
 #include <vector>
+
+#include "solver/statistics/distribution.hpp"
+#include "solver/statistics/intervals/interval.hpp"
 
 namespace ashimpact {
 

@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/statistics/quasi_random.hpp"
 
 #include <bit>
+
 #include <boost/random/niederreiter_base2.hpp>
 #include <boost/random/sobol.hpp>
 
-#include "materials/base/error.hpp"
+#include "core/error.hpp"
 
 namespace ashimpact {
 

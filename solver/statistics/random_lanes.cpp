@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/statistics/random_lanes.hpp"
 
 #include <cstddef>
@@ -7,6 +8,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "solver/statistics/random_lanes.cpp"
 #include <hwy/foreach_target.h>
+
 #include <hwy/highway.h>
 
 #if HWY_TARGET != HWY_SCALAR

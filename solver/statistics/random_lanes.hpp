@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include "solver/statistics/philox.hpp"
 
 #include <cstdint>
 #include <span>
+
+#include "solver/statistics/philox.hpp"
 
 namespace ashimpact {
 

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every registered damping law: its shape, its unit, its limit and the guess that searches start from.
-#include <doctest/doctest.h>
-
 #include <cmath>
 #include <string>
+
+#include <doctest/doctest.h>
 
 #include "solver/damping/damping.hpp"
 #include "solver/motion/damping_inversion.hpp"

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Energy: what an undamped impact keeps, what a damped one loses, against quadratures of their own.
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include <doctest/doctest.h>
 
 #include "solver/contact/maugis/transition.hpp"
 #include "solver/contact/static_curve.hpp"

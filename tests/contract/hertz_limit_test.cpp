@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Without adhesion every law is Hertz; with ever less of it every law tends to Hertz.
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <doctest/doctest.h>
 
 #include "solver/contact/static_curve.hpp"
 #include "tests/relative_difference.hpp"

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Orbits of a law without memory cannot cross: faster in is faster out, and more damping is less of it.
-#include <doctest/doctest.h>
-
 #include <cmath>
 #include <vector>
+
+#include <doctest/doctest.h>
 
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "tests/support/contact_cases.hpp"

@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Ten thousand impacts of anything: each ends in a rebound, a capture or a typed refusal, and its ledger
 // closes.
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 #include <string>
 
-#include "materials/base/error.hpp"
+#include <doctest/doctest.h>
+
+#include "core/error.hpp"
 #include "tests/support/contact_cases.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/worst.hpp"

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // JKR without damping: the dynamic solver against the analytic separation energy (Eqs. 28-30, exact
 // constants).
-#include <doctest/doctest.h>
-
 #include <cmath>
 #include <numbers>
+
+#include <doctest/doctest.h>
 
 #include "materials/separation_energy.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"

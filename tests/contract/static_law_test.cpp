@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A law's own lines: polynomials, derivatives, signs, special points and units, for every registered law.
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
+
+#include <doctest/doctest.h>
 
 #include "solver/contact/registry.hpp"
 #include "solver/motion/scale.hpp"

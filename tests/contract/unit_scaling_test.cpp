@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // In other units of length, mass and time every result is the same number times its dimension.
-#include <doctest/doctest.h>
-
 #include <cmath>
+
+#include <doctest/doctest.h>
 
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/damping_inversion.hpp"

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where there is no critical velocity, and the thresholds between, as derived for each damping law.
-#include <doctest/doctest.h>
-
 #include <cmath>
+
+#include <doctest/doctest.h>
 
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/scale.hpp"

@@ -1,6 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One bibliography for everything that is cited: data/references.bib.
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -11,6 +10,8 @@
 #include <set>
 #include <string>
 #include <vector>
+
+#include <doctest/doctest.h>
 
 namespace {
 
@@ -93,7 +94,7 @@ TEST_CASE(
         CHECK_MESSAGE(entry_count.second == 1, "twice in references.bib: ", entry_count.first);
 
     std::set<std::string> cited;
-    for (const char* folder : {"materials", "solver", "pipeline", "data", "docs", "bench"}) {
+    for (const char* folder : {"core", "materials", "solver", "pipeline", "data", "docs", "bench"}) {
         for (const fs::path& path : files_below(folder, {".hpp", ".cpp", ".json", ".md"})) {
             const std::string text = text_of(path);
             std::set<std::string> keys = cited_in_words(text);

@@ -1,6 +1,5 @@
-#include "data/embedded.hpp"
-
-#include <doctest/doctest.h>
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/embedded.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -10,6 +9,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <doctest/doctest.h>
 
 using ashimpact::embedded_file;
 using ashimpact::embedded_files;

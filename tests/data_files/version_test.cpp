@@ -1,10 +1,11 @@
-#include "data/version.hpp"
-
-#include <doctest/doctest.h>
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/version.hpp"
 
 #include <fstream>
 #include <string>
 #include <string_view>
+
+#include <doctest/doctest.h>
 
 namespace {
 

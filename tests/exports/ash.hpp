@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <string_view>
 
 #include "materials/contact_properties.hpp"
-#include "pipeline/export/subject.hpp"
+#include "pipeline/present/export/subject.hpp"
 
 namespace ashimpact::test {
 

@@ -1,11 +1,12 @@
-#include "pipeline/export/impact_table.hpp"
-
-#include <doctest/doctest.h>
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/present/export/impact_table.hpp"
 
 #include <cmath>
 #include <random>
 
-#include "materials/base/error.hpp"
+#include <doctest/doctest.h>
+
+#include "core/error.hpp"
 #include "materials/contact_properties.hpp"
 #include "tests/exports/ash.hpp"
 #include "tests/relative_difference.hpp"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Parcels of the clouds that the exported check case does not have (its own is a colliding one): kinematic in that case,
 MPPIC and thermo in cases of Debian's openfoam-examples changed by the three lines of the docs. run_exports.py calls check()."""
 import csv

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Exports folders, runs each as its README says in a scratch directory with the real program, and lets its own
 compare.py judge. Usage: run_exports.py PROGRAM WORK [CODE...]; with `table`, or without a CODE, also what is refused.
 

@@ -1,16 +1,17 @@
-#include "pipeline/export/subject.hpp"
-
-#include <doctest/doctest.h>
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/present/export/subject.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <regex>
 #include <string>
 
-#include "materials/base/error.hpp"
-#include "pipeline/export/dem/dem.hpp"
-#include "pipeline/export/expected.hpp"
-#include "pipeline/export/tables.hpp"
+#include <doctest/doctest.h>
+
+#include "core/error.hpp"
+#include "pipeline/present/export/dem/dem.hpp"
+#include "pipeline/present/export/expected.hpp"
+#include "pipeline/present/export/tables.hpp"
 #include "tests/exports/ash.hpp"
 #include "tests/relative_difference.hpp"
 

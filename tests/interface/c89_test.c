@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The C interface as a C program uses it; compiled as C89 with every warning an error. */
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,4 @@
-#include <doctest/doctest.h>
-#include <fenv.h>  // NOLINT(modernize-deprecated-headers): feenableexcept is no part of <cfenv>
-#include <xmmintrin.h>
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 #include <bit>
 #include <cmath>
@@ -11,6 +8,10 @@
 #include <string>
 #include <thread>
 #include <vector>
+
+#include <doctest/doctest.h>
+#include <fenv.h>  // NOLINT(modernize-deprecated-headers): feenableexcept is no part of <cfenv>
+#include <xmmintrin.h>
 
 #include "interface/include/ashimpact.h"
 #include "solver/batch/critical_batch.hpp"

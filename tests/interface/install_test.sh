@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # install_test.sh BUILD: installs libashimpact into a scratch folder, moves it, and builds users' programs against it
 # by CMake and by pkg-config, shared and static.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """installed_pages_test.py BUILD: installs the program with its pages into a scratch folder, and follows every link of every page.
 installed_pages_test.py --below FOLDER: the same for pages that are installed.
 

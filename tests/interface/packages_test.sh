@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # packages_test.sh BUILD: the Debian packages, as lintian sees them and as they install into an empty Debian tree.
 # Whole (ASHIMPACT_WHOLE): the source archive is built too, in a folder without git.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # papers_test.sh BUILD: manual pages, completions and the reference page of the command line.
 set -euo pipefail
 papers=$1/papers program=$1/ashimpact

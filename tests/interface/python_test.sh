@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # python_test.sh BUILD: the Python module as users import it, its types as mypy sees them, its notebooks as they run.
 set -euo pipefail
 build=$(readlink -f "$1")

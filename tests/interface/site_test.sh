@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # site_test.sh BUILD: the site builds without a warning, its links lead somewhere, its blocks run.
 set -euo pipefail
 build=$(readlink -f "$1")

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "materials/contact_properties.hpp"
-
-#include <doctest/doctest.h>
 
 #include <limits>
 
-#include "materials/base/error.hpp"
+#include <doctest/doctest.h>
+
+#include "core/error.hpp"
 #include "tests/relative_difference.hpp"
 
 namespace ashimpact::test {

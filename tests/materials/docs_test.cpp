@@ -1,9 +1,10 @@
-#include <doctest/doctest.h>
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <string>
 
-#include "materials/base/text.hpp"
-#include "tests/materials/base/messages.hpp"
+#include <doctest/doctest.h>
+
+#include "core/text.hpp"
+#include "tests/core/messages.hpp"
 #include "tests/materials/catalogue.hpp"
 
 namespace ashimpact::test {

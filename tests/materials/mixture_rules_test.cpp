@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "materials/mixture_rules.hpp"
-
-#include <doctest/doctest.h>
 
 #include <array>
 #include <cmath>
 #include <random>
 #include <vector>
 
-#include "materials/base/error.hpp"
+#include <doctest/doctest.h>
+
+#include "core/error.hpp"
 #include "tests/materials/catalogue.hpp"
 #include "tests/relative_difference.hpp"
 

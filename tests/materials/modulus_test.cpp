@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "materials/modulus.hpp"
-
-#include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 
+#include <doctest/doctest.h>
+
 #include "materials/xrd/xrd.hpp"
-#include "tests/materials/base/messages.hpp"
+#include "tests/core/messages.hpp"
 #include "tests/materials/catalogue.hpp"
 #include "tests/relative_difference.hpp"
 

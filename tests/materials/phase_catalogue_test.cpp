@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "materials/phase_catalogue.hpp"
-
-#include <doctest/doctest.h>
 
 #include <cmath>
 #include <functional>
 #include <set>
+
+#include <doctest/doctest.h>
 
 #include "tests/materials/catalogue.hpp"
 #include "tests/relative_difference.hpp"

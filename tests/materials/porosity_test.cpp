@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "materials/porosity.hpp"
-
-#include <doctest/doctest.h>
 
 #include <array>
 #include <cmath>
 
-#include "tests/materials/base/messages.hpp"
+#include <doctest/doctest.h>
+
+#include "tests/core/messages.hpp"
 #include "tests/relative_difference.hpp"
 
 namespace ashimpact::test {

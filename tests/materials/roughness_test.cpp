@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "materials/roughness.hpp"
-
-#include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "materials/base/error.hpp"
+#include <doctest/doctest.h>
+
+#include "core/error.hpp"
 #include "tests/relative_difference.hpp"
 
 using namespace ashimpact;

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "materials/separation_energy.hpp"
-
-#include <doctest/doctest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "materials/base/error.hpp"
+#include <doctest/doctest.h>
+
+#include "core/error.hpp"
 #include "materials/contact_properties.hpp"
 #include "tests/relative_difference.hpp"
 

@@ -1,11 +1,12 @@
-#include <doctest/doctest.h>
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include <doctest/doctest.h>
 
 #include "tests/oracles/column.hpp"
 #include "tests/oracles/comparison.hpp"

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The contact at the critical velocity, followed backward in time from its end by GSL, in overlap and
 // velocity.
-#include <doctest/doctest.h>
-
 #include <array>
 #include <cmath>
 #include <string>
+
+#include <doctest/doctest.h>
 
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "tests/oracles/contact_force.hpp"

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+
+#include <optional>
 
 #include "solver/contact/detachment.hpp"
 #include "solver/damping/damping.hpp"
-
-#include <optional>
 
 namespace ashimpact::oracles {
 

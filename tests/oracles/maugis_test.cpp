@@ -1,15 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Maugis-Dugdale impacts against an integration in time that shares neither coordinates nor series.
-#include "tests/oracles/maugis_impact.hpp"
-
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <doctest/doctest.h>
 
 #include "solver/contact/maugis/transition.hpp"
 #include "solver/motion/impact.hpp"
 #include "solver/motion/maugis/cohesive_motion.hpp"
 #include "solver/motion/scale.hpp"
+#include "tests/oracles/maugis_impact.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/random.hpp"
 

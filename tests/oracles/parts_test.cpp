@@ -1,11 +1,12 @@
-#include <doctest/doctest.h>
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <string>
 #include <tuple>
+
+#include <doctest/doctest.h>
 
 #include "tests/oracles/contact_force.hpp"
 #include "tests/oracles/dem/deck.hpp"

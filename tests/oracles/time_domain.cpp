@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/oracles/time_domain.hpp"
 
 #include <array>
 #include <cmath>
 #include <optional>
 
-#include "materials/base/error.hpp"
+#include "core/error.hpp"
 #include "tests/oracles/contact_force.hpp"
 #include "tests/support/ode.hpp"
 

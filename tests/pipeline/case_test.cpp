@@ -1,11 +1,12 @@
-#include <doctest/doctest.h>
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
-#include "pipeline/case/case_json.hpp"
+#include <doctest/doctest.h>
+
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/case/laws.hpp"
-#include "pipeline/json/schema.hpp"
+#include "pipeline/document/case_json.hpp"
+#include "pipeline/document/schema.hpp"
 #include "tests/pipeline/sandbox.hpp"
 #include "tests/relative_difference.hpp"
 

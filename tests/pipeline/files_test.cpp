@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+
 #include <doctest/doctest.h>
 #include <unistd.h>
 
-#include <array>
-
-#include "materials/base/error.hpp"
-#include "pipeline/files/file.hpp"
-#include "pipeline/files/sha256.hpp"
+#include "core/error.hpp"
+#include "pipeline/document/files/file.hpp"
+#include "pipeline/document/files/sha256.hpp"
 #include "tests/pipeline/sandbox.hpp"
 
 using namespace ashimpact;

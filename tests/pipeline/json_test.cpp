@@ -1,13 +1,14 @@
-#include <doctest/doctest.h>
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <limits>
 #include <string>
 
-#include "materials/base/view.hpp"
-#include "pipeline/json/document.hpp"
-#include "pipeline/json/schema.hpp"
-#include "pipeline/json/writer.hpp"
-#include "pipeline/stages/json/uncertainty_json.hpp"
+#include <doctest/doctest.h>
+
+#include "core/json/document.hpp"
+#include "core/json/view.hpp"
+#include "core/json/writer.hpp"
+#include "pipeline/document/schema.hpp"
+#include "pipeline/document/uncertainty_json.hpp"
 
 using namespace ashimpact;
 

@@ -1,12 +1,13 @@
-#include <doctest/doctest.h>
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/run.hpp"
-#include "pipeline/stages/contact.hpp"
-#include "solver/calibration/reconstruction.hpp"
+#include <doctest/doctest.h>
+
+#include "pipeline/run/contact.hpp"
+#include "pipeline/run/run.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/inference/calibration/reconstruction.hpp"
 #include "solver/motion/impact.hpp"
 #include "tests/pipeline/sandbox.hpp"
 #include "tests/relative_difference.hpp"

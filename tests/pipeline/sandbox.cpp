@@ -1,6 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/pipeline/sandbox.hpp"
-
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -9,7 +8,9 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "data/embedded.hpp"
+#include <sys/wait.h>
+
+#include "core/embedded.hpp"
 
 namespace ashimpact::test {
 

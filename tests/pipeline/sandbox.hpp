@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "pipeline/json/document.hpp"
-#include "pipeline/run.hpp"
+#include "core/json/document.hpp"
+#include "pipeline/run/run.hpp"
 
 namespace ashimpact::test {
 

@@ -1,22 +1,23 @@
-#include <doctest/doctest.h>
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <map>
+
+#include <doctest/doctest.h>
 
 #include "materials/separation_energy.hpp"
 #include "pipeline/case/case.hpp"
 #include "pipeline/case/case_reader.hpp"
-#include "pipeline/json/schema.hpp"
-#include "pipeline/run.hpp"
-#include "pipeline/stages/analytic.hpp"
-#include "pipeline/stages/comparison/equal_velocities.hpp"
-#include "pipeline/stages/contact.hpp"
-#include "pipeline/stages/critical_velocity.hpp"
-#include "pipeline/stages/damping.hpp"
-#include "pipeline/stages/fit.hpp"
-#include "pipeline/stages/modulus.hpp"
-#include "pipeline/stages/restitution.hpp"
-#include "pipeline/stages/uncertainty/calibration_problem.hpp"
+#include "pipeline/document/schema.hpp"
+#include "pipeline/run/analytic.hpp"
+#include "pipeline/run/comparison/equal_velocities.hpp"
+#include "pipeline/run/contact.hpp"
+#include "pipeline/run/critical_velocity.hpp"
+#include "pipeline/run/damping.hpp"
+#include "pipeline/run/fit.hpp"
+#include "pipeline/run/modulus.hpp"
+#include "pipeline/run/restitution.hpp"
+#include "pipeline/run/run.hpp"
+#include "pipeline/run/uncertainty/calibration_problem.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/momentum_balance.hpp"
 #include "tests/pipeline/sandbox.hpp"

@@ -1,12 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/text.hpp"
+
 #include <doctest/doctest.h>
 
-#include "materials/base/text.hpp"
-#include "pipeline/cli/colors.hpp"
-#include "pipeline/text/artifact_text.hpp"
-#include "pipeline/text/comparison_table.hpp"
-#include "pipeline/text/readable.hpp"
-#include "pipeline/text/remarks.hpp"
-#include "pipeline/text/table.hpp"
+#include "pipeline/app/cli/colors.hpp"
+#include "pipeline/present/text/artifact_text.hpp"
+#include "pipeline/present/text/comparison_table.hpp"
+#include "pipeline/present/text/readable.hpp"
+#include "pipeline/present/text/remarks.hpp"
+#include "pipeline/present/text/table.hpp"
 
 using namespace ashimpact;
 

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Figure 3 of Dong et al. 2013: the normalised curves of Eqs. 22-24, written from the paper, and what the
 // text reads off the figure.
-#include <doctest/doctest.h>
-
 #include <cmath>
 #include <vector>
 
-#include "materials/base/error.hpp"
+#include <doctest/doctest.h>
+
+#include "core/error.hpp"
 #include "solver/contact/static_curve.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/contact_cases.hpp"

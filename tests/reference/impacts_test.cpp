@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every impact of data/reference/impacts.json: an independent time-domain integration (DOP853, rtol 1e-12).
-#include <doctest/doctest.h>
-
 #include <set>
 #include <string>
+
+#include <doctest/doctest.h>
 
 #include "solver/motion/impact.hpp"
 #include "tests/relative_difference.hpp"

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The static JKR law against Dong et al. 2013, Eqs. 15-20 (SI) and 25-27 (normalised), written from the paper
 // as corrected in docs/errata.md.
-#include <doctest/doctest.h>
-
 #include <cmath>
 #include <numbers>
+
+#include <doctest/doctest.h>
 
 #include "solver/contact/static_curve.hpp"
 #include "tests/relative_difference.hpp"

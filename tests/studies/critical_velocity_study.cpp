@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How often the interval of v_c holds in laboratories of known truth; docs/uncertainty.md has the table.
 //     critical_velocity_study [REPETITIONS [ROW [LAW [SEED]]]]    the study; 1000 repetitions by default; ""
 //     is
@@ -14,9 +15,9 @@
 #include <string>
 #include <vector>
 
-#include "materials/base/error.hpp"
-#include "solver/gsl/distribution.hpp"
-#include "solver/uncertainty/curve/headline.hpp"
+#include "core/error.hpp"
+#include "solver/inference/curve/headline.hpp"
+#include "solver/numeric/gsl/distribution.hpp"
 #include "tests/studies/laboratory.hpp"
 #include "tests/studies/model.hpp"
 

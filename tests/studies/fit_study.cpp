@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How often the estimate of v_c and the paper's extrapolation are said to disagree where the truth is the
 // extrapolated polynomial, and how often the robust extrapolation finds no fit; docs/uncertainty.md.
 //     fit_study [REPETITIONS [LAW]]    200 repetitions by default
@@ -11,8 +12,8 @@
 
 #include "materials/contact_properties.hpp"
 #include "solver/contact/registry.hpp"
-#include "solver/gsl/distribution.hpp"
-#include "solver/uncertainty/measured_damping.hpp"
+#include "solver/inference/measured_damping.hpp"
+#include "solver/numeric/gsl/distribution.hpp"
 #include "tests/studies/laboratory.hpp"
 #include "tests/studies/model.hpp"
 

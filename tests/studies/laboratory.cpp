@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/studies/laboratory.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "solver/gsl/distribution.hpp"
+#include "solver/numeric/gsl/distribution.hpp"
 
 namespace ashimpact::studies {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <map>
@@ -5,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/measurement/measurement.hpp"
+#include "solver/inference/impacts/measurement.hpp"
 #include "tests/studies/truth.hpp"
 #include "tests/support/random.hpp"
 

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <vector>
 
 #include "materials/contact_properties.hpp"
 #include "solver/contact/registry.hpp"
-#include "solver/measurement/contact_model.hpp"
+#include "solver/surrogate/contact_model.hpp"
 
 namespace ashimpact::studies {
 

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <string>
 
-#include "materials/base/error.hpp"
+#include "core/error.hpp"
 
 namespace ashimpact::test {
 

@@ -1,7 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_odeiv2.h>
 
 #include <algorithm>
 #include <array>
@@ -10,8 +8,11 @@
 #include <memory>
 #include <utility>
 
-#include "materials/base/error.hpp"
-#include "solver/gsl/status.hpp"
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
+
+#include "core/error.hpp"
+#include "solver/numeric/gsl/status.hpp"
 
 namespace ashimpact::test {
 

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/quadrature.hpp"
-
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_integration.h>
 
 #include <memory>
 #include <stdexcept>
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
 
 namespace ashimpact::test {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <cmath>
@@ -5,7 +6,7 @@
 #include <cstdint>
 #include <random>
 
-#include "solver/gsl/distribution.hpp"
+#include "solver/numeric/gsl/distribution.hpp"
 #include "solver/statistics/philox.hpp"
 
 namespace ashimpact::test {

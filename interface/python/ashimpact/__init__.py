@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Impacts of fly-ash particles: from an XRD result to the dynamic critical velocity.
 
 Numbers are SI throughout: metres, kilograms, seconds, pascals. Arrays broadcast as in numpy. What is not

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Many impacts, critical velocities and dampings at once, on numpy's arrays."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The commands that read files: each runs the program ashimpact, whose documents come back as dicts.
 
 They run in a process of their own: Python goes on in its other threads, and an interrupt ends them.

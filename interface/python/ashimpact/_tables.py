@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Tables of results and of measured impacts, from and to pandas where it is installed."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Figures of a run, for matplotlib.
 
 Every function draws into the axes it is given, or into new ones, and returns them. It takes the artifacts that

@@ -1,8 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The part of the Python module that is not Python: the batch solver on numpy's arrays.
-#include <pybind11/numpy.h>
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
-
 #include <chrono>
 #include <limits>
 #include <optional>
@@ -11,9 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "data/version.hpp"
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "core/error.hpp"
+#include "core/version.hpp"
 #include "interface/chunks.hpp"
-#include "materials/base/error.hpp"
 #include "solver/batch/critical_batch.hpp"
 #include "solver/batch/impact_batch.hpp"
 #include "solver/batch/inversion_batch.hpp"

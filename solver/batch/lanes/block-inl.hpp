@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Included once for each instruction set, so with no include guard but this.
 #if defined(ASHIMPACT_SOLVER_BATCH_BLOCK_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef ASHIMPACT_SOLVER_BATCH_BLOCK_INL_HPP
@@ -6,11 +7,11 @@
 #define ASHIMPACT_SOLVER_BATCH_BLOCK_INL_HPP
 #endif
 
+#include <cstdint>
+
 #include "solver/batch/kernel.hpp"
 #include "solver/batch/lanes/leapfrog-inl.hpp"
 #include "solver/batch/lanes/orbit-inl.hpp"
-
-#include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {

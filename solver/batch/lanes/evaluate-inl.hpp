@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Included once for each instruction set, so with no include guard but this.
 #if defined(ASHIMPACT_SOLVER_BATCH_EVALUATE_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef ASHIMPACT_SOLVER_BATCH_EVALUATE_INL_HPP
@@ -6,11 +7,11 @@
 #define ASHIMPACT_SOLVER_BATCH_EVALUATE_INL_HPP
 #endif
 
-#include "solver/batch/lanes/lanes-inl.hpp"
-#include "solver/batch/lanes/sparse.hpp"
-
 #include <array>
 #include <cstddef>
+
+#include "solver/batch/lanes/lanes-inl.hpp"
+#include "solver/batch/lanes/sparse.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Included once for each instruction set, so with no include guard but this.
 #if defined(ASHIMPACT_SOLVER_BATCH_IMPACTS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef ASHIMPACT_SOLVER_BATCH_IMPACTS_INL_HPP
@@ -6,13 +7,13 @@
 #define ASHIMPACT_SOLVER_BATCH_IMPACTS_INL_HPP
 #endif
 
-#include "solver/batch/lanes/block-inl.hpp"
-#include "solver/batch/order.hpp"
-#include "solver/batch/tables/lookup-inl.hpp"
-
 #include <algorithm>
 #include <limits>
 #include <span>
+
+#include "solver/batch/lanes/block-inl.hpp"
+#include "solver/batch/order.hpp"
+#include "solver/surrogate/batch/lookup-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {

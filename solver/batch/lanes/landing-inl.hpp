@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Included once for each instruction set, so with no include guard but this.
 #if defined(ASHIMPACT_SOLVER_BATCH_LANDING_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef ASHIMPACT_SOLVER_BATCH_LANDING_INL_HPP
@@ -6,9 +7,9 @@
 #define ASHIMPACT_SOLVER_BATCH_LANDING_INL_HPP
 #endif
 
-#include "solver/batch/lanes/equation-inl.hpp"
-
 #include <array>
+
+#include "solver/batch/lanes/equation-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {

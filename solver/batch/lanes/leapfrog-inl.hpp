@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Included once for each instruction set, so with no include guard but this.
 #if defined(ASHIMPACT_SOLVER_BATCH_LEAPFROG_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef ASHIMPACT_SOLVER_BATCH_LEAPFROG_INL_HPP
@@ -6,11 +7,11 @@
 #define ASHIMPACT_SOLVER_BATCH_LEAPFROG_INL_HPP
 #endif
 
-#include "solver/batch/lanes/extrapolation.hpp"
-#include "solver/batch/lanes/groups-inl.hpp"
-
 #include <cstddef>
 #include <utility>
+
+#include "solver/batch/lanes/extrapolation.hpp"
+#include "solver/batch/lanes/groups-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {

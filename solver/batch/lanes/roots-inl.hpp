@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Included once for each instruction set, so with no include guard but this.
 #if defined(ASHIMPACT_SOLVER_BATCH_ROOTS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef ASHIMPACT_SOLVER_BATCH_ROOTS_INL_HPP

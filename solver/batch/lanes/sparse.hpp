@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include "solver/batch/lanes/symbol.hpp"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+
+#include "solver/batch/lanes/symbol.hpp"
 
 namespace ashimpact {
 

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/contact/maugis/cohesive_zone.hpp"
-
-#include "solver/numeric/series.hpp"
 
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "solver/numeric/series.hpp"
 
 namespace ashimpact {
 

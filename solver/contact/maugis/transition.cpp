@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/contact/maugis/transition.hpp"
-
-#include "materials/base/error.hpp"
-#include "materials/base/text.hpp"
-#include "solver/contact/maugis/cohesive_zone.hpp"
-#include "solver/contact/maugis_dugdale.hpp"
-#include "solver/numeric/power.hpp"
 
 #include <cmath>
 #include <numbers>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "solver/contact/maugis/cohesive_zone.hpp"
+#include "solver/contact/maugis_dugdale.hpp"
+#include "solver/numeric/power.hpp"
 
 namespace ashimpact {
 

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/critical_velocity/maugis/cohesive_critical_velocity.hpp"
-
-#include "solver/motion/orbit.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "solver/motion/orbit.hpp"
 
 namespace ashimpact {
 

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/motion/maugis/cohesive_impact.hpp"
-
-#include "solver/contact/maugis/transition.hpp"
-#include "solver/motion/motion.hpp"
 
 #include <algorithm>
 #include <cmath>
+
+#include "solver/contact/maugis/transition.hpp"
+#include "solver/motion/motion.hpp"
 
 namespace ashimpact {
 

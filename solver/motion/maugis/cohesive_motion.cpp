@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/motion/maugis/cohesive_motion.hpp"
-
-#include "solver/contact/maugis/transition.hpp"
 
 #include <cmath>
 #include <limits>
+
+#include "solver/contact/maugis/transition.hpp"
 
 namespace ashimpact {
 

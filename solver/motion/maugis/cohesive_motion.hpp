@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+
+#include <optional>
+#include <string>
 
 #include "solver/contact/detachment.hpp"
 #include "solver/motion/impact.hpp"
 #include "solver/motion/maugis/cohesive_branches.hpp"
 #include "solver/motion/scale.hpp"
-
-#include <optional>
-#include <string>
 
 namespace ashimpact {
 

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "materials/base/error.hpp"
+#include "core/error.hpp"
 #include "solver/motion/maugis/cohesive_motion.hpp"
 #include "solver/motion/orbit.hpp"
 

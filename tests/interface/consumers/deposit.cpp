@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A user's program: what share of particles of a size distribution a wall keeps. Built by CMake and by
 // pkg-config.
-#include <ashimpact/model.hpp>
-
 #include <cmath>
 #include <iostream>
 #include <vector>
+
+#include <ashimpact/model.hpp>
 
 int main() {
     const ashimpact::Model ash(

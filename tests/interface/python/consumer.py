@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A user's program, checked by mypy --strict against the module's types and run as it is."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """run_notebooks.py FILE...: runs notebooks from top to bottom; any cell that fails ends it."""
 
 import sys

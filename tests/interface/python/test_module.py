@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The Python module, from outside: results, shapes, errors, threads, signals, documents."""
 
 import ctypes

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """blocks.py PAGE...: runs the shell and Python blocks of each page, in order, in one folder a page. Each line of a block
 `output` has to be among what the block before it printed.
 

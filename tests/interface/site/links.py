@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """links.py SITE: every link of every page to another page or a place in it must lead somewhere."""
 
 import sys

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # ashimpact.html in real browsers: page.sh PROGRAM, which makes the results it is compared with. Exits with 77, after saying
 # why, where the page, the browser or the packages of npm are missing (`./dev deps web`); in CI that is a failure.
 set -euo pipefail

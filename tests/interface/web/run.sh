@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The program for pages against the program of this machine: run.sh PROGRAM. The reference impacts, the built-in case and
 # init's example give the same results under node. Builds the page's program as `./dev web` does. Exits with 77, after saying why, where
 # emscripten or node is missing (`./dev deps web`); in CI that is a failure.

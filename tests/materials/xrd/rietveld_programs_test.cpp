@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // FullProf and TOPAS: what their files may look like, and what is refused.
-#include <doctest/doctest.h>
-
 #include <cmath>
 #include <string>
 
+#include <doctest/doctest.h>
+
 #include "materials/xrd/xrd.hpp"
-#include "tests/materials/base/messages.hpp"
+#include "tests/core/messages.hpp"
 #include "tests/materials/catalogue.hpp"
 #include "tests/relative_difference.hpp"
 

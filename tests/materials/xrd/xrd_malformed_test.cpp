@@ -1,11 +1,12 @@
-#include <doctest/doctest.h>
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <random>
 #include <string>
 #include <vector>
 
+#include <doctest/doctest.h>
+
 #include "materials/xrd/xrd.hpp"
-#include "tests/materials/base/messages.hpp"
+#include "tests/core/messages.hpp"
 #include "tests/materials/catalogue.hpp"
 
 namespace ashimpact::test {

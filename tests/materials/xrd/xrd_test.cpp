@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "materials/xrd/xrd.hpp"
-
-#include <doctest/doctest.h>
 
 #include <cmath>
 
+#include <doctest/doctest.h>
+
 #include "materials/modulus.hpp"
-#include "tests/materials/base/messages.hpp"
+#include "tests/core/messages.hpp"
 #include "tests/materials/catalogue.hpp"
 #include "tests/relative_difference.hpp"
 

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What somebody types who has an ash, a camera and no knowledge of the program: a transcript.
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <regex>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include "tests/pipeline/sandbox.hpp"
 #include "tests/support/sanitized.hpp"

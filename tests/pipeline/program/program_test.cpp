@@ -1,15 +1,16 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
 #include <sstream>
 #include <string>
 
-#include "data/embedded.hpp"
-#include "pipeline/files/sha256.hpp"
-#include "pipeline/json/schema.hpp"
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include "core/embedded.hpp"
+#include "pipeline/document/files/sha256.hpp"
+#include "pipeline/document/schema.hpp"
 #include "tests/pipeline/sandbox.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/sanitized.hpp"

@@ -1,7 +1,8 @@
-#include <doctest/doctest.h>
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <filesystem>
+
+#include <doctest/doctest.h>
 
 #include "tests/pipeline/sandbox.hpp"
 

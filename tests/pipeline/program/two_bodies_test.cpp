@@ -1,7 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Law maugis-dugdale, a second sphere and rough surfaces, as typed.
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -9,9 +7,12 @@
 #include <string>
 #include <vector>
 
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include "core/json/document.hpp"
 #include "materials/contact_properties.hpp"
-#include "pipeline/files/file.hpp"
-#include "pipeline/json/document.hpp"
+#include "pipeline/document/files/file.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "tests/pipeline/sandbox.hpp"
 #include "tests/relative_difference.hpp"

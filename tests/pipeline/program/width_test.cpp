@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <doctest/doctest.h>
 
-#include "pipeline/text/layout.hpp"
+#include "pipeline/present/text/layout.hpp"
 #include "tests/pipeline/sandbox.hpp"
 #include "tests/support/sanitized.hpp"
 

@@ -1,8 +1,9 @@
-#include "pipeline/report/sweep/capture_fraction.hpp"
-
-#include <doctest/doctest.h>
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/present/report/sweep/capture_fraction.hpp"
 
 #include <cmath>
+
+#include <doctest/doctest.h>
 
 namespace ashimpact::report {
 

@@ -1,12 +1,13 @@
-#include <doctest/doctest.h>
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <regex>
 
-#include "pipeline/report/drawing/axes.hpp"
-#include "pipeline/report/drawing/markup.hpp"
-#include "pipeline/report/drawing/panel.hpp"
-#include "pipeline/report/figure.hpp"
+#include <doctest/doctest.h>
+
+#include "pipeline/present/report/drawing/axes.hpp"
+#include "pipeline/present/report/drawing/markup.hpp"
+#include "pipeline/present/report/drawing/panel.hpp"
+#include "pipeline/present/report/figure.hpp"
 
 namespace ashimpact::report {
 

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The search behind the curves of the report: impacts that have wanted restitutions.
-#include <doctest/doctest.h>
+#include "pipeline/present/report/data/impact_search.hpp"
 
 #include <cmath>
 
-#include "pipeline/report/data/impact_search.hpp"
+#include <doctest/doctest.h>
+
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/impact.hpp"
 #include "tests/relative_difference.hpp"

@@ -1,6 +1,5 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-#include <zlib.h>
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/present/report/report.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -11,13 +10,16 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/files/file.hpp"
-#include "pipeline/files/sha256.hpp"
-#include "pipeline/report/data/model_curve.hpp"
-#include "pipeline/report/drawing/markup.hpp"
-#include "pipeline/report/figure_file.hpp"
-#include "pipeline/report/figures/figures.hpp"
-#include "pipeline/report/report.hpp"
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include "pipeline/document/files/file.hpp"
+#include "pipeline/document/files/sha256.hpp"
+#include "pipeline/present/report/data/model_curve.hpp"
+#include "pipeline/present/report/drawing/markup.hpp"
+#include "pipeline/present/report/figure_file.hpp"
+#include "pipeline/present/report/figures/figures.hpp"
 #include "solver/motion/impact.hpp"
 #include "tests/pipeline/sandbox.hpp"
 

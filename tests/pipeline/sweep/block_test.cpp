@@ -1,9 +1,9 @@
-#include "pipeline/sweep/crew/chunk.hpp"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <doctest/doctest.h>
 
-#include "pipeline/sweep/bytes.hpp"
-#include "pipeline/sweep/crew/tally.hpp"
+#include "pipeline/app/sweep/bytes.hpp"
+#include "pipeline/app/sweep/crew/chunk.hpp"
+#include "pipeline/app/sweep/crew/tally.hpp"
 #include "tests/pipeline/sweep/specs.hpp"
 
 using namespace ashimpact;

@@ -1,4 +1,5 @@
-#include "pipeline/sweep/bytes.hpp"
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/app/sweep/bytes.hpp"
 
 #include <doctest/doctest.h>
 

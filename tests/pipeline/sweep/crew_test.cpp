@@ -1,12 +1,13 @@
-#include "pipeline/sweep/crew/crew.hpp"
-
-#include <doctest/doctest.h>
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/app/sweep/crew/crew.hpp"
 
 #include <atomic>
 #include <set>
 #include <thread>
 
-#include "materials/base/error.hpp"
+#include <doctest/doctest.h>
+
+#include "core/error.hpp"
 
 using namespace ashimpact;
 

@@ -1,11 +1,12 @@
-#include <doctest/doctest.h>
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <memory>
 #include <random>
 #include <thread>
+
+#include <doctest/doctest.h>
 
 #include "tests/pipeline/sweep/process.hpp"
 #include "tests/pipeline/sweep/specs.hpp"

@@ -1,6 +1,7 @@
-#include <doctest/doctest.h>
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <filesystem>
+
+#include <doctest/doctest.h>
 
 #include "tests/pipeline/sweep/process.hpp"
 

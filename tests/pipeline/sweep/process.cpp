@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/pipeline/sweep/process.hpp"
+
+#include <csignal>
+#include <cstdlib>
+#include <stdexcept>
 
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#include <csignal>
-#include <cstdlib>
-#include <stdexcept>
 
 namespace ashimpact::test {
 

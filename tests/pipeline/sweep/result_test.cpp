@@ -1,13 +1,13 @@
-#include "pipeline/sweep/result_json.hpp"
-
-#include <doctest/doctest.h>
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <numbers>
 
-#include "pipeline/files/file.hpp"
-#include "pipeline/json/schema.hpp"
-#include "pipeline/json/writer.hpp"
+#include <doctest/doctest.h>
+
+#include "core/json/writer.hpp"
+#include "pipeline/app/sweep/result_json.hpp"
+#include "pipeline/document/files/file.hpp"
+#include "pipeline/document/schema.hpp"
 #include "tests/pipeline/sweep/process.hpp"
 #include "tests/pipeline/sweep/specs.hpp"
 

@@ -1,10 +1,11 @@
-#include "pipeline/sweep/spec/spec.hpp"
-
-#include <doctest/doctest.h>
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/app/sweep/spec/spec.hpp"
 
 #include <functional>
 
-#include "materials/base/error.hpp"
+#include <doctest/doctest.h>
+
+#include "core/error.hpp"
 #include "tests/pipeline/sweep/process.hpp"
 #include "tests/pipeline/sweep/specs.hpp"
 

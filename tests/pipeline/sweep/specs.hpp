@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <string>
 
-#include "pipeline/json/document.hpp"
+#include "core/json/document.hpp"
 
 namespace ashimpact::test {
 

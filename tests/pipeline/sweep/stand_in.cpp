@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -7,10 +8,10 @@
 #include <string>
 #include <thread>
 
-#include "materials/base/error.hpp"
-#include "pipeline/cli/program.hpp"
-#include "pipeline/sweep/command.hpp"
-#include "pipeline/sweep/mpi/session.hpp"
+#include "core/error.hpp"
+#include "pipeline/app/cli/program.hpp"
+#include "pipeline/app/sweep/command.hpp"
+#include "pipeline/app/sweep/mpi/session.hpp"
 
 /// ashimpact-sweep with a formula in place of the solver, so that everything around the impacts can be tested
 /// with many of them. ASHIMPACT_PAUSE: seconds every chunk takes at least; ASHIMPACT_FAIL: a velocity [m/s]

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
 #include <doctest/doctest.h>
 #include <hdf5.h>
-
-#include <cmath>
 
 #include "materials/contact_properties.hpp"
 #include "solver/motion/impact.hpp"

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Whether builds of the program agree: `ashimpact run` of the built-in case by each of them, every number of every artifact.
 
     compare.py PROGRAM OTHER...      to 1e-12 of the number, or of the greatest of its list; all else has to be the same

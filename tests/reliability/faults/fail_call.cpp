@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Loaded before the program (LD_PRELOAD), it has one system call of the write phase fail, or kills the
 // process there. The write phase begins when the folder of the new files is made, or with
 // ASHIMPACT_FAULT_FROM=0 at once. ASHIMPACT_FAULT_CALL: which call, from 1 on; ASHIMPACT_FAULT_ERROR: the
@@ -8,18 +9,18 @@
 #define _GNU_SOURCE 1
 #endif
 
-#include <dlfcn.h>
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <csignal>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace {
 

@@ -1,8 +1,6 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whatever fails or kills a run while it writes, its folder is the old run or the new one. ASHIMPACT_WHOLE:
 // whole runs instead of single stages.
-#include <doctest/doctest.h>
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
@@ -12,6 +10,9 @@
 #include <memory>
 #include <random>
 #include <thread>
+
+#include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include "tests/pipeline/sandbox.hpp"
 #include "tests/pipeline/sweep/process.hpp"

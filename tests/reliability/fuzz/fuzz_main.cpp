@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // libFuzzer's entry: ASHIMPACT_FUZZ_TARGET names the target. `./dev fuzz` builds and runs it.
 #include <cstdio>
 #include <cstdlib>

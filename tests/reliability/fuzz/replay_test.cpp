@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The corpora of the fuzz targets, each file as it is and changed at random: bytes flipped, cut out, doubled,
 // and numbers and words of other files put in. Needs no clang.
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+
+#include <doctest/doctest.h>
 
 #include "tests/reliability/fuzz/targets.hpp"
 #include "tests/support/random.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/reliability/fuzz/targets.hpp"
 
 #include <algorithm>
@@ -6,19 +7,19 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "materials/base/error.hpp"
-#include "materials/base/tables/text_lines.hpp"
-#include "materials/base/tables/workbook/workbook.hpp"
-#include "materials/base/units.hpp"
+#include "core/error.hpp"
+#include "core/tables/text_lines.hpp"
+#include "core/tables/workbook/workbook.hpp"
+#include "core/units/units.hpp"
 #include "materials/xrd/readers.hpp"
 #include "materials/xrd/xrd.hpp"
+#include "pipeline/app/sweep/spec/plan.hpp"
 #include "pipeline/case/case_reader.hpp"
-#include "pipeline/json/schema.hpp"
-#include "pipeline/run_identity.hpp"
-#include "pipeline/sweep/spec/plan.hpp"
-#include "pipeline/text/artifact_text.hpp"
+#include "pipeline/document/run_identity.hpp"
+#include "pipeline/document/schema.hpp"
+#include "pipeline/present/text/artifact_text.hpp"
 #include "solver/batch/impact_batch.hpp"
-#include "solver/measurement/measurement_reader.hpp"
+#include "solver/inference/impacts/measurement_reader.hpp"
 #include "tests/reliability/fuzz/stored_zip.hpp"
 #include "tests/support/solve_as_batch.hpp"
 

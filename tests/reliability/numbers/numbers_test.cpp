@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Random parameter sets over twelve decades. ASHIMPACT_WHOLE: a million of them, or as many as it says;
 // ASHIMPACT_SEED: others; ASHIMPACT_CASE: only those whose names have this in them, such as "dmt, constant".
-#include <doctest/doctest.h>
-
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+
+#include <doctest/doctest.h>
 
 #include "solver/batch/kernel.hpp"
 #include "tests/reliability/numbers/random_sets.hpp"

@@ -1,6 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/reliability/numbers/random_sets.hpp"
-
-#include <doctest/doctest.h>
 
 #include <algorithm>
 #include <bit>
@@ -11,7 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "materials/base/error.hpp"
+#include <doctest/doctest.h>
+
+#include "core/error.hpp"
 #include "solver/batch/impact_batch.hpp"
 #include "solver/batch/kernel.hpp"
 #include "solver/batch/parallel.hpp"

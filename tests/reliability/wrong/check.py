@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A corpus of wrong documents, fed to the program: every key of every input missing, of a wrong type, unit, sign or range,
 huge, denormal, twice, unknown, deep, long; JSON that is none; tables, XRD results, artifacts.
 

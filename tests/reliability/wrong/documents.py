@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Right documents that together use every key of every input, and what is known of their places beyond the schema."""
 
 import copy

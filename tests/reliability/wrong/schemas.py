@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What the program's own schemas say of a place in a document."""
 
 import json

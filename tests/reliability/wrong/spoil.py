@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Ways to spoil a document, each of which makes it wrong whatever the rest says.
 
 A way is (kind, pointer, text): the kind of mistake, the place that the message has to name (or a part of it, or what it is

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Right tables and listings, and ways to spoil them: (kind, line number or None, bytes)."""
 
 IMPACTS = [

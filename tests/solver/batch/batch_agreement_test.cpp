@@ -1,8 +1,9 @@
-#include <doctest/doctest.h>
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+
+#include <doctest/doctest.h>
 
 #include "solver/batch/impact_batch.hpp"
 #include "solver/batch/parallel.hpp"

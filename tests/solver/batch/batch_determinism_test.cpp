@@ -1,8 +1,4 @@
-#include "solver/batch/impact_batch.hpp"
-#include "solver/batch/instruction_set.hpp"
-
-#include <doctest/doctest.h>
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -13,8 +9,12 @@
 #include <string>
 #include <thread>
 
-#include "materials/base/error.hpp"
-#include "solver/batch/tables/restitution_table.hpp"
+#include <doctest/doctest.h>
+
+#include "core/error.hpp"
+#include "solver/batch/impact_batch.hpp"
+#include "solver/batch/instruction_set.hpp"
+#include "solver/surrogate/batch/restitution_table.hpp"
 #include "tests/solver/batch/batch_sample.hpp"
 
 using namespace ashimpact;

@@ -1,12 +1,12 @@
-#include "solver/batch/impact_batch.hpp"
-
-#include <doctest/doctest.h>
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <limits>
 #include <string>
 
-#include "materials/base/error.hpp"
+#include <doctest/doctest.h>
+
+#include "core/error.hpp"
+#include "solver/batch/impact_batch.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/scale.hpp"
 #include "tests/relative_difference.hpp"

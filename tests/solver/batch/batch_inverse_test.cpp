@@ -1,11 +1,11 @@
-#include "solver/batch/critical_batch.hpp"
-#include "solver/batch/inversion_batch.hpp"
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
 
 #include <doctest/doctest.h>
 
-#include <cmath>
-
-#include "materials/base/error.hpp"
+#include "core/error.hpp"
+#include "solver/batch/critical_batch.hpp"
+#include "solver/batch/inversion_batch.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/solver/batch/batch_sample.hpp"
 

@@ -1,8 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/solver/batch/batch_sample.hpp"
-
-#include "solver/batch/kernel.hpp"
-#include "solver/motion/scale.hpp"
-#include "tests/support/contact_cases.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +7,10 @@
 #include <numbers>
 #include <random>
 #include <stdexcept>
+
+#include "solver/batch/kernel.hpp"
+#include "solver/motion/scale.hpp"
+#include "tests/support/contact_cases.hpp"
 
 namespace ashimpact::test {
 

@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include "solver/batch/impact_batch.hpp"
-
-#include <Eigen/Core>
 
 #include <cstdint>
 #include <map>
 #include <string_view>
 #include <vector>
+
+#include <Eigen/Core>
+
+#include "solver/batch/impact_batch.hpp"
 
 namespace ashimpact::test {
 

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which detachments end which contacts, why the others do not, and what inputs an impact takes.
-#include <doctest/doctest.h>
-
 #include <cmath>
 #include <limits>
 #include <string>
+
+#include <doctest/doctest.h>
 
 #include "solver/contact/static_curve.hpp"
 #include "solver/motion/impact.hpp"

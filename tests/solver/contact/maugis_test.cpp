@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The static law of Maugis and Dugdale: its equations as printed, its limits, its energies and pressures.
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "materials/base/error.hpp"
+#include <doctest/doctest.h>
+
+#include "core/error.hpp"
 #include "materials/separation_energy.hpp"
 #include "solver/contact/maugis/cohesive_zone.hpp"
 #include "solver/contact/maugis/transition.hpp"

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/contact/registry.hpp"
-
-#include <doctest/doctest.h>
 
 #include <set>
 #include <string>
+
+#include <doctest/doctest.h>
 
 #include "solver/damping/damping.hpp"
 #include "solver/motion/impact.hpp"

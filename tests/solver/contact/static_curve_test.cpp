@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/contact/static_curve.hpp"
-
-#include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include <doctest/doctest.h>
 
 #include "tests/relative_difference.hpp"
 #include "tests/support/contact_cases.hpp"

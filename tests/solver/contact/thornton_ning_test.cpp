@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The elastic-plastic law against its closed form without adhesion, and against quadratures of its branches,
 // written in SI units from docs/laws/thornton-ning.md.
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
+
+#include <doctest/doctest.h>
 
 #include "materials/contact_properties.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"

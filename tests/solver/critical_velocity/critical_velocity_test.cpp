@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/critical_velocity/critical_velocity.hpp"
 
-#include <doctest/doctest.h>
-
 #include <cmath>
+
+#include <doctest/doctest.h>
 
 #include "materials/contact_properties.hpp"
 #include "solver/critical_velocity/backward_orbit.hpp"

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/motion/damping_inversion.hpp"
-
-#include <doctest/doctest.h>
 
 #include <cmath>
 #include <limits>
+
+#include <doctest/doctest.h>
 
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "tests/relative_difference.hpp"

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The paper's own scheme, Eqs. 31-34: its order, its limit, its captures, and what it cannot treat.
 #include "solver/motion/explicit_scheme.hpp"
 
-#include <doctest/doctest.h>
-
 #include <cmath>
 #include <vector>
+
+#include <doctest/doctest.h>
 
 #include "tests/relative_difference.hpp"
 #include "tests/support/contact_cases.hpp"

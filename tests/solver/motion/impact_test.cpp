@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/motion/impact.hpp"
-
-#include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include <doctest/doctest.h>
 
 #include "materials/contact_properties.hpp"
 #include "tests/relative_difference.hpp"

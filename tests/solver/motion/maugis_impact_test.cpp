@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Impacts by Maugis and Dugdale: energies, limits and the critical velocity; tests/oracles integrates them in
 // time.
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include <doctest/doctest.h>
 
 #include "solver/contact/maugis/transition.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/motion/momentum_balance.hpp"
 
-#include <doctest/doctest.h>
-
 #include <cmath>
+
+#include <doctest/doctest.h>
 
 #include "solver/motion/trajectory.hpp"
 #include "tests/relative_difference.hpp"

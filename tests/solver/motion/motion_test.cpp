@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The regularised equation of motion and its expansion, in the solver's own scaled units.
-#include <doctest/doctest.h>
-
 #include <cmath>
+
+#include <doctest/doctest.h>
 
 #include "solver/motion/motion_stepper.hpp"
 #include "solver/motion/orbit.hpp"

@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/motion/trajectory.hpp"
-#include "solver/contact/maugis/transition.hpp"
-#include "solver/motion/maugis/cohesive_impact.hpp"
-
-#include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include <doctest/doctest.h>
+
+#include "solver/contact/maugis/transition.hpp"
 #include "solver/contact/static_curve.hpp"
+#include "solver/motion/maugis/cohesive_impact.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/contact_cases.hpp"
 #include "tests/support/errors.hpp"

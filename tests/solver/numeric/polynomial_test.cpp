@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/numeric/polynomial.hpp"
-
-#include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include <doctest/doctest.h>
 
 #include "solver/numeric/power.hpp"
 #include "tests/relative_difference.hpp"

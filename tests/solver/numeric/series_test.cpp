@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/numeric/series.hpp"
-
-#include <doctest/doctest.h>
 
 #include <array>
 #include <cmath>
 #include <limits>
+
+#include <doctest/doctest.h>
 
 #include "tests/relative_difference.hpp"
 

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/statistics/design.hpp"
-
-#include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "materials/base/error.hpp"
+#include <doctest/doctest.h>
+
+#include "core/error.hpp"
 
 using namespace ashimpact;
 

@@ -1,6 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/statistics/distribution.hpp"
-
-#include <doctest/doctest.h>
 
 #include <algorithm>
 #include <array>
@@ -9,7 +8,9 @@
 #include <numbers>
 #include <vector>
 
-#include "solver/gsl/distribution.hpp"
+#include <doctest/doctest.h>
+
+#include "solver/numeric/gsl/distribution.hpp"
 
 using namespace ashimpact;
 

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/statistics/histogram.hpp"
-
-#include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include <doctest/doctest.h>
 
 #include "solver/statistics/histogram_lanes.hpp"
 #include "solver/statistics/philox.hpp"

@@ -1,8 +1,9 @@
-#include "solver/statistics/inference/importance_sampling.hpp"
-
-#include <doctest/doctest.h>
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/statistics/intervals/importance_sampling.hpp"
 
 #include <cmath>
+
+#include <doctest/doctest.h>
 
 #include "tests/relative_difference.hpp"
 

@@ -1,8 +1,9 @@
-#include "solver/statistics/inference/marginal_sample.hpp"
-
-#include <doctest/doctest.h>
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/statistics/intervals/marginal_sample.hpp"
 
 #include <cmath>
+
+#include <doctest/doctest.h>
 
 using namespace ashimpact;
 

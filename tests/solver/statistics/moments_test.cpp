@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/statistics/moments.hpp"
-
-#include <doctest/doctest.h>
 
 #include <cmath>
 #include <vector>
+
+#include <doctest/doctest.h>
 
 #include "solver/statistics/group_moments.hpp"
 #include "solver/statistics/pairwise_merge.hpp"

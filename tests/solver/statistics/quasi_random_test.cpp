@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/statistics/quasi_random.hpp"
-
-#include <doctest/doctest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "materials/base/error.hpp"
+#include <doctest/doctest.h>
+
+#include "core/error.hpp"
 
 using namespace ashimpact;
 

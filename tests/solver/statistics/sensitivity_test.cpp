@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/statistics/sensitivity.hpp"
-
-#include <doctest/doctest.h>
 
 #include <cmath>
 #include <numbers>
+
+#include <doctest/doctest.h>
 
 #include "solver/statistics/design.hpp"
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The report in a real browser: run.sh PROGRAM. Exits with 77, after saying why, where the browser or the packages of npm
 # are missing (`./dev deps report`); in CI that is a failure.
 set -euo pipefail

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Small SVG plots for the page that explains the model: one scale for all, legible at 312 px, on paper of their own."""
 
 import math

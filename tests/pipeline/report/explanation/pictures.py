@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """pictures.py PROGRAM RUN FOLDER: the computed pictures of docs/explanation.md, RUN being the folder of the built-in case.
 pictures.py --check PROGRAM FOLDER: whether those in FOLDER are the ones that PROGRAM makes.
 """

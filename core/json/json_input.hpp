@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+
+namespace ashimpact {
+
+using Json = nlohmann::ordered_json;
+
+/// Whether a key holds a comment: it begins with "//".
+[[nodiscard]] bool is_comment(std::string_view key);
+
+/// A JSON pointer one level down, with "~" and "/" in the key escaped.
+[[nodiscard]] std::string child_pointer(const std::string& pointer, std::string_view key);
+[[nodiscard]] std::string child_pointer(const std::string& pointer, std::size_t index);
+
+/// Parses the user's JSON more strictly than the library: a repeated key in one object (comments apart), more
+/// than 64 levels, a number out of range and text after the end are errors too. Errors: InputError at "line
+/// N, column M" or at the JSON pointer.
+[[nodiscard]] Json parse_json(std::string_view text);
+
+/// Returns what `read` returns, and puts `place` in front of the place of an InputError that it throws.
+template <class Read>
+decltype(auto) at_place(const std::string& place, Read&& read) {
+    try {
+        return std::forward<Read>(read)();
+    } catch (const InputError& error) {
+        throw error.at(place);
+    }
+}
+
+/// Returns what `read` returns, and puts the name of a file in front of the place of an InputError that it
+/// throws.
+template <class Read>
+decltype(auto) in_file(const std::string& file, Read&& read) {
+    try {
+        return std::forward<Read>(read)();
+    } catch (const InputError& error) {
+        throw error.in_file(file);
+    }
+}
+
+}  // namespace ashimpact

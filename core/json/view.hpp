@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/json/json_input.hpp"
+#include "core/quantity.hpp"
+
+namespace ashimpact {
+
+/// A value of a document with its JSON pointer. Every read throws InputError with that pointer as its place.
+/// The document must outlive its views.
+class View {
+  public:
+    explicit View(const Json& document) : View(document, {}) {}
+
+    [[nodiscard]] const Json& json() const { return *value_; }
+    [[nodiscard]] const std::string& pointer() const { return pointer_; }
+    [[nodiscard]] bool is_object() const { return value_->is_object(); }
+    [[nodiscard]] bool is_string() const { return value_->is_string(); }
+    [[nodiscard]] bool has(std::string_view key) const;
+
+    /// The member of that name. @throws InputError if it is missing
+    [[nodiscard]] View at(std::string_view key) const;
+    /// The member of that name, if it is there and not null.
+    [[nodiscard]] std::optional<View> find(std::string_view key) const;
+    /// The elements of an array.
+    [[nodiscard]] std::vector<View> elements() const;
+    /// Refuses keys other than these. @throws InputError naming the nearest one
+    void require_keys(std::initializer_list<std::string_view> allowed) const;
+    /// One member of an object.
+    struct Member;
+    [[nodiscard]] std::vector<Member> members() const;
+
+    [[nodiscard]] std::string text() const;
+    /// The strings of an array.
+    [[nodiscard]] std::vector<std::string> texts() const;
+    [[nodiscard]] bool truth() const;
+    [[nodiscard]] int integer() const;
+    /// A quantity in SI; its keys "origin" and "source" are ignored.
+    [[nodiscard]] Quantity quantity(Dimension dimension) const;
+    /// The value of a quantity [SI unit of the dimension].
+    [[nodiscard]] double number(Dimension dimension) const;
+    /// The values of a column, {"values": [..], "unit"} or an array in SI [SI unit of the dimension].
+    [[nodiscard]] std::vector<double> column(Dimension dimension) const;
+
+    [[noreturn]] void fail(const std::string& problem, const std::string& allowed = {}) const;
+
+    /// Returns what @p read returns, and puts this pointer in front of the place of an InputError that it
+    /// throws.
+    template <class Read>
+    auto located(Read&& read) const;
+
+  private:
+    View(const Json& value, std::string pointer) : value_(&value), pointer_(std::move(pointer)) {}
+
+    const Json* value_;
+    std::string pointer_;
+};
+
+/// A quantity > 0 in SI. @throws InputError with its pointer
+[[nodiscard]] Quantity positive_quantity(const View& node, std::string_view name, Dimension dimension);
+
+struct View::Member {
+    std::string key;
+    View value;
+};
+
+}  // namespace ashimpact
+
+template <class Read>
+auto ashimpact::View::located(Read&& read) const {
+    return pointer_.empty() ? read() : at_place(pointer_, read);
+}

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ashimpact {
+
+/// One line of a file, without its end, counted from one.
+struct TextLine {
+    std::size_t number = 0;
+    std::string_view text;
+};
+
+/// The expected content of a text file, and its greatest length.
+struct TextLimits {
+    std::string_view content = "a table";       ///< named in messages, such as "an XRD result"
+    std::size_t bytes = std::size_t{16} << 20;  ///< greatest length of the file [byte]
+    std::size_t lines = 100'000;                ///< greatest number of lines
+};
+
+/// A text file in uniform encoding: UTF-8 without byte-order mark, lines without CR.
+class TextLines {
+  public:
+    /// Errors: InputError with a line number for an empty, blank or binary file, for UTF-16, for a line of
+    /// more than a megabyte, and for a file that is longer than `limits`.
+    TextLines(std::string_view bytes, const TextLimits& limits);
+
+    TextLines(const TextLines&) = delete;
+    TextLines& operator=(const TextLines&) = delete;
+
+    [[nodiscard]] const std::string& text() const { return text_; }
+    [[nodiscard]] const std::vector<TextLine>& lines() const { return lines_; }
+    [[nodiscard]] std::size_t last_line() const { return lines_.back().number; }
+
+    /// Whether the bytes were not valid UTF-8 and were read as Latin-1.
+    [[nodiscard]] bool was_latin1() const { return was_latin1_; }
+
+  private:
+    std::string text_;
+    std::vector<TextLine> lines_;
+    bool was_latin1_ = false;
+};
+
+/// "line N" for the place of an error.
+[[nodiscard]] std::string at_line(std::size_t number);
+
+/// "line N, cell M" for the place of an error; the column is counted from zero.
+[[nodiscard]] std::string at_cell(std::size_t line, std::size_t column);
+
+}  // namespace ashimpact

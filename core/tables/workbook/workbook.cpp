@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tables/workbook/workbook.hpp"
+
+#include <cctype>
+#include <charconv>
+
+#include "core/tables/workbook/formats.hpp"
+#include "core/text.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+constexpr std::string_view zip_mark("PK\x03\x04", 4);
+constexpr std::string_view old_excel_mark("\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", 8);
+
+std::string named_sheets(const std::vector<const Sheet*>& sheets) {
+    std::vector<std::string> names;
+    names.reserve(sheets.size());
+    for (const Sheet* sheet : sheets) names.push_back(in_quotes(sheet->name()));
+    return joined(names);
+}
+
+std::unique_ptr<TextLines> lines_of(const Sheet& sheet, const TextLimits& limits) {
+    return std::make_unique<TextLines>(sheet.as_text(), limits);
+}
+
+/// The sheets that may be meant, those with a table if there are any.
+std::vector<const Sheet*> candidates(const std::vector<Sheet>& sheets, const SheetRequest& request) {
+    std::vector<const Sheet*> named;
+    std::vector<const Sheet*> with_table;
+    for (const Sheet& sheet : sheets) {
+        if (sheet.name() == request.name) return {&sheet};
+        if (sheet.empty()) continue;
+        named.push_back(&sheet);
+        if (request.holds_table(*lines_of(sheet, request.limits))) with_table.push_back(&sheet);
+    }
+    if (!request.name.empty())
+        throw InputError("there is no sheet " + in_quotes(request.name), named_sheets(named))
+            .at(request.option);
+    if (named.empty()) throw InputError("every sheet is empty", std::string(request.limits.content));
+    return with_table.empty() ? named : with_table;
+}
+
+const Sheet& chosen(const std::vector<Sheet>& sheets, const SheetRequest& request) {
+    const auto possible = candidates(sheets, request);
+    if (possible.size() == 1) return *possible.front();
+    if (request.holds_table(*lines_of(*possible.front(), request.limits)))
+        throw InputError(std::to_string(possible.size()) + " sheets hold a table",
+                         request.option + " and one of " + named_sheets(possible));
+    throw InputError("no sheet holds " + std::string(request.limits.content) + " with its headings",
+                     "one among " + named_sheets(possible));
+}
+
+/// The number behind the text at a place, moved behind its digits.
+std::size_t take_number(std::string_view text, std::size_t& place) {
+    std::size_t number = 0;
+    const auto [end, status] = std::from_chars(text.data() + place, text.data() + text.size(), number);
+    if (status == std::errc{}) place = static_cast<std::size_t>(end - text.data());
+    return number;
+}
+
+}  // namespace
+
+bool is_workbook(std::string_view bytes) {
+    return bytes.starts_with(zip_mark) || bytes.starts_with(old_excel_mark);
+}
+
+std::vector<Sheet> read_workbook(std::string_view bytes) {
+    constexpr auto allowed = "a spreadsheet saved as .xlsx or .ods, without a password, or the table as CSV";
+    if (bytes.starts_with(old_excel_mark))
+        throw InputError("this is an old Excel file (.xls), or one with a password", allowed);
+    const Archive archive(bytes);
+    if (auto sheets = read_xlsx(archive)) return *std::move(sheets);
+    if (auto sheets = read_ods(archive)) return *std::move(sheets);
+    throw InputError("this is a zip archive and no spreadsheet", allowed);
+}
+
+ChosenSheet::ChosenSheet(std::string_view bytes, const SheetRequest& request) {
+    const std::vector<Sheet> sheets = read_workbook(bytes);
+    const Sheet& sheet = chosen(sheets, request);
+    name_ = sheet.name();
+    try {
+        lines_ = lines_of(sheet, request.limits);
+    } catch (const InputError& error) {
+        throw located(error);
+    }
+    std::vector<const Sheet*> others;
+    for (const Sheet& other : sheets)
+        if (&other != &sheet && !other.empty()) others.push_back(&other);
+    if (!others.empty())
+        warnings_.push_back("the sheet " + in_quotes(name_) + " is read, not " + named_sheets(others));
+    if (sheet.hidden_rows() > 0)
+        warnings_.push_back("hidden rows are read as well: " + std::to_string(sheet.hidden_rows()));
+}
+
+std::string ChosenSheet::place(const std::string& line) const {
+    const std::string sheet = "sheet " + in_quotes(name_);
+    constexpr std::string_view word = "line ";
+    if (!line.starts_with(word)) return line.empty() ? sheet : sheet + ": " + line;
+    std::size_t end = word.size();
+    const std::size_t row = take_number(line, end);
+    constexpr std::string_view cell_word = ", cell ";
+    if (!std::string_view(line).substr(end).starts_with(cell_word))
+        return sheet + ", row " + std::to_string(row) + line.substr(end);
+    end += cell_word.size();
+    const std::size_t column = take_number(line, end);
+    return sheet + ", cell " + cell_name(row - 1, column - 1) + line.substr(end);
+}
+
+InputError ChosenSheet::located(const InputError& error) const {
+    return InputError(in_rows(error.problem()), in_rows(error.allowed())).at(place(error.place()));
+}
+
+std::string in_rows(std::string text) {
+    for (const auto& [word, row] :
+         {std::pair<std::string_view, const char*>{"line ", "row "}, {"lines ", "rows "}})
+        for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; ++at) {
+            const std::size_t digit = at + word.size();
+            const bool begins = at == 0 || std::isalpha(static_cast<unsigned char>(text[at - 1])) == 0;
+            if (begins && digit < text.size() && std::isdigit(static_cast<unsigned char>(text[digit])) != 0)
+                text.replace(at, word.size(), row);
+        }
+    return text;
+}
+
+pugi::xml_document parse_part(const std::string& content, const std::string& name) {
+    pugi::xml_document document;
+    const auto status = document.load_buffer(
+        content.data(), content.size(), pugi::parse_default | pugi::parse_ws_pcdata, pugi::encoding_auto);
+    if (!status)
+        throw InputError("the part " + name + " of the spreadsheet is damaged: " + status.description(),
+                         "an undamaged file without a password");
+    return document;
+}
+
+std::string_view local_name(const char* name) {
+    const std::string_view whole(name);
+    return whole.substr(whole.find(':') == std::string_view::npos ? 0 : whole.find(':') + 1);
+}
+
+pugi::xml_node child_of(const pugi::xml_node& node, std::string_view name) {
+    for (const pugi::xml_node& child : node)
+        if (local_name(child.name()) == name) return child;
+    return {};
+}
+
+std::optional<std::string> attribute_of(const pugi::xml_node& node, std::string_view name) {
+    for (const pugi::xml_attribute& attribute : node.attributes())
+        if (local_name(attribute.name()) == name) return attribute.value();
+    return std::nullopt;
+}
+
+}  // namespace ashimpact

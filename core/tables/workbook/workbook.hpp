@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/tables/text_lines.hpp"
+#include "core/tables/workbook/sheet.hpp"
+
+/// Spreadsheets of Excel (.xlsx), LibreOffice (.ods) and what writes their formats, as the tables they hold.
+namespace ashimpact {
+
+/// Whether the bytes begin as a spreadsheet does; old Excel files count, so that they are refused as such.
+[[nodiscard]] bool is_workbook(std::string_view bytes);
+
+/// The sheets in the order of the file. Cells hold what the spreadsheet shows: results of formulas, per cent
+/// as "21.3 %", dates as "2026-03-01 (a date)", error values such as "#DIV/0!".
+/// @throws InputError for a file that is damaged, protected, too large or of another kind
+[[nodiscard]] std::vector<Sheet> read_workbook(std::string_view bytes);
+
+/// Which sheet of a workbook is wanted.
+struct SheetRequest {
+    std::string name{};  ///< empty: the only one that holds such a table
+    std::string option;  ///< how the user names one, for messages: "--sheet"
+    TextLimits limits{};
+    bool (*holds_table)(const TextLines&);
+};
+
+/// The sheet that was chosen, as lines of text, and what is said of it in the sheet's own words.
+class ChosenSheet {
+  public:
+    /// @throws InputError if no sheet, or more than one, holds such a table, or none has that name
+    ChosenSheet(std::string_view bytes, const SheetRequest& request);
+
+    [[nodiscard]] const TextLines& lines() const { return *lines_; }
+    [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+
+    /// "line 7, cell 2" is `sheet "XRD", cell B7`, and "line 7" is row 7 of it.
+    [[nodiscard]] std::string place(const std::string& line) const;
+    [[nodiscard]] InputError located(const InputError& error) const;
+
+  private:
+    std::string name_;
+    std::unique_ptr<TextLines> lines_;
+    std::vector<std::string> warnings_;
+};
+
+/// A text about lines of a file, in words for rows of a sheet: "line 7" becomes "row 7".
+[[nodiscard]] std::string in_rows(std::string text);
+
+}  // namespace ashimpact

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "core/decimal/decimal.hpp"
+#include "core/error.hpp"
+#include "core/tables/workbook/formats.hpp"
+#include "core/text.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+/// How a cell's number is to be read.
+enum class Format { number, per_cent, date };
+
+/// What all sheets of a workbook share.
+struct Shared {
+    std::vector<std::string> strings{};
+    std::vector<Format> formats{};  ///< by the cell's style
+    bool since_1904 = false;        ///< the calendar of old Macintosh files
+};
+
+/// The whole text as an unsigned number.
+std::optional<std::size_t> whole_number(std::string_view text) {
+    std::size_t value = 0;
+    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return status == std::errc{} && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+}
+
+std::optional<std::string> part(const Archive& archive, const std::string& name) {
+    return name.empty() ? std::nullopt : archive.read(name);
+}
+
+/// "xl/worksheets/sheet1.xml" for a target that stands in the relationships of "xl/workbook.xml", absolute or
+/// relative.
+std::string resolved(const std::string& of, std::string target) {
+    std::replace(target.begin(), target.end(), '\\', '/');
+    if (target.starts_with('/')) return target.substr(1);
+    std::string folder = of.substr(0, of.find_last_of('/') + 1);
+    while (target.starts_with("../") && !folder.empty()) {
+        target.erase(0, 3);
+        folder.pop_back();
+        folder.erase(folder.find_last_of('/') + 1);
+    }
+    return folder + target;
+}
+
+struct Relationship {
+    std::string type;  ///< last word of the address that names it
+    std::string target;
+};
+
+/// The relationships of a part, by their identity; of the whole archive where `of` is empty.
+std::map<std::string, Relationship> relationships(const Archive& archive, const std::string& of) {
+    const std::size_t file = of.find_last_of('/') + 1;
+    const std::string name = of.substr(0, file) + "_rels/" + of.substr(file) + ".rels";
+    std::map<std::string, Relationship> found;
+    const auto content = archive.read(name);
+    if (!content) return found;
+    const pugi::xml_document document = parse_part(*content, name);
+    for (const pugi::xml_node& node : document.document_element()) {
+        const std::string type = attribute_of(node, "Type").value_or("");
+        found[attribute_of(node, "Id").value_or("")] = {
+            .type = type.substr(type.find_last_of('/') + 1),
+            .target = resolved(of, attribute_of(node, "Target").value_or(""))};
+    }
+    return found;
+}
+
+std::string target_of_type(const std::map<std::string, Relationship>& all, std::string_view type) {
+    for (const auto& [id, relationship] : all)
+        if (relationship.type == type) return relationship.target;
+    return {};
+}
+
+/// The text of a string item: its own, or that of its runs; no phonetic hints.
+std::string text_of_item(const pugi::xml_node& item) {
+    std::string text;
+    for (const pugi::xml_node& node : item) {
+        const auto name = local_name(node.name());
+        if (name == "t") text += node.child_value();
+        if (name == "r") text += child_of(node, "t").child_value();
+    }
+    return text;
+}
+
+/// What a code such as `dd.mm.yyyy` or `0.0%` makes of a number.
+Format format_of_code(std::string_view code) {
+    bool quoted = false;
+    bool bracketed = false;
+    bool per_cent = false;
+    for (std::size_t i = 0; i < code.size(); ++i) {
+        const char c = code[i];
+        if (c == '"') quoted = !quoted;
+        if (quoted) continue;
+        if (c == '\\' || c == '_' || c == '*') {
+            ++i;  // the next one is shown as it is
+            continue;
+        }
+        if (c == '[') bracketed = code.substr(i + 1, 1).find_first_of("hmsHMS") == std::string_view::npos;
+        if (c == ']') bracketed = false;
+        if (bracketed) continue;
+        if (c == ';') break;  // what follows is for negative numbers
+        if (c == '%') per_cent = true;
+        if (std::string_view("dmyhsDMYHS").find(c) != std::string_view::npos) return Format::date;
+    }
+    return per_cent ? Format::per_cent : Format::number;
+}
+
+/// The formats that have a number only. Source: ECMA-376-1, 18.8.30.
+Format built_in_format(std::size_t id) {
+    if (id == 9 || id == 10) return Format::per_cent;
+    const bool date =
+        (id >= 14 && id <= 22) || (id >= 27 && id <= 36) || (id >= 45 && id <= 47) || (id >= 50 && id <= 58);
+    return date ? Format::date : Format::number;
+}
+
+std::vector<Format> read_formats(const std::optional<std::string>& content, const std::string& name) {
+    std::vector<Format> formats;
+    if (!content) return formats;
+    const pugi::xml_document document = parse_part(*content, name);
+    const pugi::xml_node root = document.document_element();
+    std::map<std::string, Format> own;
+    for (const pugi::xml_node& node : child_of(root, "numFmts"))
+        own[attribute_of(node, "numFmtId").value_or("")] =
+            format_of_code(attribute_of(node, "formatCode").value_or(""));
+    for (const pugi::xml_node& node : child_of(root, "cellXfs")) {
+        const std::string id = attribute_of(node, "numFmtId").value_or("0");
+        const auto found = own.find(id);
+        formats.push_back(found != own.end() ? found->second : built_in_format(whole_number(id).value_or(0)));
+    }
+    return formats;
+}
+
+std::vector<std::string> read_strings(const std::optional<std::string>& content, const std::string& name) {
+    std::vector<std::string> strings;
+    if (!content) return strings;
+    const pugi::xml_document document = parse_part(*content, name);
+    for (const pugi::xml_node& item : document.document_element()) strings.push_back(text_of_item(item));
+    return strings;
+}
+
+/// "2026-03-01" of a serial day number.
+std::string date_of(double serial, bool since_1904) {
+    using namespace std::chrono;
+    if (!(serial >= 0 && serial < 2'958'466)) return shown_number(serial);  // up to the year 9999
+    const sys_days origin = since_1904 ? sys_days(year(1904) / 1 / 1) : sys_days(year(1899) / 12 / 30);
+    const year_month_day day(origin + days(static_cast<int>(std::floor(serial))));
+    return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(day.year()), static_cast<unsigned>(day.month()),
+                       static_cast<unsigned>(day.day()));
+}
+
+std::string shown_value(const std::string& value, const pugi::xml_node& cell, const Shared& shared) {
+    double number = 0;
+    const auto [end, status] = decimal::read(value.data(), value.data() + value.size(), number);
+    if (status != std::errc{} || end != value.data() + value.size()) return value;
+    const auto style = whole_number(attribute_of(cell, "s").value_or("0")).value_or(0);
+    const Format format = style < shared.formats.size() ? shared.formats[style] : Format::number;
+    if (format == Format::date) return shown_date(date_of(number, shared.since_1904));
+    return format == Format::per_cent ? shown_per_cent(number) : shown_number(number);
+}
+
+std::string text_of_cell(const pugi::xml_node& cell, const Shared& shared) {
+    const std::string type = attribute_of(cell, "t").value_or("n");
+    if (type == "inlineStr") return text_of_item(child_of(cell, "is"));
+    std::string value = child_of(cell, "v").child_value();
+    const pugi::xml_node formula = child_of(cell, "f");
+    if (value.empty() && formula && type != "str") return shown_formula(formula.child_value());
+    if (type == "s") {
+        const auto index = whole_number(value);
+        return index && *index < shared.strings.size() ? shared.strings[*index] : std::string();
+    }
+    if (type == "b") return value == "1" ? "TRUE" : "FALSE";
+    if (type == "d") return shown_date(value);
+    if (type == "n" && !value.empty()) return shown_value(value, cell, shared);
+    return value;  // a string of a formula, an error value
+}
+
+/// Column, counted from zero, of a reference such as "AB12"; none if there is no letter.
+std::optional<std::size_t> column_of(std::string_view reference) {
+    std::size_t column = 0;
+    for (const char c : reference) {
+        const char letter = static_cast<char>(c & ~0x20);
+        if (letter < 'A' || letter > 'Z' || column > Sheet::most_columns) break;
+        column = 26 * column + static_cast<std::size_t>(letter - 'A' + 1);
+    }
+    return column > 0 ? std::optional(column - 1) : std::nullopt;
+}
+
+Sheet read_sheet(const std::string& content, const std::string& name, const std::string& called,
+                 const Shared& shared) {
+    const pugi::xml_document document = parse_part(content, name);
+    Sheet sheet(called);
+    std::size_t next_row = 0;
+    for (const pugi::xml_node& row : child_of(document.document_element(), "sheetData")) {
+        const auto number = whole_number(attribute_of(row, "r").value_or(""));
+        const std::size_t place =
+            number && *number > 0 ? *number - 1 : next_row;  // the number may be left out
+        if (attribute_of(row, "hidden") == "1") sheet.count_hidden_row();
+        std::size_t next_column = 0;
+        for (const pugi::xml_node& cell : row) {
+            if (local_name(cell.name()) != "c") continue;
+            const std::size_t column = column_of(attribute_of(cell, "r").value_or("")).value_or(next_column);
+            sheet.put(place, column, text_of_cell(cell, shared));
+            next_column = column + 1;
+        }
+        next_row = place + 1;
+    }
+    return sheet;
+}
+
+}  // namespace
+
+std::optional<std::vector<Sheet>> read_xlsx(const Archive& archive) {
+    const std::string workbook = target_of_type(relationships(archive, ""), "officeDocument");
+    if (workbook.ends_with(".bin"))
+        throw InputError("this is a binary workbook (.xlsb)", "the same saved as .xlsx, .ods or CSV");
+    const auto content = part(archive, workbook);
+    if (!content) return std::nullopt;
+    const pugi::xml_document document = parse_part(*content, workbook);
+    const pugi::xml_node root = document.document_element();
+    if (local_name(root.name()) != "workbook") return std::nullopt;
+
+    const auto parts = relationships(archive, workbook);
+    const std::string strings = target_of_type(parts, "sharedStrings");
+    const std::string styles = target_of_type(parts, "styles");
+    const auto calendar = attribute_of(child_of(root, "workbookPr"), "date1904");
+    const Shared shared{.strings = read_strings(part(archive, strings), strings),
+                        .formats = read_formats(part(archive, styles), styles),
+                        .since_1904 = calendar == "1" || calendar == "true"};
+    std::vector<Sheet> sheets;
+    for (const pugi::xml_node& node : child_of(root, "sheets")) {
+        const auto found = parts.find(attribute_of(node, "id").value_or(""));
+        if (found == parts.end() || found->second.type != "worksheet") continue;  // a sheet of a chart
+        const std::string called = attribute_of(node, "name").value_or("");
+        const auto cells = part(archive, found->second.target);
+        if (!cells)
+            throw InputError("the sheet " + in_quotes(called) + " is not in the file", "an undamaged file");
+        sheets.push_back(read_sheet(*cells, found->second.target, called, shared));
+    }
+    return sheets;
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ashimpact {
+
+/// The text without blanks at its ends.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// The user's text for a one-line message: in quotes, cut off after 60 bytes, with blanks for control
+/// characters.
+[[nodiscard]] std::string in_quotes(std::string_view text);
+
+/// The text with blanks for its line breaks.
+[[nodiscard]] std::string on_one_line(std::string text);
+
+/// ASCII letters in lower case; other bytes as they are.
+[[nodiscard]] std::string lower_case(std::string_view text);
+
+/// Shortest decimal form that reads back as the same number.
+[[nodiscard]] std::string shortest(double value);
+
+/// Fewest insertions, deletions, replacements and swaps of neighbouring bytes that turn one word into the
+/// other (optimal string alignment).
+[[nodiscard]] std::size_t edit_distance(std::string_view from, std::string_view to);
+
+/// Up to `count` candidates whose edit distance from the word is at most half of its length, ignoring case;
+/// nearest first, equally near ones in their order.
+[[nodiscard]] std::vector<std::string> nearest(std::string_view word,
+                                               const std::vector<std::string>& candidates, std::size_t count);
+
+/// `, did you mean "..."?` with the nearest candidate; empty if none is near.
+[[nodiscard]] std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
+
+/// How to write a text that has commas between digits: `write "2.6 g/cm3"`; where one comma may as well part
+/// thousands, `write "2600 kg/m3" or "2.600 kg/m3"`. Empty for a text without such a comma.
+[[nodiscard]] std::string remedy_for_commas(std::string_view text);
+
+/// What to write for a number that stands in quotes where only a number may: `, write 2.6 without quotes`.
+/// Empty for any other text.
+[[nodiscard]] std::string remedy_for_number_in_quotes(std::string_view text);
+
+/// "a pressure", "an energy": the indefinite article by the first letter.
+[[nodiscard]] std::string with_article(std::string_view noun);
+
+/// The words with ", " between them.
+[[nodiscard]] std::string joined(const std::vector<std::string>& words);
+[[nodiscard]] std::string joined(std::span<const std::string_view> words);
+
+/// The text with "?" for each control character that a terminal would obey, except tabs and line ends, and
+/// for each byte that belongs to no UTF-8 character.
+[[nodiscard]] std::string without_controls(std::string_view text);
+
+/// Bytes of the UTF-8 character with which a text begins; 0 if it begins with none. @param text not empty
+[[nodiscard]] std::size_t utf8_length(std::string_view text);
+
+/// The text, such as a file name, with "..." for its middle if it is long.
+[[nodiscard]] std::string shortened(const std::string& text);
+
+/// The text as a word of a shell command, in single quotes if it needs them.
+[[nodiscard]] std::string shell_word(const std::string& text);
+
+}  // namespace ashimpact

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+
+#include <unistd.h>
+
+#include "core/error.hpp"
+#include "pipeline/app/cli/program.hpp"
+
+namespace {
+
+/// Becomes the program beside this one that computes sweeps and writes tables: loading the libraries of MPI
+/// and HDF5 takes longer than the other commands take to run. Process, arguments and environment stay, so
+/// that mpirun finds what it started.
+void hand_over(char** argv) {
+    const auto program = std::filesystem::read_symlink("/proc/self/exe").replace_filename("ashimpact-sweep");
+    execv(program.c_str(), argv);
+    throw ashimpact::InputError("cannot be started: " + std::generic_category().message(errno),
+                                "ashimpact-sweep beside ashimpact, where it is built and installed")
+        .in_file(program.string());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return ashimpact::run_program(
+        argc, argv, [argv](const ashimpact::SweepOptions&, std::ostream&) { hand_over(argv); },
+        [argv](const ashimpact::ExportOptions& options, std::ostream& out) {
+            if (options.code == "table") hand_over(argv);  // HDF5
+            ashimpact::run_export_command(options, {}, out);
+        });
+}

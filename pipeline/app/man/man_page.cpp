@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "core/version.hpp"
+#include "pipeline/app/man/writers.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+/// Text that roff prints as it is.
+std::string roff(const std::string& text) {
+    std::string result;
+    bool line_begins = true;
+    for (const char c : text) {
+        if (line_begins && (c == '.' || c == '\'')) result += "\\&";
+        if (c == '\\') {
+            result += "\\e";
+        } else if (c == '-') {
+            result += "\\-";
+        } else {
+            result += c;
+        }
+        line_begins = c == '\n';
+    }
+    return result;
+}
+
+std::string heading(const std::string& name, const std::string& purpose) {
+    return fmt::format(".TH {} 1 \"\" \"ashimpact {}\" \"ashimpact\"\n.SH NAME\n{} \\- {}\n", roff(name),
+                       roff(std::string(program_version())), roff(name), roff(purpose));
+}
+
+std::string option_entry(const OptionPaper& option) {
+    std::string names;
+    for (const std::string& name : option.names)
+        names += (names.empty() ? "" : ", ") + ("\\fB" + roff(name) + "\\fR");
+    const std::string type = option.type.empty() ? "" : fmt::format("\\fI{}\\fR", roff(option.type));
+    if (names.empty()) {
+        names = type;
+    } else if (!type.empty()) {
+        names += " " + type;
+    }
+    std::string text = option.description;
+    if (option.required) text += " (required)";
+    if (!option.default_value.empty()) text += " (default: " + option.default_value + ")";
+    if (option.values.kind == Values::Kind::words) {
+        std::string words;
+        for (const std::string& word : option.values.words) words += (words.empty() ? "" : ", ") + word;
+        text += ". One of: " + words;
+    }
+    return ".TP\n" + names + "\n" + roff(text) + "\n";
+}
+
+std::string synopsis(const CommandPaper& command) {
+    std::string line = ".B ashimpact " + roff(command.name) + "\n";
+    for (const OptionPaper& option : command.options) {
+        if (!option.required) continue;
+        line += fmt::format("\\fB{}\\fR \\fI{}\\fR\n", roff(option.names.back()), roff(option.type));
+    }
+    for (const OptionPaper& argument : command.arguments) {
+        const std::string name = fmt::format("\\fI{}\\fR", roff(argument.type));
+        line += argument.required ? name + "\n" : "[" + name + "]\n";
+    }
+    return line + "[\\fIOPTIONS\\fR]\n";
+}
+
+/// Lines as they are, without the word that heads them.
+std::string example_section(const std::string& footer) {
+    const std::string word = "Example:\n";
+    const std::string lines = footer.starts_with(word) ? footer.substr(word.size()) : footer;
+    return ".SH EXAMPLE\n.nf\n" + roff(lines) + "\n.fi\n";
+}
+
+constexpr auto exit_status =
+    ".SH EXIT STATUS\n.TP\n0\nDone.\n.TP\n2\nThe input is wrong; one line on standard error says where, "
+    "what, and "
+    "what is allowed.\n.TP\n3\nA computation did not converge.\n.TP\n1\nA defect of the program.\n";
+
+}  // namespace
+
+std::string man_page(const ProgramPaper& paper) {
+    std::string page =
+        heading("ashimpact", "from an XRD result of fly ash to the critical velocity of impact");
+    page += ".SH SYNOPSIS\n.B ashimpact\n\\fICOMMAND\\fR [\\fIOPTIONS\\fR]\n.SH DESCRIPTION\n" +
+            roff(paper.program.purpose) + "\n.SH COMMANDS\n";
+    for (const CommandPaper& command : paper.commands) {
+        page += fmt::format(".TP\n\\fB{}\\fR\n{}; see\n.BR ashimpact\\-{} (1).\n", roff(command.name),
+                            roff(command.purpose), roff(command.name));
+    }
+    page += ".SH OPTIONS\n";
+    for (const OptionPaper& option : paper.program.options) page += option_entry(option);
+    page += example_section(paper.program.example) + exit_status;
+    page +=
+        ".SH FILES\n.TP\n\\fIresults/\\fR\nWhere \\fBashimpact run\\fR writes its artifacts, unless told "
+        "otherwise.\n";
+    return page;
+}
+
+std::string man_page(const ProgramPaper& paper, const CommandPaper& command) {
+    std::string page = heading("ashimpact-" + command.name, command.purpose);
+    page += ".SH SYNOPSIS\n" + synopsis(command) + ".SH DESCRIPTION\n" + roff(command.purpose) +
+            ".\n.PP\nQuantities carry their unit in quotes, \"44 um\"; a bare number is SI.\n";
+    if (!command.arguments.empty()) page += ".SH ARGUMENTS\n";
+    for (const OptionPaper& argument : command.arguments) page += option_entry(argument);
+    page += ".SH OPTIONS\n";
+    for (const OptionPaper& option : command.options) page += option_entry(option);
+    page += example_section(command.example) + exit_status + ".SH SEE ALSO\n.BR ashimpact (1)";
+    for (const CommandPaper& other : paper.commands) {
+        if (other.name != command.name) page += fmt::format(",\n.BR ashimpact\\-{} (1)", roff(other.name));
+    }
+    return page + "\n";
+}
+
+}  // namespace ashimpact

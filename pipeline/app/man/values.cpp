@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <map>
+
+#include "pipeline/app/man/command.hpp"
+#include "pipeline/document/schema.hpp"
+#include "pipeline/run/run.hpp"
+#include "solver/contact/registry.hpp"
+#include "solver/damping/damping.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+Words law_words() {
+    Words words;
+    for (std::size_t i = 0; i < Law::count(); ++i) words.emplace_back(Law::at(i).name());
+    return words;
+}
+
+/// Units that people write, by what the option measures.
+const std::map<std::string, Words>& units() {
+    static const Words lengths{"um", "nm", "mm", "m"};
+    static const Words pressures{"GPa", "MPa", "Pa"};
+    static const Words velocities{"m/s", "mm/s", "cm/s"};
+    static const Words densities{"kg/m3", "g/cm3"};
+    static const std::map<std::string, Words> all{{"--radius", lengths},
+                                                  {"--diameter", lengths},
+                                                  {"--pixel-size", lengths},
+                                                  {"--cohesion-range", {"nm", "m"}},
+                                                  {"--contact-modulus", pressures},
+                                                  {"--yield-pressure", pressures},
+                                                  {"--cohesive-stress", pressures},
+                                                  {"--velocity", velocities},
+                                                  {"--density", densities},
+                                                  {"--particle-density", densities},
+                                                  {"--mass", {"kg", "ug", "ng"}},
+                                                  {"--work-of-adhesion", {"J/m2", "mJ/m2"}},
+                                                  {"--damping", {"kg/s", "Pa s", "1"}},
+                                                  {"--time-step", {"ns", "ps", "s"}}};
+    return all;
+}
+
+/// The words of options that take a name from a list.
+const std::map<std::string, Words>& names() {
+    static const std::map<std::string, Words> all{
+        {"--law", law_words()},
+        {"--detachment", names_of<Detachment>()},
+        {"--damping-law", names_of<DampingLaw>()},
+        {"--method", {"taylor", "paper-explicit"}},
+        {"--from", stage_names()},
+        {"--only", stage_names()},
+        {"--phase-set", {"literature", "dong2013"}},
+        {"--free", {"density", "work_of_adhesion", "contact_modulus", "wall_young_modulus"}}};
+    return all;
+}
+
+Values of_name(const std::string& command, const std::string& option) {
+    if (command == "schema") return {.kind = Values::Kind::words, .words = schema_names()};
+    const auto listed = names().find(option);
+    if (listed == names().end()) return {.kind = Values::Kind::text};
+    return {.kind = Values::Kind::words, .words = listed->second};
+}
+
+}  // namespace
+
+Values values_of(const std::string& command, const std::string& option, const std::string& type) {
+    if (type == "DIR") return {.kind = Values::Kind::folder};
+    if (type == "FILE") return {.kind = Values::Kind::file};
+    if (type.ends_with(".json")) return {.kind = Values::Kind::file, .extension = ".json"};
+    const auto unit = units().find(option);
+    if (unit != units().end()) return {.kind = Values::Kind::quantity, .words = unit->second};
+    return of_name(command, option);
+}
+
+}  // namespace ashimpact

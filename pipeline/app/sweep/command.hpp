@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <iosfwd>
+
+#include "pipeline/app/commands/sweep.hpp"
+#include "pipeline/app/sweep/table/impact_columns.hpp"
+
+namespace ashimpact {
+
+class MpiSession;
+
+/// `ashimpact sweep`, as ashimpact-sweep runs it: reads the spec, continues from a checkpoint if there is
+/// one, computes the rest with the threads of all processes, and writes the result.
+void run_sweep_command(const SweepOptions& options, MpiSession& session, const ImpactSolver& solver,
+                       std::ostream& out);
+
+}  // namespace ashimpact

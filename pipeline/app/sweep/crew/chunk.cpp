@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/app/sweep/crew/chunk.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/app/sweep/table/rows.hpp"
+#include "solver/statistics/group_moments.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+using Columns = std::vector<std::vector<double>>;
+
+/// One chunk while it is computed. Its impacts stand in blocks of one for each point: a; or a, b, and a with
+/// each variable in turn from b.
+class Chunk {
+  public:
+    /// @param memory of another chunk, to be used again
+    Chunk(const SweepPlan& plan, std::uint64_t number, Columns& memory)
+        : plan_(plan),
+          number_(number),
+          points_(plan.points_in(number)),
+          first_(plan.first_point(number)),
+          variables_(memory) {
+        variables_.resize(plan.design().variables());
+        for (std::size_t variable = 0; variable < variables_.size(); ++variable) {
+            variables_[variable].resize(impacts());
+            fill(variable, variables_[variable]);
+        }
+    }
+
+    void compute(const ImpactSolver& solver, BlockResult& into) {
+        const SweepSpec& spec = plan_.spec();
+        const ImpactColumns impacts(plan_.spec(), variables_, this->impacts());
+        Columns table = spec.table.empty() ? Columns{} : variables_;
+        into.sums.laws.resize(spec.laws.size());
+        into.counts.laws.resize(spec.laws.size());
+        into.failed.counts.resize(spec.laws.size());
+        for (std::size_t i = 0; i < spec.laws.size(); ++i) {
+            const ImpactModel model{spec.laws[i].law, spec.laws[i].detachment, spec.damping_law};
+            const ResultColumns results = solver(model, impacts, plan_.wanted());
+            add_statistics(results, impacts, into.sums.laws[i], into.counts.laws[i]);
+            add_failures(results, i, into.failed);
+            for (const Observable observable : spec.table)
+                table.push_back(values_of(observable, results, impacts));
+        }
+        if (!table.empty())
+            into.rows = sealed_rows(number_, pack_rows(in_order_of_points(table), plan_.rows_in_chunk()));
+    }
+
+  private:
+    [[nodiscard]] std::size_t impacts() const { return points_ * plan_.impacts_a_point(); }
+
+    /// Fills in a variable in every impact.
+    void fill(std::size_t variable, std::span<double> values) const {
+        for (std::size_t sample = 0; sample < plan_.samples_a_point(); ++sample)
+            plan_.design().fill(sample, variable, first_, values.subspan(sample * points_, points_));
+        for (std::size_t block = plan_.samples_a_point(); block < plan_.impacts_a_point(); ++block) {
+            const std::size_t source = block - plan_.samples_a_point() == variable ? 1 : 0;
+            for (std::size_t i = 0; i < points_; ++i)
+                values[block * points_ + i] = values[source * points_ + i];
+        }
+    }
+
+    [[nodiscard]] static std::vector<double> values_of(Observable observable, const ResultColumns& results,
+                                                       const ImpactColumns& impacts) {
+        if (observable == Observable::contact_time) return results.contact_time;
+        if (observable == Observable::maximum_overlap) return results.maximum_overlap;
+        std::vector<double> values = results.restitution;
+        if (observable == Observable::captured)
+            for (double& value : values) value = std::isnan(value) ? value : value > 0 ? 0 : 1;
+        if (observable == Observable::rebound_velocity)
+            for (std::size_t i = 0; i < values.size(); ++i) values[i] *= impacts.velocity[i];
+        return values;
+    }
+
+    void add_statistics(const ResultColumns& results, const ImpactColumns& impacts, LawSums& sums,
+                        std::vector<Histogram>& counts) const {
+        for (const ObservableStatistics& each : plan_.spec().statistics) {
+            Histogram& histogram = counts.emplace_back();
+            std::vector<Moments>& moments = sums.observables.emplace_back(plan_.design().groups());
+            if (each.observable == Observable::captured) {
+                add_captures(samples_of(results.restitution), moments, histogram);
+            } else if (each.observable == Observable::restitution) {
+                add_values(samples_of(results.restitution), each.bins, moments, histogram);
+            } else {
+                const std::vector<double> values = values_of(each.observable, results, impacts);
+                add_values(samples_of(values), each.bins, moments, histogram);
+            }
+        }
+        for (const Observable observable : plan_.spec().sensitivity)
+            sums.sensitivity.push_back(sobol_by_group(values_of(observable, results, impacts)));
+    }
+
+    /// The values of impacts that are a sample of the variables.
+    [[nodiscard]] std::span<const double> samples_of(std::span<const double> values) const {
+        return values.first(points_ * plan_.samples_a_point());
+    }
+
+    void add_values(std::span<const double> values, const Bins& bins, std::vector<Moments>& moments,
+                    Histogram& histogram) const {
+        histogram.count(bins, values);
+        for (std::size_t block = 0; block < values.size(); block += points_)
+            merge(moments, moments_by_group(values.subspan(block, points_), plan_.design().groups(), first_));
+    }
+
+    /// The same for captures, which are restitutions of 0.
+    void add_captures(std::span<const double> restitutions, std::vector<Moments>& moments,
+                      Histogram& histogram) const {
+        for (std::size_t block = 0; block < restitutions.size(); block += points_)
+            merge(moments, moments_of_zeros_by_group(restitutions.subspan(block, points_),
+                                                     plan_.design().groups(), first_));
+        for (const Moments& group : moments) {
+            const auto captures =
+                static_cast<std::uint64_t>(std::llround(group.mean * static_cast<double>(group.count)));
+            histogram.add_ones(captures, group.count - captures);
+        }
+    }
+
+    static void merge(std::vector<Moments>& moments, const std::vector<Moments>& others) {
+        for (std::size_t i = 0; i < moments.size(); ++i) moments[i].merge(others[i]);
+    }
+
+    void add_failures(const ResultColumns& results, std::size_t law, FailedImpacts& failed) const {
+        failed.counts[law] += results.failed.size();
+        for (const FailedSolution& each : results.failed) {
+            if (failed.listed.size() == FailedImpacts::most_listed) break;
+            const std::uint64_t point = first_ + each.place % points_;
+            const std::uint64_t row = point * plan_.impacts_a_point() + each.place / points_;
+            failed.listed.push_back({law, row, each.reason, each.command});
+        }
+    }
+
+    /// Values of the points of one group, from as many blocks as there are.
+    [[nodiscard]] std::vector<double> group_of(std::span<const double> values, std::uint32_t group) const {
+        const std::uint32_t groups = plan_.design().groups();
+        const std::size_t start = (group + groups - first_ % groups) % groups;
+        std::vector<double> picked;
+        picked.reserve(values.size() / groups + values.size() / points_);
+        for (std::size_t block = 0; block < values.size(); block += points_)
+            for (std::size_t i = start; i < points_; i += groups) picked.push_back(values[block + i]);
+        return picked;
+    }
+
+    /// Removes points with an impact that did not converge, as their part of the variance is unknown.
+    static void remove_unknown(Columns& blocks) {
+        std::vector<std::size_t> known;
+        for (std::size_t i = 0; i < blocks[0].size(); ++i)
+            if (std::none_of(blocks.begin(), blocks.end(),
+                             [&](const std::vector<double>& block) { return std::isnan(block[i]); }))
+                known.push_back(i);
+        if (known.size() == blocks[0].size()) return;
+        for (auto& block : blocks) {
+            std::vector<double> kept;
+            kept.reserve(known.size());
+            for (const std::size_t i : known) kept.push_back(block[i]);
+            block = std::move(kept);
+        }
+    }
+
+    [[nodiscard]] std::vector<SobolSums> sobol_by_group(const std::vector<double>& values) const {
+        std::vector<SobolSums> sums;
+        const std::span<const double> all(values);
+        for (std::uint32_t group = 0; group < plan_.design().groups(); ++group) {
+            Columns blocks;
+            for (std::size_t block = 0; block < plan_.impacts_a_point(); ++block)
+                blocks.push_back(group_of(all.subspan(block * points_, points_), group));
+            remove_unknown(blocks);
+            sums.push_back(SobolSums::of({blocks[0], blocks[1], {blocks.begin() + 2, blocks.end()}}));
+        }
+        return sums;
+    }
+
+    /// Columns with the impacts of one point side by side.
+    [[nodiscard]] Columns in_order_of_points(const Columns& columns) const {
+        const std::size_t blocks = plan_.impacts_a_point();
+        Columns ordered;
+        for (const auto& column : columns) {
+            auto& rows = ordered.emplace_back(column.size());
+            for (std::size_t block = 0; block < blocks; ++block)
+                for (std::size_t i = 0; i < points_; ++i)
+                    rows[i * blocks + block] = column[block * points_ + i];
+        }
+        return ordered;
+    }
+
+    const SweepPlan& plan_;
+    std::uint64_t number_;
+    std::size_t points_;
+    std::uint64_t first_;
+    Columns& variables_;
+};
+
+}  // namespace
+
+BlockResult compute_block(const SweepPlan& plan, const ImpactSolver& solver, const Block& block) {
+    PairwiseMerge<SweepSums> sums;
+    BlockResult whole;
+    Columns memory;
+    for (std::uint64_t chunk = block.first; chunk < block.first + block.chunks(); ++chunk) {
+        BlockResult part;
+        Chunk(plan, chunk, memory).compute(solver, part);
+        sums.add(std::move(part.sums));
+        whole.counts.merge(part.counts);
+        whole.failed.merge(part.failed);
+        whole.rows += part.rows;
+    }
+    whole.sums = sums.total();
+    return whole;
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <malloc.h>
+
+#include "pipeline/app/cli/program.hpp"
+#include "pipeline/app/sweep/command.hpp"
+#include "pipeline/app/sweep/mpi/session.hpp"
+#include "pipeline/app/sweep/table/impact_table_file.hpp"
+
+/// ashimpact-sweep: ashimpact with MPI and HDF5, whose libraries take longer to load than other
+/// commands take to run. `ashimpact sweep` and `ashimpact export table` become this program.
+int main(int argc, char** argv) {
+    // The columns of one chunk after another: memory goes from one to the next, not to the system and back.
+    mallopt(M_MMAP_THRESHOLD, 32 << 20);
+    mallopt(M_TRIM_THRESHOLD, 64 << 20);
+    ashimpact::MpiSession session;
+    const int status = ashimpact::run_program(
+        argc, argv,
+        [&](const ashimpact::SweepOptions& options, std::ostream& out) {
+            ashimpact::run_sweep_command(options, session, ashimpact::solve_in_batch, out);
+        },
+        [](const ashimpact::ExportOptions& options, std::ostream& out) {
+            ashimpact::run_export_command(options, ashimpact::impact_table_image, out);
+        });
+    return session.leave(status);
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "core/units/units.hpp"
+#include "solver/contact/registry.hpp"
+#include "solver/damping/damping.hpp"
+
+namespace ashimpact {
+
+/// Inputs of an impact of a sphere, on a flat wall or on a second sphere, that a sweep may vary. The values
+/// after the last one named here stand for the parameters of contact laws, in the order of law_parameters().
+enum class ImpactInput {
+    radius,
+    density,
+    mass,
+    contact_modulus,
+    work_of_adhesion,
+    yield_pressure,
+    damping,
+    velocity,
+    partner_radius,
+    partner_density,
+    partner_mass
+};
+
+/// Number of inputs, parameters of contact laws among them.
+[[nodiscard]] std::size_t impact_input_count();
+/// The input that stands for a parameter of contact laws.
+[[nodiscard]] ImpactInput input_of(const LawParameter& parameter);
+/// Checks a value of an input [SI]. @throws InputError naming it and what is allowed
+void require_allowed(ImpactInput input, double value, Dimension dimension);
+
+[[nodiscard]] std::string_view name_of(ImpactInput input);
+/// The input of that name, which the schema has checked.
+[[nodiscard]] ImpactInput impact_input_named(std::string_view name);
+/// Dimension of an input; that of a damping coefficient depends on its law.
+[[nodiscard]] Dimension dimension_of(ImpactInput input, DampingLaw law);
+/// Whether zero is a value an input may have.
+[[nodiscard]] bool may_be_zero(ImpactInput input);
+
+/// Results of an impact that a sweep may evaluate.
+enum class Observable {
+    captured,          ///< 1 for a capture, 0 for a rebound
+    restitution,       ///< 0 for a capture
+    rebound_velocity,  ///< 0 for a capture
+    contact_time,      ///< of rebounds only
+    maximum_overlap,   ///< its supremum where the approach never turns
+};
+
+inline constexpr std::size_t observable_count = 5;
+
+[[nodiscard]] std::string_view name_of(Observable observable);
+[[nodiscard]] Observable observable_named(std::string_view name);
+[[nodiscard]] Dimension dimension_of(Observable observable);
+/// Whether every impact has a value, a capture too.
+[[nodiscard]] bool captures_count(Observable observable);
+
+}  // namespace ashimpact

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "core/checks.hpp"
+#include "core/json/view.hpp"
+#include "core/json/writer.hpp"
+#include "core/text.hpp"
+#include "pipeline/app/sweep/spec/spec.hpp"
+#include "pipeline/app/sweep/spec/variable_reader.hpp"
+#include "pipeline/case/laws.hpp"
+#include "pipeline/document/schema.hpp"
+#include "pipeline/document/schema_version.hpp"
+#include "solver/damping/damping.hpp"
+#include "solver/motion/impact.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+constexpr std::array default_quantiles{0.05, 0.25, 0.5, 0.75, 0.95};
+constexpr double default_restitution_resolution = 0.001;
+constexpr double default_relative_resolution = 0.01;
+constexpr double most_samples = 1e15;  // a double counts them exactly
+
+std::vector<LawChoice> read_laws(const View& impact) {
+    std::vector<LawChoice> laws;
+    for (const View& name : impact.at("laws").elements()) {
+        const Law law = Law::named(name.text());
+        laws.push_back({law, law.default_detachment()});
+    }
+    read_detachments(impact.find("detachments"), laws, "a law of the sweep");
+    return laws;
+}
+
+template <class Predicate>
+bool any_law(const SweepSpec& spec, Predicate&& predicate) {
+    return std::any_of(spec.laws.begin(), spec.laws.end(),
+                       [&](const LawChoice& c) { return predicate(c.law); });
+}
+
+void read_fixed(const View& impact, SweepSpec& spec) {
+    for (const auto& [key, node] : impact.members()) {
+        if (key == "laws" || key == "detachments" || key == "damping_law") continue;
+        const ImpactInput input = impact_input_named(key);
+        const Dimension dimension = dimension_of(input, spec.damping_law);
+        const double value = node.number(dimension);
+        node.located([&] { require_allowed(input, value, dimension); });
+        spec.fixed[static_cast<std::size_t>(input)] = value;
+    }
+}
+
+bool varies(const SweepSpec& spec, ImpactInput input) {
+    return std::any_of(spec.variables.begin(), spec.variables.end(),
+                       [&](const SweepVariable& variable) { return variable.input == input; });
+}
+
+void require_input(const View& document, const SweepSpec& spec, ImpactInput input,
+                   const std::string& why = {}) {
+    if (is_given(spec, input)) return;
+    document.at("impact").fail(
+        in_quotes(name_of(input)) + " is missing" + why,
+        with_article(dimension_name(dimension_of(input, spec.damping_law))) + " here or in /variables");
+}
+
+/// Warns of an input that no law of the sweep uses.
+void warn_unused(SweepSpec& spec, ImpactInput input, bool used) {
+    if (!used && is_given(spec, input))
+        spec.warnings.push_back(std::string(name_of(input)) +
+                                " changes nothing: no law of the sweep uses it");
+}
+
+/// The mass of a sphere stands in the sweep as such, or as its density.
+void require_one_mass(const View& document, const SweepSpec& spec, ImpactInput density, ImpactInput mass) {
+    const auto both = [&](const char* between) {
+        return in_quotes(name_of(density)) + between + in_quotes(name_of(mass));
+    };
+    if (is_given(spec, density) && is_given(spec, mass))
+        document.at("impact").fail("both " + both(" and ") + " are given, here or in /variables",
+                                   "one of the two");
+    if (!is_given(spec, mass))
+        require_input(document, spec, density, ", and so is " + in_quotes(name_of(mass)));
+}
+
+void check_inputs(const View& document, SweepSpec& spec) {
+    for (const SweepVariable& variable : spec.variables)
+        if (spec.fixed[static_cast<std::size_t>(variable.input)])
+            document.at("impact")
+                .at(name_of(variable.input))
+                .fail("varies too, in /variables", "one of the two");
+    require_one_mass(document, spec, ImpactInput::density, ImpactInput::mass);
+    if (is_given(spec, ImpactInput::partner_radius))
+        require_one_mass(document, spec, ImpactInput::partner_density, ImpactInput::partner_mass);
+    else if (is_given(spec, ImpactInput::partner_density) || is_given(spec, ImpactInput::partner_mass))
+        require_input(document, spec, ImpactInput::partner_radius);
+    for (const ImpactInput input : {ImpactInput::radius, ImpactInput::contact_modulus, ImpactInput::velocity})
+        require_input(document, spec, input);
+    const bool adhesive = any_law(spec, [](Law law) { return law.uses_work_of_adhesion(); });
+    const bool yielding = any_law(spec, yields);
+    if (adhesive) require_input(document, spec, ImpactInput::work_of_adhesion);
+    if (yielding) require_input(document, spec, ImpactInput::yield_pressure);
+    warn_unused(spec, ImpactInput::work_of_adhesion, adhesive);
+    warn_unused(spec, ImpactInput::yield_pressure, yielding);
+    for (const LawParameter& parameter : law_parameters())
+        warn_unused(spec, input_of(parameter), any_law(spec, [&](Law law) { return law.takes(parameter); }));
+    for (const LawChoice& choice : spec.laws) {
+        const auto fault = parameter_fault(
+            choice.law, [&](const LawParameter& parameter) { return is_given(spec, input_of(parameter)); });
+        if (fault)
+            document.at("impact").fail(
+                fault->problem() + ", here or in /variables, for law " + in_quotes(choice.law.name()),
+                fault->allowed());
+    }
+}
+
+std::uint64_t read_count(const View& node, double most) {
+    const double value = node.number(Dimension::fraction);
+    if (!(value >= 0 && value <= most && value == std::floor(value)))
+        node.fail("is " + shortest(value), "a whole number up to " + shortest(most));
+    return static_cast<std::uint64_t>(value);
+}
+
+Sampling read_sampling(const View& node) {
+    const std::string method = node.at("method").text();
+    const auto refuse = [&](const char* key, const std::string& why) {
+        if (const auto given = node.find(key)) given->fail("means nothing for " + in_quotes(method), why);
+    };
+    Sampling sampling{.method = SamplingMethod::grid};
+    if (method != "quasi-random")
+        for (const char* key : {"sequence", "shifts"}) refuse(key, "quasi-random sampling");
+    if (method == "grid") {
+        for (const char* key : {"samples", "seed"}) refuse(key, "random or quasi-random sampling");
+        return sampling;
+    }
+    sampling.method = method == "random" ? SamplingMethod::random : SamplingMethod::quasi_random;
+    if (!node.has("samples")) node.fail("\"samples\" is missing", "how many points to draw");
+    sampling.points = read_count(node.at("samples"), most_samples);
+    if (const auto seed = node.find("seed")) sampling.seed = read_count(*seed, 0x1p53);
+    if (const auto shifts = node.find("shifts"))
+        sampling.shifts = static_cast<std::uint32_t>(read_count(*shifts, 64));
+    if (node.has("sequence") && node.at("sequence").text() == "niederreiter")
+        sampling.sequence = QuasiRandomSequence::niederreiter;
+    return sampling;
+}
+
+Bins bins_of(Observable observable, double resolution) {
+    if (observable == Observable::restitution)
+        return Bins::absolute(static_cast<std::uint32_t>(std::ceil(1 / resolution - 1e-6)));
+    return Bins::relative(static_cast<unsigned>(std::ceil(-std::log2(resolution))));
+}
+
+ObservableStatistics read_statistics_of(const View::Member& member) {
+    const Observable observable = observable_named(member.key);
+    const View& node = member.value;
+    double resolution =
+        observable == Observable::restitution ? default_restitution_resolution : default_relative_resolution;
+    if (const auto given = node.find("resolution")) {
+        resolution = given->number(Dimension::fraction);
+        if (!(resolution >= 1e-5 && resolution <= 0.5))
+            given->fail("is " + shortest(resolution), "1e-5 to 0.5");
+    }
+    ObservableStatistics statistics{observable, bins_of(observable, resolution), {}};
+    const auto quantiles = node.find("quantiles");
+    if (!quantiles)
+        statistics.quantiles.assign(default_quantiles.begin(), default_quantiles.end());
+    else
+        statistics.quantiles = quantiles->column(Dimension::fraction);
+    return statistics;
+}
+
+void read_statistics(const View& document, SweepSpec& spec) {
+    spec.statistics.push_back({Observable::captured, Bins::absolute(1), {}});
+    if (const auto statistics = document.find("statistics")) {
+        for (const auto& member : statistics->members())
+            spec.statistics.push_back(read_statistics_of(member));
+        return;
+    }
+    spec.statistics.push_back({Observable::restitution,
+                               bins_of(Observable::restitution, default_restitution_resolution),
+                               {default_quantiles.begin(), default_quantiles.end()}});
+}
+
+std::vector<Observable> read_observables(const View& document, const char* key) {
+    std::vector<Observable> observables;
+    if (const auto list = document.find(key))
+        for (const View& name : list->elements()) observables.push_back(observable_named(name.text()));
+    return observables;
+}
+
+void check_sensitivity(const View& document, const SweepSpec& spec) {
+    if (spec.sensitivity.empty()) return;
+    if (spec.sampling.method == SamplingMethod::grid)
+        document.at("sensitivity").fail("needs points drawn at random", "random or quasi-random sampling");
+    for (const View& name : document.at("sensitivity").elements())
+        if (!captures_count(observable_named(name.text())))
+            name.fail("a captured particle has none, so its variance has no parts",
+                      "captured, restitution, ...");
+}
+
+void check_sampling(const View& document, const SweepSpec& spec) {
+    std::vector<Distribution> distributions;
+    for (const SweepVariable& variable : spec.variables) {
+        distributions.push_back(variable.distribution);
+        if (spec.sampling.method == SamplingMethod::grid &&
+            !std::holds_alternative<Choice>(variable.distribution))
+            document.at("variables")
+                .at(name_of(variable.input))
+                .fail("a grid takes no distribution", "values or a grid, or another sampling method");
+    }
+    document.at("sampling").located([&] {
+        const Design design(distributions, spec.sampling, spec.sensitivity.empty() ? 1 : 2);
+        if (static_cast<double>(design.points()) > most_samples)
+            throw InputError("too many points", "1e15 at most");
+        if (design.points() < design.groups())
+            throw InputError(
+                "\"samples\" is " + std::to_string(design.points()),
+                spec.sampling.method == SamplingMethod::random
+                    ? "16 or more: errors are estimated by leaving out a sixteenth at a time"
+                    : std::to_string(design.groups()) + " or more, a sample for each of the \"shifts\"");
+    });
+}
+
+}  // namespace
+
+bool is_given(const SweepSpec& spec, ImpactInput input) {
+    return spec.fixed[static_cast<std::size_t>(input)].has_value() || varies(spec, input);
+}
+
+LoadedSpec read_sweep_spec(const std::string& text) {
+    const Json json = without_comments(parse_json(text));
+    require_schema_version(json, false);
+    validate_document(json, "sweep");
+    const View document(json);
+    SweepSpec spec;
+    const View impact = document.at("impact");
+    spec.laws = read_laws(impact);
+    if (const auto law = impact.find("damping_law")) spec.damping_law = named<DampingLaw>(law->text());
+    read_fixed(impact, spec);
+    for (const auto& member : document.at("variables").members()) {
+        const ImpactInput input = impact_input_named(member.key);
+        spec.variables.push_back({input, read_variable(member.value, input, spec.damping_law)});
+    }
+    check_inputs(document, spec);
+    spec.sampling = read_sampling(document.at("sampling"));
+    read_statistics(document, spec);
+    spec.sensitivity = read_observables(document, "sensitivity");
+    check_sensitivity(document, spec);
+    spec.table = read_observables(document, "table");
+    check_sampling(document, spec);
+    return {std::move(spec), write_json(json)};
+}
+
+}  // namespace ashimpact

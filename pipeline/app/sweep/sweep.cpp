@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/app/sweep/sweep.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <map>
+
+#include <spdlog/spdlog.h>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "pipeline/app/sweep/bytes.hpp"
+#include "pipeline/present/text/progress.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Long enough that handing out blocks costs nothing, short enough that no one waits long for the last one.
+constexpr double block_seconds = 0.1;
+constexpr unsigned highest_level = 12;
+/// A block's rows of the full table are held in memory, and sent, as one.
+constexpr unsigned highest_level_with_table = 2;
+constexpr std::chrono::milliseconds patience{50};
+/// Share of the impacts that may fail to converge before the sweep does.
+constexpr double tolerated_failures = 0.01;
+
+/// The way of a sweep from its first chunk to its last.
+class Course {
+  public:
+    Course(Checkpoint& state, const SweepPlan& plan, const SweepFiles& files, RowLog& rows, Team& team,
+           const SweepCare& care)
+        : state_(state),
+          plan_(plan),
+          files_(files),
+          rows_(plan.spec().table.empty() ? nullptr : &rows),
+          team_(team),
+          care_(care),
+          progress_(plan.impacts(), impacts_done(), care.show_progress),
+          next_(state.tally.chunks()) {
+        if (rows_ != nullptr) rows_->resume(state.row_bytes);
+        if (next_ > 0)
+            spdlog::info("{}: going on from chunk {} of {}", files.checkpoint.string(), next_, plan.chunks());
+    }
+
+    [[nodiscard]] bool run() {
+        while (state_.tally.chunks() < plan_.chunks()) {
+            hand_out();
+            collect();
+            merge();
+            progress_.update(impacts_done());
+            if (care_.interrupted()) {
+                save();
+                return false;
+            }
+            if (is_due()) save();
+        }
+        save();
+        return true;
+    }
+
+    void save() {
+        if (rows_ != nullptr) rows_->sync();
+        save_checkpoint(files_.checkpoint, plan_, state_);
+        saved_ = Clock::now();
+        saved_chunks_ = state_.tally.chunks();
+    }
+
+    /// Leaves nothing behind where nothing was finished.
+    void forget() const {
+        std::error_code ignored;
+        for (const auto& file : {files_.checkpoint, files_.rows}) std::filesystem::remove(file, ignored);
+    }
+
+  private:
+    [[nodiscard]] std::uint64_t impacts_done() const {
+        const std::uint64_t chunks = state_.tally.chunks();
+        const std::uint64_t points =
+            chunks == plan_.chunks() ? plan_.design().points() : plan_.first_point(chunks);
+        return points * plan_.impacts_a_point() * plan_.spec().laws.size();
+    }
+
+    [[nodiscard]] bool is_due() const {
+        return state_.tally.chunks() > saved_chunks_ &&
+               std::chrono::duration<double>(Clock::now() - saved_).count() >= care_.checkpoint_interval;
+    }
+
+    /// Assigns blocks while someone has nothing to do, but never far ahead of what is merged: results that
+    /// wait for one before them take memory.
+    void hand_out() {
+        const std::size_t most_waiting = 4 * team_.capacity();
+        while (next_ < plan_.chunks() && team_.vacancies() > 0 &&
+               in_flight_ + waiting_.size() < most_waiting) {
+            const Block block{next_, level()};
+            team_.assign(block);
+            next_ += block.chunks();
+            ++in_flight_;
+        }
+    }
+
+    /// The next block's level: as slow as wanted, a node of the tree, and small enough that all get some in
+    /// the end.
+    [[nodiscard]] unsigned level() const {
+        const std::uint64_t left = plan_.chunks() - next_;
+        const auto log2 = [](std::uint64_t number) {
+            return static_cast<unsigned>(std::bit_width(number)) - 1;
+        };
+        const std::uint64_t share = std::max<std::uint64_t>(1, left / (2 * team_.capacity()));
+        const std::uint64_t wanted =
+            seconds_a_chunk_ > 0 ? static_cast<std::uint64_t>(block_seconds / seconds_a_chunk_) : 1;
+        const unsigned aligned = next_ == 0 ? highest_level : static_cast<unsigned>(std::countr_zero(next_));
+        return std::min({log2(share),
+                         log2(std::clamp<std::uint64_t>(wanted, 1, std::uint64_t{1} << highest_level)),
+                         aligned, rows_ != nullptr ? highest_level_with_table : highest_level});
+    }
+
+    void collect() {
+        auto done = team_.finished(patience);
+        if (!done) return;
+        --in_flight_;
+        const std::uint64_t first = done->block.first;
+        waiting_.emplace(first, std::move(*done));
+    }
+
+    void merge() {
+        for (auto first = waiting_.begin(); first != waiting_.end() && first->first == state_.tally.chunks();
+             first = waiting_.erase(first)) {
+            const FinishedBlock& done = first->second;
+            BlockResult result;
+            ByteReader reader(done.bytes);
+            reader(result);
+            reader.finish();
+            if (rows_ != nullptr) rows_->append(result.rows);
+            if (rows_ != nullptr) state_.row_bytes = rows_->size();
+            state_.tally.add(done.block, std::move(result));
+            require_few_failures();
+            seconds_a_chunk_ = done.seconds / static_cast<double>(done.block.chunks());
+        }
+    }
+
+    /// @throws ConvergenceError with the first of them where too many impacts did not converge
+    void require_few_failures() const {
+        const FailedImpacts& failed = state_.tally.failed();
+        const auto impacts = static_cast<double>(plan_.impacts());
+        if (static_cast<double>(failed.total()) <= tolerated_failures * impacts) return;
+        const FailedImpacts::Listed& first = failed.listed.front();
+        throw ConvergenceError(std::to_string(failed.total()) + " impacts, more than " +
+                               shortest(100 * tolerated_failures) + " % of the sweep: " + first.reason +
+                               "; the first one: " + first.command);
+    }
+
+    Checkpoint& state_;
+    const SweepPlan& plan_;
+    const SweepFiles& files_;
+    RowLog* rows_;  ///< of the table; nullptr without one
+    Team& team_;
+    const SweepCare& care_;
+    Progress progress_;
+    std::uint64_t next_;  ///< chunk to hand out
+    std::size_t in_flight_ = 0;
+    std::map<std::uint64_t, FinishedBlock> waiting_;  ///< for blocks before them, by first chunk
+    double seconds_a_chunk_ = 0;
+    Clock::time_point saved_ = Clock::now();
+    std::uint64_t saved_chunks_ = 0;
+};
+
+}  // namespace
+
+SweepFiles SweepFiles::beside(const std::filesystem::path& result) {
+    const auto with = [&](const char* suffix) { return std::filesystem::path(result.string() + suffix); };
+    std::filesystem::path table = result;
+    table.replace_extension(".h5");
+    std::filesystem::path report = result;
+    report.replace_extension(".html");
+    return {result, table, with(".checkpoint"), with(".rows"), report};
+}
+
+Work work_of(const SweepPlan& plan, ImpactSolver solver) {
+    return [&plan, solver = std::move(solver)](const Block& block) {
+        BlockResult result = compute_block(plan, solver, block);
+        ByteWriter writer;
+        writer(result);
+        return std::move(writer).take();
+    };
+}
+
+bool complete(Checkpoint& state, const SweepPlan& plan, const SweepFiles& files, RowLog& rows, Team& team,
+              const SweepCare& care) {
+    Course course(state, plan, files, rows, team, care);
+    try {
+        return course.run();
+    } catch (const ConvergenceError&) {
+        course.save();
+        throw;
+    } catch (const InputError&) {
+        if (state.tally.chunks() == 0) course.forget();
+        throw;
+    }
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "pipeline/app/sweep/checkpoint.hpp"
+#include "pipeline/app/sweep/crew/team.hpp"
+#include "pipeline/app/sweep/spec/plan.hpp"
+#include "pipeline/app/sweep/table/row_log.hpp"
+
+namespace ashimpact {
+
+/// The files of a sweep, all in one folder.
+struct SweepFiles {
+    std::filesystem::path result;
+    std::filesystem::path table;       ///< the full table
+    std::filesystem::path checkpoint;  ///< removed when the sweep is done
+    std::filesystem::path rows;        ///< of the table, packed; removed when the sweep is done
+    std::filesystem::path report;      ///< the page that shows the result
+
+    [[nodiscard]] static SweepFiles beside(const std::filesystem::path& result);
+};
+
+/// How often a sweep is saved, and how it is watched and interrupted.
+struct SweepCare {
+    double checkpoint_interval = 10;  ///< [s]
+    bool show_progress = false;
+    std::function<bool()> interrupted = [] { return false; };
+};
+
+/// The work of one block, as a team does it.
+[[nodiscard]] Work work_of(const SweepPlan& plan, ImpactSolver solver);
+
+/// Makes the team compute every chunk that the checkpoint lacks, and merges the results in the order of the
+/// chunks. The finished part is saved regularly, and also if an error or an interruption ends the work.
+/// @param rows the lock of the sweep, and the rows of its table
+/// @returns whether all is done; false if it was interrupted
+/// @throws InputError if a file cannot be written; whatever the work throws
+[[nodiscard]] bool complete(Checkpoint& state, const SweepPlan& plan, const SweepFiles& files, RowLog& rows,
+                            Team& team, const SweepCare& care);
+
+}  // namespace ashimpact

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+
+namespace ashimpact {
+
+/// Bytes of the longest file that is read whole.
+inline constexpr std::size_t longest_file = std::size_t{256} << 20U;
+
+/// The bytes of a file. @throws InputError if it cannot be read or is longer than longest_file
+[[nodiscard]] std::string read_file(const std::filesystem::path& path);
+
+/// The bytes of a file, or its first @p most where it is longer. @throws InputError if it cannot be read
+[[nodiscard]] std::string read_start(const std::filesystem::path& path, std::size_t most);
+
+/// Makes a folder and its parents; does nothing for an empty path. @throws InputError if that fails
+void make_folder(const std::filesystem::path& folder);
+
+/// Whether two paths lead to the same file, through links too.
+[[nodiscard]] bool is_same_file(const std::filesystem::path& one, const std::filesystem::path& other);
+
+/// Checks before a computation that a folder can be made or written into.
+/// @throws InputError naming the folder, or the path that prevents it
+void require_writable_folder(const std::filesystem::path& folder);
+
+struct FileContent {
+    std::filesystem::path path;
+    std::string content;
+};
+
+/// Writes a file in place and waits until it is on the disk. @throws InputError if it cannot be written
+void write_through(const std::filesystem::path& path, const std::string& content);
+
+/// Writes files so that no reader ever sees an incomplete one: each under a temporary name in the same
+/// folder, then all are renamed in order. If anything fails before the first rename, the old files remain
+/// unchanged. Signals that end the program are blocked only during the renames. Folders are made as needed. A
+/// symbolic link is kept and its target is written. A device or a pipe is written to directly.
+/// @throws InputError if a file cannot be written
+void write_files(std::span<const FileContent> files);
+
+/// The same for one file.
+void write_file(const std::filesystem::path& path, const std::string& content);
+
+}  // namespace ashimpact

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/json/document.hpp"
+#include "solver/damping/damping.hpp"
+#include "solver/inference/impacts/damping_parts.hpp"
+#include "solver/inference/impacts/inversion.hpp"
+
+namespace ashimpact {
+
+/// Inverted impacts as columns: the rebounds within reach with number (from 1 on), velocity, restitution,
+/// greatest_restitution, damping, its uncertainty where known, and contact_time; captures under captured_at
+/// with the least damping that captures; the rest under unreachable.
+[[nodiscard]] Json inversion_json(const std::vector<InvertedImpact>& impacts, DampingLaw damping_law);
+
+/// The parts of eta(v_in) between their boundary velocities, numbers of the outliers, and why there are none.
+/// @param impacts whose range the parts cover
+[[nodiscard]] Json parts_json(const DampingParts& parts, const std::vector<InvertedImpact>& impacts);
+
+/// Where restitution rises with velocity: up to a velocity, beyond which it falls or the data end.
+[[nodiscard]] Json rising_branch_json(double upper, bool falls_beyond);
+
+}  // namespace ashimpact

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/document/schema.hpp"
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "core/embedded.hpp"
+#include "core/error.hpp"
+#include "core/json/view.hpp"
+#include "core/text.hpp"
+#include "materials/modulus.hpp"
+#include "materials/work_of_adhesion.hpp"
+#include "solver/contact/registry.hpp"
+#include "solver/damping/damping.hpp"
+#include "solver/inference/calibration/calibration.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+constexpr std::string_view schema_folder = "schemas/";
+constexpr std::string_view suffix = ".json";
+
+/// The names for which "@..." stands in the schema files; they are defined in the code.
+std::vector<std::string> listed(const std::string& mark) {
+    if (mark == "@laws") return {RegisteredLaws::names.begin(), RegisteredLaws::names.end()};
+    if (mark == "@detachments") return names_of<Detachment>();
+    if (mark == "@damping_laws") return names_of<DampingLaw>();
+    if (mark == "@calibration_quantities") return names_of<CalibrationQuantity>();
+    if (mark == "@mixture_rules") return names_of<MixtureRule>();
+    if (mark == "@porosity_laws") return names_of<PorosityLaw>();
+    if (mark == "@adhesion_rules") return names_of<AdhesionRule>();
+    throw std::logic_error("no list for " + mark);
+}
+
+/// Replaces "@law_parameters" by a property for each parameter of a contact law.
+void list_parameters(Json& properties) {
+    constexpr auto mark = "@law_parameters";
+    const bool quantity = properties.at(mark) == "quantity";
+    properties.erase(mark);
+    for (const LawParameter& parameter : law_parameters()) {
+        const std::string text = std::string(parameter.description) + ": a number in " +
+                                 std::string(si_unit(parameter.dimension)) + " or such as \"" +
+                                 std::string(parameter.example) + '"';
+        properties[std::string(parameter.name)] =
+            quantity ? Json{{"description", text},
+                            {"allOf", {{{"$ref", "common.json#/definitions/quantity_form"}}}}}
+                     : Json{{"$ref", "#/definitions/variable"}};
+    }
+}
+
+Json schema_file(const std::string& name) {
+    const auto text = embedded_file(std::string(schema_folder) + name + std::string(suffix));
+    if (!text) throw std::logic_error("no schema file " + name);
+    return parse_json(*text);
+}
+
+/// Gathers a schema and the files it refers to into one document.
+class Bundle {
+  public:
+    explicit Bundle(const std::string& name) : root_(schema_file(name)) {
+        const Json own = root_.contains("definitions") ? root_["definitions"] : Json::object();
+        root_.erase("definitions");
+        resolve(root_);
+        take_definitions(own);
+        for (auto& [key, definition] : definitions_) root_["definitions"][key] = std::move(definition);
+    }
+
+    [[nodiscard]] Json take() && { return std::move(root_); }
+
+  private:
+    /// Turns every reference into one to "#/definitions/...", and every "@..." into a list of the program's
+    /// names.
+    void resolve(Json& node) {
+        if (node.is_object() && node.contains("enum") && node["enum"].size() == 1) {
+            const auto only = node["enum"][0].get<std::string>();
+            if (only.starts_with('@')) node["enum"] = listed(only);
+        }
+        if (node.is_object() && node.contains("@law_parameters")) list_parameters(node);
+        if (node.is_object() && node.contains("$ref")) node["$ref"] = reference(node["$ref"]);
+        if (node.is_structured())
+            for (Json& child : node) resolve(child);
+    }
+
+    std::string reference(const std::string& target) {
+        const auto hash = target.find('#');
+        const std::string other = target.substr(0, hash == std::string::npos ? target.size() : hash);
+        if (!other.empty()) include(other.substr(0, other.size() - suffix.size()));
+        if (hash != std::string::npos) return target.substr(hash);
+        return "#/definitions/" + other.substr(0, other.size() - suffix.size());
+    }
+
+    void include(const std::string& name) {
+        if (!included_.insert(name).second) return;
+        Json file = schema_file(name);
+        const Json own = file.contains("definitions") ? file["definitions"] : Json::object();
+        for (const auto* key : {"definitions", "$schema"}) file.erase(key);
+        resolve(file);
+        take_definitions(own);
+        if (file.contains("type")) definitions_[name] = std::move(file);
+    }
+
+    void take_definitions(const Json& definitions) {
+        for (const auto& [key, value] : definitions.items()) {
+            Json definition = value;
+            resolve(definition);
+            definitions_[key] = std::move(definition);
+        }
+    }
+
+    Json root_;
+    std::map<std::string, Json> definitions_;
+    std::set<std::string> included_;
+};
+
+void allow_comments(Json& node) {
+    if (node.is_object() && node.contains("additionalProperties"))
+        node["patternProperties"] = Json{{"^//", Json::object()}};
+    if (node.is_structured())
+        for (Json& child : node) allow_comments(child);
+}
+
+const Json& dereferenced(const Json& schema, const Json& node) {
+    const Json* at = &node;
+    while (at->contains("$ref"))
+        at = &schema.at(Json::json_pointer(at->at("$ref").get<std::string>().substr(1)));
+    return *at;
+}
+
+/// The schema of a member or element of a value described by @p node.
+const Json* child_schema(const Json& schema, const Json& node, const std::string& key) {
+    if (node.contains("properties") && node["properties"].contains(key)) return &node["properties"][key];
+    for (const auto* combined : {"allOf", "oneOf", "anyOf"}) {
+        if (!node.contains(combined)) continue;
+        for (const Json& branch : node[combined])
+            if (const Json* found = child_schema(schema, dereferenced(schema, branch), key)) return found;
+    }
+    const bool index = !key.empty() && key.find_first_not_of("0123456789") == std::string::npos;
+    if (index && node.contains("items") && node["items"].is_object()) return &node["items"];
+    if (node.contains("additionalProperties") && node["additionalProperties"].is_object())
+        return &node["additionalProperties"];
+    return nullptr;
+}
+
+/// Definitions that are quantities, with their dimension.
+constexpr std::array<std::pair<std::string_view, Dimension>, 12> quantity_definitions{
+    {{"fraction", Dimension::fraction},
+     {"length", Dimension::length},
+     {"mass", Dimension::mass},
+     {"time", Dimension::time},
+     {"velocity", Dimension::velocity},
+     {"density", Dimension::density},
+     {"pressure", Dimension::pressure},
+     {"force", Dimension::force},
+     {"energy", Dimension::energy},
+     {"energy_per_area", Dimension::energy_per_area},
+     {"damping", Dimension::damping},
+     {"impulse", Dimension::impulse}}};
+
+/// The dimension of what @p node describes, through a choice that null is part of too.
+std::optional<Dimension> dimension_of(const Json& node) {
+    if (node.contains("anyOf"))
+        for (const Json& branch : node["anyOf"])
+            if (const auto dimension = dimension_of(branch)) return dimension;
+    if (!node.contains("$ref")) return std::nullopt;
+    const auto target = node["$ref"].get<std::string>();
+    const std::string name = target.substr(target.rfind('/') + 1);
+    for (const auto& [definition, dimension] : quantity_definitions)
+        if (definition == name) return dimension;
+    return std::nullopt;
+}
+
+void validate_quantity(const View& value, Dimension dimension) {
+    constexpr double most = 1e40;
+    const double number = value.number(dimension);
+    if (!(std::abs(number) <= most))
+        (value.is_object() ? value.at("value") : value)
+            .fail("is " + shortest(number) + " " + std::string(si_unit(dimension)),
+                  "a number up to 1e40 in SI");
+}
+
+bool is_of(const View& value, Dimension dimension) {
+    try {
+        static_cast<void>(value.number(dimension));
+        return true;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+bool is_coefficient(const Json& node) {
+    return node.value("$ref", "").ends_with("/coefficient");
+}
+
+/// Checks every quantity of a document to which its schema gives a dimension.
+class QuantityCheck {
+  public:
+    explicit QuantityCheck(const Json& schema) : schema_(schema) {}
+
+    void check(const View& value, const Json& node) {
+        if (value.json().is_null()) return;
+        if (const auto dimension = dimension_of(node)) return validate_quantity(value, *dimension);
+        if (is_coefficient(node)) return check_coefficient(value);
+        if (!value.json().is_structured()) return;
+        const Json& part = dereferenced(schema_, node);
+        const auto go_on = [&](const View& member, const std::string& key) {
+            if (const Json* below = child_schema(schema_, part, key)) check(member, *below);
+        };
+        if (value.is_object())
+            for (const auto& [key, member] : value.members()) go_on(member, key);
+        else if (!value.json().empty() && value.json().front().is_structured())
+            for (const View& element : value.elements()) go_on(element, "0");
+    }
+
+  private:
+    /// A damping coefficient has the unit of its damping law, which is one in a document.
+    void check_coefficient(const View& value) {
+        for (const Dimension dimension : {Dimension::damping, Dimension::viscosity, Dimension::fraction}) {
+            if (!is_of(value, dimension) || coefficient_.value_or(dimension) != dimension) continue;
+            if (!value.json().is_number()) coefficient_ = dimension;  // a bare number has any unit
+            return validate_quantity(value, dimension);
+        }
+        value.fail("is not in the unit of a damping coefficient",
+                   coefficient_ ? std::string(si_unit(*coefficient_)) + ", as the others of this artifact"
+                                : "kg/s, Pa s or 1, that of the damping law");
+    }
+
+    const Json& schema_;
+    std::optional<Dimension> coefficient_{};
+};
+
+}  // namespace
+
+void validate_quantities(const Json& document, std::string_view schema_name) {
+    const Json schema = schema_named(schema_name);
+    QuantityCheck(schema).check(View(document), schema);
+}
+
+std::vector<std::string> schema_names() {
+    std::vector<std::string> names;
+    for (const std::string_view path : embedded_files(schema_folder)) {
+        const std::string name(
+            path.substr(schema_folder.size(), path.size() - schema_folder.size() - suffix.size()));
+        if (name != "common") names.push_back(name);
+    }
+    return names;
+}
+
+Json schema_named(std::string_view name) {
+    const auto names = schema_names();
+    for (const std::string& known : names)
+        if (known == name) return Bundle(known).take();
+    throw unknown_name("schema", name, names);
+}
+
+Json schema_with_comments(std::string_view name) {
+    Json schema = schema_named(name);
+    allow_comments(schema);
+    return schema;
+}
+
+const Json* schema_part(const Json& schema, const std::vector<std::string>& path) {
+    const Json* node = &dereferenced(schema, schema);
+    for (const std::string& key : path) {
+        node = child_schema(schema, *node, key);
+        if (node == nullptr) return nullptr;
+        node = &dereferenced(schema, *node);
+    }
+    return node;
+}
+
+}  // namespace ashimpact

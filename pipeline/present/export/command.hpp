@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <iosfwd>
+#include <string>
+
+#include "pipeline/app/commands/contact_options.hpp"
+#include "pipeline/present/export/tables.hpp"
+
+namespace ashimpact {
+
+/// What `ashimpact export` was asked for; empty where an option was not given.
+struct ExportOptions {
+    std::string code;  ///< openfoam, lammps, liggghts, yade, fluent, table
+    std::string run;   ///< folder of a run; else the options of an impact
+    std::string sample;
+    bool follow_velocity = false;
+    ContactOptions contact;
+    std::string velocity;
+    std::string from_diameter;
+    std::string to_diameter;
+    std::string to_velocity;
+    std::string damping_exponent;
+    std::string folder;
+};
+
+/// Who exports a table: the program that is linked with HDF5.
+using ExportRunner = std::function<void(const ExportOptions&, std::ostream& out)>;
+
+/// Names of the codes, for messages.
+[[nodiscard]] std::string exported_codes();
+
+/// `ashimpact export`: writes a folder that runs in another code. @p image is asked for tables only.
+/// @throws InputError for a subject that the code cannot do, with the reason; nothing is written then
+void run_export_command(const ExportOptions& options, const TableImage& image, std::ostream& out);
+
+}  // namespace ashimpact

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pipeline/present/export/subject.hpp"
+
+namespace ashimpact {
+
+struct ImpactTable;
+
+/// A file of an exported folder, its name without any folder.
+struct ExportFile {
+    std::string name;
+    std::string content;
+};
+using ExportFolder = std::vector<ExportFile>;
+
+/// What stands for each @key@ of a template.
+using TemplateValues = std::map<std::string, std::string, std::less<>>;
+
+/// The template data/export/<path> with every @key@ replaced; the values come from numbers and names of ours,
+/// never from the user's words, which another program would take for its own syntax.
+/// @throws std::logic_error for a key without value, a defect of ours
+[[nodiscard]] std::string filled(std::string_view path, const TemplateValues& values);
+
+/// The embedded file data/export/<path> as it is.
+[[nodiscard]] ExportFile unchanged(std::string_view path);
+
+/// A number that every code reads back as the same double: 17 significant digits.
+[[nodiscard]] std::string exact(double value);
+
+/// Values that every template may use: law, detachment, damping, E*, w, sizes, version.
+[[nodiscard]] TemplateValues common_values(const ExportSubject& subject);
+
+/// assumptions.md: where the numbers come from, what they became, what the model holds for.
+/// @param conversions a line each
+[[nodiscard]] ExportFile assumptions(const ExportSubject& subject,
+                                     const std::vector<std::string>& conversions);
+
+}  // namespace ashimpact

@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/present/export/impact_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "pipeline/present/text/readable.hpp"
+#include "solver/batch/impact_batch.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+constexpr double aim = 0.6 * table_accuracy;  // at the places looked at, so that it holds between them
+constexpr double threshold_aim = 0.5 * table_threshold_accuracy;
+constexpr double threshold_progress = 0.25;  // of the error left by twice the sizes; 1/16 where v_c is smooth
+constexpr double largest_decades = 6;        // of the diameter
+constexpr std::size_t smallest_sizes = 9;
+constexpr std::size_t smallest_nodes = 65;
+constexpr std::size_t largest_cells = 400'000;
+constexpr double velocity_span = 1e3;   // of a table without captures
+constexpr double least_velocity = 10;   // that a table reaches where nothing else is asked for [m/s]
+constexpr double beyond_critical = 10;  // times the largest v_c that it reaches
+
+/// How finely a table is divided.
+struct Division {
+    std::size_t sizes;
+    std::size_t nodes;
+};
+
+std::vector<double> even(double from, double to, std::size_t count) {
+    std::vector<double> values(count, from);
+    for (std::size_t i = 1; i < count; ++i)
+        values[i] = from + (to - from) * static_cast<double>(i) / static_cast<double>(count - 1);
+    return values;
+}
+
+std::vector<double> diameters_of(const ExportSubject& subject, std::size_t count) {
+    if (subject.one_size()) return {subject.from_diameter};
+    auto values = even(std::log(subject.from_diameter), std::log(subject.to_diameter), count);
+    for (double& value : values) value = std::exp(value);
+    values.front() = subject.from_diameter;
+    values.back() = subject.to_diameter;
+    return values;
+}
+
+/// v_c; 0 for a size that is never captured.
+double finite_threshold(const ExportSubject& subject, double diameter) {
+    const CriticalVelocity critical = threshold_at(subject, diameter);
+    if (critical.verdict == CaptureVerdict::always_captured)
+        throw InputError(fmt::format("spheres of {} are captured at every velocity", readable(diameter, "m")),
+                         "impacts of which some rebound; a wall that keeps all particles needs no table");
+    return critical.value.value_or(0);
+}
+
+/// d ln v_c / d ln d by a central difference of fourth order [1].
+double slope_at(const ExportSubject& subject, double diameter) {
+    constexpr double step = 2e-3;
+    const auto logarithm = [&](double shift) {
+        return std::log(finite_threshold(subject, diameter * std::exp(shift)));
+    };
+    return (8 * (logarithm(step) - logarithm(-step)) - (logarithm(2 * step) - logarithm(-2 * step))) /
+           (12 * step);
+}
+
+void set_thresholds(const ExportSubject& subject, ImpactTable& table) {
+    std::size_t captures = 0;
+    for (const double diameter : table.diameter) {
+        table.start_velocity.push_back(finite_threshold(subject, diameter));
+        if (table.start_velocity.back() > 0) ++captures;
+    }
+    table.captures = captures > 0;
+    if (captures != 0 && captures != table.diameter.size())
+        throw InputError("some sizes have a critical velocity and others are never captured",
+                         "a range of diameters with one verdict");
+    const double largest = *std::ranges::max_element(table.start_velocity);
+    table.to_velocity = subject.to_velocity.value_or(std::max(least_velocity, beyond_critical * largest));
+    if (!table.captures) {
+        table.from_velocity = table.to_velocity / velocity_span;
+        std::ranges::fill(table.start_velocity, table.from_velocity);
+        table.slope.assign(table.diameter.size(), 0.0);
+        return;
+    }
+    if (table.to_velocity <= *std::ranges::min_element(table.start_velocity))
+        throw InputError(fmt::format("no size rebounds up to {}", readable(table.to_velocity, "m/s")),
+                         "a velocity above the critical one")
+            .at("--to-velocity");
+    for (const double diameter : table.diameter)
+        table.slope.push_back(subject.one_size() ? 0.0 : slope_at(subject, diameter));
+}
+
+double t_of(double velocity, double start) {
+    return std::asinh(std::sqrt(std::max(0.0, velocity / start - 1)));
+}
+
+double velocity_of(double t, double start) {
+    return start * (1 + std::sinh(t) * std::sinh(t));
+}
+
+/// Columns of impacts that are solved at once.
+struct Impacts {
+    Eigen::ArrayXd mass, radius, modulus, adhesion, pressure, damping, velocity;
+
+    explicit Impacts(Eigen::Index size)
+        : mass(size),
+          radius(size),
+          modulus(size),
+          adhesion(size),
+          pressure(size),
+          damping(size),
+          velocity(size) {}
+
+    void set(Eigen::Index i, const Impact& impact) {
+        mass[i] = impact.contact.mass;
+        radius[i] = impact.contact.effective_radius;
+        modulus[i] = impact.contact.contact_modulus;
+        adhesion[i] = impact.contact.work_of_adhesion;
+        pressure[i] = impact.contact.yield_pressure;
+        damping[i] = impact.damping.coefficient;
+        velocity[i] = impact.velocity;
+    }
+};
+
+ImpactBatchResult solve(const ExportSubject& subject, const Impacts& impacts) {
+    return solve_impacts({.law = subject.law,
+                          .detachment = subject.detachment,
+                          .damping_law = subject.damping.law,
+                          .contact = {.mass = impacts.mass,
+                                      .effective_radius = impacts.radius,
+                                      .contact_modulus = impacts.modulus,
+                                      .work_of_adhesion = impacts.adhesion,
+                                      .yield_pressure = impacts.pressure,
+                                      .parameters = single_columns(subject.contact.parameters)},
+                          .damping = impacts.damping,
+                          .velocity = impacts.velocity},
+                         {.threads = 0, .turning_point = false});
+}
+
+void fill_nodes(const ExportSubject& subject, ImpactTable& table) {
+    const auto rows = static_cast<Eigen::Index>(table.diameter.size());
+    const auto columns = static_cast<Eigen::Index>(table.t.size());
+    table.velocity.resize(rows, columns);
+    table.damping.resize(rows, columns);
+    Impacts impacts(rows * columns);
+    for (Eigen::Index i = 0; i < rows; ++i) {
+        const auto size = static_cast<std::size_t>(i);
+        for (Eigen::Index j = 0; j < columns; ++j) {
+            const double v = velocity_of(table.t[static_cast<std::size_t>(j)], table.start_velocity[size]);
+            const Impact impact = impact_at(subject, table.diameter[size], v);
+            table.velocity(i, j) = v;
+            table.damping(i, j) = impact.damping.coefficient;
+            impacts.set(i * columns + j, impact);
+        }
+    }
+    const ImpactBatchResult result = solve(subject, impacts);
+    using RowMajor = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    table.restitution = Eigen::Map<const RowMajor>(result.restitution.data(), rows, columns);
+    table.contact_time = Eigen::Map<const RowMajor>(result.contact_time.data(), rows, columns);
+    if (!table.captures) return;
+    table.restitution.col(0) = 0;  // the limit, whatever rounding makes of an impact at v_c
+    table.contact_time.col(0) = std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Places between the nodes: the middles of the cells, and of their sides.
+std::vector<double> with_middles(const std::vector<double>& nodes) {
+    std::vector<double> places{nodes.front()};
+    for (std::size_t i = 1; i < nodes.size(); ++i) {
+        places.push_back(0.5 * (nodes[i - 1] + nodes[i]));
+        places.push_back(nodes[i]);
+    }
+    return places;
+}
+
+/// The largest |de| along each axis.
+struct Errors {
+    double along_sizes = 0;
+    double along_t = 0;
+    double anywhere = 0;
+};
+
+/// A place of the table at which it is compared with the solver.
+struct Probe {
+    double diameter;
+    double velocity;
+    bool between_sizes;
+    bool between_nodes;
+};
+
+/// The middles of the cells and of their sides; for damping that follows the velocity its nodes, too, at
+/// which e has a kink and a line through it is furthest off.
+std::vector<Probe> probes_of(const ExportSubject& subject, const ImpactTable& table) {
+    std::vector<double> logarithms;
+    for (const double diameter : table.diameter) logarithms.push_back(std::log(diameter));
+    const std::vector<double> sizes = with_middles(logarithms);
+    const std::vector<double> nodes = with_middles(table.t);
+    std::vector<Probe> probes;
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        const double d = std::clamp(std::exp(sizes[i]), table.diameter.front(), table.diameter.back());
+        const double start = start_velocity(table, d);
+        const auto add = [&](double velocity, bool between_nodes) {
+            if (velocity > start && velocity <= table.to_velocity)
+                probes.push_back({d, velocity, i % 2 == 1, between_nodes});
+        };
+        for (std::size_t j = 0; j < nodes.size(); ++j)
+            if (i % 2 + j % 2 > 0) add(velocity_of(nodes[j], start), j % 2 == 1);
+        if (!subject.damping.depends_on_velocity()) continue;
+        for (const DampingNode& node : subject.damping.nodes) add(node.velocity, true);
+    }
+    return probes;
+}
+
+Errors errors_of(const ExportSubject& subject, const ImpactTable& table) {
+    const std::vector<Probe> probes = probes_of(subject, table);
+    if (probes.empty()) return {};
+    Impacts impacts(static_cast<Eigen::Index>(probes.size()));
+    for (std::size_t i = 0; i < probes.size(); ++i)
+        impacts.set(static_cast<Eigen::Index>(i), impact_at(subject, probes[i].diameter, probes[i].velocity));
+    const ImpactBatchResult result = solve(subject, impacts);
+    Errors errors;
+    for (std::size_t i = 0; i < probes.size(); ++i) {
+        const auto& [diameter, velocity, between_sizes, between_nodes] = probes[i];
+        const double error = std::abs(result.restitution[static_cast<Eigen::Index>(i)] -
+                                      restitution(table, diameter, velocity));
+        errors.anywhere = std::max(errors.anywhere, error);
+        if (between_sizes != between_nodes) {
+            double& along = between_sizes ? errors.along_sizes : errors.along_t;
+            along = std::max(along, error);
+        }
+    }
+    return errors;
+}
+
+/// Largest relative error of v_0 in the middles between the sizes, where the cubic is furthest off [1].
+double threshold_error(const ExportSubject& subject, const ImpactTable& table) {
+    double largest = 0;
+    for (std::size_t i = 1; table.captures && i < table.diameter.size(); ++i) {
+        const double middle = std::sqrt(table.diameter[i - 1] * table.diameter[i]);
+        largest = std::max(largest,
+                           std::abs(start_velocity(table, middle) / finite_threshold(subject, middle) - 1));
+    }
+    return largest;
+}
+
+/// As many sizes as v_c needs: e alone would leave it off by some 1e-8.
+/// @throws InputError where v_c(d) is not smooth
+std::size_t sizes_for_thresholds(const ExportSubject& subject) {
+    double before = std::numeric_limits<double>::infinity();
+    for (std::size_t sizes = smallest_sizes;; sizes = 2 * sizes - 1) {
+        ImpactTable table;
+        table.diameter = diameters_of(subject, sizes);
+        set_thresholds(subject, table);
+        const double error = threshold_error(subject, table);
+        if (error <= threshold_aim) return sizes;
+        if (error > threshold_progress * before || sizes * smallest_nodes > largest_cells)
+            throw InputError(
+                fmt::format("a table of {} sizes is still {:.1g} off in the critical velocity", sizes, error),
+                "a shorter range of diameters");
+        before = error;
+    }
+}
+
+ImpactTable table_of(const ExportSubject& subject, const Division& division) {
+    ImpactTable table;
+    table.diameter = diameters_of(subject, division.sizes);
+    set_thresholds(subject, table);
+    double end = 0;
+    for (const double start : table.start_velocity) end = std::max(end, t_of(table.to_velocity, start));
+    table.t = even(0, end, division.nodes);
+    fill_nodes(subject, table);
+    return table;
+}
+
+}  // namespace
+
+ImpactTable make_impact_table(const ExportSubject& subject) {
+    if (subject.damping.depends_on_velocity() && !subject.one_size())
+        throw InputError(
+            "the damping of the run falls steeply just above the critical velocity of its one size; where "
+            "other sizes have other critical velocities, no table keeps their restitution to 2e-4",
+            "one size, or lammps or liggghts for several")
+            .at("--follow-velocity");
+    if (std::log10(subject.to_diameter / subject.from_diameter) > largest_decades)
+        throw InputError("the range of diameters spans more than six decades", "a shorter range")
+            .at("--from-diameter, --to-diameter");
+    Division division{sizes_for_thresholds(subject), smallest_nodes};
+    while (true) {
+        ImpactTable table = table_of(subject, division);
+        const Errors errors = errors_of(subject, table);
+        table.largest_error = errors.anywhere;
+        if (errors.anywhere <= aim) return table;
+        const double half = aim / 2;  // of the error, for each axis
+        if (errors.along_sizes > half) division.sizes = 2 * division.sizes - 1;
+        if (errors.along_t > half || errors.along_sizes <= half) division.nodes = 2 * division.nodes - 1;
+        if (division.sizes * division.nodes > largest_cells)
+            throw InputError(fmt::format("a table of {} nodes is still {:.1g} off in the restitution",
+                                         table.t.size() * table.diameter.size(), errors.anywhere),
+                             "a shorter range of diameters or velocities");
+    }
+}
+
+double start_velocity(const ImpactTable& table, double diameter) {
+    const std::vector<double>& d = table.diameter;
+    if (d.size() == 1) return table.start_velocity.front();
+    const auto above =
+        std::clamp<std::ptrdiff_t>(std::ranges::upper_bound(d, diameter) - d.begin(), 1, std::ssize(d) - 1);
+    const auto i = static_cast<std::size_t>(above) - 1;
+    const double width = std::log(d[i + 1] / d[i]);
+    const double s = std::log(diameter / d[i]) / width;
+    const double value = (1 + 2 * s) * (1 - s) * (1 - s) * std::log(table.start_velocity[i]) +
+                         s * s * (3 - 2 * s) * std::log(table.start_velocity[i + 1]) +
+                         s * (1 - s) * width * ((1 - s) * table.slope[i] - s * table.slope[i + 1]);
+    return std::exp(value);
+}
+
+double restitution(const ImpactTable& table, double diameter, double velocity) {
+    const double start = start_velocity(table, diameter);
+    if (velocity < start) return table.captures ? 0 : table.restitution(0, 0);
+    const std::vector<double>& d = table.diameter;
+    const double spacing = table.t[1] - table.t[0];
+    const double place = t_of(velocity, start) / spacing;
+    const auto j = std::min(static_cast<Eigen::Index>(place), static_cast<Eigen::Index>(table.t.size()) - 2);
+    const double b = place - static_cast<double>(j);
+    const auto along_t = [&](Eigen::Index i) {
+        return (1 - b) * table.restitution(i, j) + b * table.restitution(i, j + 1);
+    };
+    if (d.size() == 1) return along_t(0);
+    const auto i =
+        std::clamp<std::ptrdiff_t>(std::ranges::upper_bound(d, diameter) - d.begin(), 1, std::ssize(d) - 1) -
+        1;
+    const auto size = static_cast<std::size_t>(i);
+    const double a = std::log(diameter / d[size]) / std::log(d[size + 1] / d[size]);
+    return (1 - a) * along_t(i) + a * along_t(i + 1);
+}
+
+}  // namespace ashimpact

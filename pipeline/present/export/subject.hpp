@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/present/export/sized_damping.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
+
+namespace ashimpact {
+
+/// The sphere that a particle meets where there is no wall.
+struct PartnerBody {
+    double radius;  ///< [m]
+    double mass;    ///< [kg]
+};
+
+/// What is exported: one kind of particle on one flat wall, or on one other sphere, over a range of sizes and
+/// velocities. E*, w and density are the same for every size; on a wall R* = d/2.
+struct ExportSubject {
+    Law law;
+    Detachment detachment;
+    ContactPair contact;  ///< of the reference size
+    double density;       ///< [kg/m3]
+    SizedDamping damping;
+    double from_diameter;                  ///< [m]
+    double to_diameter;                    ///< not below from_diameter [m]
+    std::optional<PartnerBody> partner{};  ///< the other body is this sphere; none: it is a flat wall
+    std::optional<double> to_velocity{};   ///< largest v_in; none: ten times the largest v_c, at least 10 m/s
+    std::optional<double> velocity{};      ///< one more impact that the folder is to hold [m/s]
+    std::vector<std::string> origins{};    ///< whose E, whose w, whose damping: a line each
+
+    [[nodiscard]] double reference_diameter() const { return damping.reference_diameter; }
+    [[nodiscard]] bool one_size() const { return from_diameter == to_diameter; }
+};
+
+/// Refuses two spheres. @param reason why the code can only do a wall
+/// @throws InputError if the subject has a partner
+void require_wall(const ExportSubject& subject, const std::string& reason);
+
+/// The mass of a particle of that diameter [m], in kg.
+[[nodiscard]] double particle_mass(const ExportSubject& subject, double diameter);
+
+/// The contact of a sphere of that diameter [m].
+[[nodiscard]] ContactPair contact_at(const ExportSubject& subject, double diameter);
+
+/// One impact of the subject. @param diameter [m] @param velocity [m/s]
+[[nodiscard]] Impact impact_at(const ExportSubject& subject, double diameter, double velocity);
+
+/// The verdict of a size, its v_c where that is finite. Damping that depends on velocity: the velocity at
+/// which v_in = v_c(damping(v_in)).
+/// @throws InputError where capture and rebound change places more than once: no table and no code that asks
+/// for one velocity can tell that
+[[nodiscard]] CriticalVelocity threshold_at(const ExportSubject& subject, double diameter);
+
+}  // namespace ashimpact

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/present/report/data/run_data.hpp"
+
+#include <algorithm>
+
+#include "pipeline/case/laws.hpp"
+#include "pipeline/run/in_parallel.hpp"
+#include "pipeline/run/read_case_artifact.hpp"
+#include "solver/motion/maugis/cohesive_impact.hpp"
+
+namespace ashimpact::report {
+
+namespace {
+
+/// The entry of a sample in an artifact's result.
+const Json& entry_of(const Artifacts& artifacts, std::string_view file, const std::string& name) {
+    static const Json none = Json::object();
+    const Json& result = artifacts.at(file).document.at("result");
+    for (const Json& sample : result.at("samples"))
+        if (sample.at("name") == name) return sample;
+    return none;
+}
+
+Json member(const Json& object, const std::string& key) {
+    return object.contains(key) ? object.at(key) : Json(nullptr);
+}
+
+/// The fit eta(e) of measured impacts, null for others.
+const Json* curve_fit(const LawData& law) {
+    if (!law.fit_json.is_object() || !law.fit_json.contains("extrapolated")) return nullptr;
+    const Json& fit = law.fit_json.at("extrapolated");
+    return fit.is_object() && fit.contains("coefficients") ? &fit : nullptr;
+}
+
+std::optional<DampingPolynomial> damping_fit_of(const LawData& law) {
+    if (law.fit == nullptr) return std::nullopt;
+    return law.fit->extrapolated ? law.fit->extrapolated->damping : law.fit->damping;
+}
+
+/// Covariance of the coefficients; of a reconstructed series the rounding of the printed ones.
+Eigen::MatrixXd covariance_of(const LawData& law) {
+    const Eigen::Index count = law.damping_fit->coefficients.size();
+    if (law.measured != nullptr && law.measured->coefficient_uncertainty) {
+        const double u = *law.measured->coefficient_uncertainty;
+        return u * u * Eigen::MatrixXd::Identity(count, count);
+    }
+    if (law.fit->extrapolated) return law.fit->extrapolated->covariance;
+    return Eigen::MatrixXd::Zero(count, count);
+}
+
+/// Curves end at so many times the greatest velocity of the impacts: a fit that needs more for the greatest
+/// restitution would take the whole figure.
+constexpr double beyond_impacts = 1.25;
+
+/// Impacts near the rising model curve: where it begins, and the points up to the greatest restitution.
+std::vector<CurveKnot> knots_of(const LawData& law) {
+    std::vector<CurveKnot> knots;
+    if (law.curve_start && *law.curve_start > 0) knots.push_back({0, *law.curve_start});
+    const std::vector<double>& e = law.damping->restitution;
+    const std::vector<double>& v = law.damping->velocity;
+    if (e.empty()) return knots;
+    const auto greatest = static_cast<std::size_t>(std::max_element(e.begin(), e.end()) - e.begin());
+    for (std::size_t i = 0; i < v.size(); ++i)
+        if (v[i] <= v[greatest]) knots.push_back({e[i], v[i]});
+    return knots;
+}
+
+}  // namespace
+
+std::string display_name(std::string_view law) {
+    const bool spelled = law.find_first_of("aeiou") == std::string_view::npos;  // an abbreviation
+    std::string name;
+    bool capital = true;
+    for (const char c : law) {
+        const bool letter = c >= 'a' && c <= 'z';
+        name += letter && (capital || spelled) ? static_cast<char>(c - 'a' + 'A') : c;
+        capital = !letter;
+    }
+    return name;
+}
+
+RunData::RunData(Artifacts artifacts, std::string label)
+    : label_(std::move(label)),
+      artifacts_(std::move(artifacts)),
+      case_(read_case_artifact(artifacts_)),
+      contacts_(artifacts_.read("2-contact.json", read_contacts)),
+      analytic_(artifacts_.read("3-analytic.json", read_analytic)),
+      restitutions_(artifacts_.read("4-restitution.json", read_restitutions)),
+      dampings_(
+          artifacts_.read("5-damping.json",
+                          [&](const View& v) { return read_dampings(v, dimension_of(case_.damping_law)); })),
+      fits_(artifacts_.read("6-fit.json",
+                            [&](const View& v) { return read_fits(v, dimension_of(case_.damping_law)); })),
+      velocities_(artifacts_.read("7-critical-velocity.json", read_critical_velocities)) {
+    for (const Sample& sample : case_.samples) read_sample(sample);
+    std::vector<LawData*> laws;
+    std::vector<const SampleData*> owners;
+    for (SampleData& sample : samples_)
+        for (LawData& law : sample.laws) {
+            laws.push_back(&law);
+            owners.push_back(&sample);
+        }
+    std::vector<std::size_t> positions(laws.size());
+    for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = i;
+    // The slowest curves first, so that no core waits for one at the end.
+    std::stable_partition(positions.begin(), positions.end(), [&](std::size_t i) {
+        return is_cohesive(laws[i]->choice.law, owners[i]->contact->pair);
+    });
+    const auto curves = in_parallel(positions, [&](std::size_t i) -> ModelCurve {
+        const LawData& law = *laws[i];
+        if (law.damping == nullptr || !law.damping_fit || !law.headline.value) return {};
+        const auto greatest = [](const std::vector<double>& values) {
+            return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+        };
+        return model_curve({.choice = law.choice,
+                            .damping_law = case_.damping_law,
+                            .contact = owners[i]->contact->pair,
+                            .damping_fit = *law.damping_fit,
+                            .covariance = covariance_of(law),
+                            .greatest_restitution = greatest(law.damping->restitution),
+                            .greatest_velocity = beyond_impacts * greatest(law.damping->velocity),
+                            .knots = knots_of(law)});
+    });
+    for (std::size_t i = 0; i < laws.size(); ++i) laws[positions[i]]->curve = curves[i];
+}
+
+void RunData::read_sample(const Sample& sample) {
+    const Json& dampings = entry_of(artifacts_, "5-damping.json", sample.name);
+    const Json& fits = entry_of(artifacts_, "6-fit.json", sample.name);
+    const Json& velocities = entry_of(artifacts_, "7-critical-velocity.json", sample.name);
+    const Json& histories = entry_of(artifacts_, "8-histories.json", sample.name);
+    SampleData entry{.name = sample.name,
+                     .sample = &sample,
+                     .contact = &entry_named(contacts_, sample.name, artifacts_, "2-contact.json"),
+                     .analytic = &entry_named(analytic_, sample.name, artifacts_, "3-analytic.json"),
+                     .modulus = entry_of(artifacts_, "1-modulus.json", sample.name),
+                     .comparison = entry_of(artifacts_, "comparison.json", sample.name),
+                     .measured = member(velocities, "measured")};
+    const SampleRestitution& restitution =
+        entry_named(restitutions_, sample.name, artifacts_, "4-restitution.json");
+    const SampleDamping& damping = entry_named(dampings_, sample.name, artifacts_, "5-damping.json");
+    const SampleFit& fit = entry_named(fits_, sample.name, artifacts_, "6-fit.json");
+    const SampleCriticalVelocity& velocity =
+        entry_named(velocities_, sample.name, artifacts_, "7-critical-velocity.json");
+    for (const LawChoice& choice : case_.laws) {
+        const std::string key(choice.law.name());
+        LawData law{.choice = choice,
+                    .name = display_name(key),
+                    .measured = restitution.of(choice.law),
+                    .damping = damping.laws.find(choice.law),
+                    .fit = fit.laws.find(choice.law),
+                    .velocity = velocity.laws.find(choice.law),
+                    .damping_json = member(dampings, key),
+                    .fit_json = member(fits, key),
+                    .velocity_json = member(velocities, key),
+                    .histories = member(histories, key)};
+        if (law.velocity_json.is_object()) law.headline = headline_of(law.velocity_json);
+        law.damping_fit = damping_fit_of(law);
+        const Json* fit_of_curve = curve_fit(law);
+        law.curve_start =
+            fit_of_curve != nullptr ? number_in(*fit_of_curve, "critical_velocity") : law.headline.value;
+        entry.laws.push_back(std::move(law));
+    }
+    samples_.push_back(std::move(entry));
+}
+
+std::string RunData::damping_unit() const {
+    return std::string(unit_of(case_.damping_law));
+}
+
+bool RunData::any_reconstructed() const {
+    for (const auto& sample : restitutions_)
+        for (const auto& series : sample.series)
+            if (series.origin != "measured") return true;
+    return false;
+}
+
+bool RunData::any_measured() const {
+    for (const auto& sample : restitutions_)
+        for (const auto& series : sample.series)
+            if (series.origin == "measured") return true;
+    return false;
+}
+
+}  // namespace ashimpact::report

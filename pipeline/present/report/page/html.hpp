@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "pipeline/present/report/figure.hpp"
+
+namespace ashimpact::report {
+
+/// A figure as HTML: both forms of the drawing, caption, readout, numbers as a table and as CSV.
+/// @param id link target, unique in the page
+[[nodiscard]] std::string html_of(const Figure& figure, const std::string& id);
+
+/// A table that scrolls within the page; numbers with five significant digits.
+[[nodiscard]] std::string html_table(const NumberTable& table, const std::string& label);
+
+/// A whole page: head with the strict content security policy, style and script.
+[[nodiscard]] std::string html_page(const std::string& title, const std::string& body);
+
+/// Whether a file is a page of ours, which may be replaced or removed.
+[[nodiscard]] bool is_own_page(const std::filesystem::path& file);
+
+/// An escaped text with the symbols in it set as such: "v_in", "e_n".
+[[nodiscard]] std::string with_subscripts(std::string text);
+
+/// The id of a figure as a link shows it: "Static force" for "static-force".
+[[nodiscard]] std::string link_words(std::string_view id);
+
+/// A user's name in HTML.
+[[nodiscard]] std::string html_name(std::string_view name);
+
+}  // namespace ashimpact::report

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "pipeline/present/report/data/headline.hpp"
+#include "pipeline/present/report/data/run_data.hpp"
+#include "pipeline/present/report/figures/axis_units.hpp"
+#include "pipeline/present/report/sweep/capture_fraction.hpp"
+#include "pipeline/present/report/sweep/sweep_page.hpp"
+
+namespace ashimpact::report {
+
+namespace {
+
+std::string words(std::string_view name) {
+    std::string text(name);
+    std::replace(text.begin(), text.end(), '_', ' ');
+    return text;
+}
+
+Figure capture_figure(const SweepSpec& spec) {
+    Figure figure{
+        .id = "capture",
+        .title = "Captured impacts against each variable",
+        .counterpart = "",
+        .caption = fmt::format(
+            "The share of impacts that stay on the wall, against one variable while the others are spread as "
+            "the sweep says. From {} impacts of its "
+            "design, solved again for this figure; bars are one standard uncertainty.",
+            std::min<std::uint64_t>(capture_impacts, std::max<std::uint64_t>(spec.sampling.points, 1))),
+        .panels = {},
+        .numbers = {.columns = {"law", "variable", "value [SI]", "captured", "standard uncertainty"}},
+        .columns = 2,
+        .panel_height = 260};
+    const auto curves = capture_curves(spec);
+    for (std::size_t variable = 0; variable < spec.variables.size(); ++variable) {
+        const std::string name(name_of(spec.variables[variable].input));
+        std::vector<double> values;
+        for (const CaptureCurve& curve : curves)
+            if (curve.variable == variable)
+                for (const CaptureShare& share : curve.shares) values.push_back(share.value);
+        const std::string unit(si_unit(dimension_of(spec.variables[variable].input, spec.damping_law)));
+        XyPanel panel{.title = words(name),
+                      .x = quantity_axis(words(name), unit, greatest_of(values)),
+                      .y = {.label = "captured", .unit = "%", .scale = 0.01, .from = -0.03, .to = 1.03}};
+        for (const CaptureCurve& curve : curves) {
+            if (curve.variable != variable) continue;
+            const Law law = spec.laws[curve.law].law;
+            Series series{.name = display_name(law.name()),
+                          .legend = display_name(law.name()),
+                          .look = Look::of(law.index())};
+            for (const CaptureShare& share : curve.shares) {
+                series.line.push_back({share.value, share.fraction});
+                series.marks.push_back({share.value, share.fraction, 0, share.standard_uncertainty});
+                figure.numbers.rows.push_back(
+                    {std::string(law.name()), name, share.value, share.fraction, share.standard_uncertainty});
+            }
+            panel.series.push_back(std::move(series));
+        }
+        figure.panels.emplace_back(std::move(panel));
+    }
+    return figure;
+}
+
+/// A histogram as the outline of its bars, in at most fifty of them.
+std::vector<Point> outline(const std::vector<double>& edges, const std::vector<double>& counts,
+                           double whole) {
+    std::vector<Point> line;
+    const std::size_t together = counts.size() / 50 + 1;
+    for (std::size_t i = 0; i < counts.size(); i += together) {
+        const std::size_t end = std::min(counts.size(), i + together);
+        double sum = 0;
+        for (std::size_t k = i; k < end; ++k) sum += counts[k];
+        line.push_back({edges[i], sum / whole});
+        line.push_back({edges[end], sum / whole});
+    }
+    return line;
+}
+
+Figure histogram_figure(const Json& result) {
+    Figure figure{
+        .id = "histogram",
+        .title = "How the results are spread",
+        .counterpart = "",
+        .caption =
+            "Histograms: the share of impacts in each bin. Captures, whose restitution is 0, are left out of "
+            "the bins:",
+        .panels = {},
+        .numbers = {.columns = {"law", "observable", "lower edge [SI]", "upper edge [SI]", "count"}},
+        .columns = 2,
+        .panel_height = 260};
+    std::vector<std::string> titles;
+    for (const Json& law : result.at("laws")) {
+        const std::string name = law.at("law").get<std::string>();
+        for (const Json& observable : law.at("observables")) {
+            if (!observable.contains("histogram")) continue;
+            const std::string of = observable.at("name").get<std::string>();
+            const Json& histogram = observable.at("histogram");
+            const auto edges = histogram.at("edges").at("values").get<std::vector<double>>();
+            const auto counts = histogram.at("counts").get<std::vector<double>>();
+            const auto found = std::find(titles.begin(), titles.end(), of);
+            const auto place = static_cast<std::size_t>(found - titles.begin());
+            if (found == titles.end()) {
+                titles.push_back(of);
+                figure.panels.emplace_back(
+                    XyPanel{.title = words(of),
+                            .x = quantity_axis(words(of), histogram.at("edges").value("unit", "1"),
+                                               greatest_of(edges)),
+                            .y = {.label = "share", .unit = "%", .scale = 0.01, .from_zero = true}});
+            }
+            const double whole = std::max(1.0, observable.value("count", 1.0));
+            const Law known = Law::named(name);
+            std::get<XyPanel>(figure.panels[place])
+                .series.push_back({.name = display_name(name),
+                                   .legend = display_name(name),
+                                   .look = Look::of(known.index()),
+                                   .line = outline(edges, counts, whole)});
+            for (std::size_t i = 0; i < counts.size(); ++i)
+                figure.numbers.rows.push_back({name, of, edges[i], edges[i + 1], counts[i]});
+            if (of == "restitution")
+                figure.caption += fmt::format(" {} {:.3g} %,", display_name(name),
+                                              100 * histogram.value("zeros", 0.0) / whole);
+        }
+    }
+    figure.caption.back() = '.';
+    figure.numbers.shown_every =
+        figure.numbers.rows.size() > 400 ? static_cast<int>(figure.numbers.rows.size() / 200) : 1;
+    return figure;
+}
+
+Figure sweep_sensitivity_figure(const Json& result) {
+    Figure figure{.id = "sensitivity",
+                  .title = "Which variable matters",
+                  .counterpart = "",
+                  .caption =
+                      "Sobol indices: the share of the variance of each observable that a variable makes by "
+                      "itself (first order, mark), and with all that it does together "
+                      "with others (total, bar); intervals are one standard uncertainty of the total.",
+                  .panels = {},
+                  .numbers = {.columns = {"law", "observable", "variable", "first order",
+                                          "its standard uncertainty", "total", "its standard uncertainty"}},
+                  .columns = 2};
+    for (const Json& law : result.at("laws")) {
+        const std::string name = law.at("law").get<std::string>();
+        if (!law.contains("sensitivity")) continue;
+        RowPanel panel{
+            .title = display_name(name),
+            .x = {.label = "share of the variance", .unit = "%", .scale = 0.01, .from = -0.02, .to = 1.05}};
+        for (const Json& of : law.at("sensitivity")) {
+            panel.rows.push_back({.label = words(of.at("of").get<std::string>()), .heading = true});
+            for (const Json& index : of.at("indices")) {
+                const std::string variable = index.at("variable").get<std::string>();
+                const double first = number_in(index, "first").value_or(0);
+                const double total = number_in(index, "total").value_or(0);
+                const double first_u = index.at("first").is_object()
+                                           ? number_in(index.at("first"), "standard_uncertainty").value_or(0)
+                                           : 0;
+                const double total_u = index.at("total").is_object()
+                                           ? number_in(index.at("total"), "standard_uncertainty").value_or(0)
+                                           : 0;
+                const Look look = Look::of(Law::named(name).index());
+                panel.rows.push_back(
+                    {.label = words(variable),
+                     .items = {{.kind = RowItem::Kind::bar,
+                                .from = 0,
+                                .to = total,
+                                .look = look,
+                                .name = fmt::format("{}: total {:.3g} %", variable, 100 * total)},
+                               {.kind = RowItem::Kind::interval,
+                                .from = total - total_u,
+                                .to = total + total_u,
+                                .look = look,
+                                .name = fmt::format("{}: ± {:.2g} %", variable, 100 * total_u)},
+                               {.kind = RowItem::Kind::mark,
+                                .from = 0,
+                                .to = first,
+                                .look = Look::plain(3),
+                                .name = fmt::format("{}: first order {:.3g} %", variable, 100 * first),
+                                .legend = "first order; bar: total"}}});
+                figure.numbers.rows.push_back(
+                    {name, of.at("of").get<std::string>(), variable, first, first_u, total, total_u});
+            }
+        }
+        if (!panel.rows.empty()) figure.panels.emplace_back(std::move(panel));
+    }
+    return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> sweep_figures(const Json& artifact) {
+    const LoadedSpec loaded = read_sweep_spec(artifact.at("provenance").at("options").dump());
+    const Json& result = artifact.at("result");
+    std::vector<Figure> figures;
+    for (Figure& figure : std::vector<Figure>{capture_figure(loaded.spec), histogram_figure(result),
+                                              sweep_sensitivity_figure(result)})
+        if (!figure.panels.empty()) figures.push_back(std::move(figure));
+    return figures;
+}
+
+}  // namespace ashimpact::report

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "core/json/document.hpp"
+#include "pipeline/present/text/layout.hpp"
+
+namespace ashimpact {
+
+/// How much of a result a reader wants to see.
+struct ResultView {
+    bool all = false;                    ///< every row and every part; else long ones shortened, and said so
+    std::size_t width = output_width();  ///< characters of a line
+};
+
+/// Any JSON result for a reader: quantities in convenient units, columns as tables, histograms as bars,
+/// entries of one kind (such as those of contact laws) side by side, the rest as an indented list.
+[[nodiscard]] std::string result_text(const Json& result, const ResultView& view = {});
+
+}  // namespace ashimpact

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "pipeline/case/case.hpp"
+#include "pipeline/run/contact.hpp"
+#include "pipeline/run/damping.hpp"
+
+namespace ashimpact {
+
+/// Incident velocities between which a series has values [m/s].
+struct SeriesRange {
+    double slowest;
+    double fastest;
+};
+
+/// Round velocities that lie in at least two of the ranges, increasing, about five to twelve where the ranges
+/// are wide enough [m/s].
+[[nodiscard]] std::vector<double> shared_velocities(const std::vector<SeriesRange>& ranges);
+
+/// Samples and laws compared at equal incident velocities (Figure 8 of Dong et al. 2013): for each velocity
+/// the damping, and restitution, contact time and greatest overlap of the impact with it. Between the points
+/// of a series the damping is interpolated without overshoot; that of measured impacts which can be smoothed
+/// is their smooth curve. Nothing is extrapolated: a series is absent where it has no points.
+/// @param contacts of all samples of @p dampings
+/// @return a list; empty where no two series share a velocity
+[[nodiscard]] Json equal_velocities_json(const Case& data, const std::vector<SampleContact>& contacts,
+                                         const std::vector<SampleDamping>& dampings);
+
+}  // namespace ashimpact

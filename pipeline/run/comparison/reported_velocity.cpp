@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/run/comparison/reported_velocity.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/text.hpp"
+#include "pipeline/present/text/readable.hpp"
+#include "solver/motion/regime.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+/// A law that gives a finite velocity, with its rank.
+struct Candidate {
+    Law law;
+    const LawCriticalVelocity* velocity = nullptr;
+    double rank = 0;     ///< the least is taken
+    std::string reason;  ///< why it has that rank
+    bool contradicted = false;
+};
+
+bool is_contradicted(const LawCriticalVelocity& velocity) {
+    if (!velocity.check.is_object()) return false;
+    const std::string verdict = velocity.check.value("verdict", "");
+    return verdict == "model-too-low" || verdict == "model-too-high";
+}
+
+/// Whether a Tabor parameter is nearer to the limit of JKR than to that of DMT, in its logarithm.
+bool nearer_to_jkr(double tabor) {
+    return tabor * tabor > dmt_limit * jkr_limit;
+}
+
+std::string tabor_reason(double tabor) {
+    const std::string parameter = "Tabor parameter " + readable_number(tabor, 3);
+    if (tabor < dmt_limit) return parameter + ": hard contact, DMT holds";
+    if (tabor > jkr_limit) return parameter + ": soft contact, JKR holds";
+    return fmt::format("{}: between DMT (below {}) and JKR (above {}), nearer to {}", parameter, dmt_limit,
+                       jkr_limit, nearer_to_jkr(tabor) ? "JKR" : "DMT");
+}
+
+Candidate candidate_of(Law law, const LawCriticalVelocity& velocity, const ContactPair& contact) {
+    const bool contradicted = is_contradicted(velocity);
+    const auto ranked = [&](double rank, std::string reason) {
+        return Candidate{law, &velocity, rank, std::move(reason), contradicted};
+    };
+    const double tabor = tabor_parameter_of(contact);
+    const bool soft = nearer_to_jkr(tabor);
+    if (law == Law::of<ThorntonNing>() && velocity.plastic > 0) return ranked(0, "the contact yields");
+    if (law == Law::of<MaugisDugdale>())
+        return ranked(1, "holds for every Tabor parameter, here " + readable_number(tabor, 3));
+    if (law == Law::of<Jkr>() || law == Law::of<ThorntonNing>())
+        return ranked((soft ? 2 : 3) + (law == Law::of<ThorntonNing>() ? 0.5 : 0), tabor_reason(tabor));
+    if (law == Law::of<Dmt>()) return ranked(soft ? 3 : 2, tabor_reason(tabor));
+    if (law == Law::of<Hertz>())
+        return ranked(contact.work_of_adhesion > 0 ? 6 : 1.5,
+                      contact.work_of_adhesion > 0 ? "leaves adhesion out" : "there is no adhesion");
+    return ranked(law.uses_work_of_adhesion() ? 4 : 5, "its adhesion is empirical");
+}
+
+/// "jkr and dmt contradict"; empty if none does.
+std::string contradiction(const std::vector<Candidate>& passed_over) {
+    std::vector<std::string> names;
+    for (const Candidate& each : passed_over)
+        if (each.contradicted && !(each.law == Law::of<Hertz>())) names.emplace_back(each.law.name());
+    if (names.empty()) return {};
+    std::string text = names.front();
+    for (std::size_t i = 1; i < names.size(); ++i)
+        text += (i + 1 == names.size() ? " and " : ", ") + names[i];
+    return text + (names.size() == 1 ? " contradicts" : " contradict");
+}
+
+std::string measured_words(const Json& measured) {
+    if (!measured.is_object() || !measured.value("critical_velocity", Json(nullptr)).is_object())
+        return "the measured velocity";
+    return fmt::format("the measured {:#.3g} m/s",
+                       measured.at("critical_velocity").at("value").get<double>());
+}
+
+/// The measured velocity or bounds, if no law gives a velocity.
+Json bounds_json(const LawEvidence& evidence) {
+    Json json{{"law", nullptr}, {"critical_velocity", nullptr}, {"interval", nullptr}};
+    std::string verdict = evidence.no_damping;
+    for (const LawChoice& choice : evidence.laws)
+        if (const LawCriticalVelocity* velocity = evidence.velocities.find(choice.law))
+            verdict = "no law gives a finite velocity: " + velocity->verdict;
+    if (!evidence.measured.is_object()) {
+        json["reason"] = verdict;
+        return json;
+    }
+    if (evidence.measured.value("critical_velocity", Json(nullptr)).is_object()) {
+        json["critical_velocity"] = evidence.measured.at("critical_velocity");
+        json["interval"] = evidence.measured.at("interval");
+        json["reason"] = "as measured; " + verdict;
+        return json;
+    }
+    json["interval"] = evidence.measured.at("interval");
+    json["reason"] = evidence.measured.value("note", "measured") + "; " + verdict;
+    return json;
+}
+
+}  // namespace
+
+Json reported_json(const LawEvidence& evidence) {
+    std::vector<Candidate> candidates;
+    for (const LawChoice& choice : evidence.laws) {
+        const LawCriticalVelocity* velocity = evidence.velocities.find(choice.law);
+        if (velocity != nullptr && velocity->value)
+            candidates.push_back(candidate_of(choice.law, *velocity, evidence.contact));
+    }
+    if (candidates.empty()) return bounds_json(evidence);
+
+    const bool all_contradicted = std::all_of(candidates.begin(), candidates.end(), [](const Candidate& c) {
+        return c.contradicted || c.law == Law::of<Hertz>();
+    });
+    std::stable_sort(candidates.begin(), candidates.end(), [&](const Candidate& x, const Candidate& y) {
+        if (!all_contradicted && x.contradicted != y.contradicted) return y.contradicted;
+        return x.rank < y.rank;
+    });
+    const Candidate& chosen = candidates.front();
+    std::string reason = candidates.size() == 1 ? "the only law with a velocity" : chosen.reason;
+    if (chosen.contradicted)
+        reason += "; contradicts " + measured_words(evidence.measured) +
+                  (candidates.size() > 1 ? ", as every law with adhesion does" : "");
+    else if (const std::string others = contradiction({candidates.begin() + 1, candidates.end()});
+             !others.empty())
+        reason += fmt::format("; {} {}", others, measured_words(evidence.measured));
+    return {{"law", chosen.law.name()},
+            {"critical_velocity", chosen.velocity->headline},
+            {"interval", chosen.velocity->interval},
+            {"reason", reason}};
+}
+
+}  // namespace ashimpact

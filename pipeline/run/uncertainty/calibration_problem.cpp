@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/run/uncertainty/calibration_problem.hpp"
+
+#include <algorithm>
+
+#include "pipeline/run/contact.hpp"
+#include "pipeline/run/modulus.hpp"
+#include "pipeline/run/read_case_artifact.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+CalibrationSample start_of(const Case& data, const Sample& sample, const SampleModulus& modulus,
+                           const SampleContact& contact) {
+    CalibrationSample start{.diameter = sample.diameter.value(),
+                            .density = contact.density.value,
+                            .work_of_adhesion = contact.pair.work_of_adhesion,
+                            .particle = {.young_modulus = modulus.young_modulus.value},
+                            .wall = {},
+                            .contact_modulus = {}};
+    if (sample.poisson_ratio)
+        start.particle.poisson_ratio = sample.poisson_ratio->value();
+    else
+        start.particle.poisson_ratio = modulus.poisson_ratio.value_or(0);
+    const auto* elastic = data.wall ? std::get_if<ElasticWall>(&*data.wall) : nullptr;
+    if (elastic != nullptr) start.wall = {elastic->young_modulus.value(), elastic->poisson_ratio.value()};
+    if (elastic == nullptr || sample.contact_modulus) start.contact_modulus = contact.pair.contact_modulus;
+    return start;
+}
+
+void add_observations(const PublishedSample& published, std::size_t index, CalibrationProblem& problem) {
+    for (const auto& [law, velocity] : published.critical_velocity) {
+        const Quantity* damping = published.critical_damping.find(law);
+        if (damping == nullptr) continue;
+        problem.critical_velocities.push_back(
+            {.sample = index,
+             .law = law,
+             .critical_damping = damping->value,
+             .critical_damping_uncertainty = damping->standard_uncertainty.value_or(0),
+             .value = velocity.value,
+             .standard_uncertainty = velocity.standard_uncertainty.value_or(1e-3 * velocity.value)});
+    }
+    for (const auto& time : published.contact_times) {
+        const DampingPolynomial* fit = published.damping_fits.find(time.law);
+        if (fit == nullptr) continue;
+        problem.contact_times.push_back(
+            {.sample = index,
+             .law = time.law,
+             .damping_fit = *fit,
+             .velocity = time.velocity.value,
+             .velocity_uncertainty = time.velocity.standard_uncertainty.value_or(0),
+             .value = time.contact_time.value,
+             .standard_uncertainty =
+                 time.contact_time.standard_uncertainty.value_or(1e-3 * time.contact_time.value),
+             .damping_fit_uncertainty = published.damping_fit_uncertainty.value_or(0)});
+    }
+}
+
+bool is_free(const Case& data, CalibrationQuantity quantity) {
+    return std::any_of(data.calibration.begin(), data.calibration.end(),
+                       [&](const FreeConstant& free) { return free.quantity == quantity; });
+}
+
+/// A wall acts through the contact modulus alone: where that is free or given, no observation tells the wall.
+void require_wall_to_matter(const Case& data) {
+    if (!is_free(data, CalibrationQuantity::wall_young_modulus)) return;
+    if (is_free(data, CalibrationQuantity::contact_modulus))
+        throw InputError(
+            "contact_modulus and wall_young_modulus are both free, and the wall acts through "
+            "the contact modulus alone",
+            "one of the two")
+            .at("/calibration");
+    const bool all_given = std::all_of(data.samples.begin(), data.samples.end(), [](const Sample& sample) {
+        return sample.contact_modulus.has_value();
+    });
+    if (all_given)
+        throw InputError("wall_young_modulus is free, but every sample states its contact modulus",
+                         "a sample without contact_modulus")
+            .at("/samples");
+}
+
+}  // namespace
+
+CalibrationProblem calibration_problem(const Case& data, const Artifacts& before) {
+    const auto moduli = before.read(modulus_artifact, read_moduli);
+    const auto contacts = before.read(contact_artifact, read_contacts);
+    CalibrationProblem problem{
+        .samples = {}, .free = data.calibration, .critical_velocities = {}, .contact_times = {}};
+    const bool elastic = data.wall && std::holds_alternative<ElasticWall>(*data.wall);
+    for (const FreeConstant& free : problem.free)
+        if (free.quantity == CalibrationQuantity::wall_young_modulus && !elastic)
+            throw InputError("wall_young_modulus is free, but the wall has none",
+                             "a wall with young_modulus and "
+                             "poisson_ratio, to start from")
+                .at("/wall");
+    if (data.partner)
+        throw InputError("a calibration is of particles on a flat wall, not of two spheres", "\"wall\"")
+            .at("/partner");
+    if (data.roughness && data.roughness->value() > 0)
+        throw InputError("a calibration finds the work of adhesion that acts, which roughness has reduced",
+                         "a case without \"roughness\"")
+            .at("/roughness");
+    require_wall_to_matter(data);
+    for (std::size_t i = 0; i < data.samples.size(); ++i) {
+        const Sample& sample = data.samples[i];
+        problem.samples.push_back(start_of(data, sample,
+                                           entry_named(moduli, sample.name, before, modulus_artifact),
+                                           entry_named(contacts, sample.name, before, contact_artifact)));
+        if (sample.published) add_observations(*sample.published, i, problem);
+    }
+    return problem;
+}
+
+}  // namespace ashimpact

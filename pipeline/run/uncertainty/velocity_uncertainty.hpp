@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/case/case.hpp"
+#include "pipeline/run/contact.hpp"
+#include "pipeline/run/fit.hpp"
+#include "pipeline/run/restitution.hpp"
+#include "solver/inference/calibration/calibration_response.hpp"
+#include "solver/inference/outcomes/measured_critical_velocity.hpp"
+#include "solver/inference/propagation/random_contact.hpp"
+
+namespace ashimpact {
+
+/// Inputs of the interval of v_c, for one law of one sample.
+struct VelocityTask {
+    const Case& data;
+    const LawChoice& choice;
+    const SampleContact& contact;
+    const RandomContact& uncertain;
+    const CalibrationResponse& response;
+    const RestitutionSeries* series;  ///< null: none was given
+    const LawFit& fit;
+    const std::optional<MeasuredCriticalVelocity>& measured;
+    bool measured_is_reported;  ///< by the case, and not read from the same impacts
+
+    [[nodiscard]] bool from_impacts() const { return fit.estimate || fit.extrapolated; }
+    /// eta_c that v_c follows from: what the impacts support, or else that of the polynomial [SI].
+    [[nodiscard]] double critical_damping() const {
+        return fit.estimate ? fit.estimate->value : fit.critical_damping;
+    }
+    [[nodiscard]] double critical_damping_uncertainty() const {
+        return fit.estimate ? fit.estimate->standard_uncertainty
+                            : fit.critical_damping_uncertainty.value_or(0);
+    }
+};
+
+/// The interval of v_c by propagation of everything that is uncertain, with the ranking of what dominates,
+/// the check against the measured one, and the same of the paper's extrapolation; keys that are added to
+/// those of the critical velocity. What cannot be had becomes a note.
+/// @param velocity v_c at the critical damping [m/s]
+[[nodiscard]] Json velocity_uncertainty_json(const VelocityTask& task, double velocity,
+                                             std::vector<std::string>& notes);
+
+}  // namespace ashimpact

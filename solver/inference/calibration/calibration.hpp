@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "core/names.hpp"
+#include "materials/contact_properties.hpp"
+#include "solver/contact/registry.hpp"
+#include "solver/damping/damping_polynomial.hpp"
+
+namespace ashimpact {
+
+/// The constants of one sieve size, as far as they are known; a calibration replaces the free ones.
+struct CalibrationSample {
+    double diameter;          ///< [m]
+    double density;           ///< of the particle [kg/m3]
+    double work_of_adhesion;  ///< [J/m2]
+    ElasticBody particle;     ///< E from the mixture rule
+    ElasticBody wall;
+    std::optional<double> contact_modulus;  ///< E* taken directly instead of Eq. 7 [Pa]
+
+    [[nodiscard]] ContactPair contact() const;
+};
+
+enum class CalibrationQuantity { density, work_of_adhesion, contact_modulus, wall_young_modulus };
+
+template <>
+struct Names<CalibrationQuantity> {
+    static constexpr std::string_view kind = "constant of a calibration";
+    static constexpr std::array<std::string_view, 4> all{"density", "work_of_adhesion", "contact_modulus",
+                                                         "wall_young_modulus"};
+};
+
+/// What a calibrated constant measures.
+[[nodiscard]] Dimension dimension_of(CalibrationQuantity quantity);
+
+/// One free constant: one value for all samples, or one each. The search starts from the samples' values.
+struct FreeConstant {
+    CalibrationQuantity quantity;
+    bool per_sample = false;
+};
+
+/// A published critical velocity, with the critical damping it was computed from (Tables 3 and 4).
+struct CriticalVelocityObservation {
+    std::size_t sample;
+    Law law;
+    double critical_damping;              ///< eta_c [kg/s]
+    double critical_damping_uncertainty;  ///< standard, e.g. rounding/sqrt(12) [kg/s]
+    double value;                         ///< v_c [m/s]
+    double standard_uncertainty;          ///< of v_c itself [m/s]
+};
+
+/// A published contact time at a velocity where the damping is known through a fit eta(e_n) (Table 2).
+struct ContactTimeObservation {
+    std::size_t sample;
+    Law law;
+    DampingPolynomial damping_fit;  ///< of the second order [kg/s]
+    double velocity;                ///< v_in [m/s]
+    double velocity_uncertainty;    ///< standard [m/s]
+    double value;                   ///< contact time [s]
+    double standard_uncertainty;    ///< of the time itself [s]
+    /// Standard uncertainty of each coefficient, e.g. rounding/sqrt(12) [kg/s]. The error of c and that of
+    /// critical_damping of the same sample and law are one, since one printed number gives both.
+    double damping_fit_uncertainty = 0.0;
+};
+
+struct CalibrationProblem {
+    std::vector<CalibrationSample> samples;
+    std::vector<FreeConstant> free;
+    std::vector<CriticalVelocityObservation> critical_velocities;
+    std::vector<ContactTimeObservation> contact_times;
+};
+
+/// A calibrated constant with the 95 % interval that its standard uncertainty implies (in the logarithm).
+struct CalibratedConstant {
+    CalibrationQuantity quantity;
+    std::optional<std::size_t> sample;  ///< none: shared by all
+    double value;
+    double standard_uncertainty;
+    double lower;
+    double upper;
+};
+
+/// One observation beside its prediction [SI].
+struct CalibrationResidual {
+    double observed;
+    double predicted;
+    double relative_uncertainty;  ///< standard; rounding of the value and of the numbers behind it [1]
+    /// Set for a contact time if the model captures the impact: the velocity up to which it does, that of
+    /// least_rebound() [m/s]. `predicted` is then the contact time just above the critical velocity of
+    /// eta(0), prolonged by the distance to it.
+    std::optional<double> captured_up_to{};
+
+    [[nodiscard]] double relative_difference() const { return predicted / observed - 1.0; }
+};
+
+struct CalibrationSummary {
+    std::vector<CalibratedConstant> constants;
+    Eigen::MatrixXd correlation;             ///< of the logarithms of the constants
+    std::vector<CalibrationSample> samples;  ///< with the calibrated constants in place
+    std::vector<CalibrationResidual> critical_velocities;
+    std::vector<CalibrationResidual> contact_times;
+    double chi_squared;
+    int degrees_of_freedom;
+    double probability;  ///< of a chi^2 at least this large
+    double akaike;       ///< chi^2 + 2 (number of constants), to compare hypotheses
+    int iterations;
+};
+
+/// Least squares in the logarithms of constants and observations (GSL). The uncertainty of each observation
+/// includes the rounding of the numbers it rests on: the damping, or the velocity and the fit.
+/// @throws InputError for a problem with fewer observations than constants or unknown samples,
+/// ConvergenceError
+[[nodiscard]] CalibrationSummary calibrate(const CalibrationProblem& problem);
+
+/// Like calibrate(), but accepts captured impacts, with the substitute contact time of CalibrationResidual.
+/// @throws InputError, ConvergenceError
+[[nodiscard]] CalibrationSummary calibrate_despite_captures(const CalibrationProblem& problem);
+
+/// Like calibrate(), but fits the critical velocities alone; contact times are only predicted. chi^2, degrees
+/// of freedom and AIC count the velocities, so that they are lower bounds of those of the whole problem.
+[[nodiscard]] CalibrationSummary calibrate_by_velocities(const CalibrationProblem& problem);
+
+}  // namespace ashimpact

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/inference/calibration/calibration_residuals.hpp"
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "core/error.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/inference/calibration/reconstruction.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+double predicted_velocity(const CalibrationSample& sample, Law law, double damping) {
+    const CriticalVelocity critical =
+        critical_velocity({law, law.default_detachment(), {DampingLaw::constant, damping}, sample.contact()});
+    if (!critical.value) {
+        throw InputError("law '" + std::string(law.name()) + "' has no finite critical velocity here",
+                         "damping > 0 kg/s");
+    }
+    return *critical.value;
+}
+
+PublishedDamping published_damping(const CalibrationSample& sample, const ContactTimeObservation& at) {
+    return {.law = at.law,
+            .detachment = at.law.default_detachment(),
+            .contact = sample.contact(),
+            .damping = at.damping_fit};
+}
+
+double contact_time(const PublishedDamping& published, const CurvePoint& at) {
+    const Impact impact{published.law,
+                        published.detachment,
+                        {DampingLaw::constant, published.damping(at.restitution)},
+                        published.contact,
+                        at.velocity};
+    return solve_impact(impact).contact_time.value();
+}
+
+/// Power of v_c/v with which the substitute for a contact time grows on the captured side: about the slope of
+/// the real time just above v_c, so that the weights do not jump there.
+constexpr double captured_growth = 3.0;
+
+/// Contact time at @p velocity on the curve that the published fit implies. A captured impact has none; its
+/// substitute is the time of a rebound just above the v_c of eta(0), growing with the distance to v_c, so
+/// that a fit can find its way back. The time at the fold would not do: its slope there is unbounded, and
+/// fits get stuck.
+double predicted_time(const CalibrationSample& sample, const ContactTimeObservation& at, double velocity) {
+    const PublishedDamping published = published_damping(sample, at);
+    const double e = reconstructed_restitution(published, velocity);
+    if (e > 0.0) return contact_time(published, {velocity, e});
+    const double above = (1.0 + 1e-6) * predicted_velocity(sample, at.law, published.damping(0.0));
+    return contact_time(published, {above, 0.0}) * std::pow(above / velocity, captured_growth);
+}
+
+/// The velocity up to which the impact of a contact time is captured, that of the fold; none if it rebounds.
+std::optional<double> captured_up_to(const CalibrationSample& sample, const ContactTimeObservation& at) {
+    const PublishedDamping published = published_damping(sample, at);
+    if (reconstructed_restitution(published, at.velocity) > 0.0) return std::nullopt;
+    return least_rebound(published).velocity;
+}
+
+/// The same contact time with one coefficient of the published fit changed.
+double with_coefficient(const CalibrationSample& sample, ContactTimeObservation at, Eigen::Index coefficient,
+                        double change) {
+    at.damping_fit.coefficients[coefficient] += change;
+    return predicted_time(sample, at, at.velocity);
+}
+
+double logarithmic_slope(const std::function<double(double)>& function, double at) {
+    constexpr double nudge = 1e-4;
+    return std::log(function(at * (1 + nudge)) / function(at * (1 - nudge))) / (2 * nudge);
+}
+
+/// Errors of ln(prediction): those of this observation alone, and that of the printed damping, which is
+/// shared [1].
+struct VelocityError {
+    double predicted;
+    double own;
+    double damping;
+};
+
+VelocityError error_of(const CalibrationSample& sample, const CriticalVelocityObservation& observed) {
+    const double eta = observed.critical_damping;
+    const double slope =
+        logarithmic_slope([&](double x) { return predicted_velocity(sample, observed.law, x); }, eta);
+    return {.predicted = predicted_velocity(sample, observed.law, eta),
+            .own = observed.standard_uncertainty / observed.value,
+            .damping = slope * observed.critical_damping_uncertainty / eta};
+}
+
+/// The same for a contact time; of each coefficient of the fit, in ascending powers.
+struct TimeError {
+    double predicted;
+    double own;
+    Eigen::Vector3d coefficients;
+};
+
+TimeError error_of(const CalibrationSample& sample, const ContactTimeObservation& observed) {
+    const double v = observed.velocity;
+    const double slope = logarithmic_slope([&](double x) { return predicted_time(sample, observed, x); }, v);
+    TimeError error{.predicted = predicted_time(sample, observed, v),
+                    .own = std::hypot(observed.standard_uncertainty / observed.value,
+                                      slope * observed.velocity_uncertainty / v),
+                    .coefficients = Eigen::Vector3d::Zero()};
+    const double u = observed.damping_fit_uncertainty;
+    if (u == 0.0) return error;
+    for (Eigen::Index i = 0; i < error.coefficients.size(); ++i) {
+        constexpr double share = 0.1;  // of the uncertainty: a difference, not the bend of the curve
+        error.coefficients[i] = std::log(with_coefficient(sample, observed, i, share * u) /
+                                         with_coefficient(sample, observed, i, -share * u)) /
+                                (2.0 * share);
+    }
+    return error;
+}
+
+}  // namespace
+
+CalibrationResiduals calibration_residuals(const CalibrationProblem& problem,
+                                           const std::vector<CalibrationSample>& samples) {
+    const auto velocities = static_cast<Eigen::Index>(problem.critical_velocities.size());
+    const auto times = static_cast<Eigen::Index>(problem.contact_times.size());
+    CalibrationResiduals result{{}, {}, Eigen::MatrixXd::Zero(velocities + times, velocities + times)};
+    std::vector<double> shared;
+    for (Eigen::Index i = 0; i < velocities; ++i) {
+        const auto& observed = problem.critical_velocities[static_cast<std::size_t>(i)];
+        const VelocityError error = error_of(samples[observed.sample], observed);
+        const double total = std::hypot(error.own, error.damping);
+        result.critical_velocities.push_back({observed.value, error.predicted, total, {}});
+        result.covariance(i, i) = total * total;
+        shared.push_back(error.damping);
+    }
+    for (Eigen::Index j = 0; j < times; ++j) {
+        const auto& observed = problem.contact_times[static_cast<std::size_t>(j)];
+        const TimeError error = error_of(samples[observed.sample], observed);
+        const double total = std::hypot(error.own, error.coefficients.norm());
+        result.contact_times.push_back(
+            {observed.value, error.predicted, total, captured_up_to(samples[observed.sample], observed)});
+        const Eigen::Index row = velocities + j;
+        result.covariance(row, row) = total * total;
+        for (Eigen::Index i = 0; i < velocities; ++i) {
+            const auto& velocity = problem.critical_velocities[static_cast<std::size_t>(i)];
+            if (velocity.sample != observed.sample || velocity.law != observed.law) continue;
+            const double covariance = shared[static_cast<std::size_t>(i)] * error.coefficients[0];
+            result.covariance(row, i) = covariance;
+            result.covariance(i, row) = covariance;
+        }
+    }
+    return result;
+}
+
+Eigen::VectorXd logarithmic_residuals(const CalibrationProblem& problem,
+                                      const std::vector<CalibrationSample>& samples) {
+    Eigen::VectorXd result(
+        static_cast<Eigen::Index>(problem.critical_velocities.size() + problem.contact_times.size()));
+    Eigen::Index row = 0;
+    for (const CriticalVelocityObservation& o : problem.critical_velocities)
+        result[row++] = std::log(predicted_velocity(samples[o.sample], o.law, o.critical_damping) / o.value);
+    for (const ContactTimeObservation& o : problem.contact_times)
+        result[row++] = std::log(predicted_time(samples[o.sample], o, o.velocity) / o.value);
+    return result;
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/inference/calibration/reconstruction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "core/error.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/motion/scaled_impact.hpp"
+#include "solver/numeric/gsl/root.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+Impact impact_with(const PublishedDamping& published, double e, double velocity) {
+    return {.law = published.law,
+            .detachment = published.detachment,
+            .damping = {DampingLaw::constant, published.damping(e)},
+            .contact = published.contact,
+            .velocity = velocity};
+}
+
+/// Step in restitution; the curve of a parabola eta(e) has no two turns as close as this.
+constexpr double branch_step = 0.02;
+
+/// Position of the only minimum of a function between @p a and @p b, by golden sections down to the width
+/// that its rounding allows.
+double least_argument(const std::function<double(double)>& function, double a, double b) {
+    constexpr double golden = 0.61803398874989485;
+    constexpr double narrowest = 1e-8;
+    double left = b - golden * (b - a);
+    double right = a + golden * (b - a);
+    double at_left = function(left);
+    double at_right = function(right);
+    while (b - a > narrowest) {
+        if (at_left < at_right) {
+            b = right;
+            right = left;
+            at_right = at_left;
+            left = b - golden * (b - a);
+            at_left = function(left);
+        } else {
+            a = left;
+            left = right;
+            at_left = at_right;
+            right = a + golden * (b - a);
+            at_right = function(right);
+        }
+    }
+    return (a + b) / 2.0;
+}
+
+[[noreturn]] void not_reached(double restitution, const std::string& allowed) {
+    throw InputError("restitution " + std::to_string(restitution) + " is not reached at any velocity",
+                     allowed);
+}
+
+}  // namespace
+
+double velocity_of_restitution(const Impact& impact, double restitution) {
+    if (impact.damping.law != DampingLaw::constant) {
+        throw InputError("restitution need not rise with velocity for damping law '" +
+                             std::string(name_of(impact.damping.law)) + "'",
+                         std::string(name_of(DampingLaw::constant)));
+    }
+    if (can_yield(impact.law, impact.contact))
+        throw InputError("restitution need not rise with velocity where the contact yields",
+                         "a contact without yield pressure");
+    if (!(restitution > 0.0 && restitution < 1.0)) not_reached(restitution, "0 < e < 1");
+    const CriticalVelocity critical =
+        critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact});
+    if (critical.verdict != CaptureVerdict::finite) {
+        not_reached(restitution, "a damping with a finite critical velocity; here: " +
+                                     std::string(name_of(critical.verdict)));
+    }
+    const auto miss = [&](double log_velocity) {
+        Impact at = impact;
+        at.velocity = std::exp(log_velocity);
+        return restitution_of(at) - restitution;
+    };
+    const double lower = std::log(*critical.value);
+    if (miss(lower) >= 0.0) return *critical.value;  // v_c itself, to rounding
+    double width = 1.0;
+    while (miss(lower + width) < 0.0) {
+        width *= 2.0;
+        if (width > 256.0) not_reached(restitution, "a smaller restitution for this damping law");
+    }
+    return std::exp(gsl::brent(miss, lower, lower + width, {.relative = 0.0, .absolute = 1e-13}).root);
+}
+
+double reconstructed_velocity(const PublishedDamping& published, double e) {
+    return velocity_of_restitution(impact_with(published, e, 1.0), e);
+}
+
+CurvePoint least_rebound(const PublishedDamping& published) {
+    const Impact start = impact_with(published, 0.0, 1.0);
+    const CriticalVelocity critical =
+        critical_velocity({start.law, start.detachment, start.damping, start.contact});
+    if (critical.verdict != CaptureVerdict::finite) {
+        not_reached(0.0, "a damping with a finite critical velocity; here: " +
+                             std::string(name_of(critical.verdict)));
+    }
+    const CurvePoint onset{*critical.value, 0.0};
+    CurvePoint least = onset;
+    double lower = 0.0;
+    double upper = branch_step;
+    while (upper < 1.0) {  // as far as the curve runs back
+        const double velocity = reconstructed_velocity(published, upper);
+        if (velocity >= least.velocity) break;
+        lower = std::max(0.0, upper - branch_step);
+        least = {velocity, upper};
+        upper += branch_step;
+    }
+    const double e = least_argument([&](double at) { return reconstructed_velocity(published, at); }, lower,
+                                    std::min(upper, 0.999));
+    least = {reconstructed_velocity(published, e), e};
+    return least.velocity < onset.velocity ? least : onset;
+}
+
+double reconstructed_restitution(const PublishedDamping& published, double velocity) {
+    const auto excess = [&](double e) { return restitution_of(impact_with(published, e, velocity)) - e; };
+    double from = 0.0;
+    if (excess(0.0) <= 0.0) {
+        const CurvePoint least = least_rebound(published);
+        if (velocity < least.velocity || least.restitution == 0.0) return 0.0;
+        from = least.restitution;
+        if (excess(from) <= 0.0) return from;  // the fold itself, to rounding
+    }
+    double to = from + branch_step;
+    while (to < 1.0 && excess(to) > 0.0) {
+        from = to;
+        to += branch_step;
+    }
+    return gsl::brent(excess, from, std::min(to, 1.0), {.relative = 0.0, .absolute = 1e-13}).root;
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solver/inference/calibration/damping_fit.hpp"
+#include "solver/motion/impact.hpp"
+
+namespace ashimpact {
+
+/// A particle and law whose measured restitution is known only through a published fit eta(e_n).
+struct PublishedDamping {
+    Law law;
+    Detachment detachment;
+    ContactPair contact;
+    DampingPolynomial damping;  ///< eta(e_n), constant during an impact [kg/s]
+};
+
+/// The incident velocity at which an impact with this damping rebounds with restitution @p restitution [m/s].
+/// Restitution rises monotonically with velocity for constant damping, unless the contact yields.
+/// @param impact its velocity is not used
+/// @throws InputError for another damping law, a restitution outside (0, 1) or not reached at any velocity
+[[nodiscard]] double velocity_of_restitution(const Impact& impact, double restitution);
+
+/// The velocity at which an impact with damping eta(e) has restitution @p e [m/s]: one point of the curve
+/// e_n(v_in) that a published fit implies. Reconstructed, not measured: label it so. Each restitution has one
+/// velocity; a velocity may have two restitutions, see least_rebound().
+[[nodiscard]] double reconstructed_velocity(const PublishedDamping& published, double e);
+
+/// A point of a reconstructed curve.
+struct CurvePoint {
+    double velocity;     ///< [m/s]
+    double restitution;  ///< [1]
+};
+
+/// The rebound of least velocity on the curve: where its rising branch begins.
+///
+/// For adhesive laws the curve folds there. eta falls with e, and with it v_c(eta), in proportion to e. At
+/// fixed eta a rebound e needs only a share of order e^2 more than v_c. So from (v_c, 0) the curve first runs
+/// back to lower velocities (Brach-Dunn, 88 um: by 0.85 %), and rises from the fold on. No measurement shows
+/// the part below the fold, where e falls with velocity.
+///
+/// For Hertz it folds only if eta falls by more than 4.283 of itself per unit of e (docs/dong2013.md). The
+/// paper's fits fall by 1.9 at most, so that their rising branch begins at v_c with e = 0.
+[[nodiscard]] CurvePoint least_rebound(const PublishedDamping& published);
+
+/// Restitution of the curve at @p velocity [m/s]: the least one on the rising branch; 0 below the velocity of
+/// least_rebound() [1].
+[[nodiscard]] double reconstructed_restitution(const PublishedDamping& published, double velocity);
+
+}  // namespace ashimpact

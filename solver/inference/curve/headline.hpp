@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/inference/curve/curve_estimate.hpp"
+#include "solver/inference/impacts/measurement.hpp"
+
+namespace ashimpact {
+
+struct EstimateOptions {
+    /// Relative standard deviation of single diameters about their mean, if known, such as from the sieve; ln
+    /// eta then scatters by twice as much. None: the scatter is estimated from the impacts [1].
+    std::optional<double> size_scatter{};
+};
+
+/// v_c of one sample, estimated from its impacts through the dynamic model and a smooth curve of damping.
+struct CriticalVelocityEstimate {
+    CurveEstimate curve;
+    std::size_t rebounds;            ///< used
+    std::size_t captures;            ///< used, zero readings included
+    bool noise_known;                ///< whether the measurements state it
+    std::vector<std::string> notes;  ///< doubts about the estimate
+};
+
+/// Name of the method, for artifacts.
+inline constexpr const char* estimate_method =
+    "posterior of v_c with a smooth curve of damping over velocity, captures by their probability";
+
+/// Estimates v_c from rebounds and captures, see SmoothDamping and CurvePosterior. More than few_impacts
+/// impacts are merged into groups narrower than their noise, weighted by their numbers.
+/// @throws InputError with the reason if the impacts allow no estimate; ConvergenceError
+[[nodiscard]] CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model,
+                                                                  const MeasurementSet& set,
+                                                                  const EstimateOptions& options = {});
+
+}  // namespace ashimpact

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "core/names.hpp"
+#include "solver/damping/damping_polynomial.hpp"
+#include "solver/inference/extrapolation/rebound_selection.hpp"
+#include "solver/inference/impacts/measurement.hpp"
+#include "solver/statistics/intervals/interval.hpp"
+#include "solver/surrogate/contact_model.hpp"
+
+namespace ashimpact {
+
+/// How eta(e_n) is fitted to the rebounds of a rising branch.
+struct DampingCurveOptions {
+    int order = 2;        ///< of the polynomial; the paper's is 2
+    bool robust = false;  ///< whether bisquare weights reduce the influence of points far from the curve
+};
+
+/// One rebound in a fit.
+struct FittedRebound {
+    std::size_t index;        ///< in the set
+    double restitution;       ///< e of the nearest point of the curve
+    double distance;          ///< signed, from the curve, in standard uncertainties
+    double leverage;          ///< share of the fit that this point determines by itself [0, 1]
+    double deleted_distance;  ///< from the curve fitted without it, to first order
+    double influence;         ///< change of eta_c by leaving it out, to first order [kg/s]
+    double weight;            ///< 1, or that of a robust fit
+};
+
+struct DampingCurveFit {
+    DampingCurveOptions options;
+    DampingPolynomial damping;
+    Eigen::MatrixXd covariance;  ///< of the coefficients [kg2/s2]
+    Interval critical_damping;   ///< eta_c = eta(0) [kg/s]
+    Interval critical_velocity;  ///< at eta_c, for the contact as given [m/s]
+
+    std::vector<FittedRebound> rebounds;
+    std::vector<ExcludedRebound> excluded;
+    double chi_squared;  ///< of the rebounds
+    int degrees_of_freedom;
+    double probability;  ///< of a chi^2 at least this large; 1 if the noise is not known
+    double scatter;    ///< factor by which the noise was enlarged (or, unknown, estimated) to fit [1 or m/s]
+    bool noise_known;  ///< whether the measurements state it
+    double prediction_error;             ///< root mean square of the deleted distances
+    std::array<double, 2> restitutions;  ///< least and greatest measured
+    double extrapolation;                ///< distance of e = 0 from the data over their width [1]
+};
+
+/// The paper's way to v_c: eta(e_n) as a polynomial through the rebounds, extrapolated to e_n = 0. Its curve
+/// in the plane (v_in, v_r) passes closest to the rebounds, in units of their noise (orthogonal distances;
+/// Fuller 1987, Measurement Error Models, ch. 1). Intervals follow from the curvature and hold if eta is such
+/// a polynomial.
+///
+/// Noise that is not known is taken as equal in both velocities and estimated from the scatter; noise that
+/// explains the scatter with less than 1 % probability is enlarged to fit.
+/// @param set the impacts to use, all of the rising branch; captures are ignored
+/// @throws InputError for too few rebounds or distinct restitutions, saying what is there; ConvergenceError
+[[nodiscard]] DampingCurveFit fit_damping_curve(const ContactModel& model, const MeasurementSet& set,
+                                                const DampingCurveOptions& options = {});
+
+/// Note on uncertainties that were enlarged to fit, with their factor; none if they were not.
+[[nodiscard]] std::optional<std::string> enlargement_note(const DampingCurveFit& fit);
+
+}  // namespace ashimpact

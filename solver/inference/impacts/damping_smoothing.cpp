@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/inference/impacts/damping_smoothing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <span>
+
+#include "core/error.hpp"
+#include "solver/numeric/gsl/linear_fit.hpp"
+#include "solver/numeric/gsl/robust.hpp"
+#include "solver/numeric/gsl/statistics.hpp"
+#include "solver/statistics/moments.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+constexpr std::size_t rows_per_interval = 8;
+constexpr std::size_t most_rows = 200;  ///< more rebounds are averaged in groups before the curve is fitted
+
+double root_mean_square(const std::vector<double>& values) {
+    double sum = 0.0;
+    for (const double value : values) sum += value * value;
+    return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+}  // namespace
+
+/// The data of the smoothing, ordered by velocity.
+struct DampingSmoothing::Rows {
+    std::vector<double> position;  ///< ln v
+    std::vector<double> damping;
+    std::vector<double> weight;  ///< 1/u
+    std::vector<std::size_t> index;
+
+    void add(double x, double value, double inverse, std::size_t from) {
+        position.push_back(x);
+        damping.push_back(value);
+        weight.push_back(inverse);
+        index.push_back(from);
+    }
+    [[nodiscard]] Rows averaged() const;
+    [[nodiscard]] std::vector<double> misfit_of_neighbours() const;
+};
+
+/// Difference of each row, but for two at either end, from the cubic through its four neighbours, in units of
+/// its uncertainty.
+std::vector<double> DampingSmoothing::Rows::misfit_of_neighbours() const {
+    std::vector<double> misfit;
+    for (std::size_t i = 2; i + 2 < position.size(); ++i) {
+        const std::array around{i - 2, i - 1, i + 1, i + 2};
+        double cubic = 0.0;
+        for (const std::size_t a : around) {
+            double share = damping[a];
+            for (const std::size_t b : around)
+                if (a != b) share *= (position[i] - position[b]) / (position[a] - position[b]);
+            cubic += share;
+        }
+        misfit.push_back((damping[i] - cubic) * weight[i]);
+    }
+    return misfit;
+}
+
+DampingSmoothing::Rows DampingSmoothing::Rows::averaged() const {
+    if (position.size() <= most_rows) return *this;
+    const std::size_t group = (position.size() + most_rows - 1) / most_rows;
+    Rows result;
+    for (std::size_t i = 0; i < position.size(); i += group) {
+        const std::size_t size = std::min(group, position.size() - i);
+        const auto part = [&](const std::vector<double>& all) { return std::span(all).subspan(i, size); };
+        const double root = std::sqrt(static_cast<double>(size));
+        std::vector<double> middle(part(damping).begin(), part(damping).end());
+        constexpr std::array half{0.5};  // the median, so that outliers do not spoil their group
+        result.add(Moments::of(part(position)).mean, gsl::quantiles(middle, half).front(),
+                   root * Moments::of(part(weight)).mean, index[i]);
+    }
+    return result;
+}
+
+std::optional<DampingSmoothing> DampingSmoothing::with_intervals(const Rows& rows, int intervals) {
+    std::vector<double> fractions;
+    for (int i = 0; i <= intervals; ++i) fractions.push_back(static_cast<double>(i) / intervals);
+    const std::vector<double> breaks = gsl::quantiles(rows.position, fractions);
+    if (std::adjacent_find(breaks.begin(), breaks.end(), std::greater_equal<>()) != breaks.end())
+        return std::nullopt;
+    DampingSmoothing result{gsl::BSpline(breaks)};
+    const auto count = static_cast<Eigen::Index>(rows.position.size());
+    const Eigen::Index size = result.splines_.size();
+    if (count < size + 3) return std::nullopt;
+    Eigen::MatrixXd design(count, size);
+    Eigen::VectorXd observed(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const auto row = static_cast<std::size_t>(i);
+        design.row(i) = rows.weight[row] * result.splines_.values(rows.position[row]).transpose();
+        observed[i] = rows.weight[row] * rows.damping[row];
+    }
+    gsl::RobustLinearFit fit;
+    try {
+        fit = gsl::fit_linear_robust(design, observed);
+    } catch (const ConvergenceError&) {
+        return std::nullopt;  // too many knots for the data
+    }
+    result.intervals_ = intervals;
+    result.coefficients_ = fit.parameters;
+    result.covariance_ = fit.covariance;
+    const auto n = static_cast<double>(count);
+    const double p = static_cast<double>(size) + 1.0;
+    const double least = 1e-12 * observed.norm();
+    const double deviation = std::max(fit.deviation, least);
+    result.criterion_ =
+        2.0 * n * std::log(deviation) + 2.0 * p + 2.0 * p * (p + 1.0) / std::max(1.0, n - p - 1.0);
+    return result;
+}
+
+std::optional<DampingSmoothing> DampingSmoothing::robust(const Rows& rows, std::optional<int> intervals) {
+    std::optional<DampingSmoothing> best;
+    const auto most =
+        static_cast<int>(std::clamp<std::size_t>(rows.position.size() / rows_per_interval, 1, 40));
+    for (int tried = intervals.value_or(1); tried <= intervals.value_or(most); tried += 1 + tried / 3) {
+        auto candidate = with_intervals(rows, tried);
+        if (candidate && (!best || candidate->criterion_ < best->criterion_)) best = std::move(candidate);
+    }
+    if (!best) return std::nullopt;
+    best->first_ = rows.position.front();
+    best->last_ = rows.position.back();
+    return best;
+}
+
+/// The spline through all rows, with knots at all of them but the second and the last but one.
+DampingSmoothing DampingSmoothing::through(const Rows& rows) {
+    std::vector<double> breaks = rows.position;
+    breaks.erase(breaks.end() - 2);
+    breaks.erase(breaks.begin() + 1);
+    DampingSmoothing result{gsl::BSpline(breaks)};
+    const Eigen::Index size = result.splines_.size();
+    Eigen::MatrixXd design(size, size);
+    for (Eigen::Index i = 0; i < size; ++i)
+        design.row(i) = result.splines_.values(rows.position[static_cast<std::size_t>(i)]).transpose();
+    result.coefficients_ =
+        design.partialPivLu().solve(Eigen::Map<const Eigen::VectorXd>(rows.damping.data(), size));
+    result.covariance_ = Eigen::MatrixXd::Zero(size, size);
+    result.intervals_ = static_cast<int>(breaks.size()) - 1;
+    result.first_ = rows.position.front();
+    result.last_ = rows.position.back();
+    return result;
+}
+
+/// Residuals in units of the uncertainty of each row.
+std::vector<double> DampingSmoothing::scaled_residuals(const Rows& rows) const {
+    std::vector<double> scaled;
+    for (std::size_t i = 0; i < rows.position.size(); ++i) {
+        const double x = std::clamp(rows.position[i], first_, last_);
+        scaled.push_back((rows.damping[i] - splines_.values(x).dot(coefficients_)) * rows.weight[i]);
+    }
+    return scaled;
+}
+
+std::optional<DampingSmoothing> DampingSmoothing::of(const std::vector<InvertedImpact>& inverted,
+                                                     std::optional<int> intervals) {
+    std::vector<const InvertedImpact*> ordered;
+    constexpr std::size_t least_velocities = 4;
+    std::set<double> velocities;
+    for (const InvertedImpact& impact : inverted) {
+        if (!impact.damping || impact.restitution == 0.0) continue;
+        ordered.push_back(&impact);
+        if (velocities.size() < least_velocities) velocities.insert(impact.velocity);
+    }
+    if (ordered.size() < least_smoothed || velocities.size() < least_velocities) return std::nullopt;
+    std::sort(ordered.begin(), ordered.end(),
+              [](const InvertedImpact* a, const InvertedImpact* b) { return a->velocity < b->velocity; });
+    Rows rows;
+    for (const InvertedImpact* impact : ordered) {
+        rows.add(std::log(impact->velocity), *impact->damping,
+                 1.0 / impact->standard_uncertainty.value_or(*ordered.front()->damping), impact->index);
+    }
+    auto smooth = robust(rows.averaged(), intervals);
+    if (!smooth) return std::nullopt;
+    std::vector<double> scaled = smooth->scaled_residuals(rows);
+    // Of noisy data the difference from the neighbours is 1.4 times the noise.
+    constexpr double clearly = 0.5;
+    const bool distinct = std::adjacent_find(rows.position.begin(), rows.position.end(),
+                                             std::greater_equal<>()) == rows.position.end();
+    if (!intervals && distinct && rows.position.size() <= most_rows &&
+        root_mean_square(rows.misfit_of_neighbours()) < clearly * root_mean_square(scaled)) {
+        smooth = through(rows);
+        std::ranges::fill(scaled, 0.0);
+    }
+    // The misfit of the spline itself must not make outliers of data that hardly scatter.
+    const bool known = ordered.front()->standard_uncertainty.has_value();
+    const double least = known ? 0.5 : 1e-3;  // in standard uncertainties, or of the damping
+    const double deviation = std::max(gsl::robust_deviation(scaled), least);
+    for (std::size_t i = 0; i < scaled.size(); ++i)
+        smooth->residuals_.push_back({rows.index[i], scaled[i] / deviation});
+    return smooth;
+}
+
+double DampingSmoothing::slowest() const {
+    return std::exp(first_);
+}
+
+double DampingSmoothing::fastest() const {
+    return std::exp(last_);
+}
+
+DampingSmoothing::Value DampingSmoothing::at(double velocity) const {
+    const double x = std::clamp(std::log(velocity), first_, last_);
+    const Eigen::VectorXd values = splines_.values(x);
+    const Eigen::VectorXd slopes = splines_.slopes(x);
+    const double damping = values.dot(coefficients_);
+    return {.damping = damping,
+            .standard_uncertainty = std::sqrt(values.dot(covariance_ * values)),
+            .elasticity = slopes.dot(coefficients_) / damping,
+            .elasticity_uncertainty = std::sqrt(slopes.dot(covariance_ * slopes)) / damping};
+}
+
+}  // namespace ashimpact

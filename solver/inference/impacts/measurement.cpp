@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/inference/impacts/measurement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/checks.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+[[noreturn]] void fail(const Measurement& point, const std::string& problem, const std::string& allowed) {
+    const InputError error(problem, allowed);
+    throw point.line == 0 ? error : error.at("line " + std::to_string(point.line));
+}
+
+/// Refuses uncertainties above every velocity: nothing was measured then. @throws InputError
+void require_resolution(const MeasurementSet& set) {
+    if (!set.has_noise() || set.rebounds() == 0) return;
+    double least = std::numeric_limits<double>::infinity();
+    double fastest = 0.0;
+    for (const Measurement& point : set.points) {
+        least = std::min(least, std::sqrt(point.noise->incident));
+        fastest = std::max(fastest, point.velocity);
+    }
+    const bool comparable = fastest > 0.0;  // otherwise each velocity is refused on its own
+    if (least < fastest || !comparable) return;
+    throw InputError("the standard uncertainty of v_in is at least " + shortest(least) +
+                         " m/s, but the fastest impact has " + shortest(fastest) + " m/s",
+                     "uncertainties below the velocities");
+}
+
+bool is_physical(const VelocityNoise& noise) {
+    return std::isfinite(noise.incident) && std::isfinite(noise.rebound) && noise.incident > 0.0 &&
+           noise.rebound > 0.0 && noise.covariance * noise.covariance < noise.incident * noise.rebound;
+}
+
+}  // namespace
+
+VelocityNoise VelocityNoise::of_restitution(double velocity, double restitution, double velocity_uncertainty,
+                                            double restitution_uncertainty) {
+    const double u = velocity_uncertainty;
+    const double by_velocity = restitution * u;
+    const double by_restitution = velocity * restitution_uncertainty;
+    return {.incident = u * u,
+            .rebound = by_velocity * by_velocity + by_restitution * by_restitution,
+            .covariance = restitution * u * u};
+}
+
+std::size_t MeasurementSet::captures() const {
+    return static_cast<std::size_t>(
+        std::count_if(points.begin(), points.end(), [](const Measurement& m) { return m.captured(); }));
+}
+
+bool MeasurementSet::has_noise() const {
+    return !points.empty() && points.front().noise.has_value();
+}
+
+void validate(const MeasurementSet& set) {
+    if (set.points.empty()) throw InputError("there is no measurement", "at least one");
+    for (const Measurement& point : set.points) {
+        if (!(std::isfinite(point.velocity) && point.velocity > 0.0))
+            fail(point, "v_in is " + shortest(point.velocity) + " m/s", "a finite number > 0");
+        if (!(std::isfinite(point.rebound) && point.rebound >= 0.0))
+            fail(point, "v_r is " + shortest(point.rebound) + " m/s", "a finite number >= 0");
+        if (point.noise.has_value() != set.has_noise())
+            fail(point, "only some measurements have an uncertainty", "all of them or none");
+        if (point.noise && !is_physical(*point.noise))
+            fail(point, "an uncertainty is not a finite number > 0", "> 0 for every point");
+    }
+    require_resolution(set);
+}
+
+double Camera::velocity_uncertainty() const {
+    const auto require = [](double value, const char* name) {
+        if (!(std::isfinite(value) && value > 0.0))
+            throw InputError(std::string(name) + " is " + shortest(value), "a finite number > 0");
+    };
+    require(frame_rate, "frame rate of the camera [1/s]");
+    require(pixel_size, "pixel size of the camera [m]");
+    require(position_in_pixels, "position uncertainty of the camera [pixel]");
+    if (frames < 2) throw InputError("a velocity from " + std::to_string(frames) + " frames", "at least 2");
+    const double n = frames;
+    return position_in_pixels * pixel_size * frame_rate * std::sqrt(12.0 / (n * (n * n - 1.0)));
+}
+
+MeasurementSet with_camera(MeasurementSet set, const Camera& camera) {
+    const double u = camera.velocity_uncertainty();
+    const double moves = camera.frame_rate * camera.pixel_size / (camera.frames - 1);
+    for (Measurement& point : set.points) {
+        point.noise = VelocityNoise::of_velocities(u, u);
+        point.resolution = moves;
+    }
+    require_resolution(set);
+    return set;
+}
+
+}  // namespace ashimpact

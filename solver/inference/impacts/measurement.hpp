@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ashimpact {
+
+/// Uncertainty of one measured impact: variances and covariance of its two velocities [m2/s2].
+struct VelocityNoise {
+    double incident;
+    double rebound;
+    double covariance = 0.0;
+
+    /// Independent standard uncertainties of v_in and v_r [m/s].
+    [[nodiscard]] static VelocityNoise of_velocities(double incident, double rebound) {
+        return {incident * incident, rebound * rebound, 0.0};
+    }
+    /// Independent standard uncertainties of v_in [m/s] and e_n [1] at a point.
+    [[nodiscard]] static VelocityNoise of_restitution(double velocity, double restitution,
+                                                      double velocity_uncertainty,
+                                                      double restitution_uncertainty);
+    [[nodiscard]] VelocityNoise scaled(double factor) const {
+        return {factor * incident, factor * rebound, factor * covariance};
+    }
+};
+
+/// The outcome of an impact as the laboratory noted it.
+enum class NotedOutcome {
+    from_reading,  ///< not noted: a reading of zero or below means that no rebound was seen
+    rebound,
+    capture,
+};
+
+/// One measured impact. Kept in velocities, in which a camera's errors are independent and normal; e_n, their
+/// ratio, has errors in both axes of every plot against it.
+struct Measurement {
+    double velocity;                       ///< v_in [m/s]
+    double rebound;                        ///< v_r, magnitude; 0 if no rebound was seen [m/s]
+    std::optional<VelocityNoise> noise{};  ///< none: not known
+    std::size_t line = 0;                  ///< of the file; 0: it comes from no file
+    std::size_t count = 1;                 ///< number of impacts of which this is the mean
+    /// Rebound velocity from which on the camera always sees the particle move; 0: not known [m/s].
+    double resolution = 0.0;
+    NotedOutcome outcome = NotedOutcome::from_reading;
+
+    [[nodiscard]] double restitution() const { return rebound / velocity; }
+    /// Whether no rebound was seen: a capture or, unless it was noted as one, perhaps a rebound too slow to
+    /// be seen.
+    [[nodiscard]] bool captured() const { return outcome == NotedOutcome::capture || rebound == 0.0; }
+};
+
+/// The impacts of one sample, in the order of the file.
+struct MeasurementSet {
+    std::string source;  ///< file name, for messages
+    std::vector<Measurement> points;
+    std::vector<std::string> warnings{};
+    std::size_t unknown = 0;  ///< impacts of the file left out because their outcome is not known
+
+    [[nodiscard]] std::size_t captures() const;
+    [[nodiscard]] std::size_t rebounds() const { return points.size() - captures(); }
+    /// Whether the uncertainties are known, which holds for all points or for none.
+    [[nodiscard]] bool has_noise() const;
+};
+
+/// Checks that there is at least one point, that numbers are finite, v_in > 0, v_r >= 0, and that
+/// uncertainties are positive and given for all points or for none.
+/// @throws InputError with source and line
+void validate(const MeasurementSet& set);
+
+/// A high-speed camera, whose velocities are slopes of positions in successive frames.
+struct Camera {
+    double frame_rate;                     ///< [1/s]; Dong et al. 2013: 80,000
+    double pixel_size;                     ///< in the object [m]
+    int frames = 2;                        ///< positions used for each velocity, >= 2
+    double position_in_pixels = 0.288675;  ///< standard uncertainty of a position; 1/sqrt(12): whole pixels
+
+    /// Standard uncertainty of a velocity [m/s]: that of the slope of a straight line through equally spaced
+    /// positions, u_x f sqrt(12/(n (n^2 - 1))). @throws InputError
+    [[nodiscard]] double velocity_uncertainty() const;
+};
+
+/// The set with the camera's uncertainty in both velocities of every point, in place of any given before.
+/// @throws InputError for a camera that cannot resolve even the fastest impact
+[[nodiscard]] MeasurementSet with_camera(MeasurementSet set, const Camera& camera);
+
+}  // namespace ashimpact

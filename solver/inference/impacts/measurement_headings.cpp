@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/inference/impacts/measurement_headings.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "core/error.hpp"
+#include "core/tables/coverage.hpp"
+#include "core/text.hpp"
+#include "core/units/units.hpp"
+#include "solver/inference/impacts/outcome_words.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+struct Alias {
+    std::string_view key;
+    MeasuredQuantity quantity;
+};
+
+constexpr std::array aliases{
+    Alias{"vin", MeasuredQuantity::velocity},
+    Alias{"vi", MeasuredQuantity::velocity},
+    Alias{"v", MeasuredQuantity::velocity},
+    Alias{"velocity", MeasuredQuantity::velocity},
+    Alias{"incidentvelocity", MeasuredQuantity::velocity},
+    Alias{"incidentnormalvelocity", MeasuredQuantity::velocity},
+    Alias{"normalincidentvelocity", MeasuredQuantity::velocity},
+    Alias{"incomingvelocity", MeasuredQuantity::velocity},
+    Alias{"approachvelocity", MeasuredQuantity::velocity},
+    Alias{"impactvelocity", MeasuredQuantity::velocity},
+    Alias{"impactspeed", MeasuredQuantity::velocity},
+    Alias{"incidentspeed", MeasuredQuantity::velocity},
+    Alias{"vimpact", MeasuredQuantity::velocity},
+    Alias{"vein", MeasuredQuantity::velocity},
+    Alias{"veinfall", MeasuredQuantity::velocity},
+    Alias{"einfallsgeschwindigkeit", MeasuredQuantity::velocity},
+    Alias{"aufprallgeschwindigkeit", MeasuredQuantity::velocity},
+    Alias{"auftreffgeschwindigkeit", MeasuredQuantity::velocity},
+    Alias{"anfluggeschwindigkeit", MeasuredQuantity::velocity},
+    Alias{"einfall", MeasuredQuantity::velocity},
+    Alias{"aufprall", MeasuredQuantity::velocity},
+    Alias{"geschwindigkeit", MeasuredQuantity::velocity},
+    Alias{"vitesse", MeasuredQuantity::velocity},
+    Alias{"vitesseincidente", MeasuredQuantity::velocity},
+    Alias{"vitessedimpact", MeasuredQuantity::velocity},
+    Alias{"ventre", MeasuredQuantity::velocity},  // "v_entrée"
+    Alias{"ventree", MeasuredQuantity::velocity},
+    Alias{"vr", MeasuredQuantity::rebound},
+    Alias{"vrn", MeasuredQuantity::rebound},
+    Alias{"vout", MeasuredQuantity::rebound},
+    Alias{"rebound", MeasuredQuantity::rebound},
+    Alias{"reboundvelocity", MeasuredQuantity::rebound},
+    Alias{"normalreboundvelocity", MeasuredQuantity::rebound},
+    Alias{"reboundspeed", MeasuredQuantity::rebound},
+    Alias{"outgoingvelocity", MeasuredQuantity::rebound},
+    Alias{"vrebound", MeasuredQuantity::rebound},
+    Alias{"vaus", MeasuredQuantity::rebound},
+    Alias{"vab", MeasuredQuantity::rebound},
+    Alias{"vrck", MeasuredQuantity::rebound},  // "v_rück"
+    Alias{"vrueck", MeasuredQuantity::rebound},
+    Alias{"rckprall", MeasuredQuantity::rebound},  // "Rückprall"
+    Alias{"rueckprall", MeasuredQuantity::rebound},
+    Alias{"vrckprall", MeasuredQuantity::rebound},  // "v_Rückprall"
+    Alias{"vrueckprall", MeasuredQuantity::rebound},
+    Alias{"abprall", MeasuredQuantity::rebound},
+    Alias{"rebond", MeasuredQuantity::rebound},
+    Alias{"rckprallgeschwindigkeit", MeasuredQuantity::rebound},  // "Rückprallgeschwindigkeit"
+    Alias{"rueckprallgeschwindigkeit", MeasuredQuantity::rebound},
+    Alias{"abprallgeschwindigkeit", MeasuredQuantity::rebound},
+    Alias{"vsortie", MeasuredQuantity::rebound},
+    Alias{"vrebond", MeasuredQuantity::rebound},
+    Alias{"vitessederebond", MeasuredQuantity::rebound},
+    Alias{"e", MeasuredQuantity::restitution},
+    Alias{"en", MeasuredQuantity::restitution},
+    Alias{"cor", MeasuredQuantity::restitution},
+    Alias{"restitution", MeasuredQuantity::restitution},
+    Alias{"coefficientofrestitution", MeasuredQuantity::restitution},
+    Alias{"normalrestitution", MeasuredQuantity::restitution},
+    Alias{"stosszahl", MeasuredQuantity::restitution},
+    Alias{"stozahl", MeasuredQuantity::restitution},  // "Stoßzahl"
+    Alias{"stosskoeffizient", MeasuredQuantity::restitution},
+    Alias{"stokoeffizient", MeasuredQuantity::restitution},  // "Stoßkoeffizient"
+    Alias{"restitutionszahl", MeasuredQuantity::restitution},
+    Alias{"coefficientofnormalrestitution", MeasuredQuantity::restitution},
+    Alias{"normalcoefficientofrestitution", MeasuredQuantity::restitution},
+    Alias{"restitutioncoefficient", MeasuredQuantity::restitution},
+    Alias{"restitutionskoeffizient", MeasuredQuantity::restitution},
+    Alias{"coefficientderestitution", MeasuredQuantity::restitution},
+};
+
+constexpr std::array<std::string_view, 20> uncertainty_words{"u",
+                                                             "sigma",
+                                                             "sd",
+                                                             "std",
+                                                             "stdev",
+                                                             "esd",
+                                                             "uncertainty",
+                                                             "uncertaintyof",
+                                                             "standarduncertainty",
+                                                             "standarduncertaintyof",
+                                                             "fehler",
+                                                             "fehlervon",
+                                                             "unsicherheit",
+                                                             "unsicherheitvon",
+                                                             "messunsicherheit",
+                                                             "standardunsicherheit",
+                                                             "incertitude",
+                                                             "error",
+                                                             "errorof",
+                                                             "plusminus"};
+
+/// ASCII letters and digits in lower case; "v_{in}" becomes "vin", "v_rück" becomes "vrck".
+std::string key_of(std::string_view text) {
+    std::string key;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const std::string_view rest = text.substr(i);
+        if (rest.starts_with("\u03c3")) key += "sigma";
+        for (const std::string_view sign : {"\u00b1", "+-", "+/-"})
+            if (rest.starts_with(sign)) key += "plusminus";
+        if (std::isalnum(static_cast<unsigned char>(text[i])) != 0) key += lower_case(rest.substr(0, 1));
+    }
+    return key;
+}
+
+std::optional<MeasuredQuantity> quantity_of(std::string_view key) {
+    const auto found =
+        std::find_if(aliases.begin(), aliases.end(), [&](const Alias& alias) { return alias.key == key; });
+    return found == aliases.end() ? std::nullopt : std::optional(found->quantity);
+}
+
+struct Meaning {
+    MeasuredQuantity quantity;
+    bool is_uncertainty;
+};
+
+std::optional<Meaning> meaning_of(std::string_view name) {
+    const std::string key = key_of(name);
+    if (const auto quantity = quantity_of(key)) return Meaning{*quantity, false};
+    for (const std::string_view word : uncertainty_words) {
+        std::optional<MeasuredQuantity> quantity;
+        if (key.starts_with(word)) quantity = quantity_of(std::string_view(key).substr(word.size()));
+        if (!quantity && key.ends_with(word))
+            quantity = quantity_of(std::string_view(key).substr(0, key.size() - word.size()));
+        if (quantity) return Meaning{*quantity, true};
+    }
+    return std::nullopt;
+}
+
+struct NameAndUnit {
+    std::string_view name;
+    std::string_view unit;
+};
+
+/// Splits "v_r (mm/s)" into name and unit. Brackets that belong to the name, as in "u(v_r)", stay there.
+NameAndUnit split(std::string_view cell) {
+    for (const std::string_view pair : {"[]", "()"}) {
+        if (!cell.ends_with(pair[1])) continue;
+        const auto open = cell.rfind(pair[0]);
+        if (open == std::string_view::npos) continue;
+        const std::string_view name = trimmed(cell.substr(0, open));
+        if (pair == "[]" || meaning_of(name) || is_uncertainty_word(name))
+            return {name, trimmed(cell.substr(open + 1, cell.size() - open - 2))};
+    }
+    return {cell, {}};
+}
+
+/// The value that stands before "±", as in "v_in ± u [m/s]", if one does: its cells hold both.
+std::optional<Meaning> value_before_plus_minus(std::string_view name) {
+    for (const std::string_view sign : {"\u00b1", "+-", "+/-"}) {
+        const auto at = name.find(sign);
+        if (at == std::string_view::npos || at == 0) continue;
+        const auto meaning = meaning_of(name.substr(0, at));
+        if (meaning && !meaning->is_uncertainty) return meaning;
+    }
+    return std::nullopt;
+}
+
+/// The quantity of the column at a position, if that column holds values.
+std::optional<MeasuredQuantity> value_at(const MeasurementHeading& heading, std::size_t position) {
+    for (std::size_t i = 0; i < heading.value.size(); ++i)
+        if (heading.value[i] && heading.value[i]->position == position)
+            return static_cast<MeasuredQuantity>(i);
+    return std::nullopt;
+}
+
+/// What a column holds. One that names an uncertainty and no quantity belongs to the column before it.
+std::optional<Meaning> meaning_in(const MeasurementHeading& heading, std::string_view name,
+                                  const StatedCoverage& coverage, std::size_t position) {
+    if (const auto both = value_before_plus_minus(name))
+        return Meaning{both->quantity, heading.of(both->quantity).has_value()};
+    auto meaning = meaning_of(name);
+    if (meaning && !meaning->is_uncertainty && !coverage.stated.empty())
+        meaning->is_uncertainty = heading.of(meaning->quantity).has_value();
+    const bool bare = is_uncertainty_word(name) || !coverage.stated.empty();
+    if (meaning || !bare || position == 0) return meaning;
+    const auto before = value_at(heading, position - 1);
+    return before ? std::optional(Meaning{*before, true}) : std::nullopt;
+}
+
+void require_columns(const MeasurementHeading& heading) {
+    constexpr const char* allowed = "v_in with v_r or with e_n, e.g. \"v_in [m/s], v_r [m/s]\"";
+    if (!heading.of(MeasuredQuantity::velocity))
+        throw InputError("the heading has no column for the incident velocity", allowed);
+    const bool rebound = heading.of(MeasuredQuantity::rebound).has_value();
+    const bool restitution = heading.of(MeasuredQuantity::restitution).has_value();
+    if (!rebound && !restitution)
+        throw InputError("the heading has no column for the rebound velocity or the restitution", allowed);
+    if (rebound && restitution)
+        throw InputError("the heading has both the rebound velocity and the restitution", "one of them");
+    const auto other = rebound ? MeasuredQuantity::restitution : MeasuredQuantity::rebound;
+    if (heading.uncertainty_of(other))
+        throw InputError("the uncertainty in column " + in_quotes(heading.uncertainty_of(other)->name) +
+                             " is that of a column that is not there",
+                         "the uncertainty of a column of the table");
+}
+
+/// Enters a column that holds no velocity: the outcome, or the correlation of the errors of the two
+/// velocities.
+/// @return whether the column is one of these
+bool take_other(MeasurementHeading& heading, std::string_view name, std::size_t position) {
+    const std::string key = key_of(name);
+    const auto take = [&](std::optional<std::size_t>& column) {
+        if (column) throw InputError("column " + in_quotes(name) + " stands twice", "each quantity once");
+        column = position;
+        return true;
+    };
+    constexpr std::array<std::string_view, 6> outcomes{"outcome",  "result",  "ausgang",
+                                                       "ergebnis", "rsultat", "resultat"};
+    if (std::find(outcomes.begin(), outcomes.end(), key) != outcomes.end()) return take(heading.outcome);
+    if (key == "correlation" || key == "rvinvr" || key == "corrvinvr") return take(heading.correlation);
+    return false;
+}
+
+}  // namespace
+
+bool names_incident_velocity(const std::vector<std::string>& cells) {
+    return std::any_of(cells.begin(), cells.end(), [](const std::string& cell) {
+        const StatedCoverage coverage = read_coverage(cell);
+        const std::string_view name = split(coverage.rest).name;
+        auto meaning = value_before_plus_minus(name);
+        if (!meaning) meaning = meaning_of(name);
+        return meaning && meaning->quantity == MeasuredQuantity::velocity && !meaning->is_uncertainty;
+    });
+}
+
+namespace {
+
+double factor_of(std::string_view unit, MeasuredQuantity quantity) {
+    const bool is_ratio = quantity == MeasuredQuantity::restitution;
+    return unit.empty() ? 1.0 : to_si(1.0, unit, is_ratio ? Dimension::fraction : Dimension::velocity);
+}
+
+/// Enters a column of values or uncertainties.
+void take_measured(MeasurementHeading& heading, const Meaning& meaning, MeasuredColumn column) {
+    const auto index = static_cast<std::size_t>(meaning.quantity);
+    auto& place = (meaning.is_uncertainty ? heading.uncertainty : heading.value)[index];
+    if (place)
+        throw InputError("the columns " + in_quotes(place->name) + " and " + in_quotes(column.name) +
+                             " hold the same quantity",
+                         "each quantity once");
+    place = std::move(column);
+}
+
+/// Enters the column of one cell of the heading.
+void take_column(MeasurementHeading& heading, const std::string& cell, std::size_t position) {
+    const StatedCoverage coverage = read_coverage(cell);
+    const auto [name, unit] = split(coverage.rest);
+    if (take_other(heading, name, position)) return;
+    const auto meaning = meaning_in(heading, name, coverage, position);
+    if (!meaning) {
+        if (announces_remarks(name))
+            heading.remarks.push_back({position, cell});
+        else if (is_uncertainty_word(name) || !coverage.stated.empty())
+            heading.notes.push_back(
+                "column " + in_quotes(cell) +
+                " is not used: it does not say of which velocity; write \"u(v_in) [m/s]\"");
+        else if (!cell.empty())
+            heading.unused.push_back({position, cell});
+        return;
+    }
+    heading.coverages.emplace_back(cell, coverage);
+    if (meaning->is_uncertainty && !coverage.problem.empty()) return;
+    const bool named = meaning_of(name).has_value();
+    const auto& value = heading.of(meaning->quantity);
+    MeasuredColumn column{.position = position,
+                          .name = named ? std::string(name) : cell,
+                          .to_si = factor_of(unit, meaning->quantity),
+                          .unit_given = !unit.empty() || meaning->quantity == MeasuredQuantity::restitution,
+                          .coverage = coverage.problem.empty() ? coverage.factor : 0};
+    if (unit.empty() && !named && meaning->is_uncertainty && value) {
+        column.to_si = value->to_si;
+        column.unit_given = value->unit_given;
+        heading.notes.push_back("column " + in_quotes(cell) + " is taken as the uncertainty of " +
+                                in_quotes(value->name) + ", which stands before it");
+    }
+    take_measured(heading, *meaning, std::move(column));
+}
+
+}  // namespace
+
+MeasurementHeading read_measurement_heading(const std::vector<std::string>& cells) {
+    MeasurementHeading heading{};
+    heading.columns = cells.size();
+    for (std::size_t i = 0; i < cells.size(); ++i) take_column(heading, cells[i], i);
+    require_columns(heading);
+    for (std::string& note : coverage_warnings(heading.coverages)) heading.notes.push_back(std::move(note));
+    return heading;
+}
+
+}  // namespace ashimpact

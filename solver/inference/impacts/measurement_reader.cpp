@@ -1,0 +1,414 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/inference/impacts/measurement_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "core/counting.hpp"
+#include "core/error.hpp"
+#include "core/tables/cells.hpp"
+#include "core/tables/number.hpp"
+#include "core/tables/text_lines.hpp"
+#include "core/tables/workbook/workbook.hpp"
+#include "core/text.hpp"
+#include "solver/inference/impacts/measurement_headings.hpp"
+#include "solver/inference/impacts/outcome_words.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+/// A number of the table in SI.
+struct Entry {
+    double value;
+    std::optional<double> standard_uncertainty;
+};
+
+/// Reads cells of one table.
+class TableCells {
+  public:
+    TableCells(const MeasurementHeading& heading, bool decimal_comma)
+        : heading_(heading), decimal_comma_(decimal_comma) {}
+
+    [[nodiscard]] Entry entry(const TableRow& row, MeasuredQuantity quantity) const {
+        const MeasuredColumn& column = *heading_.of(quantity);
+        Entry entry = read(row, column);
+        if (const auto& uncertainty = heading_.uncertainty_of(quantity)) {
+            if (entry.standard_uncertainty) fail(*uncertainty, row, "is given twice", "one uncertainty");
+            entry.standard_uncertainty = read(row, *uncertainty).value / uncertainty->coverage;
+        }
+        if (entry.standard_uncertainty && !(*entry.standard_uncertainty > 0.0))
+            fail(column, row, "has an uncertainty that is not positive", "> 0");
+        return entry;
+    }
+
+    /// Zero with the uncertainty of its own column, for a row without a reading.
+    [[nodiscard]] Entry uncertainty(const TableRow& row, MeasuredQuantity quantity) const {
+        Entry entry{0.0, std::nullopt};
+        const auto& column = heading_.uncertainty_of(quantity);
+        if (column && !row.cells[column->position].empty())
+            entry.standard_uncertainty = read(row, *column).value / column->coverage;
+        return entry;
+    }
+
+    [[nodiscard]] double number(const TableRow& row, std::size_t position, const std::string& name) const {
+        const auto number = read_number(row.cells[position], decimal_comma_);
+        if (!number)
+            throw InputError(
+                in_quotes(row.cells[position]) + " in column " + in_quotes(name) + " is not a number",
+                "a finite number")
+                .at(at_cell(row.line, position));
+        return number->value;
+    }
+
+  private:
+    [[noreturn]] static void fail(const MeasuredColumn& column, const TableRow& row,
+                                  const std::string& problem, const std::string& allowed) {
+        throw InputError(
+            in_quotes(row.cells[column.position]) + " in column " + in_quotes(column.name) + " " + problem,
+            allowed)
+            .at(at_cell(row.line, column.position));
+    }
+
+    [[nodiscard]] Entry read(const TableRow& row, const MeasuredColumn& column) const {
+        const auto number = read_number(row.cells[column.position], decimal_comma_);
+        if (!number) fail(column, row, "is not a number", "a finite number; 0 for a capture");
+        if (number->per_cent && column.to_si != 1.0 && column.to_si != 0.01)
+            fail(column, row, "is in per cent", "the unit of the heading");
+        const double factor = number->per_cent ? 0.01 : column.to_si;
+        Entry entry{number->value * factor, std::nullopt};
+        if (number->standard_uncertainty && column.coverage > 0)
+            entry.standard_uncertainty = *number->standard_uncertainty * factor / column.coverage;
+        return entry;
+    }
+
+    const MeasurementHeading& heading_;
+    bool decimal_comma_;
+};
+
+void require_cells(const MeasurementHeading& heading, TableRow& row) {
+    while (row.cells.size() > heading.columns && row.cells.back().empty()) row.cells.pop_back();
+    if (row.cells.size() == heading.columns) return;
+    throw InputError("the line has " + std::to_string(row.cells.size()) + " cells, the heading " +
+                         std::to_string(heading.columns),
+                     "as many as the heading");
+}
+
+std::optional<VelocityNoise> noise_of_rebound(const Entry& velocity, const Entry& rebound) {
+    if (!velocity.standard_uncertainty && !rebound.standard_uncertainty) return std::nullopt;
+    const double of_either = velocity.standard_uncertainty.value_or(rebound.standard_uncertainty.value_or(0));
+    return VelocityNoise::of_velocities(of_either, rebound.standard_uncertainty.value_or(of_either));
+}
+
+std::optional<VelocityNoise> noise_of_restitution(const Entry& velocity, const Entry& restitution) {
+    const double v = velocity.value;
+    const double e = restitution.value;
+    if (restitution.standard_uncertainty && velocity.standard_uncertainty)
+        return VelocityNoise::of_restitution(v, e, *velocity.standard_uncertainty,
+                                             *restitution.standard_uncertainty);
+    // If only one is given, both velocities are taken as equally uncertain: u_e = u sqrt(1 + e^2)/v.
+    if (restitution.standard_uncertainty) {
+        const double u = v * *restitution.standard_uncertainty / std::sqrt(1.0 + e * e);
+        return VelocityNoise::of_velocities(u, u);
+    }
+    if (!velocity.standard_uncertainty) return std::nullopt;
+    return VelocityNoise::of_velocities(*velocity.standard_uncertainty, *velocity.standard_uncertainty);
+}
+
+/// Tables of impacts may be long: a camera that triggers itself fills a million lines.
+constexpr TextLimits impact_table{
+    .content = "a table of impacts", .bytes = std::size_t{256} << 20, .lines = 2'000'000};
+
+/// The outcome that a row states; none if it states that the outcome is not known.
+std::optional<NotedOutcome> stated_outcome(const MeasurementHeading& heading, const TableRow& row) {
+    if (!heading.outcome) return NotedOutcome::from_reading;
+    const std::string& cell = row.cells[*heading.outcome];
+    if (cell.empty()) return NotedOutcome::from_reading;
+    switch (outcome_word(cell)) {
+        case OutcomeWord::capture:
+            return NotedOutcome::capture;
+        case OutcomeWord::rebound:
+            return NotedOutcome::rebound;
+        case OutcomeWord::unknown:
+            return std::nullopt;
+        case OutcomeWord::none:
+            break;
+    }
+    throw InputError(in_quotes(cell) + " in the column of outcomes is none",
+                     "rebound, capture, unknown, or an empty cell")
+        .at(at_cell(row.line, *heading.outcome));
+}
+
+/// The outcome that the remarks of a row tell, each in one word. @throws InputError if they differ
+OutcomeWord remarked_outcome(const MeasurementHeading& heading, const TableRow& row) {
+    OutcomeWord told = OutcomeWord::none;
+    for (const TextColumn& column : heading.remarks) {
+        const OutcomeWord word = outcome_of_remark(row.cells[column.position]);
+        if (word == OutcomeWord::none) continue;
+        if (told != OutcomeWord::none && told != word)
+            throw InputError("the remarks tell of a capture and of a rebound", "one of them");
+        told = word;
+    }
+    return told;
+}
+
+/// How far below zero, and beside a remark that tells of a capture above it, noise may put a reading [m/s].
+double reach_of(const Measurement& point) {
+    return point.noise ? 6.0 * std::sqrt(point.noise->rebound) : 0.1 * point.velocity;
+}
+
+/// Restitution of a noted rebound that reads zero or less.
+constexpr double slow_rebound = 1e-6;
+
+/// Refuses a reading of the rebound that is further below zero than noise explains. @throws InputError
+void require_near_zero(const Measurement& point) {
+    if (point.rebound >= 0.0) return;
+    if (-point.rebound <= reach_of(point)) return;
+    throw InputError("v_r is " + shortest(point.rebound) + " m/s, below zero by more than noise explains",
+                     ">= 0 m/s, a magnitude; 0 for a capture");
+}
+
+VelocityNoise correlated(VelocityNoise noise, const MeasurementHeading& heading, const TableCells& cells,
+                         const TableRow& row) {
+    if (!heading.correlation) return noise;
+    const double correlation = cells.number(row, *heading.correlation, "correlation");
+    if (!(std::abs(correlation) < 1.0))
+        throw InputError("the correlation is " + shortest(correlation), "between -1 and 1, both excluded");
+    noise.covariance = correlation * std::sqrt(noise.incident * noise.rebound);
+    return noise;
+}
+
+/// Refuses a capture with a reading that is further above zero than noise explains. @throws InputError
+void require_no_rebound(const std::string& told_by, const Measurement& point) {
+    if (point.rebound > reach_of(point))
+        throw InputError("the " + told_by + " tells of a capture, and the rebound velocity is " +
+                             shortest(point.rebound) + " m/s",
+                         "one of them");
+}
+
+/// Takes the outcome that a remark tells beside a reading. @throws InputError if they contradict each other
+NotedOutcome with_remark(OutcomeWord remark, const Measurement& point) {
+    if (remark == OutcomeWord::rebound) return NotedOutcome::rebound;
+    require_no_rebound("remark", point);
+    return NotedOutcome::capture;
+}
+
+/// Reads the noise of a row, and its reading unless it is a capture without one.
+void read_rebound(Measurement& point, const MeasurementHeading& heading, const TableCells& cells,
+                  const TableRow& row, bool has_reading) {
+    const bool as_velocity = heading.of(MeasuredQuantity::rebound).has_value();
+    const auto quantity = as_velocity ? MeasuredQuantity::rebound : MeasuredQuantity::restitution;
+    const Entry velocity = cells.entry(row, MeasuredQuantity::velocity);
+    const Entry reading = has_reading ? cells.entry(row, quantity) : cells.uncertainty(row, quantity);
+    point.rebound = as_velocity ? reading.value : reading.value * velocity.value;
+    point.noise = as_velocity ? noise_of_rebound(velocity, reading) : noise_of_restitution(velocity, reading);
+    if (point.noise && as_velocity) point.noise = correlated(*point.noise, heading, cells, row);
+}
+
+/// One row; none where its outcome is not known. @param remark what its remarks tell
+std::optional<Measurement> measurement_of(const MeasurementHeading& heading, const TableCells& cells,
+                                          const TableRow& row, OutcomeWord remark) {
+    const Entry velocity = cells.entry(row, MeasuredQuantity::velocity);
+    if (!(velocity.value > 0.0))
+        throw InputError("v_in is " + shortest(velocity.value) + " m/s", "> 0 m/s, a magnitude");
+    auto outcome = stated_outcome(heading, row);
+    if (!outcome) return std::nullopt;
+    if (outcome != NotedOutcome::from_reading) remark = OutcomeWord::none;
+    const OutcomeWord cell = outcome_word(row.cells[heading.reading().position]);
+    const bool word = cell == OutcomeWord::capture;
+    const bool blank = cell == OutcomeWord::unknown;
+    if (word && (outcome == NotedOutcome::rebound || remark == OutcomeWord::rebound))
+        throw InputError("the outcome is a rebound, and the reading a capture", "one of them");
+    if (blank && outcome == NotedOutcome::rebound)
+        throw InputError("a rebound without a reading", "a number, or the outcome unknown");
+    if (word || (blank && remark == OutcomeWord::capture)) outcome = NotedOutcome::capture;
+    if (blank && outcome != NotedOutcome::capture) return std::nullopt;
+    Measurement point{.velocity = velocity.value, .rebound = 0.0, .noise = {}, .line = row.line};
+    read_rebound(point, heading, cells, row, !word && !blank);
+    if (!word && !blank && remark != OutcomeWord::none) outcome = with_remark(remark, point);
+    if (outcome == NotedOutcome::capture) require_no_rebound("outcome", point);
+    point.outcome = *outcome;
+    require_near_zero(point);
+    if (outcome == NotedOutcome::capture) point.rebound = 0.0;
+    const bool rebounded = outcome == NotedOutcome::rebound;
+    point.rebound = std::max(point.rebound, rebounded ? slow_rebound * point.velocity : 0.0);
+    return point;
+}
+
+std::vector<std::string> warnings_of(const MeasurementHeading& heading) {
+    std::vector<std::string> warnings = heading.notes;
+    for (const TextColumn& column : heading.unused)
+        warnings.push_back("column " + in_quotes(column.name) + " is not used");
+    for (const auto* columns : {&heading.value, &heading.uncertainty}) {
+        for (const auto& column : *columns) {
+            if (column && !column->unit_given)
+                warnings.push_back("column " + in_quotes(column->name) + " has no unit: taken as m/s");
+        }
+    }
+    return warnings;
+}
+
+/// Whether the reading of an impact without its remark would have another outcome.
+bool remark_counts(const MeasurementHeading& heading, const TableRow& row, OutcomeWord remark,
+                   const Measurement& point) {
+    if (heading.outcome && !row.cells[*heading.outcome].empty()) return false;
+    const bool blank = outcome_word(row.cells[heading.reading().position]) == OutcomeWord::unknown;
+    const bool reads_zero = point.rebound <= 2.0 * slow_rebound * point.velocity;
+    return remark == OutcomeWord::capture ? blank : remark == OutcomeWord::rebound && reads_zero;
+}
+
+/// What the rows without a reading say of themselves beside it, for one message.
+class Unread {
+  public:
+    explicit Unread(const MeasurementHeading& heading) : heading_(heading) {}
+
+    /// A row whose remark was taken for its outcome.
+    void take_remarked(const TableRow& row) { remarked_.push_back(row.line); }
+
+    /// A row whose outcome is not known.
+    void take_unknown(const TableRow& row) {
+        unknown_.push_back(row.line);
+        for (const TextColumn& column : heading_.unused)
+            if (outcome_of_remark(row.cells[column.position]) == OutcomeWord::capture) {
+                elsewhere_.push_back(row.line);
+                column_elsewhere_ = column.name;
+            }
+        if (!free_text_.empty()) return;
+        for (const TextColumn& column : heading_.remarks)
+            if (row.cells[column.position].size() > 1)
+                free_text_ = in_quotes(row.cells[column.position]) + " in column " + in_quotes(column.name) +
+                             ", line " + std::to_string(row.line);
+    }
+
+    void tell(std::vector<std::string>& warnings) const {
+        if (!remarked_.empty())
+            warnings.push_back("column " + names_of(heading_.remarks) + " tells the outcome in " +
+                               numbered("line", remarked_));
+        if (unknown_.empty()) return;
+        std::string text = counted(unknown_.size(), "impact") + " of unknown outcome " +
+                           (unknown_.size() == 1 ? "is" : "are") + " left out (" +
+                           numbered("line", unknown_) + ")";
+        const std::string reading = in_quotes(heading_.reading().name);
+        if (!elsewhere_.empty())
+            text += ", as column " + in_quotes(column_elsewhere_) + ", which tells of captures in " +
+                    numbered("line", elsewhere_) + ", is read only if its heading is \"outcome\"";
+        else if (!free_text_.empty())
+            text +=
+                ", as " + free_text_ +
+                ", is not just a word such as haftet, stuck, captured, to be written there if the particle "
+                "stayed, or 0 in column " +
+                reading;
+        warnings.push_back(text);
+    }
+
+  private:
+    static std::string names_of(const std::vector<TextColumn>& columns) {
+        std::vector<std::string> names;
+        names.reserve(columns.size());
+        for (const TextColumn& column : columns) names.push_back(in_quotes(column.name));
+        return joined(names);
+    }
+
+    const MeasurementHeading& heading_;
+    std::vector<std::size_t> remarked_;
+    std::vector<std::size_t> unknown_;
+    std::vector<std::size_t> elsewhere_;
+    std::string column_elsewhere_;
+    std::string free_text_;
+};
+
+/// Index of the heading among the lines, which may follow titles; 0 if there is none.
+std::size_t heading_place(const std::vector<TextLine>& lines) {
+    constexpr std::size_t most_titles = 20;
+    for (std::size_t i = 0; i < std::min(lines.size(), most_titles + 1); ++i)
+        if (names_incident_velocity(cut_row(lines[i], separator_of(lines[i].text)).cells)) return i;
+    return 0;
+}
+
+MeasurementSet read_table(const TextLines& file, std::string_view name) {
+    const auto lines = lines_with_content(file);
+    if (lines.empty()) throw InputError("the file holds no table", "a heading and one line an impact");
+    const std::size_t place = heading_place(lines);
+    const char separator = separator_of(lines[place].text);
+    MeasurementHeading heading{};
+    try {
+        heading = read_measurement_heading(cut_row(lines[place], separator).cells);
+    } catch (const InputError& error) {
+        throw error.at(at_line(lines[place].number));
+    }
+    const TableCells cells(heading, separator != ',');
+    MeasurementSet set{.source = std::string(name), .points = {}, .warnings = warnings_of(heading)};
+    if (place > 0) set.warnings.push_back(counted(place, "line") + " above the heading not read");
+    Unread unread(heading);
+    for (std::size_t i = place + 1; i < lines.size(); ++i) {
+        TableRow row = cut_row(lines[i], separator);
+        try {
+            require_cells(heading, row);
+            const OutcomeWord remark = remarked_outcome(heading, row);
+            if (auto point = measurement_of(heading, cells, row, remark)) {
+                if (remark_counts(heading, row, remark, *point)) unread.take_remarked(row);
+                set.points.push_back(*point);
+            } else {
+                ++set.unknown;
+                unread.take_unknown(row);
+            }
+        } catch (const InputError& error) {
+            throw error.at(at_line(row.line));
+        }
+    }
+    unread.tell(set.warnings);
+    if (set.points.empty() && set.unknown > 0)
+        throw InputError("the outcome of every impact is unknown", "rebounds or captures");
+    if (set.points.empty())
+        throw InputError("there is no measurement below the heading", "one line an impact")
+            .at(at_line(file.last_line()));
+    return set;
+}
+
+bool holds_impacts(const TextLines& file) {
+    const auto lines = lines_with_content(file);
+    if (lines.empty()) return false;
+    const TextLine& line = lines[heading_place(lines)];
+    return names_incident_velocity(cut_row(line, separator_of(line.text)).cells);
+}
+
+/// A table in a spreadsheet, with all that is said of it in the words of the sheet.
+MeasurementSet read_from_workbook(std::string_view bytes, std::string_view name, std::string_view sheet) {
+    const ChosenSheet chosen(bytes, {.name = std::string(sheet),
+                                     .option = "the name of a sheet (--sheet, in a case \"sheet\")",
+                                     .limits = impact_table,
+                                     .holds_table = holds_impacts});
+    try {
+        MeasurementSet set = read_table(chosen.lines(), name);
+        for (std::string& warning : set.warnings) warning = in_rows(std::move(warning));
+        set.warnings.insert(set.warnings.begin(), chosen.warnings().begin(), chosen.warnings().end());
+        validate(set);
+        return set;
+    } catch (const InputError& error) {
+        throw chosen.located(error);
+    }
+}
+
+MeasurementSet read(std::string_view text, std::string_view name, std::string_view sheet) {
+    if (is_workbook(text)) return read_from_workbook(text, name, sheet);
+    if (!sheet.empty())
+        throw InputError("a sheet is named, and the file is no spreadsheet", "an .xlsx or .ods");
+    if (trimmed(text).empty()) throw InputError("the file is empty", "a table of impacts").at("line 1");
+    MeasurementSet set = read_table(TextLines(text, impact_table), name);
+    validate(set);
+    return set;
+}
+
+}  // namespace
+
+MeasurementSet read_measurements(std::string_view text, std::string_view name, std::string_view sheet) {
+    try {
+        return read(text, name, sheet);
+    } catch (const InputError& error) {
+        throw error.in_file(std::string(name));
+    }
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/inference/measured_damping.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/counting.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/inference/outcomes/estimate_comparison.hpp"
+#include "solver/inference/outcomes/rebound_check.hpp"
+#include "solver/motion/scaled_impact.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+/// Calls @p step. If the input does not allow it or it does not converge, a note says so instead.
+template <class Step>
+void attempt(std::vector<std::string>& notes, const std::string& what, Step&& step) {
+    try {
+        step();
+    } catch (const InputError& error) {
+        notes.push_back("no " + what + ": " + error.problem());
+    } catch (const ConvergenceError& error) {
+        notes.push_back("no " + what + ": " + error.what());
+    }
+}
+
+void note_impacts(MeasuredDamping& result, const MeasurementSet& set) {
+    const auto beyond = static_cast<std::size_t>(
+        std::count_if(result.impacts.begin(), result.impacts.end(),
+                      [](const InvertedImpact& i) { return i.restitution > 0.0 && !i.damping; }));
+    if (beyond > 0)
+        result.notes.push_back(std::to_string(beyond) + " of " + counted(set.rebounds(), "rebound") +
+                               (beyond == 1 ? " is" : " are") +
+                               " faster than without any damping: no damping gives " +
+                               (beyond == 1 ? "it" : "them"));
+    if (!result.parts.outliers.empty()) {
+        std::vector<std::size_t> lines;
+        for (const std::size_t index : result.parts.outliers)
+            lines.push_back(set.points[index].line > 0 ? set.points[index].line : index + 1);
+        const bool in_file = set.points[result.parts.outliers.front()].line > 0;
+        result.notes.push_back(counted(lines.size(), "outlier") + " flagged and left in, law " +
+                               std::string(result.law.name()) + ": " +
+                               numbered(in_file ? "line" : "impact", lines));
+    }
+    if (set.rebounds() == 0) result.notes.emplace_back("every impact was captured: there is nothing to fit");
+}
+
+/// The paper's extrapolation, with what follows from it.
+void extrapolate(MeasuredDamping& result, const ContactModel& model, const RandomContact* contact,
+                 const MeasuredDampingOptions& options) {
+    const MeasurementSet& rising = result.rising->set;
+    DampingCurveFit fit = fit_damping_curve(model, rising, options.extrapolated);
+    require_rebounds_above(fit, rising);
+    DampingResult extrapolated{std::move(fit), {}, {}};
+    if (const auto note = enlargement_note(extrapolated.fit))
+        result.notes.push_back("extrapolated fit: " + *note);
+    if (options.propagate && contact != nullptr) {
+        attempt(result.notes, "propagation of the extrapolated fit", [&] {
+            extrapolated.propagation = propagate_critical_velocity(extrapolated.fit, model, *contact,
+                                                                   options.change, options.propagation);
+        });
+    }
+    extrapolated.check = check(
+        extrapolated.propagation ? extrapolated.propagation->interval : extrapolated.fit.critical_velocity,
+        result.measured, !options.reported);
+    result.extrapolated = std::move(extrapolated);
+}
+
+/// The analysis before any step of it: the contact, and the measured critical velocity.
+MeasuredDamping begun(Law law, Detachment detachment, const ContactPair& pair, const MeasurementSet& set,
+                      const MeasuredDampingOptions& options) {
+    validate(set);
+    MeasuredDamping result{.law = law,
+                           .detachment = detachment,
+                           .contact = pair,
+                           .measured = options.reported.value_or(MeasuredCriticalVelocity{})};
+    if (!options.reported)
+        attempt(result.notes, "measured v_c", [&] { result.measured = measured_critical_velocity(set); });
+    return result;
+}
+
+void note_parts(MeasuredDamping& result, const MeasurementSet& set, const PartOptions& options) {
+    result.smoothing = DampingSmoothing::of(result.impacts);
+    result.parts = find_parts(result.smoothing, options);
+    note_impacts(result, set);
+}
+
+/// The impacts up to a known end of the rising branch.
+RisingBranch branch_to(const MeasurementSet& set, double upper) {
+    RisingBranch branch{{set.source, {}, {}}, {}, upper, false};
+    for (std::size_t i = 0; i < set.points.size(); ++i) {
+        if (set.points[i].velocity > upper) {
+            branch.falls_beyond = true;
+            continue;
+        }
+        branch.set.points.push_back(set.points[i]);
+        branch.indices.push_back(i);
+    }
+    return branch;
+}
+
+/// The rising branch. A robust fit takes every impact where outliers leave too few of them a branch.
+RisingBranch branch_for(MeasuredDamping& result, const ContactModel& model, const MeasurementSet& set,
+                        const DampingCurveOptions& options) {
+    const auto every = [&] {
+        result.notes.emplace_back("extrapolated fit: outliers hide the rising branch, every rebound is used");
+        return branch_to(set, std::numeric_limits<double>::infinity());
+    };
+    try {
+        RisingBranch branch = rising_branch(model, set, result.smoothing);
+        const auto needed = static_cast<std::size_t>(options.order) + 2;
+        return options.robust && branch.set.rebounds() < needed && set.rebounds() >= needed ? every()
+                                                                                            : branch;
+    } catch (const InputError&) {
+        if (!options.robust) throw;
+        return every();
+    }
+}
+
+}  // namespace
+
+VelocityRange velocities_for_fits(Law law, Detachment detachment, const ContactPair& contact,
+                                  const MeasurementSet& set) {
+    constexpr double below = 0.02;
+    constexpr double above = 10.0;
+    const auto [slowest, fastest] = std::ranges::minmax_element(set.points, {}, &Measurement::velocity);
+    const CriticalVelocity undamped =
+        critical_velocity({law, detachment, {DampingLaw::constant, 0.0}, contact});
+    return {below * slowest->velocity, above * std::max(fastest->velocity, undamped.value.value_or(0.0))};
+}
+
+MeasuredDamping analyse_impacts(Law law, Detachment detachment, const RandomContact& contact,
+                                const MeasurementSet& set, const MeasuredDampingOptions& options) {
+    const ContactPair pair = contact.nominal();
+    if (can_yield(law, pair)) {
+        MeasuredDamping result = begun(law, detachment, pair, set, options);
+        result.impacts = invert_by_solving(law, detachment, pair, set);
+        note_parts(result, set, options.parts);
+        result.notes.emplace_back("no fit: a contact that yields has a history");
+        return result;
+    }
+    validate(set);
+    const ContactModel model =
+        make_contact_model(law, detachment, pair, velocities_for_fits(law, detachment, pair, set));
+    MeasuredDamping result = analyse_impacts(model, &contact, set, options);
+    result.law = law;  // without adhesion the model's is Hertz
+    result.detachment = detachment;
+    return result;
+}
+
+MeasuredDamping analyse_impacts(const ContactModel& model, const RandomContact* contact,
+                                const MeasurementSet& set, const MeasuredDampingOptions& options) {
+    const ScaledImpacts& scaled = model.map().impacts();
+    MeasuredDamping result = begun(scaled.law(), scaled.detachment(), model.contact(), set, options);
+    result.accuracy = model.map().accuracy();
+    if (!options.rising_to) {
+        result.impacts = invert(model, set);
+        note_parts(result, set, options.parts);
+    }
+    if (set.rebounds() == 0) return result;
+    attempt(result.notes, "estimate of v_c", [&] {
+        result.estimate = estimate_critical_velocity(model, set, {.size_scatter = options.size_scatter});
+        const auto& notes = result.estimate->notes;
+        result.notes.insert(result.notes.end(), notes.begin(), notes.end());
+        result.check = check(result.estimate->curve.critical_velocity, result.measured, !options.reported);
+    });
+    attempt(result.notes, "extrapolated fit", [&] {
+        result.rising = options.rising_to ? branch_to(set, *options.rising_to)
+                                          : branch_for(result, model, set, options.extrapolated);
+        extrapolate(result, model, contact, options);
+    });
+    if (result.estimate && result.extrapolated)
+        result.comparison = compare(result.extrapolated->fit, result.estimate->curve.critical_velocity,
+                                    result.estimate->curve.critical_damping);
+    return result;
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "solver/inference/extrapolation/damping_curve_fit.hpp"
+#include "solver/statistics/intervals/interval.hpp"
+
+namespace ashimpact {
+
+/// Standard uncertainty of the difference of two estimates from the same impacts, which share most of their
+/// errors. If one of them is efficient, the variance of the difference is the difference of the variances
+/// (Hausman 1978). As neither quite is, at least a quarter of the larger variance is taken.
+[[nodiscard]] double shared_difference(double one, double other);
+
+/// Whether the paper's extrapolation and the estimate from all impacts agree.
+struct FitComparison {
+    double critical_damping_ratio;   ///< of the estimate to the extrapolated [1]
+    double critical_velocity_ratio;  ///< [1]
+    bool consistent;           ///< whether they differ by no more than estimates from the same impacts may
+    bool exclude_one_another;  ///< the negation of consistent
+    std::string statement;     ///< in words
+};
+[[nodiscard]] FitComparison compare(const DampingCurveFit& extrapolated, const Interval& critical_velocity,
+                                    const Interval& critical_damping);
+
+}  // namespace ashimpact

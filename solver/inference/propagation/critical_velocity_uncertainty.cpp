@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/inference/propagation/critical_velocity_uncertainty.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "solver/batch/critical_batch.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/inference/extrapolation/restitution_curve.hpp"
+#include "solver/motion/maugis/cohesive_impact.hpp"
+#include "solver/numeric/gsl/distribution.hpp"
+#include "solver/surrogate/cohesive_velocity_map.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+/// Draws coefficients of the damping curve from standard normal numbers: the first one with the asymmetry of
+/// its interval, the others by their correlation with it and their remaining scatter.
+class CurveSampler {
+  public:
+    explicit CurveSampler(const DampingCurveFit& fit) : best_(fit.damping.coefficients) {
+        const Eigen::Index others = best_.size() - 1;
+        const double quantile = confidence_quantile();
+        const double deviation = std::sqrt(fit.covariance(0, 0));
+        const Interval& interval = fit.critical_damping;
+        below_ = interval.lower ? (interval.value - *interval.lower) / quantile : deviation;
+        above_ = interval.upper ? (*interval.upper - interval.value) / quantile : deviation;
+        along_ = fit.covariance.col(0) / fit.covariance(0, 0);
+        const Eigen::MatrixXd rest =
+            fit.covariance.bottomRightCorner(others, others) -
+            fit.covariance(0, 0) * along_.tail(others) * along_.tail(others).transpose();
+        const Eigen::LDLT<Eigen::MatrixXd> split(rest);
+        const Eigen::VectorXd root = split.vectorD().cwiseMax(0.0).cwiseSqrt();
+        scatter_ = split.transpositionsP().transpose() * Eigen::MatrixXd(split.matrixL()) * root.asDiagonal();
+    }
+
+    [[nodiscard]] Eigen::Index size() const { return best_.size(); }
+    [[nodiscard]] Eigen::VectorXd coefficients(std::span<const double> normal) const {
+        const double shift = normal[0] * (normal[0] < 0.0 ? below_ : above_);
+        Eigen::VectorXd result = best_ + shift * along_;
+        const Eigen::Index others = size() - 1;
+        result.tail(others) += scatter_ * Eigen::Map<const Eigen::VectorXd>(normal.data() + 1, others);
+        return result;
+    }
+
+  private:
+    Eigen::VectorXd best_;
+    Eigen::VectorXd along_;
+    Eigen::MatrixXd scatter_;
+    double below_ = 0.0;
+    double above_ = 0.0;
+};
+
+/// Inverts a measured curve v_r(v_in) again for another contact.
+class Rereading {
+  public:
+    Rereading(const DampingCurveFit& fit, const ContactModel& model)
+        : model_(model), order_(fit.damping.order()) {
+        const double lower = fit.restitutions[0];  // where the curve was measured
+        greatest_ = std::min(fit.restitutions[1], 0.99);
+        const ChebyshevAxis axis{lower, greatest_, 3 * (order_ + 1)};
+        Eigen::MatrixXd powers(axis.degree + 1, order_ + 1);
+        for (int i = 0; i <= axis.degree; ++i) {
+            restitutions_.push_back(axis.node(i));
+            powers.row(i) = DampingPolynomial::powers(axis.node(i), order_).transpose();
+        }
+        to_coefficients_ = powers.completeOrthogonalDecomposition().pseudoInverse();
+    }
+
+    /// Velocities of the places on the curve of some damping; empty where there is none.
+    [[nodiscard]] std::vector<double> velocities(const Eigen::VectorXd& coefficients) const {
+        const auto curve = RestitutionCurve::of(model_, {coefficients}, greatest_);
+        std::vector<double> result;
+        if (!curve) return result;
+        for (const double e : restitutions_) result.push_back(curve->at(e).velocity);
+        return result;
+    }
+    /// eta_c that another contact reads from these places.
+    [[nodiscard]] double critical_damping(const ContactModel& other,
+                                          const std::vector<double>& velocities) const {
+        Eigen::VectorXd damping(static_cast<Eigen::Index>(velocities.size()));
+        for (std::size_t i = 0; i < velocities.size(); ++i)
+            damping[static_cast<Eigen::Index>(i)] = other.damping(velocities[i], restitutions_[i]).value;
+        return to_coefficients_.row(0).dot(damping);
+    }
+
+  private:
+    ContactModel model_;
+    int order_;
+    double greatest_;
+    std::vector<double> restitutions_;
+    Eigen::MatrixXd to_coefficients_;
+};
+
+/// Cache of the last two curves, because each row of the propagation uses two of them many times.
+struct CurveMemory {
+    struct Entry {
+        std::vector<double> key;
+        Eigen::VectorXd coefficients;
+        std::vector<double> velocities;
+    };
+    std::array<Entry, 2> entries;
+    std::size_t oldest = 0;
+};
+
+void require_same(const ContactPair& a, const ContactPair& b) {
+    const auto differ = [](double x, double y) { return std::abs(x - y) > 1e-6 * std::abs(y); };
+    const auto same_parameter = [&](const auto& x, const auto& y) {
+        return x.first == y.first && !differ(x.second, y.second);
+    };
+    if (differ(a.mass, b.mass) || differ(a.effective_radius, b.effective_radius) ||
+        differ(a.contact_modulus, b.contact_modulus) || differ(a.work_of_adhesion, b.work_of_adhesion) ||
+        !std::ranges::is_permutation(a.parameters, b.parameters, same_parameter))
+        throw InputError("the uncertain contact is not the one of the fit",
+                         "inputs whose values give the contact of the model");
+}
+
+/// Map for the critical velocities of a propagation with law maugis-dugdale.
+/// @param problem_at the problem at some values of the inputs
+template <class ProblemAt>
+CohesiveVelocityMap cohesive_map(const std::vector<RandomInput>& inputs, ProblemAt&& problem_at) {
+    constexpr double deviations = 5;  // a draw beyond is solved
+    std::vector<double> values;
+    values.reserve(inputs.size());
+    for (const RandomInput& input : inputs) values.push_back(input.value);
+    const CriticalVelocityProblem nominal = problem_at(values);
+    const CohesiveNumbers centre = cohesive_numbers(nominal);
+    std::array<double, 2> variance{};
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        if (inputs[i].standard_uncertainty == 0.0) continue;
+        std::vector<double> moved = values;
+        moved[i] += inputs[i].standard_uncertainty;
+        const CohesiveNumbers numbers = cohesive_numbers(problem_at(moved));
+        variance[0] += std::pow(std::log(numbers.damping / centre.damping), 2);
+        variance[1] += std::pow(std::log(numbers.lambda / centre.lambda), 2);
+    }
+    return {nominal, {deviations * std::sqrt(variance[0]), deviations * std::sqrt(variance[1])}};
+}
+
+}  // namespace
+
+Propagation propagate_critical_velocity(const DampingCurveFit& fit, const ContactModel& model,
+                                        const RandomContact& contact, DampingUnderChange change,
+                                        const PropagationOptions& options) {
+    require_same(contact.nominal(), model.contact());
+    const CurveSampler sampler(fit);
+    const Rereading rereading(fit, model);
+    std::vector<RandomInput> inputs;
+    for (Eigen::Index i = 0; i < sampler.size(); ++i)
+        inputs.push_back({.name = "c" + std::to_string(i),
+                          .value = 0.0,
+                          .standard_uncertainty = 1.0,
+                          .factor = fit_factor});
+    inputs.insert(inputs.end(), contact.inputs.begin(), contact.inputs.end());
+    const auto count = static_cast<std::size_t>(sampler.size());
+    CurveMemory memory;
+    const auto entry_of = [&](std::span<const double> normal) -> const CurveMemory::Entry& {
+        for (const CurveMemory::Entry& entry : memory.entries)
+            if (std::equal(entry.key.begin(), entry.key.end(), normal.begin(), normal.end())) return entry;
+        CurveMemory::Entry& entry = memory.entries[memory.oldest];
+        memory.oldest = 1 - memory.oldest;
+        entry.key.assign(normal.begin(), normal.end());
+        entry.coefficients = sampler.coefficients(normal);
+        if (change == DampingUnderChange::reread) entry.velocities = rereading.velocities(entry.coefficients);
+        return entry;
+    };
+    const auto critical = [&](std::span<const double> values) -> std::optional<double> {
+        const CurveMemory::Entry& entry = entry_of(values.first(count));
+        const ContactModel other(model.shared_map(), contact.contact(values.subspan(count)));
+        if (change == DampingUnderChange::held)
+            return other.critical_velocity_anywhere(entry.coefficients[0]);
+        if (entry.velocities.empty()) return std::nullopt;
+        return other.critical_velocity_anywhere(rereading.critical_damping(other, entry.velocities));
+    };
+    return propagate(inputs, critical, options);
+}
+
+Propagation propagate_critical_velocity(Law law, Detachment detachment, const RandomInput& critical_damping,
+                                        const RandomContact& contact, const PropagationOptions& options) {
+    const CriticalVelocity nominal = tabulated_critical_velocity(
+        {law, detachment, {DampingLaw::constant, critical_damping.value}, contact.nominal()});
+    if (!nominal.value)
+        throw InputError("there is no finite critical velocity at the values of the inputs: " +
+                         std::string(name_of(nominal.verdict)));
+    std::vector<RandomInput> inputs{critical_damping};
+    inputs.insert(inputs.end(), contact.inputs.begin(), contact.inputs.end());
+    const auto problem_at = [&](std::span<const double> values) -> CriticalVelocityProblem {
+        return {law, detachment, {DampingLaw::constant, values[0]}, contact.contact(values.subspan(1))};
+    };
+    if (is_cohesive(law, contact.nominal())) {
+        const CohesiveVelocityMap map = cohesive_map(inputs, problem_at);
+        return propagate(
+            inputs,
+            [&](std::span<const double> values) -> std::optional<double> {
+                const CriticalVelocityProblem problem = problem_at(values);
+                return is_cohesive(law, problem.contact) ? map(problem) : critical_velocity(problem).value;
+            },
+            options);
+    }
+    const auto critical = [&](std::span<const double> values) {
+        return tabulated_critical_velocity(problem_at(values)).value;
+    };
+    return propagate(inputs, critical, options);
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/motion/impact.hpp"
+
+namespace ashimpact {
+
+/// Which limit of adhesion a contact is near; Johnson & Greenwood 1997 (J. Colloid Interface Sci. 192:326).
+enum class AdhesionRegime {
+    none,     ///< no work of adhesion
+    dmt,      ///< Tabor parameter below dmt_limit: hard and small, attraction acts around the contact
+    between,  ///< neither limit holds
+    jkr,      ///< Tabor parameter above jkr_limit: soft and large, attraction acts within the contact
+};
+
+template <>
+struct Names<AdhesionRegime> {
+    static constexpr std::string_view kind = "adhesion regime";
+    static constexpr std::array<std::string_view, 4> all{"none", "dmt", "between", "jkr"};
+};
+
+/// The numbers that say whether a contact law applies, and what they say of the law chosen.
+struct Regime {
+    double tabor_parameter = 0.0;         ///< mu = (R* w^2/(E*^2 z0^3))^(1/3) [1]; Tabor 1977
+    double equilibrium_separation = 0.0;  ///< z0 of that, as the cohesion stated says, or else the usual [m]
+    AdhesionRegime adhesion = AdhesionRegime::none;
+    double transition_parameter = 0.0;       ///< lambda of Maugis, see transition_parameter_of() [1]
+    double damping_number = 0.0;             ///< beta, the scaled coefficient of the damping law [1]
+    double adhesion_number = 0.0;            ///< of the law, in the impact's own scale [1]
+    double contact_radius = 0.0;             ///< at greatest overlap, by the law [m]
+    double relative_contact_radius = 0.0;    ///< contact_radius/R* [1]
+    double relative_overlap = 0.0;           ///< greatest overlap over R* [1]
+    double greatest_pressure = 0.0;          ///< in the centre at greatest overlap; p_y if it yields [Pa]
+    std::optional<double> yield_pressure{};  ///< p_y, none if the contact never yields [Pa]
+    /// V_y of the closed form, without adhesion and damping; none without a yield pressure [m/s]
+    std::optional<double> yield_velocity{};
+    /// V_y of the law chosen, with its adhesion, without damping; 0 if adhesion alone makes it yield [m/s]
+    std::optional<double> law_yield_velocity{};
+    bool yields = false;  ///< the impact goes beyond the yield pressure, damping included
+    std::vector<std::string> warnings{};
+};
+
+/// Equilibrium separation z0 of two surfaces, as usual in the Tabor parameter [m].
+inline constexpr double usual_separation = 0.4e-9;
+
+/// Tabor parameters between these belong to neither limit (Johnson & Greenwood 1997): DMT below, JKR above.
+inline constexpr double dmt_limit = 0.1;
+inline constexpr double jkr_limit = 5.0;
+
+/// a/R* beyond which the parabolic geometry that every law here assumes is off by 2 % in overlap.
+inline constexpr double widest_contact = 0.3;
+
+/// Maugis' transition parameter of a pair [1]: from the cohesion that it states for law maugis-dugdale, else
+/// of surfaces with the usual_separation; 0 without adhesion.
+[[nodiscard]] double transition_parameter_of(const ContactPair& contact);
+
+/// Tabor parameter of a pair [1], of the same cohesion as transition_parameter_of(): lambda/1.157.
+[[nodiscard]] double tabor_parameter_of(const ContactPair& contact);
+
+/// Judges an impact, solved or to be solved. @p maximum_overlap as in ImpactResult [m]
+///
+/// A contact yields where the pressure in its centre, by pressure_profile() of the law, reaches p_y; the
+/// potential of the law gives the velocity. Brach-Dunn is empirical and has no range of Tabor parameters.
+[[nodiscard]] Regime regime_of(const Impact& impact, double maximum_overlap);
+
+}  // namespace ashimpact

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Included once for each instruction set, so with no include guard but this.
+#if defined(ASHIMPACT_SOLVER_BATCH_SCALING_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef ASHIMPACT_SOLVER_BATCH_SCALING_INL_HPP
+#undef ASHIMPACT_SOLVER_BATCH_SCALING_INL_HPP
+#else
+#define ASHIMPACT_SOLVER_BATCH_SCALING_INL_HPP
+#endif
+
+#include "solver/batch/kernel.hpp"
+#include "solver/batch/lanes/number-inl.hpp"
+#include "solver/contact/pair.hpp"
+#include "solver/motion/scale.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace ashimpact::HWY_NAMESPACE {
+
+/// The values of a column from @p i on; past the @p count of them the last one again.
+[[nodiscard]] HWY_INLINE Lanes read(const batch::Input& column, std::size_t i, std::size_t count) {
+    if (column.single) return column.values[0];
+    if (i + lane_count <= count) return Lanes::load(column.values + i);
+    HWY_ALIGN double padded[lane_count];
+    for (std::size_t k = 0; k < lane_count; ++k) padded[k] = column.values[i + k < count ? i + k : count - 1];
+    return Lanes::load(padded);
+}
+
+[[nodiscard]] inline BasicContactPair<LaneNumber> read_pair(const batch::Inputs& in, std::size_t i,
+                                                            std::size_t count) {
+    BasicContactPair<LaneNumber> pair{.mass = LaneNumber(read(in.mass, i, count)),
+                                      .effective_radius = LaneNumber(read(in.effective_radius, i, count)),
+                                      .contact_modulus = LaneNumber(read(in.contact_modulus, i, count)),
+                                      .work_of_adhesion = LaneNumber(read(in.work_of_adhesion, i, count))};
+    for (std::size_t k = 0; k < in.parameters.count; ++k)
+        pair.parameters.set(in.parameters.parameter[k]->name,
+                            LaneNumber(read(in.parameters.values[k], i, count)));
+    return pair;
+}
+
+/// The two numbers of a scaled impact, and its units.
+struct ScaledLanes {
+    Lanes adhesion;
+    Lanes damping;
+    Lanes length;  ///< [m]
+    Lanes time;    ///< [s]
+};
+
+template <class F>
+[[nodiscard]] HWY_FLATTEN inline ScaledLanes scaled(const batch::Inputs& in, std::size_t i,
+                                                    std::size_t count) {
+    const BasicContactPair<LaneNumber> pair = read_pair(in, i, count);
+    const auto scale = BasicScale<LaneNumber>::of(pair, LaneNumber(read(in.velocity, i, count)));
+    ScaledLanes result;
+    result.adhesion = F::template ContactLaw<LaneNumber>::adhesion_number(pair, scale.length).lanes();
+    result.damping = read(in.damping, i, count) / F::Damping::unit(scale).lanes();
+    result.length = scale.length.lanes();
+    result.time = scale.time().lanes();
+    return result;
+}
+
+}  // namespace ashimpact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

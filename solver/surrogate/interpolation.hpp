@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "solver/numeric/gsl/spline.hpp"
+
+namespace ashimpact {
+
+/// A measured curve, interpolated without overshoot between its points (Steffen 1990, by GSL): monotone data
+/// stay monotone, and no value lies outside its two neighbours.
+class MeasuredCurve {
+  public:
+    /// @param x strictly increasing; @param y as long as x, at least 3 points, all finite
+    /// @throws InputError
+    MeasuredCurve(std::span<const double> x, std::span<const double> y);
+
+    /// Value at @p x [unit of y]. @throws InputError outside the measured range: nothing is extrapolated
+    [[nodiscard]] double operator()(double x) const;
+    [[nodiscard]] double lower() const { return spline_.lower(); }
+    [[nodiscard]] double upper() const { return spline_.upper(); }
+
+  private:
+    gsl::MonotoneSpline spline_;
+};
+
+}  // namespace ashimpact

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/surrogate/restitution_map.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+constexpr int root_degree = 26;      ///< along the cube root of the restitution
+constexpr int time_degree = 14;      ///< the same for contact times
+constexpr double least_timed = 0.3;  ///< cube root of e below which contact times are solved, not tabulated
+constexpr double least_in_batch = 0.3;  ///< cube root of e below which dampings are searched for one by one
+constexpr double margin = 0.05;         ///< distance in x from where every impact is captured
+
+/// Degree along x: the dependence on adhesion is smooth over factors of velocity.
+int degree_for(ScaledVelocityRange range) {
+    const double wanted = 6.0 + 2.0 * (range.upper - range.lower);
+    return static_cast<int>(std::clamp(wanted, 8.0, 30.0));
+}
+
+double cube(double x) {
+    return x * x * x;
+}
+
+/// Nodes of a table with the roots from @p first_root to @p end_root, the latter excluded; all roots of one x
+/// stand together.
+struct NodePlaces {
+    Eigen::ArrayXd root;
+    Eigen::ArrayXd x;
+
+    NodePlaces(const ChebyshevAxis& roots, const ChebyshevAxis& along, int first_root, int end_root) {
+        const int rows = end_root - first_root;
+        root.resize(static_cast<Eigen::Index>(rows) * (along.degree + 1));
+        x.resize(root.size());
+        for (int j = 0; j <= along.degree; ++j) {
+            for (int i = 0; i < rows; ++i) {
+                root[j * rows + i] = roots.node(first_root + i);
+                x[j * rows + i] = along.node(j);
+            }
+        }
+    }
+};
+
+}  // namespace
+
+RestitutionMap::RestitutionMap(Law law, Detachment detachment, ScaledVelocityRange range)
+    : impacts_(law, detachment), range_(range) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (impacts_.adhesive()) {
+        range_.lower = std::max(range.lower, impacts_.lowest() + margin);
+    } else {
+        range_ = {-infinity, infinity};
+    }
+    if (!(range_.lower < range_.upper)) throw InputError("every impact is captured at these velocities");
+    tabulate_damping();
+    tabulate_times();
+    check();
+}
+
+ChebyshevAxis RestitutionMap::axis_of_x() const {
+    if (!impacts_.adhesive()) return {0.0, 0.0, 0};
+    return {range_.lower, range_.upper, degree_for(range_)};
+}
+
+void RestitutionMap::tabulate_damping() {
+    const ChebyshevAxis root{0.0, 1.0, root_degree};
+    const ChebyshevAxis along = axis_of_x();
+    int weak = 0;  // nodes whose rebound is too slow for the batch solver's accuracy
+    while (root.node(weak) < least_in_batch) ++weak;
+    Eigen::MatrixXd numbers = Eigen::MatrixXd::Zero(root.degree + 1, along.degree + 1);
+    const NodePlaces places(root, along, weak, root.degree);
+    const Eigen::ArrayXd restitution = places.root.binaryExpr(
+        places.x, [&](double each, double x) { return cube(each) * impacts_.greatest_restitution(x); });
+    numbers.middleRows(weak, root.degree - weak) = impacts_.damping_numbers(restitution, places.x)
+                                                       .reshaped(root.degree - weak, along.degree + 1)
+                                                       .matrix();
+    // From fast to slow impacts and towards e = 0, so that the last solutions predict the next one.
+    for (int j = along.degree; j >= 0; --j) {
+        const double x = along.node(j);
+        for (int i = weak - 1; i >= 0; --i) {
+            const double e = cube(root.node(i)) * impacts_.greatest_restitution(x);
+            const bool first = j == along.degree;
+            const double shift = first ? 0.0 : numbers(i + 1, j) - numbers(i + 1, j + 1);
+            const double guess = first ? numbers(i + 1, j) : numbers(i, j + 1) + shift;
+            const double width = first ? 0.1 : std::max(2e-4, 0.1 * std::abs(shift));
+            numbers(i, j) = impacts_.damping_number(e, x, {.guess = std::max(0.0, guess), .width = width});
+        }
+    }
+    damping_ = ChebyshevSurface(root, along, numbers);
+}
+
+void RestitutionMap::tabulate_times() {
+    const ChebyshevAxis root{least_timed, 1.0, time_degree};
+    const ChebyshevAxis along = axis_of_x();
+    const NodePlaces places(root, along, 0, root.degree + 1);
+    const Eigen::ArrayXd numbers = places.root.binaryExpr(
+        places.x, [&](double each, double x) { return std::max(0.0, damping_(each, x).value); });
+    time_ = ChebyshevSurface(
+        root, along,
+        impacts_.contact_times(numbers, places.x).reshaped(root.degree + 1, along.degree + 1).matrix());
+}
+
+void RestitutionMap::check() {
+    constexpr std::array shares{0.004, 0.05, 0.31, 0.77};
+    constexpr std::array places{0.07, 0.36, 0.88};
+    accuracy_ = 0.0;
+    for (const double place : places) {
+        const double x = impacts_.adhesive() ? range_.lower + place * (range_.upper - range_.lower) : 0.0;
+        for (const double share : shares) {
+            const double e = share * impacts_.greatest_restitution(x);
+            const double found = impacts_.restitution(damping_number(e, x).value, x);
+            accuracy_ = std::max(accuracy_, std::abs(found - e));
+        }
+    }
+}
+
+double RestitutionMap::root_of_share(double restitution, double x) const {
+    return std::cbrt(std::max(0.0, restitution) / impacts_.greatest_restitution(x));
+}
+
+DampingNumber RestitutionMap::damping_number(double restitution, double x) const {
+    const double root = root_of_share(restitution, x);
+    const SurfacePoint at = damping_(root, x);
+    // d(root)/de = root/(3 e). Near e = 0 the slope is taken at a small e, where the same power of e
+    // dominates.
+    const double safe = std::max(root, 1e-2);
+    const double slope = root < safe ? damping_(safe, x).by_x : at.by_x;
+    const double greatest = impacts_.greatest_restitution(x);
+    const double by_restitution = slope / (3.0 * safe * safe * greatest);
+    double by_x = at.by_y;
+    if (greatest < 1.0) by_x -= at.by_x * root / 3.0 * (1.0 - greatest * greatest) / (greatest * greatest);
+    return {at.value, by_restitution, by_x};
+}
+
+double RestitutionMap::contact_time(double restitution, double x) const {
+    const double root = root_of_share(restitution, x);
+    if (root >= least_timed) return time_(root, x).value;
+    return impacts_.contact_time(damping_(root, x).value, x);
+}
+
+}  // namespace ashimpact

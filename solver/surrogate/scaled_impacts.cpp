@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/surrogate/scaled_impacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+
+#include "core/error.hpp"
+#include "solver/batch/impact_batch.hpp"
+#include "solver/batch/inversion_batch.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/motion/impact.hpp"
+#include "solver/motion/orbit.hpp"
+#include "solver/motion/scaled_impact.hpp"
+#include "solver/motion/velocity_scales.hpp"
+#include "solver/numeric/gsl/root.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+/// The pair that stands for all others: mass, radius, stiffness and work of adhesion are 1.
+constexpr ContactPair unit_pair{
+    .mass = 1.0, .effective_radius = 1.0, .contact_modulus = 0.75, .work_of_adhesion = 1.0};
+
+/// The unit pair with any values of the law's own parameters: scaled impacts do not depend on them.
+ContactPair unit_pair_of(Law law) {
+    ContactPair pair = unit_pair;
+    pair.parameters = typical_parameters(law);
+    return pair;
+}
+
+Impact impact_at(const ScaledImpacts& impacts, double damping_number, double velocity) {
+    const Scale scale = Scale::of(unit_pair, velocity);
+    const double coefficient = scale.damping_coefficient(DampingLaw::constant, damping_number);
+    return {.law = impacts.law(),
+            .detachment = impacts.detachment(),
+            .damping = {DampingLaw::constant, coefficient},
+            .contact = unit_pair_of(impacts.law()),
+            .velocity = velocity};
+}
+
+/// Columns that hold the unit pair once, for any number of impacts.
+class UnitPairColumns {
+  public:
+    explicit UnitPairColumns(Law law) : parameters_(typical_parameters(law)) {}
+
+    [[nodiscard]] ContactColumns columns() const {
+        return {one_, one_, modulus_, one_, never_yields, single_columns(parameters_)};
+    }
+
+  private:
+    Eigen::ArrayXd one_ = Eigen::ArrayXd::Constant(1, 1.0);
+    Eigen::ArrayXd modulus_ = Eigen::ArrayXd::Constant(1, unit_pair.contact_modulus);
+    ParameterValues<double> parameters_;
+};
+
+/// Damping coefficient of damping number one at each velocity.
+Eigen::ArrayXd damping_units(const Eigen::ArrayXd& velocities) {
+    return velocities.unaryExpr([](double velocity) {
+        return Scale::of(unit_pair, velocity).damping_coefficient(DampingLaw::constant, 1.0);
+    });
+}
+
+/// The scale's time L/v at each velocity.
+Eigen::ArrayXd time_units(const Eigen::ArrayXd& velocities) {
+    return velocities.unaryExpr([](double velocity) { return Scale::of(unit_pair, velocity).time(); });
+}
+
+CriticalVelocity critical_of(const Impact& impact) {
+    return critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact});
+}
+
+/// Root of a decreasing function near a guess. The bracket is widened until the sign changes.
+double falling_root(const std::function<double(double)>& function, const ScaledImpacts::Search& search) {
+    double lower = std::max(0.0, search.guess - search.width);
+    double upper = search.guess + search.width;
+    for (double width = search.width; lower > 0.0 && function(lower) <= 0.0; width *= 4.0) {
+        upper = lower;
+        lower = std::max(0.0, lower - 4.0 * width);
+    }
+    for (double width = search.width; function(upper) > 0.0; width *= 4.0) {
+        if (!(upper < 1e6)) throw ConvergenceError("restitution does not fall with damping");
+        lower = upper;
+        upper += 4.0 * width;
+    }
+    return gsl::brent(function, lower, upper, {.relative = 0.0, .absolute = search.tolerance}).root;
+}
+
+}  // namespace
+
+ScaledImpacts::ScaledImpacts(Law law, Detachment detachment)
+    : law_(law),
+      detachment_(detachment),
+      adhesion_velocity_(velocity_of_adhesion(law, unit_pair_of(law))),
+      lowest_(-std::numeric_limits<double>::infinity()) {
+    validate(impact_at(*this, 0.1, 1.0));
+    if (critical_of(impact_at(*this, 0.1, 1.0)).verdict == CaptureVerdict::never_captured) {
+        throw InputError("law '" + std::string(law.name()) + "' with " + std::string(name_of(detachment)) +
+                             " detachment never captures",
+                         admissible_detachments(law));
+    }
+    const CriticalVelocity undamped = critical_of(impact_at(*this, 0.0, 1.0));
+    if (undamped.value) lowest_ = std::log(*undamped.value / adhesion_velocity_);
+}
+
+double ScaledImpacts::velocity(double x) const {
+    return adhesive() ? adhesion_velocity_ * std::exp(x) : 1.0;
+}
+
+double ScaledImpacts::restitution(double damping_number, double x) const {
+    return restitution_of(impact_at(*this, damping_number, velocity(x)));
+}
+
+double ScaledImpacts::greatest_restitution(double x) const {
+    return std::sqrt(std::max(0.0, -std::expm1(2.0 * (lowest_ - x))));
+}
+
+double ScaledImpacts::contact_time(double damping_number, double x) const {
+    const Impact impact = impact_at(*this, damping_number, velocity(x));
+    const auto motion = scaled_motion<double>(impact, Scale::of(unit_pair, impact.velocity));
+    return follow<double>(motion, 1.0).end.time;
+}
+
+double ScaledImpacts::damping_number(double restitution, double x, const Search& search) const {
+    if (restitution > 0.0) {
+        return falling_root([&](double number) { return this->restitution(number, x) - restitution; },
+                            search);
+    }
+    return falling_root(
+        [&](double number) {
+            const CriticalVelocity critical = critical_of(impact_at(*this, number, velocity(x)));
+            return critical.value ? std::log(velocity(x) / *critical.value) : 1.0;
+        },
+        search);
+}
+
+Eigen::ArrayXd ScaledImpacts::velocities(const Eigen::ArrayXd& x) const {
+    return x.unaryExpr([this](double each) { return velocity(each); });
+}
+
+Eigen::ArrayXd ScaledImpacts::damping_numbers(const Eigen::ArrayXd& restitution,
+                                              const Eigen::ArrayXd& x) const {
+    const UnitPairColumns unit(law_);
+    const Eigen::ArrayXd speed = velocities(x);
+    const auto found = dampings_from_restitutions(
+        {law_, detachment_, DampingLaw::constant, unit.columns(), speed, restitution});
+    return found.damping / damping_units(speed);
+}
+
+Eigen::ArrayXd ScaledImpacts::contact_times(const Eigen::ArrayXd& damping_number,
+                                            const Eigen::ArrayXd& x) const {
+    const UnitPairColumns unit(law_);
+    const Eigen::ArrayXd speed = velocities(x);
+    const Eigen::ArrayXd damping = damping_number * damping_units(speed);
+    const auto solved = solve_impacts(
+        {law_, detachment_, DampingLaw::constant, unit.columns(), damping, speed}, {.turning_point = false});
+    return solved.contact_time / time_units(speed);
+}
+
+}  // namespace ashimpact

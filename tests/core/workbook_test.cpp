@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tables/workbook/workbook.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <minizip/zip.h>
+#include <unistd.h>
+
+#include "materials/xrd/xrd.hpp"
+#include "tests/core/messages.hpp"
+#include "tests/materials/catalogue.hpp"
+
+namespace ashimpact::test {
+
+namespace {
+
+using Parts = std::vector<std::pair<std::string, std::string>>;
+
+/// A zip archive of these parts, packed by minizip.
+std::string archive_of(const Parts& parts) {
+    std::string path = (std::filesystem::temp_directory_path() / "ashimpact-workbook-XXXXXX").string();
+    const int file = mkstemp(path.data());
+    REQUIRE(file >= 0);
+    close(file);
+    const zipFile zip = zipOpen(path.c_str(), APPEND_STATUS_CREATE);
+    REQUIRE(zip != nullptr);
+    for (const auto& [name, content] : parts) {
+        REQUIRE(zipOpenNewFileInZip(zip, name.c_str(), nullptr, nullptr, 0, nullptr, 0, nullptr, Z_DEFLATED,
+                                    9) == ZIP_OK);
+        REQUIRE(zipWriteInFileInZip(zip, content.data(), static_cast<unsigned>(content.size())) == ZIP_OK);
+        REQUIRE(zipCloseFileInZip(zip) == ZIP_OK);
+    }
+    REQUIRE(zipClose(zip, nullptr) == ZIP_OK);
+    std::string bytes = file_text(path);
+    std::remove(path.c_str());
+    return bytes;
+}
+
+const std::string office = "http://schemas.openxmlformats.org/officeDocument/2006/relationships/";
+
+/// An .xlsx with one sheet of these rows, and what else is given.
+std::string xlsx(const std::string& rows, const std::string& styles = "", const std::string& strings = "") {
+    Parts parts{{"_rels/.rels", "<Relationships><Relationship Id='r' Type='" + office +
+                                    "officeDocument' Target='xl/workbook.xml'/></Relationships>"},
+                {"xl/workbook.xml",
+                 "<workbook xmlns:r='x'><sheets><sheet name='S' sheetId='1' r:id='a'/></sheets></workbook>"},
+                {"xl/_rels/workbook.xml.rels",
+                 "<Relationships><Relationship Id='a' Type='" + office +
+                     "worksheet' Target='worksheets/s.xml'/>" + "<Relationship Id='b' Type='" + office +
+                     "styles' Target='/xl/styles.xml'/>" + "<Relationship Id='c' Type='" + office +
+                     "sharedStrings' Target='../xl/strings.xml'/></Relationships>"},
+                {"xl/worksheets/s.xml", "<worksheet><sheetData>" + rows + "</sheetData></worksheet>"}};
+    if (!styles.empty()) parts.emplace_back("xl/styles.xml", styles);
+    if (!strings.empty()) parts.emplace_back("xl/strings.xml", strings);
+    return archive_of(parts);
+}
+
+std::string ods(const std::string& rows) {
+    return archive_of({{"content.xml",
+                        "<office:document-content xmlns:office='o' xmlns:table='t' xmlns:text='p'>"
+                        "<office:body><office:spreadsheet><table:table table:name='S'>" +
+                            rows +
+                            "</table:table></office:spreadsheet></office:body>"
+                            "</office:document-content>"}});
+}
+
+std::string text_of(const std::string& bytes) {
+    const auto sheets = read_workbook(bytes);
+    REQUIRE(sheets.size() == 1);
+    return sheets[0].as_text();
+}
+
+std::string inline_row(const std::vector<std::string>& cells) {
+    std::string row = "<row>";
+    for (const std::string& cell : cells) row += "<c t='inlineStr'><is><t>" + cell + "</t></is></c>";
+    return row + "</row>";
+}
+
+std::string data(const std::string& name) {
+    return file_text(ASHIMPACT_TEST_DATA "/workbooks/" + name);
+}
+
+}  // namespace
+
+TEST_CASE("spreadsheets of three programs hold the same ash") {
+    const XrdResult text = read_xrd(
+        "Phase;Anteil [Gew.-%];Fehler\nQuarz;10,5;0,4\nMullit;21,3;0,6\nKalk;2,2;0,3\n"
+        "Röntgenamorph;66;1\n",
+        "ash.csv");
+    for (const char* name : {"openpyxl.xlsx", "shared-strings.xlsx", "opendocument.ods"}) {
+        CAPTURE(name);
+        const XrdResult result = read_xrd(data(name), name);
+        REQUIRE(result.samples.size() == 1);
+        const auto& phases = result.samples[0].analysis.phases;
+        REQUIRE(phases.size() == text.samples[0].analysis.phases.size());
+        for (std::size_t i = 0; i < phases.size(); ++i) {
+            const PhaseFraction& expected = text.samples[0].analysis.phases[i];
+            CHECK(phases[i].fraction == doctest::Approx(expected.fraction).epsilon(1e-12));
+            CHECK(phases[i].standard_uncertainty.value() ==
+                  doctest::Approx(expected.standard_uncertainty.value()).epsilon(1e-12));
+            CHECK(shipped_catalogue().resolve(phases[i].name).phase.name ==
+                  shipped_catalogue().resolve(expected.name).phase.name);
+        }
+    }
+    const auto warnings = read_xrd(data("openpyxl.xlsx"), "a.xlsx").warnings;
+    CHECK(holds(warnings.front(), "the sheet \"Phasen\" is read, not \"Notizen\""));
+}
+
+TEST_CASE("cells of .xlsx hold what the spreadsheet shows") {
+    const std::string styles =
+        "<styleSheet><numFmts><numFmt numFmtId='164' formatCode='dd\\.mm\\.yyyy'/>"
+        "<numFmt numFmtId='165' formatCode='0.0%'/>"
+        "<numFmt numFmtId='166' formatCode='[Red]0.00\" days\"'/></numFmts><cellXfs><xf/>"
+        "<xf numFmtId='164'/><xf numFmtId='165'/><xf numFmtId='166'/><xf numFmtId='14'/>"
+        "</cellXfs></styleSheet>";
+    const std::string strings =
+        "<sst><si><t>plain</t></si><si><r><t>ri</t></r><r><t>ch</t></r>"
+        "<rPh><t>phonetic</t></rPh></si></sst>";
+    const auto cell = [&](const std::string& xml) {
+        std::string text = text_of(xlsx("<row r='1'>" + xml + "</row>", styles, strings));
+        REQUIRE(text.ends_with('\n'));
+        text.pop_back();
+        return text;
+    };
+    CHECK(cell("<c r='A1'><v>0.40000000000000002</v></c>") == "0.4");
+    CHECK(cell("<c r='A1'><v>1e-09</v></c>") == "1e-09");
+    CHECK(cell("<c r='A1' s='2'><v>0.21299999999999999</v></c>") == "21.3 %");
+    CHECK(cell("<c r='A1' s='1'><v>46082</v></c>") == "2026-03-01 (a date)");
+    CHECK(cell("<c r='A1' s='4'><v>1</v></c>") == "1899-12-31 (a date)");
+    CHECK(cell("<c r='A1' s='3'><v>12.5</v></c>") == "12.5");
+    CHECK(cell("<c r='A1' t='s'><v>0</v></c>") == "plain");
+    CHECK(cell("<c r='A1' t='s'><v>1</v></c>") == "rich");
+    CHECK(cell("<c r='A1' t='s'><v>7</v></c><c r='B1'><v>2</v></c>") == "\t2");
+    CHECK(cell("<c r='A1' t='b'><v>1</v></c>") == "TRUE");
+    CHECK(cell("<c r='A1' t='e'><v>#DIV/0!</v></c>") == "#DIV/0!");
+    CHECK(cell("<c r='A1' t='str'><f>A2</f><v>haftet</v></c>") == "haftet");
+    CHECK(cell("<c r='A1'><f>1+2</f><v>3</v></c>") == "3");
+    CHECK(cell("<c r='A1'><f>1+2</f></c>") == "=1+2 (a formula, saved without its result)");
+    CHECK(cell("<c t='inlineStr'><is><t>say \"yes\"</t></is></c><c><v>1</v></c>") ==
+          "\"say \"\"yes\"\"\"\t1");
+    CHECK(cell("<c r='AB1'><v>5</v></c>") == std::string(27, '\t') + "5");
+    CHECK(cell("<x:c xmlns:x='y' r='B1'><x:v>5</x:v></x:c>") == "\t5");
+    CHECK(text_of(xlsx("<row r='3'><c><v>1</v></c></row>")) == "\n\n1\n");
+    CHECK(cell_name(6, 1) == "B7");
+    CHECK(cell_name(0, 26) == "AA1");
+    CHECK(cell_name(0, 701) == "ZZ1");
+    CHECK(cell_name(0, 702) == "AAA1");
+}
+
+TEST_CASE("cells of .ods hold what the spreadsheet shows") {
+    const auto row = [](const std::string& cells) {
+        return text_of(ods("<table:table-row>" + cells + "</table:table-row>"));
+    };
+    CHECK(row("<table:table-cell office:value-type='float' "
+              "office:value='0.1'><text:p>0,10</text:p></table:table-cell>") == "0.1\n");
+    CHECK(row("<table:table-cell office:value-type='percentage' office:value='0.213'/>") == "21.3 %\n");
+    CHECK(row("<table:table-cell office:value-type='date' office:date-value='2026-03-01T00:00:00'/>") ==
+          "2026-03-01 (a date)\n");
+    CHECK(row("<table:table-cell table:formula='of:=[.A1]'/>") ==
+          "=[.A1] (a formula, saved without its result)\n");
+    CHECK(row("<table:table-cell "
+              "office:value-type='string'><office:annotation><text:p>note</text:p></office:annotation>"
+              "<text:p>v<text:span>_in</text:span><text:s/>[m/s]</text:p></table:table-cell>") ==
+          "v_in [m/s]\n");
+    CHECK(row("<table:table-cell table:number-columns-repeated='2'/><table:table-cell "
+              "office:value-type='float' "
+              "office:value='1' table:number-columns-repeated='2'/>") == "\t\t1\t1\n");
+    CHECK(
+        text_of(ods(
+            "<table:table-header-rows><table:table-row><table:table-cell><text:p>a</text:p></"
+            "table:table-cell>"
+            "</table:table-row></table:table-header-rows><table:table-row table:number-rows-repeated='3'>"
+            "<table:table-cell><text:p>b</text:p></table:table-cell></table:table-row>"
+            "<table:table-row table:number-rows-repeated='1048570'><table:table-cell/></table:table-row>")) ==
+        "a\nb\nb\nb\n");
+}
+
+TEST_CASE("what is wrong in a spreadsheet is said with its sheet and cell") {
+    const auto refused = [](const std::string& rows) {
+        return refusal([&] { return read_xrd(xlsx(rows), "a.xlsx"); });
+    };
+    const std::string head = inline_row({"phase", "weight [%]"});
+    CHECK(holds(refused(head + inline_row({"Quartz", "much"})),
+                "a.xlsx: sheet \"S\", cell B2: cannot read \"much\""));
+    CHECK(holds(refused(head + inline_row({"Quartz", "60"}) + "<row/>" + inline_row({"Quartz", "20"})),
+                "sheet \"S\", row 4: the phase \"Quartz\" is there twice in the sample, first in row 2"));
+    CHECK(holds(
+        refused("<row/>" + head + "<row><c t='inlineStr'><is><t>Quartz</t></is></c><c><f>B1</f></c></row>"),
+        "cell B3: cannot read \"=B1 (a formula, saved without its result)\""));
+    CHECK(holds(refused(inline_row({"nothing"})), "no sheet holds an XRD result with its headings") == false);
+    CHECK(holds(refused(inline_row({"nothing"})), "sheet \"S\", row 1: no heading line was found"));
+    CHECK(holds(refused(""), "every sheet is empty"));
+}
+
+TEST_CASE("of several sheets the one with a table is read, or the one that is named") {
+    const std::string two = data("opendocument.ods");
+    CHECK(read_xrd(two, "a.ods").samples[0].analysis.phases.size() == 4);
+    CHECK(read_xrd(two, "a.ods", "Phasen").samples[0].analysis.phases.size() == 4);
+    CHECK(holds(refusal([&] { return read_xrd(two, "a.ods", "Phase"); }),
+                "there is no sheet \"Phase\"; allowed: \"Phasen\", \"St\u00f6\u00dfe\""));
+    CHECK(holds(refusal([&] { return read_xrd("phase,weight\nQuartz,1\n", "a.csv", "S"); }),
+                "a sheet is named, and the file is no spreadsheet"));
+    const std::string table =
+        "<table:table-row><table:table-cell><text:p>phase</text:p></table:table-cell>"
+        "<table:table-cell><text:p>weight</text:p></table:table-cell></table:table-row>";
+    CHECK(holds(
+        refusal([&] {
+            return read_xrd(ods(table + "</table:table><table:table table:name='T'>" + table), "a.ods");
+        }),
+        "2 sheets hold a table; allowed: the name of a sheet (--sheet, in a case \"xrd_sheet\") and one of "
+        "\"S\", \"T\""));
+}
+
+TEST_CASE("files that are no spreadsheet, or a damaged or huge one, are refused") {
+    const auto refused = [](const std::string& bytes) {
+        return refusal([&] { return read_xrd(bytes, "a.xlsx"); });
+    };
+    CHECK(holds(refused("\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1 and so on"),
+                "old Excel file (.xls), or one with a password"));
+    CHECK(holds(refused(archive_of({{"letter.txt", "Dear"}})), "a zip archive and no spreadsheet"));
+    CHECK(holds(refused("PK\x03\x04 and no more"), "begins as a spreadsheet and is damaged"));
+    CHECK(
+        holds(refused(xlsx("<row><c></row>")), "the part xl/worksheets/s.xml of the spreadsheet is damaged"));
+    CHECK(holds(refused(xlsx(std::string(20U << 20U, ' '))), "unpacks to more than 8 MB"));
+    CHECK(holds(refused(xlsx("<row r='1'><c r='XFD1'><v>1</v></c></row>")),
+                "has a text in row 1, column 16384"));
+    CHECK(holds(refused(ods("<table:table-row table:number-rows-repeated='1048576'><table:table-cell "
+                            "table:number-columns-repeated='900'><text:p>x</text:p></table:table-cell>"
+                            "</table:table-row>")),
+                "the sheet \"S\" is too large"));
+}
+
+TEST_CASE("no byte of a spreadsheet that is changed or missing does worse than an input error") {
+    std::mt19937 random(7);
+    for (const char* name : {"openpyxl.xlsx", "shared-strings.xlsx", "opendocument.ods"}) {
+        const std::string bytes = data(name);
+        for (int i = 0; i < 300; ++i) {
+            std::string changed = bytes;
+            if (i % 3 == 0) {
+                changed.resize(random() % bytes.size());
+            } else {
+                for (int k = 0; k < 1 + i % 4; ++k)
+                    changed[random() % changed.size()] = static_cast<char>(random());
+            }
+            try {
+                static_cast<void>(read_xrd(changed, name));
+            } catch (const InputError& error) {
+                CHECK(std::string_view(error.what()).find('\n') == std::string_view::npos);
+            }
+        }
+    }
+}
+
+}  // namespace ashimpact::test

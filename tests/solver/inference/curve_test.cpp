@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "solver/inference/curve/headline.hpp"
+#include "solver/inference/curve/impact_groups.hpp"
+#include "tests/relative_difference.hpp"
+#include "tests/solver/inference/ash_laboratory.hpp"
+#include "tests/support/errors.hpp"
+
+using namespace ashimpact;
+using namespace ashimpact::test;
+
+namespace {
+
+MeasurementSet told(const std::vector<std::pair<double, double>>& impacts, double u) {
+    MeasurementSet set{.source = "lab", .points = {}};
+    for (const auto& [velocity, rebound] : impacts)
+        set.points.push_back(
+            {.velocity = velocity, .rebound = rebound, .noise = VelocityNoise::of_velocities(u, u)});
+    return set;
+}
+
+MeasurementSet measured(const ContactModel& model, int impacts, unsigned long seed) {
+    SyntheticLaboratory laboratory = ash_laboratory(model, TrueDamping::quadratic);
+    laboratory.impacts = impacts;
+    Random random(seed);
+    return laboratory.measure(random);
+}
+
+}  // namespace
+
+TEST_CASE("the table of restitutions is the model's, for laws with and without adhesion") {
+    for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()}) {
+        CAPTURE(law.name());
+        const ContactModel model = ash_model(law);
+        const CurveTable table(model, {0.1, 20.0});
+        for (const double v : {0.3, 1.1, 4.0, 15.0}) {
+            const double capture = model.damping(v, 0.0).value;
+            CHECK(std::abs(table.log_capture_damping(std::log(v)) - std::log(capture)) < 1e-4);
+            for (const double phi : {0.003, 0.1, 0.6, 2.0}) {
+                const double e = model.restitution(v, capture * std::exp(-phi));
+                CHECK(std::abs(table.at(phi, std::log(v)).restitution - e) < 3e-4);
+                const double h = 1e-4 * phi;
+                const double slope = (table.at(phi + h, std::log(v)).restitution -
+                                      table.at(phi - h, std::log(v)).restitution) /
+                                     (2.0 * h);
+                CHECK(std::abs(table.at(phi, std::log(v)).by_distance / slope - 1.0) < 0.02);
+            }
+        }
+    }
+}
+
+TEST_CASE("the fastest impact counts from a tenth above v_c on") {
+    const ContactModel model = ash_model(Law::of<Dmt>());
+    const CurveTable table(model, {0.1, 20.0});
+    const auto restitution = [&](double above) {
+        const double critical = std::log(1.3);
+        return SmoothDamping(table, critical, critical + above, {-0.3, 0.02, 0, 0, 0, 0, 0})
+            .at(critical + 0.05)
+            .restitution;
+    };
+    CHECK(restitution(-1.0) == restitution(0.1));
+    CHECK(restitution(0.09) == restitution(0.1));
+    CHECK(restitution(0.1005) != restitution(0.1));
+}
+
+TEST_CASE("up to its first place above v_c the slope of a curve is a line through the next two") {
+    const ContactModel model = ash_model(Law::of<Dmt>());
+    const CurveTable table(model, {0.1, 20.0});
+    const double critical = std::log(1.3);
+    const double fastest = std::log(5.0);
+    const SmoothDamping curve(table, critical, fastest, {-0.3, 0.02, 0, 0, 0, 0, 0});
+    const auto slope = [&](double places) {
+        const double root = places * std::sqrt(fastest + 0.25 - critical) / 56;
+        return curve.at(critical + root * root).by_distance;
+    };
+    CHECK(relative_difference(slope(0.5), 1.5 * slope(1.0) - 0.5 * slope(2.0)) < 1e-9);
+    CHECK(relative_difference(slope(0.5), (slope(0.25) + slope(0.75)) / 2.0) < 1e-9);
+}
+
+TEST_CASE("what can be recorded of an impact has probability one in all") {
+    const ContactModel model = ash_model(Law::of<Dmt>());
+    const CurveTable table(model, {0.1, 20.0});
+    const SmoothDamping curve(table, std::log(1.3), std::log(5.0), {-0.3, 0.02, 0, 0, 0, 0, 0});
+    const Scatter scatter{.noise = 1.0, .damping = 0.02, .outliers = 0.0};
+    for (const double v : {1.1, 1.28, 1.35, 1.6, 3.0}) {
+        CAPTURE(v);
+        RecordedImpact impact{.recorded = Recorded::zero,
+                              .velocity = v,
+                              .log_velocity = std::log(v),
+                              .rebound = 0.0,
+                              .incident_u = 0.03,
+                              .rebound_u = 0.03,
+                              .correlation = -0.4,
+                              .resolution = 0.1};
+        double sum = std::exp(log_probability(curve, scatter, impact));
+        impact.recorded = Recorded::rebound;
+        constexpr double step = 0.002;
+        for (impact.rebound = -0.3; impact.rebound < 2.0; impact.rebound += step)
+            sum += step * std::exp(log_probability(curve, scatter, impact));
+        CHECK(std::abs(sum - 1.0) < 0.02);
+    }
+}
+
+TEST_CASE("readings scatter alike near capture, where they are integrated, and beyond, where a line serves") {
+    const ContactModel model = ash_model(Law::of<Dmt>());
+    const CurveTable table(model, {0.1, 20.0});
+    const SmoothDamping curve(table, std::log(5.0), std::log(15.0), {-0.3, 0.02, 0, 0, 0, 0, 0});
+    const Scatter scatter{.noise = 1.0, .damping = 0.004, .outliers = 0.0};
+    const auto variance = [&](double log_velocity) {
+        RecordedImpact impact{.recorded = Recorded::rebound,
+                              .velocity = std::exp(log_velocity),
+                              .log_velocity = log_velocity,
+                              .rebound = 0.0,
+                              .incident_u = 0.05,
+                              .rebound_u = 0.05,
+                              .correlation = -0.6,
+                              .resolution = 0.0};
+        double sum = 0.0;
+        double first = 0.0;
+        double second = 0.0;
+        for (int i = 0; i < 5000; ++i) {
+            impact.rebound = 0.001 * i;
+            const double density = std::exp(log_probability(curve, scatter, impact));
+            sum += density;
+            first += density * impact.rebound;
+            second += density * impact.rebound * impact.rebound;
+        }
+        return second / sum - std::pow(first / sum, 2);
+    };
+    // One passes into the other within this range. The variance [m2/s2] bends by 1.2e-5 at most.
+    std::vector<double> found;
+    found.reserve(10);
+    for (int i = 0; i < 10; ++i) found.push_back(variance(std::log(5.0) + 0.05 + 0.005 * i));
+    for (std::size_t i = 1; i + 1 < found.size(); ++i)
+        CHECK(std::abs(found[i + 1] - 2.0 * found[i] + found[i - 1]) < 1.6e-5);
+}
+
+TEST_CASE("eight impacts give no absurd critical velocity") {
+    const ContactModel model = ash_model(Law::of<Hertz>());
+    const MeasurementSet set = told({{0.605, 0.0},
+                                     {0.480, 0.0},
+                                     {0.367, 0.0},
+                                     {3.565, 0.826},
+                                     {6.084, 2.118},
+                                     {6.140, 2.165},
+                                     {8.672, 3.661},
+                                     {9.537, 3.986}},
+                                    0.03);
+    const Interval v = estimate_critical_velocity(model, set).curve.critical_velocity;
+    CHECK(*v.lower > 0.5);  // the fastest capture, less its noise
+    CHECK(*v.upper < 3.5);  // the slowest rebound
+    CHECK(v.contains(1.3));
+}
+
+TEST_CASE("impacts that scatter far less than they state give an estimate whatever they state") {
+    const std::vector<std::pair<double, double>> impacts{
+        {1.4, 0},     {1.55, 0},    {1.72, 0.12}, {1.81, 0.22}, {1.95, 0.33}, {2.1, 0.44},
+        {2.31, 0.57}, {2.55, 0.73}, {2.9, 0.93},  {3.35, 1.2},  {3.9, 1.51},  {4.6, 1.84}};
+    for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()}) {
+        const ContactModel model = ash_model(law);
+        for (const double u : {0.02, 0.04, 0.065, 0.13, 0.25}) {
+            CAPTURE(law.name());
+            CAPTURE(u);
+            const CurveEstimate curve = estimate_critical_velocity(model, told(impacts, u)).curve;
+            CHECK(curve.effective >= 50.0);
+            CHECK(*curve.critical_velocity.upper > 1.55);  // the fastest capture
+            CHECK(*curve.critical_velocity.upper < 1.85);
+            CHECK(*curve.critical_velocity.lower > 1.0);
+        }
+    }
+}
+
+TEST_CASE("one rebound of small uncertainty changes nothing but its own weight") {
+    const ContactModel model = ash_model(Law::of<BrachDunn>());
+    MeasurementSet set = measured(model, 45, 5);
+    const Interval before = estimate_critical_velocity(model, set).curve.critical_velocity;
+    auto& sure = *std::find_if(set.points.begin(), set.points.end(),
+                               [](const Measurement& m) { return m.velocity > 2.5; });
+    sure.noise = VelocityNoise::of_velocities(0.002, 0.002);
+    const Interval after = estimate_critical_velocity(model, set).curve.critical_velocity;
+    CHECK(std::abs(after.value - before.value) < before.standard_uncertainty);
+    CHECK(*after.upper - *after.lower < 1.15 * (*before.upper - *before.lower));
+}
+
+TEST_CASE("rounding of the impacts does not move the estimate") {
+    for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()}) {
+        CAPTURE(law.name());
+        const ContactModel model = ash_model(law);
+        MeasurementSet set = measured(model, 30, 7);
+        const Interval before = estimate_critical_velocity(model, set).curve.critical_velocity;
+        for (Measurement& point : set.points) point.rebound *= 1.0 + 1e-13;
+        const Interval after = estimate_critical_velocity(model, set).curve.critical_velocity;
+        CHECK(std::abs(after.value - before.value) < 1e-5 * before.standard_uncertainty);
+        CHECK(std::abs(*after.lower - *before.lower) < 1e-5 * before.standard_uncertainty);
+        CHECK(std::abs(*after.upper - *before.upper) < 1e-5 * before.standard_uncertainty);
+    }
+}
+
+TEST_CASE("impacts that turn and fall again at high velocity are no outliers, and many draws count") {
+    const ContactModel model = ash_model(Law::of<Jkr>());
+    // e rises to 0.49 and falls to 0.45: a bent damping explains all of them.
+    std::vector<std::pair<double, double>> impacts;
+    for (const auto& [v, e] : std::initializer_list<std::pair<double, double>>{
+             {0.54, 0},     {0.59, 0},     {0.64, 0.07},  {0.73, 0.078}, {0.76, 0.122},
+             {0.86, 0.167}, {0.93, 0.163}, {1.06, 0.215}, {1.19, 0.248}, {1.3, 0.267},
+             {1.51, 0.29},  {1.65, 0.322}, {1.9, 0.361},  {2.18, 0.39},  {2.55, 0.423},
+             {3.0, 0.449},  {3.53, 0.486}, {4.59, 0.492}, {6.0, 0.47},   {7.41, 0.449}})
+        impacts.emplace_back(v, v * e);
+    const CurveEstimate curve = estimate_critical_velocity(model, told(impacts, 0.015)).curve;
+    CHECK(curve.effective > 500.0);
+    CHECK(curve.critical_velocity.value > 0.5);
+    CHECK(curve.critical_velocity.value < 0.7);
+}
+
+TEST_CASE("recorded captures that may be slow rebounds are said") {
+    const ContactModel model = ash_model(Law::of<Hertz>());
+    MeasurementSet set = measured(model, 60, 3);
+    const double critical = ash_laboratory(model, TrueDamping::quadratic).critical_velocity();
+    Random random(4);
+    constexpr double always_seen = 0.16;  // slower ones move a pixel with a probability that grows with v_r
+    for (Measurement& point : set.points) {
+        point.resolution = always_seen;
+        if (random.uniform(0.0, always_seen) > point.rebound) point.rebound = 0.0;
+    }
+    const auto estimate = estimate_critical_velocity(model, set);
+    CHECK(estimate.curve.critical_velocity.contains(critical));
+    CHECK(std::any_of(estimate.notes.begin(), estimate.notes.end(),
+                      [](const std::string& note) { return contains(note, "may be rebounds slower than"); }));
+}
+
+TEST_CASE("too few rebounds give no estimate, and why") {
+    const ContactModel model = ash_model(Law::of<Hertz>());
+    const auto refused = input_error_of([&] {
+        static_cast<void>(
+            estimate_critical_velocity(model, told({{0.5, 0.0}, {2.0, 0.4}, {3.0, 0.9}}, 0.03)));
+    });
+    CHECK(contains(refused, "2 different restitutions"));
+}
+
+TEST_CASE("many impacts: groups count for all, and the interval shrinks as it should") {
+    const ContactModel model = ash_model(Law::of<BrachDunn>());
+    const double critical = ash_laboratory(model, TrueDamping::quadratic).critical_velocity();
+    const MeasurementSet set = measured(model, 40000, 11);
+    const auto groups = grouped(recorded_impacts(set));
+    CHECK(groups.size() < 6000);
+    const Interval many = estimate_critical_velocity(model, set).curve.critical_velocity;
+    const Interval few = estimate_critical_velocity(model, measured(model, 400, 11)).curve.critical_velocity;
+    CHECK(std::abs(many.value / critical - 1.0) < 0.03);
+    CHECK(many.standard_uncertainty < 0.35 * few.standard_uncertainty);
+}
+
+TEST_CASE("many impacts: groups keep impacts apart whose noise is a share of their velocity") {
+    const ContactModel model = ash_model(Law::of<BrachDunn>());
+    const SyntheticLaboratory laboratory = ash_laboratory(model, TrueDamping::quadratic);
+    Random random(12);
+    MeasurementSet set{.source = "lab", .points = {}};
+    constexpr double share = 0.02;
+    for (int i = 0; i < 4000; ++i) {
+        const double v = random.log_uniform(laboratory.slowest, laboratory.fastest);
+        const double rebound = v * laboratory.restitution(v);
+        Measurement point{.velocity = v * (1.0 + random.normal(share)), .rebound = 0.0};
+        if (rebound > 0.0) point.rebound = std::max(1e-4, rebound * (1.0 + random.normal(share)));
+        point.noise =
+            VelocityNoise::of_velocities(share * point.velocity, share * std::max(1e-3, point.rebound));
+        set.points.push_back(point);
+    }
+    int captures = 0;
+    for (const RecordedImpact& group : grouped(recorded_impacts(set))) {
+        if (group.recorded == Recorded::rebound) continue;
+        ++captures;
+        CHECK(std::abs(group.incident_u / (share * group.velocity) - 1.0) < 0.01);
+    }
+    CHECK(captures > 20);
+    const Interval found = estimate_critical_velocity(model, set).curve.critical_velocity;
+    CHECK(std::abs(found.value - laboratory.critical_velocity()) < 3.0 * found.standard_uncertainty);
+    CHECK(found.standard_uncertainty < 0.01 * found.value);
+}

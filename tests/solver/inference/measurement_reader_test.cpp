@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/inference/impacts/measurement_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "core/error.hpp"
+
+using namespace ashimpact;
+
+namespace {
+
+std::string warnings_of(const MeasurementSet& set) {
+    std::string text;
+    for (const std::string& warning : set.warnings) text += warning + "\n";
+    return text;
+}
+
+double noise_of_incident(const std::string& table) {
+    const MeasurementSet set = read_measurements(table, "t.csv");
+    REQUIRE(set.has_noise());
+    return std::sqrt(set.points.front().noise->incident);
+}
+
+double noise_of_rebound(const std::string& table) {
+    const MeasurementSet set = read_measurements(table, "t.csv");
+    REQUIRE(set.has_noise());
+    return std::sqrt(set.points.front().noise->rebound);
+}
+
+}  // namespace
+
+TEST_CASE("a word for a capture in a column of remarks counts beside an empty reading") {
+    for (const char* heading : {"Bemerkung", "Befund", "Status", "Verbleib", "Kommentar", "remark",
+                                "Comments", "note", "Remarque", "Beobachtung:"})
+        for (const char* word :
+             {"haftet", "Haftet!", "stick", "stuck", "captured", "(captured)", "bleibt haften"}) {
+            CAPTURE(heading);
+            CAPTURE(word);
+            const MeasurementSet set = read_measurements(
+                "v_ein [m/s];v_aus [m/s];" + std::string(heading) + "\n1,4;;" + word + "\n2,1;0,44;\n",
+                "t.csv");
+            CHECK(set.captures() == 1);
+            CHECK(set.unknown == 0);
+            CHECK(set.points.front().outcome == NotedOutcome::capture);
+            CHECK_MESSAGE(warnings_of(set).find("tells the outcome in line 2") != std::string::npos,
+                          warnings_of(set));
+        }
+}
+
+TEST_CASE("an outcome of capture beside a reading: noise explains it, or the line is refused") {
+    const std::string heading = "v_in [m/s],v_r [m/s],outcome,u(v_in) [m/s],u(v_r) [m/s]\n";
+    const MeasurementSet set = read_measurements(heading + "1.4,0.05,capture,0.02,0.02\n", "t.csv");
+    CHECK(set.captures() == 1);
+    CHECK(set.points.front().rebound == 0.0);
+    CHECK_THROWS_WITH_AS(
+        read_measurements(heading + "1.4,0.5,capture,0.02,0.02\n", "t.csv"),
+        "t.csv: line 2: the outcome tells of a capture, and the rebound velocity is 0.5 m/s; "
+        "allowed: one of them",
+        InputError);
+}
+
+TEST_CASE(
+    "a remark that is not just such a word leaves the impact unknown, and one line says where and what to "
+    "do") {
+    for (const char* text :
+         {"haftet nicht", "Partikel haftet an der Wand", "stuck?", "not captured", "ok", "c"}) {
+        CAPTURE(text);
+        const MeasurementSet set = read_measurements(
+            "v_ein [m/s];v_aus [m/s];Bemerkung\n1,4;;" + std::string(text) + "\n2,1;0,44;\n", "t.csv");
+        CHECK(set.captures() == 0);
+        CHECK(set.unknown == 1);
+        const std::string told = warnings_of(set);
+        CHECK_MESSAGE(told.find("1 impact of unknown outcome is left out (line 2)") != std::string::npos,
+                      told);
+        if (std::string(text).size() > 1)
+            for (const std::string& part : {"\"" + std::string(text) + "\" in column \"Bemerkung\"",
+                                            std::string("or 0 in column \"v_aus\"")})
+                CHECK_MESSAGE(told.find(part) != std::string::npos, told);
+        CHECK(std::count(told.begin(), told.end(), '\n') == 1);
+    }
+    const MeasurementSet set =
+        read_measurements("v_in [m/s],v_r [m/s],seen\n1.4,,stuck\n1.5,,\n1.6,,Stuck\n2.1,0.4,\n", "t.csv");
+    CHECK(set.unknown == 3);
+    CHECK_MESSAGE(
+        warnings_of(set).find("3 impacts of unknown outcome are left out (lines 2, 3, 4), as column "
+                              "\"seen\", which tells of captures in lines 2, 4, is read only if its "
+                              "heading is \"outcome\"") != std::string::npos,
+        warnings_of(set));
+}
+
+TEST_CASE("a remark beside a reading counts where both agree, and is refused where they do not") {
+    const auto read = [](const std::string& row) {
+        return read_measurements("v_in [m/s],v_r [m/s],comment\n" + row + "\n2.1,0.4,\n", "t.csv");
+    };
+    CHECK(read("1.4,0,stuck").captures() == 1);
+    CHECK(read("1.4,0.01,stuck").captures() == 1);
+    CHECK(read("1.4,0,bounced").captures() == 0);  // a rebound too slow for its reading
+    CHECK(read("1.4,,bounced").unknown == 1);      // how fast is not known
+    CHECK(read("1.4,0.3,good shot").rebounds() == 2);
+    CHECK_THROWS_WITH_AS(
+        static_cast<void>(read("1.4,0.33,stuck")),
+        doctest::Contains("line 2: the remark tells of a capture, and the rebound velocity is "
+                          "0.33 m/s; allowed: one of them"),
+        InputError);
+    // A column of outcomes is what counts where there is one.
+    const MeasurementSet set = read_measurements(
+        "v_in [m/s],v_r [m/s],outcome,comment\n1.4,,unknown,stuck\n1.5,,,stuck\n2,0.4,,\n", "t.csv");
+    CHECK(set.unknown == 1);
+    CHECK(set.captures() == 1);
+}
+
+TEST_CASE("uncertainties of impacts that are multiples of standard ones are read as such") {
+    const auto table = [](const std::string& uncertainty, const char* number) {
+        return "v_in [m/s];" + uncertainty + ";v_r [m/s]\n2,1;" + number + ";0,4\n2,2;" + number + ";0,5\n";
+    };
+    for (const char* heading :
+         {"Unsicherheit (2s)", "Unsicherheit (2 s) [m/s]", "u(v_in) (2 sigma) [m/s]", "2 sigma", "2σ [m/s]",
+          "U (k=2)", "U(v_in), k = 2 [m/s]", "u(v_in) [m/s] (k=2,0)", "±2s", "Fehler 2s", "2-sigma error",
+          "v_in ±2σ [m/s]", "expanded uncertainty (k=2)", "2 SD", "Unsicherheit (95,45 %)"}) {
+        CAPTURE(heading);
+        CHECK(noise_of_incident(table(heading, "0,06")) == doctest::Approx(0.03).epsilon(1e-12));
+        const std::string told = warnings_of(read_measurements(table(heading, "0,06"), "t.csv"));
+        CHECK_MESSAGE(told.find("divided by 2") != std::string::npos, told);
+    }
+    for (const char* heading : {"Unsicherheit (95 %)", "U95", "error (95%) [m/s]", "± 95 % CI"})
+        CHECK(noise_of_incident(table(heading, "0,06")) == doctest::Approx(0.06 / 1.95996).epsilon(1e-4));
+    for (const char* heading : {"Unsicherheit", "Fehler (1s)", "u(v_in) [m/s]", "1 sigma", "σ", "±", "s.u."})
+        CHECK(noise_of_incident(table(heading, "0,06")) == doctest::Approx(0.06).epsilon(1e-12));
+    CHECK(noise_of_incident(table("u(v_in) [mm/s] (2s)", "60")) == doctest::Approx(0.03).epsilon(1e-12));
+    CHECK(noise_of_incident("v_in ± 2s [m/s];v_r [m/s]\n2,1 ± 0,06;0,4\n2,2 ± 0,06;0,5\n") ==
+          doctest::Approx(0.03).epsilon(1e-12));
+    CHECK(noise_of_incident("v_in ± u [m/s];v_r [m/s]\n2,1 ± 0,06;0,4\n2,2 ± 0,06;0,5\n") ==
+          doctest::Approx(0.06).epsilon(1e-12));
+}
+
+TEST_CASE("an uncertainty without a quantity is that of the column before it, in its unit") {
+    CHECK(noise_of_rebound("v_in [m/s],v_r [mm/s],Fehler\n2.1,400,20\n2.2,500,20\n") ==
+          doctest::Approx(0.02).epsilon(1e-12));
+    const std::string two = "v_in [m/s],u,v_r [m/s],u\n2.1,0.03,0.4,0.02\n2.2,0.03,0.5,0.02\n";
+    CHECK(noise_of_incident(two) == doctest::Approx(0.03).epsilon(1e-12));
+    CHECK(noise_of_rebound(two) == doctest::Approx(0.02).epsilon(1e-12));
+}
+
+TEST_CASE("uncertainties of unclear coverage are not read, and one line says why and how to write them") {
+    for (const auto& [name, why] :
+         {std::pair{"95 % CI", "half-widths"}, std::pair{"Konfidenzintervall (95 %)", "half-widths"},
+          std::pair{"expanded uncertainty", "needs its coverage factor"},
+          std::pair{"erweiterte Unsicherheit", "needs its coverage factor"},
+          std::pair{"Unsicherheit (80 %)", "not one that is known"}}) {
+        const char* heading = name;
+        CAPTURE(heading);
+        const MeasurementSet set = read_measurements(
+            "v_in [m/s];v_r [m/s];" + std::string(heading) + "\n2,1;0,4;0,06\n2,2;0,5;0,06\n", "t.csv");
+        CHECK_FALSE(set.has_noise());
+        const std::string told = warnings_of(set);
+        CHECK_MESSAGE(told.find("not read") != std::string::npos, told);
+        CHECK_MESSAGE(told.find(why) != std::string::npos, told);
+    }
+}
+
+TEST_CASE("the usual headings of impacts are known, in English, German and French") {
+    for (const char* heading :
+         {"v_in [m/s];v_r [m/s]", "Einfallsgeschwindigkeit [m/s];Rückprall [m/s]",
+          "Aufprall [m/s];Rueckprall [m/s]", "Einfall (m/s);Abprall (m/s)",
+          "Anfluggeschwindigkeit;v_Rückprall", "impact speed [m/s];rebound speed [m/s]",
+          "incoming velocity;outgoing velocity", "v_impact;v_rebound", "vitesse d'impact;rebond"}) {
+        CAPTURE(heading);
+        const MeasurementSet set = read_measurements(std::string(heading) + "\n2,1;0,4\n", "t.csv");
+        REQUIRE(set.points.size() == 1);
+        CHECK(set.points.front().velocity == 2.1);
+        CHECK(set.points.front().rebound == 0.4);
+    }
+    for (const char* heading : {"Stoßkoeffizient", "Restitutionszahl", "restitution coefficient",
+                                "coefficient of normal restitution"}) {
+        CAPTURE(heading);
+        const MeasurementSet set =
+            read_measurements("v_in [m/s];" + std::string(heading) + "\n2;0,5\n", "t.csv");
+        REQUIRE(set.points.size() == 1);
+        CHECK(set.points.front().rebound == doctest::Approx(1.0));
+    }
+}

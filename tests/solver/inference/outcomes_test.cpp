@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+#include "core/error.hpp"
+#include "solver/inference/impacts/binning.hpp"
+#include "solver/inference/impacts/damping_parts.hpp"
+#include "solver/inference/outcomes/capture_transition.hpp"
+#include "solver/inference/outcomes/measured_critical_velocity.hpp"
+#include "solver/inference/outcomes/rebound_check.hpp"
+#include "solver/numeric/gsl/distribution.hpp"
+#include "solver/numeric/gsl/minimum.hpp"
+#include "solver/numeric/gsl/quadrature.hpp"
+#include "tests/relative_difference.hpp"
+#include "tests/solver/inference/ash_laboratory.hpp"
+#include "tests/support/errors.hpp"
+#include "tests/support/random.hpp"
+
+using namespace ashimpact;
+using namespace ashimpact::test;
+
+namespace {
+
+Measurement impact(double velocity, double rebound, double uncertainty = 0.0) {
+    Measurement point{.velocity = velocity, .rebound = rebound};
+    if (uncertainty > 0.0) point.noise = VelocityNoise::of_velocities(uncertainty, uncertainty);
+    return point;
+}
+
+MeasurementSet set_of(std::vector<Measurement> points) {
+    return {.source = "lab", .points = std::move(points)};
+}
+
+}  // namespace
+
+TEST_CASE("outcomes without noise bound v_c by the gap between them") {
+    const auto measured = measured_critical_velocity(
+        set_of({impact(0.8, 0.0), impact(1.0, 0.0), impact(1.4, 0.2), impact(1.2, 0.1)}));
+    CHECK(measured.fastest_capture == 1.0);
+    CHECK(measured.slowest_rebound == 1.2);
+    CHECK(relative_difference(*measured.value, 1.1) < 1e-12);
+    CHECK(relative_difference(*measured.standard_uncertainty, 0.2 / std::sqrt(12.0)) < 1e-12);
+}
+
+TEST_CASE("outcomes without stated noise get that of their scatter") {
+    // Rebounds of v_r = (v_in - 1.1)/2 that scatter by 0.03 m/s, as v_in does.
+    Random random(3);
+    int covered = 0;
+    constexpr int laboratories = 200;
+    for (int laboratory = 0; laboratory < laboratories; ++laboratory) {
+        std::vector<Measurement> points;
+        for (int i = 0; i < 30; ++i) {
+            const double v = random.uniform(0.7, 2.5);
+            const double rebound = v > 1.1 ? std::max(1e-3, 0.5 * (v - 1.1) + random.normal(0.03)) : 0.0;
+            points.push_back(impact(v + random.normal(0.03), rebound));
+        }
+        const auto measured = measured_critical_velocity(set_of(points));
+        REQUIRE(measured.value);
+        covered += *measured.lower <= 1.1 && *measured.upper >= 1.1 ? 1 : 0;
+    }
+    CHECK(covered >= 180);
+}
+
+TEST_CASE("outcomes with noise: symmetric ones put v_c in the middle, wider than the gap") {
+    const auto measured = measured_critical_velocity(set_of(
+        {impact(0.9, 0.0, 0.05), impact(1.0, 0.0, 0.05), impact(1.1, 0.1, 0.05), impact(1.2, 0.2, 0.05)}));
+    REQUIRE(measured.value);
+    CHECK(std::abs(*measured.value - 1.05) < 1e-4);
+    CHECK(*measured.lower < 1.0);
+    CHECK(*measured.upper > 1.1);
+    CHECK(std::abs((*measured.lower + *measured.upper) / 2 - 1.05) < 1e-3);
+}
+
+TEST_CASE("where noise does not reach across the gap between outcomes, v_c is its middle") {
+    const auto measured = measured_critical_velocity(
+        set_of({impact(0.4, 0.0, 1e-3), impact(1.0, 0.0, 1e-3), impact(3.0, 0.5, 1e-3)}));
+    REQUIRE(measured.value);
+    CHECK(relative_difference(*measured.value, 2.0) < 1e-9);
+}
+
+TEST_CASE("captures that may be slow rebounds leave the measured v_c without a lower end") {
+    // v_r grows from 0 at 1 m/s, so slowly that the slowest rebounds read zero as often as not.
+    Random random(6);
+    std::vector<Measurement> points;
+    for (int i = 0; i < 60; ++i) {
+        const double v = 0.5 + 0.04 * i;
+        const double rebound = v > 1.0 ? std::max(0.0, 0.03 * (v - 1.0) + random.normal(0.05)) : 0.0;
+        points.push_back(impact(v, rebound, 0.05));
+    }
+    const auto blurred = measured_critical_velocity(set_of(points));
+    REQUIRE(blurred.value);
+    CHECK_FALSE(blurred.lower);
+    CHECK(*blurred.upper > 1.0);
+    CHECK(contains(blurred.note, "may be rebounds"));
+    CHECK(check({0.5 * *blurred.value, 0.01, 0.1, 0.6}, blurred).verdict ==
+          CriticalVelocityVerdict::not_comparable);
+    CHECK(check({4.0 * *blurred.value, 0.01, 5.0, 6.0}, blurred).verdict ==
+          CriticalVelocityVerdict::model_too_high);
+    for (Measurement& point : points)  // seen to stick
+        if (point.captured()) point.outcome = NotedOutcome::capture;
+    CHECK(measured_critical_velocity(set_of(points)).lower);
+}
+
+TEST_CASE("mixed outcomes widen the transition") {
+    std::vector<Measurement> points;
+    points.reserve(20);
+    for (int i = 0; i < 20; ++i)
+        points.push_back(impact(0.8 + 0.04 * i, i > 9 || i % 3 == 0 ? 0.1 : 0.0, 0.01));
+    const auto measured = measured_critical_velocity(set_of(points));
+    REQUIRE(measured.width);
+    CHECK(*measured.width > 0.05);
+    CHECK(contains(measured.note, "mix"));
+    CHECK(*measured.lower < *measured.value);
+    CHECK(*measured.value < *measured.upper);
+}
+
+TEST_CASE("captures and rebounds that overlap by about their noise: always a v_c, never far off") {
+    constexpr double truth = 1.2;
+    constexpr double noise = 0.058;
+    Random random(11);
+    int mixed = 0;
+    int covered = 0;
+    constexpr int laboratories = 300;
+    for (int laboratory = 0; laboratory < laboratories; ++laboratory) {
+        std::vector<Measurement> points;
+        for (int i = 0; i < 60; ++i) {
+            const double v = truth * (0.6 + 2.4 * i / 59.0);
+            points.push_back(impact(v + random.normal(noise), v < truth ? 0.0 : 0.1, noise));
+        }
+        const auto measured = measured_critical_velocity(set_of(points));
+        REQUIRE(measured.value);
+        CHECK(std::abs(*measured.value - truth) < 0.15);
+        CHECK(*measured.width >= noise * (1.0 - 1e-12));
+        CHECK(*measured.width < 3.0 * noise);
+        REQUIRE(measured.lower);
+        REQUIRE(measured.upper);
+        if (*measured.lower < truth && truth < *measured.upper) ++covered;
+        if (contains(measured.note, "mix")) ++mixed;
+    }
+    CHECK(mixed > 20);
+    CHECK(covered > 0.9 * laboratories);
+}
+
+TEST_CASE("the most likely transition is where neither its centre nor its width can be bettered") {
+    std::vector<Measurement> points;
+    points.reserve(20);
+    for (int i = 0; i < 20; ++i)
+        points.push_back(impact(0.8 + 0.04 * i, i > 9 || i % 3 == 0 ? 0.1 : 0.0, 0.01));
+    const MeasurementSet set = set_of(points);
+    const OutcomeLikelihood likelihood(set, 1e-3);
+    const auto best = likelihood.best();
+    REQUIRE(best);
+    const double least = likelihood.at(*best);
+    CHECK(best->extra_variance > 0.0);
+    for (const double change : {0.9, 0.99, 1.01, 1.1}) {
+        CAPTURE(change);
+        CHECK(likelihood.at({best->center * change, best->extra_variance}) > least);
+        const double variance = best->extra_variance * change * change;
+        CHECK(likelihood.at({likelihood.best_center(variance), variance}) > least - 1e-6);
+    }
+    CHECK(likelihood.at({likelihood.best_center(0.0), 0.0}) > least);
+}
+
+TEST_CASE("captures faster than the rebounds are no threshold") {
+    for (const double noise : {0.0, 0.05}) {
+        CAPTURE(noise);
+        const auto measured = measured_critical_velocity(
+            set_of({impact(8.0, 0.0, noise), impact(9.0, 0.0, noise), impact(2.0, 1.0, noise),
+                    impact(3.0, 1.5, noise), impact(4.0, 2.0, noise), impact(5.0, 2.5, noise)}));
+        CHECK_FALSE(measured.value);
+        CHECK_FALSE(measured.lower);
+        CHECK_FALSE(measured.upper);
+        CHECK(contains(measured.note, "captures are faster than rebounds"));
+        CHECK(check({1.0, 0.1, 0.8, 1.2}, measured).verdict == CriticalVelocityVerdict::not_comparable);
+    }
+    // Within the noise a reversal is none.
+    const auto near = measured_critical_velocity(set_of({impact(1.02, 0.0, 0.05), impact(1.0, 0.1, 0.05)}));
+    REQUIRE(near.value);
+    CHECK(std::abs(*near.value - 1.01) < 1e-6);
+}
+
+TEST_CASE("both outcomes at one velocity") {
+    const auto exact = measured_critical_velocity(set_of({impact(1.0, 0.0), impact(1.0, 0.1)}));
+    CHECK(exact.value == 1.0);
+    CHECK_FALSE(exact.lower);
+    CHECK(contains(exact.note, "one velocity"));
+    const auto noisy = measured_critical_velocity(set_of({impact(1.0, 0.0, 0.1), impact(1.0, 0.1, 0.1)}));
+    REQUIRE(noisy.value);
+    CHECK(std::abs(*noisy.value - 1.0) < 1e-6);
+    CHECK(*noisy.lower < 0.95);
+}
+
+TEST_CASE("a lone capture slower than its noise bounds nothing") {
+    const auto measured = measured_critical_velocity(set_of({impact(0.05, 0.0, 0.1)}));
+    CHECK_FALSE(measured.lower);
+    CHECK(contains(measured.note, "every impact was captured"));
+}
+
+TEST_CASE("a verdict on a modelled v_c") {
+    const auto measured =
+        measured_critical_velocity(set_of({impact(1.0, 0.0, 0.02), impact(1.1, 0.1, 0.02)}));
+    CHECK(check({1.05, 0.05, 0.95, 1.15}, measured).verdict == CriticalVelocityVerdict::agrees);
+    CHECK(check({0.6, 0.05, 0.5, 0.7}, measured).verdict == CriticalVelocityVerdict::model_too_low);
+    CHECK(check({1.6, 0.05, 1.5, 1.7}, measured).verdict == CriticalVelocityVerdict::model_too_high);
+    const auto captured = measured_critical_velocity(set_of({impact(1.0, 0.0)}));
+    CHECK(check({0.6, 0.05, 0.5, 0.7}, captured).verdict == CriticalVelocityVerdict::model_too_low);
+    CHECK(check({1.6, 0.05, 1.5, 1.7}, captured).verdict == CriticalVelocityVerdict::not_comparable);
+}
+
+TEST_CASE("the camera's resolution: the slope of a line through whole pixels") {
+    const Camera two{.frame_rate = 80e3, .pixel_size = 8e-6};
+    CHECK(relative_difference(two.velocity_uncertainty(), 8e-6 / std::sqrt(12.0) * std::sqrt(2.0) * 80e3) <
+          1e-5);
+    const Camera five{.frame_rate = 80e3, .pixel_size = 8e-6, .frames = 5};
+    CHECK(relative_difference(five.velocity_uncertainty(), 8e-6 / std::sqrt(12.0) * 80e3 / std::sqrt(10.0)) <
+          1e-5);
+    CHECK(contains(input_error_of([] {
+                       static_cast<void>(Camera{80e3, 8e-6, 1}.velocity_uncertainty());
+                   }),
+                   "1 frames"));
+    CHECK(contains(input_error_of([] {
+                       static_cast<void>(Camera{0.0, 8e-6}.velocity_uncertainty());
+                   }),
+                   "frame rate"));
+}
+
+TEST_CASE("bins hold the mean of their impacts and its uncertainty; captures stay") {
+    const MeasurementSet set = set_of({impact(2.0, 0.6, 0.04), impact(2.2, 0.8, 0.04), impact(3.0, 1.2, 0.04),
+                                       impact(3.2, 1.4, 0.04), impact(1.0, 0.0, 0.04)});
+    const MeasurementSet pairs = binned(set, {.impacts_per_bin = 2});
+    CHECK(pairs.captures() == 1);
+    REQUIRE(pairs.rebounds() == 2);
+    for (const Measurement& point : pairs.points) {
+        if (point.captured()) continue;
+        CHECK(point.count == 2);
+        CHECK(point.noise->incident >= 0.04 * 0.04 / 2.0 * (1.0 - 1e-12));
+        const bool slow = point.velocity < 2.5;
+        CHECK(relative_difference(point.velocity, slow ? 2.1 : 3.1) < 1e-12);
+        CHECK(relative_difference(point.rebound, slow ? 0.7 : 1.3) < 1e-12);
+    }
+    CHECK_THROWS_AS(static_cast<void>(binned(set, {})), InputError);
+}
+
+TEST_CASE("the uncertainty of a bin is that of its weighted mean, with what both velocities share") {
+    const VelocityNoise good{.incident = 1e-4, .rebound = 2e-4, .covariance = 0.5e-4};
+    const VelocityNoise poor{.incident = 4e-4, .rebound = 5e-4, .covariance = -2e-4};
+    const MeasurementSet pair = binned(set_of({{.velocity = 2.0, .rebound = 0.6, .noise = good},
+                                               {.velocity = 2.2, .rebound = 0.8, .noise = poor}}),
+                                       {.impacts_per_bin = 2});
+    REQUIRE(pair.points.size() == 1);
+    const double first = 1 / 3e-4;  // weights
+    const double second = 1 / 9e-4;
+    const auto of_mean = [&](double x, double y) {
+        return (first * first * x + second * second * y) / ((first + second) * (first + second));
+    };
+    const Measurement& mean = pair.points[0];
+    CHECK(relative_difference(mean.velocity, (first * 2.0 + second * 2.2) / (first + second)) < 1e-14);
+    CHECK(relative_difference(mean.noise->incident, of_mean(1e-4, 4e-4)) < 1e-14);
+    CHECK(relative_difference(mean.noise->rebound, of_mean(2e-4, 5e-4)) < 1e-14);
+    CHECK(relative_difference(mean.noise->covariance, of_mean(0.5e-4, -2e-4)) < 1e-14);
+}
+
+TEST_CASE("three parts of eta(v_in): falling, flat, rising") {
+    const ContactModel model = ash_model(Law::of<BrachDunn>());
+    // eta falls as v^-1 to 2 m/s, is flat, and rises as v from 5 m/s on.
+    const auto eta = [](double v) { return v < 2.0 ? 0.010 * 2.0 / v : v < 5.0 ? 0.010 : 0.010 * v / 5.0; };
+    MeasurementSet set = set_of({});
+    for (int i = 0; i < 91; ++i) {
+        const double v = 1.5 * std::pow(1.02, i);
+        const double e = model.restitution(v, eta(v));
+        REQUIRE(e > 0.0);
+        set.points.push_back(impact(v, e * v, 0.01));
+    }
+    const auto smoothing = DampingSmoothing::of(invert(model, set));
+    REQUIRE(smoothing);
+    const DampingParts parts = find_parts(smoothing);
+    REQUIRE(parts.parts.size() == 3);
+    CHECK(parts.parts[0] == DampingPart::falling);
+    CHECK(parts.parts[1] == DampingPart::flat);
+    CHECK(parts.parts[2] == DampingPart::rising);
+    CHECK(std::abs(parts.boundaries[0].velocity - 2.0) < 0.2);
+    CHECK(std::abs(parts.boundaries[1].velocity - 5.0) < 0.5);
+}
+
+TEST_CASE("damping that falls all along has one part, and none of no length") {
+    std::vector<InvertedImpact> impacts;
+    for (int i = 0; i < 40; ++i) {
+        const double v = 1.0 + 0.1 * i;
+        impacts.push_back({.index = static_cast<std::size_t>(i),
+                           .velocity = v,
+                           .restitution = 0.3,
+                           .greatest_restitution = 1.0,
+                           .damping = 0.01 / v,
+                           .standard_uncertainty = 1e-5,
+                           .by_restitution = -0.01,
+                           .by_velocity = 0.001,
+                           .contact_time = {}});
+    }
+    const DampingParts parts = find_parts(DampingSmoothing::of(impacts));
+    REQUIRE(parts.parts.size() == 1);
+    CHECK(parts.parts[0] == DampingPart::falling);
+    CHECK(parts.boundaries.empty());
+    CHECK(parts.outliers.empty());  // nearly without scatter: the spline's own misfit is no outlier
+}
+
+TEST_CASE("outcomes whose noise reaches below zero give no measured v_c") {
+    MeasurementSet set{.source = "lab", .points = {}};
+    for (int i = 0; i < 20; ++i) {
+        const double v = 0.5 + 0.1 * i;
+        set.points.push_back({.velocity = v,
+                              .rebound = i % 4 == 0 ? 0.0 : 0.3 * v,
+                              .noise = VelocityNoise::of_velocities(2.0, 2.0)});
+    }
+    const MeasuredCriticalVelocity measured = measured_critical_velocity(set);
+    CHECK(measured.value.value_or(1.0) > 0.0);
+    CHECK(measured.lower.value_or(0.0) >= 0.0);
+}
+
+TEST_CASE("the slope of ln Phi, up to where the density is too small for a number") {
+    for (const double x : {-30.0, -1.0, 0.0, 2.0}) {
+        CAPTURE(x);
+        const double h = 1e-5;
+        const double difference =
+            (gsl::normal_log_probability(x + h) - gsl::normal_log_probability(x - h)) / (2.0 * h);
+        CHECK(relative_difference(gsl::normal_log_probability_slope(x), difference) < 1e-7);
+    }
+    CHECK(gsl::normal_log_probability_slope(36.9) > 0.0);
+    CHECK(gsl::normal_log_probability_slope(1e3) == 0.0);
+}
+
+TEST_CASE("the quick ln Phi and its slope are GSL's") {
+    for (const double x : {-1e3, -20.001, -19.999, -8.0, -0.7, 0.0, 0.9, 6.0}) {
+        CAPTURE(x);
+        const double exact = gsl::normal_log_probability(x);
+        CHECK(std::abs(gsl::quick_normal_log_probability(x) - exact) <=
+              1e-14 * std::max(1.0, std::abs(exact)));
+        CHECK(relative_difference(gsl::quick_normal_log_probability_slope(x),
+                                  gsl::normal_log_probability_slope(x)) < 1e-13);
+    }
+}
+
+TEST_CASE("Gauss-Legendre nodes integrate polynomials exactly") {
+    double sum = 0.0;
+    for (const auto& [position, weight] : gsl::gauss_legendre<6>(-1.0, 3.0))
+        sum += weight * std::pow(position, 11);
+    CHECK(relative_difference(sum, (std::pow(3.0, 12) - 1.0) / 12.0) < 1e-13);
+}
+
+TEST_CASE("the outcomes of many impacts are merged without a loss") {
+    Random random(8);
+    constexpr double u = 0.05;
+    std::vector<Measurement> points;
+    for (int i = 0; i < 6000; ++i) {
+        const double v = random.uniform(0.8, 2.0);
+        points.push_back(impact(v + random.normal(u), v > 1.4 ? 0.3 : 0.0, u));
+    }
+    const auto measured = measured_critical_velocity(set_of(points));
+    REQUIRE(measured.value);
+    // -2 ln L of each single impact, with the width found.
+    const auto misfit = [&](double center) {
+        double sum = 0.0;
+        for (const Measurement& point : points) {
+            const double z = (center - point.velocity) / *measured.width;
+            sum -= 2.0 * gsl::normal_log_probability(point.captured() ? z : -z);
+        }
+        return sum;
+    };
+    const double center = gsl::minimise_between(misfit, 1.3, *measured.value + 1e-4, 1.5);
+    CHECK(std::abs(*measured.value - center) < 0.03 * *measured.standard_uncertainty);
+    CHECK(std::abs(misfit(*measured.upper) - misfit(center) - 3.84) < 0.1);
+    CHECK(std::abs(misfit(*measured.lower) - misfit(center) - 3.84) < 0.1);
+}
