@@ -7,7 +7,7 @@
 namespace ashimpact::bench {
 
 /// Prints for every law and damping law what it does from tables: impacts, their worst error, what making the
-/// tables took as far as those impacts ask for them (only where none has been made), dampings and critical
+/// tables took over the range of those impacts (only where none has been made), dampings and critical
 /// velocities.
 void print_tabulated_laws(const Options& options);
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double hertz_contact_time = 3.21806546;  // undamped, in time scales
 
-constexpr double captured = 0.0;      ///< what a method says that loses too much energy
+constexpr double captured = 0.0;      ///< the result of a method that loses too much energy
 constexpr double least_step = 1e-13;  ///< in overlap, with which it would come to rest before the end
 
 using State = std::array<double, 2>;  // overlap and velocity

@@ -31,7 +31,7 @@ struct Scaling {
 
 /// Measures wall times round by round: in each, the yardstick and every work, on one thread and on all, right
 /// after one another, in turns forwards and backwards. What else a machine does falls upon all alike, and
-/// what it does for a while spoils few rounds; the quartiles say how much it did. Other load only lengthens
+/// what it does for a while spoils few rounds; the quartiles show how much it did. Other load only lengthens
 /// times, so that the shortest ones are nearest to what a quiet machine does.
 /// @returns the yardstick, then the works
 [[nodiscard]] std::vector<Scaling> measure_scaling(const ThreadedWork& yardstick,

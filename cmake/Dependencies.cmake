@@ -17,7 +17,7 @@ find_package(MPI REQUIRED COMPONENTS CXX)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(MINIZIP REQUIRED IMPORTED_TARGET GLOBAL minizip)  # spreadsheets are zip archives of XML
 find_package(pugixml REQUIRED)
-pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5)  # CMake's own module asks for a C compiler in the project
+pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5)  # CMake's own module requires a C compiler in the project
 if(BUILD_TESTING)
   find_package(doctest REQUIRED)
 endif()

@@ -1,5 +1,5 @@
 # Compiler settings shared by every target: link to ashimpact_options.
-# Whether a warning is an error is the builder's choice (CMAKE_COMPILE_WARNING_AS_ERROR); every preset says yes.
+# Whether a warning is an error is the builder's choice (CMAKE_COMPILE_WARNING_AS_ERROR); every preset does.
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -50,5 +50,5 @@ target_compile_options(ashimpact_cold_code INTERFACE
   $<$<CONFIG:RelWithDebInfo>:$<IF:$<BOOL:${ASHIMPACT_SANITIZE}>,-O0,-O1>>)
 
 # For what becomes part of libashimpact or of the Python module, as add_compile_options() of its folder: it can be loaded
-# anywhere, and is seen from outside only where it says so.
+# anywhere, and a function is visible from outside only where it is marked.
 set(ASHIMPACT_LIBRARY_OPTIONS -fPIC -fvisibility=hidden -fvisibility-inlines-hidden)

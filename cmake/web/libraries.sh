@@ -24,7 +24,7 @@ if ((${#missing[@]})); then
     # shellcheck source=/dev/null
     . /etc/os-release
     echo "deb-src http://deb.debian.org/debian $VERSION_CODENAME main" >"$folder/apt/sources.list"
-    # The list of sources stands beside the folder of lists: apt-get update empties that of whatever it does not know.
+    # The list of sources lies beside the folder of lists: apt-get update empties that of whatever it does not know.
     apt=(apt-get -q -o "Dir::Etc::sourcelist=$folder/apt/sources.list" -o Dir::Etc::sourceparts=-
          -o "Dir::State::lists=$folder/apt/lists" -o APT::Sandbox::User=root)
     "${apt[@]}" update >"$log" 2>&1 || { tail -n 3 "$log" >&2; exit 1; }
@@ -39,7 +39,7 @@ if ((${#missing[@]})); then
     done
 fi
 
-# GSL asks the compiler for its config.h. It takes a browser for a 32-bit machine with IEEE arithmetic, which it is.
+# GSL's configure step uses the compiler to write config.h. It takes a browser for a 32-bit machine with IEEE arithmetic, which it is.
 if [[ ! -f $sources/gsl/.configured ]]; then
     echo "libraries.sh: configuring GSL" >&2
     (

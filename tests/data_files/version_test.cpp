@@ -9,8 +9,8 @@
 
 namespace {
 
-/// What stands between two marks in the first line of a file of the sources that begins with the first mark;
-/// empty: none.
+/// The text between two marks in the first line of a source file that begins with the first mark; empty if
+/// there is none.
 std::string first_between(const std::string& file, std::string_view before, std::string_view after) {
     std::ifstream stream(std::string(ASHIMPACT_SOURCES "/") + file);
     REQUIRE(stream);

@@ -37,7 +37,7 @@ PROGRAMS = {"lammps": ("lmp", "lammps"), "liggghts": ("liggghts", "liggghts"), "
             "openfoam": ("icoUncoupledKinematicParcelFoam", "openfoam"), "fluent": ("cc", "gcc"),
             "table": ("python3", "python3")}
 
-# The list of `./dev` that each package stands in.
+# The list of `./dev` that contains each package.
 LISTS = {"openfoam": "openfoam", "yade": "yade"}    # all others: exports
 
 failures, skipped = [], []

@@ -27,7 +27,7 @@ struct ContactCase {
 /// Both.
 [[nodiscard]] std::vector<ContactCase> contact_cases();
 
-/// The elastic ones without damping laws: constant stands for all of them.
+/// The elastic ones without damping laws: constant represents all of them.
 [[nodiscard]] std::vector<ContactCase> undamped_cases();
 
 /// "dmt, tsuji, zero-overlap"; "..., yielding".

@@ -7,7 +7,7 @@
 
 namespace ashimpact::test {
 
-/// The message of the InputError that @p action throws; says so where it throws none.
+/// The message of the InputError that @p action throws; "no InputError" if it throws none.
 template <class Action>
 [[nodiscard]] std::string input_error_of(Action&& action) {
     try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random parameter sets over twelve decades. ASHIMPACT_WHOLE: a million of them, or as many as it says;
+// Random parameter sets over twelve decades. ASHIMPACT_WHOLE: a million of them, or its value;
 // ASHIMPACT_SEED: others; ASHIMPACT_CASE: only those whose names have this in them, such as "dmt, constant".
 #include <cmath>
 #include <cstdint>

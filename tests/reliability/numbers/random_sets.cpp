@@ -36,7 +36,7 @@ Impact random_impact(const ContactCase& c, Random& random) {
                      .contact_modulus = random.log_uniform(1e3, 1e15),
                      .work_of_adhesion = random.below(8) == 0 ? 0.0 : random.log_uniform(1e-9, 1e3)};
     const double velocity = random.log_uniform(1e-6, 1e6);
-    // Half of the impacts stand where adhesion matters as much as inertia.
+    // Half of the impacts lie where adhesion matters as much as inertia.
     if (pair.work_of_adhesion > 0.0 && random.below(2) == 0) {
         const Scale scale = Scale::of(pair, velocity);
         const double number = Jkr<double>::adhesion_number(pair, scale.length);

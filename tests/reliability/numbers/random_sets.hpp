@@ -16,7 +16,7 @@ struct NumbersReport {
     std::int64_t impacts = 0;
     std::int64_t rebounds = 0;
     std::int64_t captures = 0;
-    std::map<std::string, std::int64_t> refusals;  ///< typed errors by what they say, without their numbers
+    std::map<std::string, std::int64_t> refusals;  ///< typed errors by their text without numbers
     std::int64_t wrong = 0;
     std::map<std::string, std::pair<std::int64_t, std::string>> findings;  ///< how often, and one such impact
 

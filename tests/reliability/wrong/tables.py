@@ -62,7 +62,7 @@ def spoiled_table(rows, names, first_line=2):
                 continue
             numbers = [] if title == "outcome" else NO_NUMBERS
             if title in ("ESD", "uncertainty", "RIR uncertainty", "Density [g/cm3]"):
-                numbers = [text for text in numbers if text != "nan"]  # which says that there is none
+                numbers = [text for text in numbers if text != "nan"]  # "nan" states that there is none
             for cell in [*numbers, *kinds_of(title)]:
                 changed = [list(other) for other in rows]
                 changed[row][column] = cell
@@ -80,7 +80,7 @@ def spoiled_table(rows, names, first_line=2):
             changed[0][column] = "v_in [furlnogs/s]"
             yield "unit", 1, text_of(changed).encode()
             yield "missing", 1, text_of([[cell for i, cell in enumerate(row) if i != column] for row in rows]).encode()
-        # Uncertainties may stand behind each of several columns under one name.
+        # Uncertainties may follow each of several columns under one name.
         if title != "outcome" and title not in names and title != "ESD" and "uncertainty" not in title:
             twice = [[*row, row[column]] for row in rows]
             yield "duplicate", 1 if rows is not XRD_WIDE else None, text_of(twice).encode()
