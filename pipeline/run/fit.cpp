@@ -130,7 +130,7 @@ Fitted fit_through_model(const FitTask& task) {
     const ContactModel model = contact_model_for(task.choice, task.contact, task.measured.impacts);
     const MeasuredDamping found = analyse_impacts(model, nullptr, task.measured.impacts, options);
     Fitted fitted{};
-    fitted.notes = found.notes;
+    fitted.notes = texts_of(found.findings);
     if (!found.extrapolated && !found.estimate) return fitted;
     if (found.extrapolated) {
         const DampingCurveFit& fit = found.extrapolated->fit;

@@ -17,58 +17,51 @@ namespace ashimpact {
 
 namespace {
 
-/// Calls @p step. If the input does not allow it or it does not converge, a note says so instead.
-template <class Step>
-void attempt(std::vector<std::string>& notes, const std::string& what, Step&& step) {
-    try {
-        step();
-    } catch (const InputError& error) {
-        notes.push_back("no " + what + ": " + error.problem());
-    } catch (const ConvergenceError& error) {
-        notes.push_back("no " + what + ": " + error.what());
-    }
-}
-
 void note_impacts(MeasuredDamping& result, const MeasurementSet& set) {
     const auto beyond = static_cast<std::size_t>(
         std::count_if(result.impacts.begin(), result.impacts.end(),
                       [](const InvertedImpact& i) { return i.restitution > 0.0 && !i.damping; }));
     if (beyond > 0)
-        result.notes.push_back(std::to_string(beyond) + " of " + counted(set.rebounds(), "rebound") +
-                               (beyond == 1 ? " is" : " are") +
-                               " faster than without any damping: no damping gives " +
-                               (beyond == 1 ? "it" : "them"));
+        result.findings.push_back({"faster-than-undamped", Severity::doubt,
+                                   std::to_string(beyond) + " of " + counted(set.rebounds(), "rebound") +
+                                       (beyond == 1 ? " is" : " are") +
+                                       " faster than without any damping: no damping gives " +
+                                       (beyond == 1 ? "it" : "them")});
     if (!result.parts.outliers.empty()) {
         std::vector<std::size_t> lines;
         for (const std::size_t index : result.parts.outliers)
             lines.push_back(set.points[index].line > 0 ? set.points[index].line : index + 1);
         const bool in_file = set.points[result.parts.outliers.front()].line > 0;
-        result.notes.push_back(counted(lines.size(), "outlier") + " flagged and left in, law " +
-                               std::string(result.law.name()) + ": " +
-                               numbered(in_file ? "line" : "impact", lines));
+        result.findings.push_back({"outliers", Severity::remark,
+                                   counted(lines.size(), "outlier") + " flagged and left in, law " +
+                                       std::string(result.law.name()) + ": " +
+                                       numbered(in_file ? "line" : "impact", lines)});
     }
-    if (set.rebounds() == 0) result.notes.emplace_back("every impact was captured: there is nothing to fit");
+    if (set.rebounds() == 0)
+        result.findings.push_back(
+            {"no-rebounds", Severity::doubt, "every impact was captured: there is nothing to fit"});
 }
 
-/// The paper's extrapolation, with what follows from it.
-void extrapolate(MeasuredDamping& result, const ContactModel& model, const RandomContact* contact,
-                 const MeasuredDampingOptions& options) {
+/// The paper's extrapolation from the rising branch, with what follows from it.
+DampingResult extrapolate(MeasuredDamping& result, const ContactModel& model, const RandomContact* contact,
+                          const MeasuredDampingOptions& options) {
     const MeasurementSet& rising = result.rising->set;
-    DampingCurveFit fit = fit_damping_curve(model, rising, options.extrapolated);
+    DampingResult extrapolated{fit_damping_curve(model, rising, options.extrapolated), {}, {}};
+    const DampingCurveFit& fit = extrapolated.fit;
     require_rebounds_above(fit, rising);
-    DampingResult extrapolated{std::move(fit), {}, {}};
-    if (const auto note = enlargement_note(extrapolated.fit))
-        result.notes.push_back("extrapolated fit: " + *note);
-    if (options.propagate && contact != nullptr) {
-        attempt(result.notes, "propagation of the extrapolated fit", [&] {
-            extrapolated.propagation = propagate_critical_velocity(extrapolated.fit, model, *contact,
-                                                                   options.change, options.propagation);
-        });
-    }
-    extrapolated.check = check(
-        extrapolated.propagation ? extrapolated.propagation->interval : extrapolated.fit.critical_velocity,
-        result.measured, !options.reported);
-    result.extrapolated = std::move(extrapolated);
+    if (const auto note = enlargement_note(fit))
+        result.findings.push_back(
+            {"extrapolation-scatter", Severity::background, "extrapolated fit: " + *note});
+    if (options.propagate && contact != nullptr)
+        extrapolated.propagation = attempt("propagation of the extrapolated fit", "no-extrapolation-interval",
+                                           Severity::background, result.findings, [&] {
+                                               return propagate_critical_velocity(
+                                                   fit, model, *contact, options.change, options.propagation);
+                                           });
+    extrapolated.check =
+        check(extrapolated.propagation ? extrapolated.propagation->interval : fit.critical_velocity,
+              result.measured, !options.reported);
+    return extrapolated;
 }
 
 /// The analysis before any step of it: the contact, and the measured critical velocity.
@@ -80,7 +73,10 @@ MeasuredDamping begun(Law law, Detachment detachment, const ContactPair& pair, c
                            .contact = pair,
                            .measured = options.reported.value_or(MeasuredCriticalVelocity{})};
     if (!options.reported)
-        attempt(result.notes, "measured v_c", [&] { result.measured = measured_critical_velocity(set); });
+        result.measured =
+            attempt("measured v_c", "no-measured-critical-velocity", Severity::doubt, result.findings, [&] {
+                return measured_critical_velocity(set);
+            }).value_or(MeasuredCriticalVelocity{});
     return result;
 }
 
@@ -108,7 +104,9 @@ RisingBranch branch_to(const MeasurementSet& set, double upper) {
 RisingBranch branch_for(MeasuredDamping& result, const ContactModel& model, const MeasurementSet& set,
                         const DampingCurveOptions& options) {
     const auto every = [&] {
-        result.notes.emplace_back("extrapolated fit: outliers hide the rising branch, every rebound is used");
+        result.findings.push_back(
+            {"rising-branch-hidden", Severity::background,
+             "extrapolated fit: outliers hide the rising branch, every rebound is used"});
         return branch_to(set, std::numeric_limits<double>::infinity());
     };
     try {
@@ -141,7 +139,8 @@ MeasuredDamping analyse_impacts(Law law, Detachment detachment, const RandomCont
         MeasuredDamping result = begun(law, detachment, pair, set, options);
         result.impacts = invert_by_solving(law, detachment, pair, set);
         note_parts(result, set, options.parts);
-        result.notes.emplace_back("no fit: a contact that yields has a history");
+        result.findings.push_back(
+            {"no-fit-yielding", Severity::doubt, "no fit: a contact that yields has a history"});
         return result;
     }
     validate(set);
@@ -163,17 +162,20 @@ MeasuredDamping analyse_impacts(const ContactModel& model, const RandomContact* 
         note_parts(result, set, options.parts);
     }
     if (set.rebounds() == 0) return result;
-    attempt(result.notes, "estimate of v_c", [&] {
-        result.estimate = estimate_critical_velocity(model, set, {.size_scatter = options.size_scatter});
-        const auto& notes = result.estimate->notes;
-        result.notes.insert(result.notes.end(), notes.begin(), notes.end());
+    result.estimate = attempt("estimate of v_c", "no-estimate", Severity::doubt, result.findings, [&] {
+        return estimate_critical_velocity(model, set, {.size_scatter = options.size_scatter});
+    });
+    if (result.estimate) {
+        const auto& found = result.estimate->findings;
+        result.findings.insert(result.findings.end(), found.begin(), found.end());
         result.check = check(result.estimate->curve.critical_velocity, result.measured, !options.reported);
-    });
-    attempt(result.notes, "extrapolated fit", [&] {
-        result.rising = options.rising_to ? branch_to(set, *options.rising_to)
-                                          : branch_for(result, model, set, options.extrapolated);
-        extrapolate(result, model, contact, options);
-    });
+    }
+    result.extrapolated =
+        attempt("extrapolated fit", "no-extrapolation", Severity::background, result.findings, [&] {
+            result.rising = options.rising_to ? branch_to(set, *options.rising_to)
+                                              : branch_for(result, model, set, options.extrapolated);
+            return extrapolate(result, model, contact, options);
+        });
     if (result.estimate && result.extrapolated)
         result.comparison = compare(result.extrapolated->fit, result.estimate->curve.critical_velocity,
                                     result.estimate->curve.critical_damping);

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "core/finding.hpp"
 #include "solver/inference/curve/headline.hpp"
 #include "solver/inference/extrapolation/damping_curve_fit.hpp"
 #include "solver/inference/impacts/damping_parts.hpp"
@@ -37,8 +37,8 @@ struct DampingResult {
     CriticalVelocityCheck check;             ///< of v_c, propagated where that was asked for
 };
 
-/// Results of the impacts of one sample under one law. What the data do not allow is missing, and the notes
-/// say why.
+/// Results of the impacts of one sample under one law. Results that the data do not allow are missing; the
+/// findings give the reasons.
 struct MeasuredDamping {
     Law law;
     Detachment detachment;
@@ -53,7 +53,7 @@ struct MeasuredDamping {
     std::optional<FitComparison> comparison{};           ///< of the two
     MeasuredCriticalVelocity measured{};                 ///< reported, or from the outcomes
     double accuracy = 0.0;  ///< of restitutions read from the law's map; 0: solved [1]
-    std::vector<std::string> notes{};
+    std::vector<Finding> findings{};
 };
 
 /// Velocities that a fit of a set may need [m/s]. They reach below the data, where an extrapolated v_c and

@@ -74,7 +74,7 @@ void take(Tally& tally, const ContactModel& model, const MeasurementSet& set, do
         tally.above += above ? 1U : 0U;
         tally.below += below ? 1U : 0U;
         tally.covered += above || below ? 0U : 1U;
-        tally.warned += (above || below) && !estimate.notes.empty() ? 1U : 0U;
+        tally.warned += (above || below) && !estimate.findings.empty() ? 1U : 0U;
         const double ratio = v.value / truth;
         tally.absurd += ratio > 3.0 || ratio < 1.0 / 3.0 ? 1U : 0U;
         tally.ratio.push_back(ratio);

@@ -121,7 +121,7 @@ Json result_json(const MeasuredDamping& result, const MeasurementSet& set) {
     }
     json["comparison"] = result.comparison ? comparison_json(*result.comparison) : Json(nullptr);
     json["measured"] = measured_velocity_json(result.measured);
-    json["notes"] = result.notes;
+    json["notes"] = texts_of(result.findings);
     return json;
 }
 
@@ -219,7 +219,8 @@ void run_measured_damping_command(const DampingOptions& options, std::ostream& o
     if (!options.size_scatter.empty()) how.size_scatter = read_size_scatter(options.size_scatter);
     const MeasuredDamping result =
         analyse_impacts(choice.law, choice.detachment, exact(choice.contact), set, how);
-    for (const std::string& note : result.notes) spdlog::warn("warning: {}: {}", options.impacts, note);
+    for (const Finding& finding : result.findings)
+        spdlog::warn("warning: {}: {}", options.impacts, finding.text);
     out << (options.json ? write_json(result_json(result, set), Digits::seventeen)
                          : result_text(result, set));
 }

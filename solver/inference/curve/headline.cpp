@@ -43,8 +43,8 @@ void require_enough(const std::vector<RecordedImpact>& impacts, bool noise_known
 }
 
 /// Note on recorded captures that may be slow rebounds, as the curve gives them a rebound within the noise.
-std::optional<std::string> slow_rebound_note(const CurveEstimate& estimate, const SmoothDamping& curve,
-                                             const std::vector<RecordedImpact>& impacts) {
+std::optional<Finding> slow_rebound_note(const CurveEstimate& estimate, const SmoothDamping& curve,
+                                         const std::vector<RecordedImpact>& impacts) {
     double doubtful = 0.0;
     double end = 0.0;
     for (const RecordedImpact& impact : impacts) {
@@ -56,16 +56,18 @@ std::optional<std::string> slow_rebound_note(const CurveEstimate& estimate, cons
         end = std::max(end, seen);
     }
     if (doubtful == 0.0) return std::nullopt;
-    return shortest(doubtful) + " of the recorded captures may be " +
-           (doubtful == 1.0 ? "a rebound" : "rebounds") + " slower than the " +
-           shortest(std::round(1e3 * end) / 1e3) + " m/s that can be told from rest";
+    return Finding{"slow-rebounds", Severity::doubt,
+                   shortest(doubtful) + " of the recorded captures may be " +
+                       (doubtful == 1.0 ? "a rebound" : "rebounds") + " slower than the " +
+                       shortest(std::round(1e3 * end) / 1e3) + " m/s that can be told from rest"};
 }
 
 /// Note on a noise that had to be enlarged to fit, with its factor.
-std::optional<std::string> misfit_note(const Scatter& scatter, bool noise_known) {
+std::optional<Finding> misfit_note(const Scatter& scatter, bool noise_known) {
     if (!noise_known || scatter.noise < 1.25) return std::nullopt;
-    return "the impacts scatter " + shortest(std::round(100.0 * scatter.noise) / 100.0) +
-           " times as much as stated about any smooth damping: the interval is widened by that";
+    return Finding{"estimate-scatter", Severity::doubt,
+                   "the impacts scatter " + shortest(std::round(100.0 * scatter.noise) / 100.0) +
+                       " times as much as stated about any smooth damping: the interval is widened by that"};
 }
 
 }  // namespace
@@ -98,8 +100,7 @@ CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, c
     CriticalVelocityEstimate estimate{.curve = estimate_curve(table, impacts, prior, starts_of(impacts)),
                                       .rebounds = rebounds,
                                       .captures = all - rebounds,
-                                      .noise_known = set.has_noise(),
-                                      .notes = {}};
+                                      .noise_known = set.has_noise()};
     const Interval& v = estimate.curve.critical_velocity;
     constexpr double widest = 40.0;
     if (*v.upper > widest * *v.lower)
@@ -111,7 +112,7 @@ CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, c
     const bool grouped_without_noise = noise_known && !set.has_noise();
     for (const auto& note : {slow_rebound_note(estimate.curve, curve, impacts),
                              misfit_note(estimate.curve.scatter, set.has_noise())})
-        if (note) estimate.notes.push_back(*note);
+        if (note) estimate.findings.push_back(*note);
     if (grouped_without_noise) estimate.curve.scatter.noise *= neighbours;  // a velocity, as without groups
     return estimate;
 }

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "core/finding.hpp"
 #include "solver/inference/curve/curve_estimate.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 
@@ -19,10 +19,10 @@ struct EstimateOptions {
 /// v_c of one sample, estimated from its impacts through the dynamic model and a smooth curve of damping.
 struct CriticalVelocityEstimate {
     CurveEstimate curve;
-    std::size_t rebounds;            ///< used
-    std::size_t captures;            ///< used, zero readings included
-    bool noise_known;                ///< whether the measurements state it
-    std::vector<std::string> notes;  ///< doubts about the estimate
+    std::size_t rebounds;             ///< used
+    std::size_t captures;             ///< used, zero readings included
+    bool noise_known;                 ///< whether the measurements state it
+    std::vector<Finding> findings{};  ///< doubts about the estimate
 };
 
 /// Name of the method, for artifacts.

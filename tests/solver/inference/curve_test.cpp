@@ -229,8 +229,8 @@ TEST_CASE("recorded captures that may be slow rebounds are said") {
     }
     const auto estimate = estimate_critical_velocity(model, set);
     CHECK(estimate.curve.critical_velocity.contains(critical));
-    CHECK(std::any_of(estimate.notes.begin(), estimate.notes.end(),
-                      [](const std::string& note) { return contains(note, "may be rebounds slower than"); }));
+    CHECK(std::any_of(estimate.findings.begin(), estimate.findings.end(),
+                      [](const Finding& finding) { return finding.code == "slow-rebounds"; }));
 }
 
 TEST_CASE("too few rebounds give no estimate, and why") {
