@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pipeline/case/law_map.hpp"
+#include "pipeline/run/results/velocity.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/inference/calibration/calibration_response.hpp"
+#include "solver/inference/outcomes/measured_critical_velocity.hpp"
+#include "solver/inference/propagation/critical_velocity_uncertainty.hpp"
+#include "solver/motion/regime.hpp"
+#include "solver/statistics/propagation.hpp"
+
+namespace ashimpact {
+
+template <>
+struct Names<DampingUnderChange> {
+    static constexpr std::string_view kind = "damping under change";
+    static constexpr std::array<std::string_view, 2> all{"reread", "held"};
+};
+
+/// How an interval of v_c came about, and what dominates it.
+struct VelocityUncertainty {
+    std::size_t evaluations = 0;
+    std::size_t undefined = 0;                                              ///< samples without a result
+    std::optional<double> mean{}, median{};                                 ///< [m/s]
+    std::vector<std::pair<std::string, std::optional<double>>> relative{};  ///< standard uncertainties [1]
+    std::vector<std::string> taken_as_exact{};                              ///< inputs without uncertainty
+    std::vector<Influence> influences{};            ///< largest total first; NaN: not known
+    std::optional<CalibrationResponse> response{};  ///< powers of E* that inferred constants follow
+    std::optional<DampingUnderChange> damping{};
+};
+
+/// A velocity by the paper's extrapolation of measured impacts, beside the estimate.
+struct ExtrapolatedVelocity {
+    VelocityEstimate velocity{};
+    VelocityUncertainty uncertainty{};
+    std::optional<CriticalVelocityCheck> check{};
+};
+
+/// Dynamic critical velocity by one law.
+struct LawCriticalVelocity {
+    Detachment detachment = Detachment::zero_overlap;
+    double damping = 0;  ///< the critical damping it belongs to [unit of the damping law]
+    CaptureVerdict verdict = CaptureVerdict::finite;
+    std::optional<VelocityEstimate> velocity{};  ///< where finite
+    std::optional<double> contact_time{};        ///< where finite [s]
+    std::optional<double> maximum_overlap{};     ///< [m]
+    std::vector<double> crossings{};             ///< where capture and rebound change places [m/s]
+    double dissipated = 0;                       ///< work of damping at v_c [J]
+    double plastic = 0;                          ///< work spent in yielding at v_c [J]
+    double detachment_energy = 0;                ///< what the break itself costs [J]
+    std::optional<Regime> regime{};              ///< of the impact at v_c
+    std::string interval_note{};                 ///< why there is no interval
+    std::optional<VelocityUncertainty> uncertainty{};
+    std::optional<CriticalVelocityCheck> check{};  ///< against the measured one
+    bool from_impacts = false;                     ///< v_c follows from measured impacts
+    std::optional<ExtrapolatedVelocity> extrapolated{};
+};
+
+/// The critical velocities of a sample.
+struct SampleCriticalVelocity {
+    std::string name{};
+    std::optional<MeasuredCriticalVelocity>
+        measured{};  ///< reported, or as the outcomes of the impacts show it
+    LawMap<LawCriticalVelocity> laws{};
+};
+
+/// Result of the critical velocity stage, 7-critical-velocity.json.
+struct CriticalVelocityResult {
+    std::vector<SampleCriticalVelocity> samples{};
+};
+
+}  // namespace ashimpact

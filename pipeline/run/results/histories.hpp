@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/case/law_map.hpp"
+#include "solver/motion/impact.hpp"
+#include "solver/motion/momentum_balance.hpp"
+#include "solver/motion/trajectory.hpp"
+
+namespace ashimpact {
+
+/// A contact time at a velocity that something was published for.
+struct ContactTimeAt {
+    Law law;
+    double velocity = 0;                   ///< [m/s]
+    std::optional<double> restitution{};   ///< [1]
+    std::optional<double> contact_time{};  ///< none: the contact never ends [s]
+};
+
+/// Which impact a history is of.
+enum class HistoryPart {
+    critical,  ///< just above the critical velocity
+    rising,    ///< the middle point of the data
+};
+
+template <>
+struct Names<HistoryPart> {
+    static constexpr std::string_view kind = "part";
+    static constexpr std::array<std::string_view, 2> all{"critical", "rising"};
+};
+
+/// Momentum balance of a history; Eqs. 35-45.
+struct HistoryMomentum {
+    StageMomentum approach{}, rebound{};
+    double mean_force_ratio = 0;        ///< rebound over approach; the paper takes it for 1 [1]
+    double damping_impulse = 0;         ///< left side of (44) [N s]
+    double momentum_lost = 0;           ///< right side of (44) [N s]
+    bool damping_exceeds_loss = false;  ///< (44) holds
+    bool rebound_is_longer = false;     ///< (45) holds
+    std::string verdict{};              ///< in words
+};
+
+/// Overlap against time of one impact.
+struct History {
+    HistoryPart part = HistoryPart::critical;
+    double velocity = 0;  ///< [m/s]
+    double damping = 0;   ///< [unit of the damping law]
+    Outcome outcome = Outcome::rebound;
+    double restitution = 0;                     ///< [1]
+    std::optional<double> contact_time{};       ///< [s]
+    double maximum_overlap = 0;                 ///< [m]
+    double greatest_pressure = 0;               ///< in the centre, by the law [Pa]
+    std::optional<double> yield_pressure{};     ///< none: the contact never yields [Pa]
+    std::optional<HistoryMomentum> momentum{};  ///< of a rebound
+    std::vector<TrajectoryPoint> trajectory{};
+};
+
+/// The histories of a sample.
+struct SampleHistories {
+    std::string name{};
+    std::vector<ContactTimeAt> contact_times{};
+    LawMap<std::vector<History>> laws{};
+};
+
+/// Result of the histories stage, 8-histories.json.
+struct HistoriesResult {
+    std::vector<SampleHistories> samples{};
+};
+
+}  // namespace ashimpact

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/case/case.hpp"
+#include "pipeline/case/input_files.hpp"
+#include "pipeline/run/results/analytic.hpp"
+#include "pipeline/run/results/comparison.hpp"
+#include "pipeline/run/results/contact.hpp"
+#include "pipeline/run/results/critical_velocity.hpp"
+#include "pipeline/run/results/damping.hpp"
+#include "pipeline/run/results/fit.hpp"
+#include "pipeline/run/results/histories.hpp"
+#include "pipeline/run/results/modulus.hpp"
+#include "pipeline/run/results/note.hpp"
+#include "pipeline/run/results/restitution.hpp"
+
+namespace ashimpact {
+
+/// What is known of a stage beside its result.
+struct StageRecord {
+    std::string file{};    ///< of its artifact
+    std::string sha256{};  ///< of the bytes of that file
+    std::vector<std::string> citations{};
+    std::vector<Note> notes{};
+};
+
+/// A finished run. The samples of every result are those of the case, in its order.
+struct Run {
+    Case data{};
+    std::string version{}, revision{};   ///< of the program that wrote it
+    std::vector<InputFile> inputs{};     ///< the case file and what it names
+    std::vector<StageRecord> records{};  ///< of the case and the stages, in their order
+    ModulusResult modulus{};
+    ContactResult contact{};
+    AnalyticResult analytic{};
+    RestitutionResult restitution{};
+    DampingStageResult damping{};
+    FitResult fit{};
+    CriticalVelocityResult critical_velocity{};
+    HistoriesResult histories{};
+    ComparisonResult comparison{};
+};
+
+}  // namespace ashimpact
