@@ -1,13 +1,13 @@
-# ashimpact_embed(<target> NAMESPACE <ns> ROOT <folder> FILES <path>...)
+# ashimpact_embed(<target> NAMESPACE <ns> ROOT <folder> [FOLDERS <name>=<folder>...] FILES <path>...)
 #
 # Makes an object library <target>: the bytes of each file, at its path relative to ROOT, and a definition of
 #   std::span<const ashimpact::EmbeddedFile> <ns>::embedded_table();
-# sorted by path. Any bytes will do; a file of 1 MB or more is refused, since it would go through the compiler as text.
+# sorted by path. A path that begins with <name>/ is read from the <folder> of that name instead. Any bytes will do; a file of 1 MB or more is refused, since it would go through the compiler as text.
 # Files are listed one by one; editing one compiles that one again and nothing else.
 set(ASHIMPACT_EMBED_SCRIPT "${CMAKE_CURRENT_LIST_DIR}/EmbedFile.cmake")
 
 function(ashimpact_embed target)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "NAMESPACE;ROOT" "FILES")
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "NAMESPACE;ROOT" "FOLDERS;FILES")
   if(NOT ARG_NAMESPACE OR NOT ARG_ROOT OR ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "ashimpact_embed(${target}): give NAMESPACE, ROOT and FILES")
   endif()
@@ -19,17 +19,27 @@ function(ashimpact_embed target)
   set(declarations "")
   set(entries "")
   foreach(path IN LISTS ARG_FILES)
-    if(NOT EXISTS "${ARG_ROOT}/${path}")
-      message(FATAL_ERROR "ashimpact_embed(${target}): no file ${ARG_ROOT}/${path}")
+    set(file "${ARG_ROOT}/${path}")
+    foreach(named IN LISTS ARG_FOLDERS)
+      string(REGEX MATCH "^([^=]+)=(.+)$" _ "${named}")
+      set(prefix "${CMAKE_MATCH_1}/")
+      set(named_folder "${CMAKE_MATCH_2}")
+      string(FIND "${path}" "${prefix}" at)
+      if(at EQUAL 0)
+        string(REPLACE "${prefix}" "${named_folder}/" file "${path}")
+      endif()
+    endforeach()
+    if(NOT EXISTS "${file}")
+      message(FATAL_ERROR "ashimpact_embed(${target}): no file ${file}")
     endif()
     string(MD5 hash "${path}")  # a file name may hold anything, an identifier may not
     set(variable "file_${hash}")
     set(source "${folder}/${variable}.cpp")
     add_custom_command(
       OUTPUT "${source}"
-      COMMAND "${CMAKE_COMMAND}" "-DINPUT=${ARG_ROOT}/${path}" "-DOUTPUT=${source}" "-DNAMESPACE=${ARG_NAMESPACE}"
+      COMMAND "${CMAKE_COMMAND}" "-DINPUT=${file}" "-DOUTPUT=${source}" "-DNAMESPACE=${ARG_NAMESPACE}"
               "-DVARIABLE=${variable}" -P "${ASHIMPACT_EMBED_SCRIPT}"
-      DEPENDS "${ARG_ROOT}/${path}" "${ASHIMPACT_EMBED_SCRIPT}"
+      DEPENDS "${file}" "${ASHIMPACT_EMBED_SCRIPT}"
       COMMENT "Embedding ${path}"
       VERBATIM)
     list(APPEND sources "${source}")

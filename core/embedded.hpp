@@ -10,7 +10,7 @@ namespace ashimpact {
 
 /// A data file that was compiled into the program: its bytes, unchanged, for as long as the program runs.
 struct EmbeddedFile {
-    std::string_view path;     ///< relative to data/, with forward slashes
+    std::string_view path;     ///< as data/CMakeLists.txt lists it, with forward slashes
     std::string_view content;  ///< may hold any byte
 };
 
@@ -23,7 +23,7 @@ struct EmbeddedFile {
 [[nodiscard]] std::vector<std::string_view> embedded_files(std::span<const EmbeddedFile> table,
                                                            std::string_view prefix);
 
-/// The content of the file at `path`, relative to data/; nothing if data/CMakeLists.txt does not list it.
+/// The content of the file at `path`; nothing if data/CMakeLists.txt does not list it.
 [[nodiscard]] std::optional<std::string_view> embedded_file(std::string_view path);
 
 /// The paths of the embedded files that begin with `prefix` ("cases/"), in order; an empty prefix gives all.

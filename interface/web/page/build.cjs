@@ -10,6 +10,7 @@ const [program, version, output] = process.argv.slice(2);
 const root = path.resolve(__dirname, '../../..');
 const own = (file) => fs.readFileSync(path.join(__dirname, file), 'utf8');
 const data = (file) => fs.readFileSync(path.join(root, 'data', file), 'utf8');
+const report = (file) => fs.readFileSync(path.join(root, 'pipeline/present/report/page', file), 'utf8');
 const hash = (text) => `'sha256-${crypto.createHash('sha256').update(text).digest('base64')}'`;
 const packed = (bytes) => zlib.gzipSync(bytes, { level: 9 }).toString('base64');
 
@@ -18,10 +19,10 @@ const parts = ['state', 'dom', 'history', 'quantity', 'fields', 'zip', 'program'
 
 // The report's reader of figures, as a function that is called when there are figures.
 function readouts() {
-    const text = data('report/readout.js');
+    const text = report('readout.js');
     const begin = text.indexOf('(() => {');
     const end = text.lastIndexOf('})();');
-    if (begin < 0 || end < 0) throw new Error('data/report/readout.js is no longer one function');
+    if (begin < 0 || end < 0) throw new Error('readout.js of the report is no longer one function');
     return `function readFigures() {\n${text.slice(begin + '(() => {'.length, end)}}\n`;
 }
 
@@ -33,7 +34,7 @@ const embedded = {
 };
 const script = `(() => {\n'use strict';\nconst embedded = ${JSON.stringify(embedded).replaceAll('<', '\\u003c')};\n` +
     `${readouts()}${parts.map((part) => own(`${part}.js`)).join('\n')}\n})();`;
-const style = data('report/page.css') + own('style.css');
+const style = report('page.css') + own('style.css');
 const policy = `default-src 'none'; script-src ${hash(script)} 'wasm-unsafe-eval' blob:; worker-src blob:; style-src ${hash(style)}; ` +
     "img-src data:; base-uri 'none'; form-action 'none'";
 const worker = `${fs.readFileSync(`${program}.js`, 'utf8')}\n${own('worker.js')}`;

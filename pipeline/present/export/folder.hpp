@@ -22,12 +22,12 @@ using ExportFolder = std::vector<ExportFile>;
 /// What stands for each @key@ of a template.
 using TemplateValues = std::map<std::string, std::string, std::less<>>;
 
-/// The template data/export/<path> with every @key@ replaced; the values come from numbers and names of ours,
+/// The template templates/<path> with every @key@ replaced; the values come from numbers and names of ours,
 /// never from the user's words, which another program would take for its own syntax.
 /// @throws std::logic_error for a key without value, a defect of ours
 [[nodiscard]] std::string filled(std::string_view path, const TemplateValues& values);
 
-/// The embedded file data/export/<path> as it is.
+/// The file templates/<path> as it is.
 [[nodiscard]] ExportFile unchanged(std::string_view path);
 
 /// A number that every code reads back as the same double: 17 significant digits.
