@@ -20,23 +20,10 @@ std::string_view trimmed(std::string_view text) {
 
 namespace {
 
-/// Whether a byte is a continuation byte of a UTF-8 character.
-bool continues(char byte) {
-    return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U;
-}
-
-/// The longest beginning of at most @p most bytes that ends with a whole UTF-8 character.
-std::string_view whole_start(std::string_view text, std::size_t most) {
-    if (text.size() <= most) return text;
-    std::size_t end = most;
-    while (end > 0 && most - end < 3 && continues(text[end])) --end;
-    return text.substr(0, end);
-}
-
 /// The longest end of at most @p most bytes that begins with a whole UTF-8 character.
 std::string_view whole_end(std::string_view text, std::size_t most) {
     std::size_t start = text.size() > most ? text.size() - most : 0;
-    for (int i = 0; i < 3 && start < text.size() && continues(text[start]); ++i) ++start;
+    for (int i = 0; i < 3 && start < text.size() && continues_character(text[start]); ++i) ++start;
     return text.substr(start);
 }
 
@@ -182,36 +169,41 @@ std::string joined(std::span<const std::string_view> words) {
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
-std::size_t utf8_length(std::string_view text) {
-    const auto first = static_cast<unsigned char>(text.front());
-    if (first < 0x80) return 1;
-    const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
-    if (first < 0xc2 || first > 0xf4 || text.size() < length) return 0;
-    return std::all_of(text.begin() + 1, text.begin() + static_cast<std::ptrdiff_t>(length), continues)
-               ? length
-               : 0;
+CodePoint code_point(std::string_view text) {
+    const auto lead = static_cast<unsigned char>(text.front());
+    if (lead < 0x80) return {lead, 1};
+    const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
+    if (lead < 0xc2 || lead > 0xf4 || text.size() < length) return {};
+    char32_t value = lead & (0xffU >> (length + 1));
+    for (const char byte : text.substr(1, length - 1)) {
+        if (!continues_character(byte)) return {};
+        value = (value << 6U) | (static_cast<unsigned char>(byte) & 0x3fU);
+    }
+    const bool overlong = (length == 3 && value < 0x800) || (length == 4 && value < 0x10000);
+    const bool surrogate = value >= 0xd800 && value < 0xe000;
+    return overlong || surrogate || value > 0x10ffff ? CodePoint{} : CodePoint{value, length};
 }
 
-namespace {
-
-bool is_control(std::string_view character) {
-    const auto byte = static_cast<unsigned char>(character.front());
-    if (character.size() == 1) return (byte < 0x20 && byte != '\n' && byte != '\t') || byte == 0x7f;
-    return byte == 0xc2 && static_cast<unsigned char>(character[1]) < 0xa0;
+bool continues_character(char byte) {
+    return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U;
 }
 
-}  // namespace
+std::string_view whole_start(std::string_view text, std::size_t most) {
+    if (text.size() <= most) return text;
+    std::size_t end = most;
+    while (end > 0 && most - end < 3 && continues_character(text[end])) --end;
+    return text.substr(0, end);
+}
 
 std::string without_controls(std::string_view text) {
     std::string shown;
     shown.reserve(text.size());
     while (!text.empty()) {
-        const std::size_t length = utf8_length(text);
+        const auto [value, length] = code_point(text);
         const std::string_view character = text.substr(0, std::max<std::size_t>(length, 1));
-        if (length == 0 || is_control(character))
-            shown += '?';
-        else
-            shown += character;
+        const bool kept = value == '\n' || value == '\t';
+        const bool control = value < 0x20 || (value >= 0x7f && value < 0xa0);
+        shown += length > 0 && (kept || !control) ? character : "?";
         text.remove_prefix(character.size());
     }
     return shown;

@@ -46,7 +46,7 @@ void check_bytes(std::string_view bytes, const TextLimits& limits) {
 
 bool is_utf8(std::string_view text) {
     while (!text.empty()) {
-        const std::size_t length = utf8_length(text);
+        const std::size_t length = code_point(text).length;
         if (length == 0) return false;
         text.remove_prefix(length);
     }

@@ -7,13 +7,11 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "core/text.hpp"
+
 namespace ashimpact {
 
 namespace {
-
-bool continues_a_character(char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
-}
 
 std::string wrapped_line(std::string_view line, std::size_t width, std::size_t hanging) {
     const std::size_t first_word = std::min(line.find_first_not_of(' '), line.size());
@@ -80,7 +78,7 @@ std::size_t message_width() {
 
 std::size_t width_of(std::string_view text) {
     return static_cast<std::size_t>(
-        std::count_if(text.begin(), text.end(), [](char c) { return !continues_a_character(c); }));
+        std::count_if(text.begin(), text.end(), [](char c) { return !continues_character(c); }));
 }
 
 std::string wrapped(std::string_view text, std::size_t width, std::size_t hanging) {
@@ -126,7 +124,7 @@ std::string cut_to(const std::string& text, std::size_t width) {
     const std::size_t kept = width > dots.size() ? width - dots.size() : 0;
     std::size_t end = 0;
     for (std::size_t count = 0; end < text.size(); ++end)
-        if (!continues_a_character(text[end]) && count++ == kept) break;
+        if (!continues_character(text[end]) && count++ == kept) break;
     return text.substr(0, end) + std::string(dots.substr(0, std::min(width, dots.size())));
 }
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/present/report/drawing/markup.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
 #include <fmt/format.h>
+
+#include "core/text.hpp"
 
 namespace ashimpact::report {
 
@@ -12,35 +15,13 @@ namespace {
 
 constexpr std::string_view replacement = "\xEF\xBF\xBD";  // U+FFFD
 
-/// The code point that begins at @p at, and its length; length 0 where the bytes are not UTF-8.
-struct CodePoint {
-    std::uint32_t value = 0;
-    std::size_t length = 0;
-};
-
-CodePoint code_point(std::string_view text, std::size_t at) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned char lead = byte(at);
-    if (lead < 0x80U) return {lead, 1};
-    const std::size_t length = lead >= 0xF0U ? 4 : lead >= 0xE0U ? 3 : lead >= 0xC2U ? 2 : 0;
-    if (length == 0 || lead > 0xF4U || at + length > text.size()) return {};
-    std::uint32_t value = lead & (0xFFU >> (length + 1));
-    for (std::size_t i = 1; i < length; ++i) {
-        if ((byte(at + i) & 0xC0U) != 0x80U) return {};
-        value = (value << 6U) | (byte(at + i) & 0x3FU);
-    }
-    const bool overlong = (length == 3 && value < 0x800) || (length == 4 && value < 0x10000);
-    const bool surrogate = value >= 0xD800 && value < 0xE000;
-    if (overlong || surrogate || value > 0x10FFFF || (value & 0xFFFEU) == 0xFFFEU) return {};
-    return {value, length};
-}
-
-bool is_control(std::uint32_t value) {
+/// Control characters, other than line end and tab.
+bool is_control(char32_t value) {
     return (value < 0x20 && value != '\n' && value != '\t') || (value >= 0x7F && value < 0xA0);
 }
 
 /// Width of a character over the font size.
-double relative_width(std::uint32_t value) {
+double relative_width(char32_t value) {
     if (value < 0x80) {
         const auto character = static_cast<char>(value);
         if (std::string_view("iljtfI.,:;|'!()[]/ ").find(character) != std::string_view::npos) return 0.36;
@@ -53,11 +34,12 @@ double relative_width(std::uint32_t value) {
 
 template <class Each>
 void for_each_code_point(std::string_view text, Each&& each) {
-    for (std::size_t i = 0; i < text.size();) {
-        const CodePoint point = code_point(text, i);
-        const std::size_t length = point.length == 0 ? 1 : point.length;
-        each(point, text.substr(i, length));
-        i += length;
+    while (!text.empty()) {
+        CodePoint point = code_point(text);
+        const std::size_t length = std::max<std::size_t>(point.length, 1);
+        if (point.length == 0 || (point.value & 0xFFFEU) == 0xFFFEU) point = {0xFFFD, 0};  // not in XML
+        each(point, text.substr(0, length));
+        text.remove_prefix(length);
     }
 }
 
@@ -93,14 +75,9 @@ std::string subscripted(std::string_view label) {
     std::string out;
     for (std::size_t i = 0; i < label.size();) {
         if (label[i] != '_' || i == 0 || i + 1 == label.size() || !is_word(label[i + 1])) {
-            out += escaped(label.substr(i, 1));
-            if (static_cast<unsigned char>(label[i]) >= 0x80U) {  // the whole character, not its first byte
-                out.resize(out.size() - replacement.size());
-                const std::size_t length = std::max<std::size_t>(1, code_point(label, i).length);
-                out += escaped(label.substr(i, length));
-                i += length - 1;
-            }
-            ++i;
+            const std::size_t length = std::max<std::size_t>(1, code_point(label.substr(i)).length);
+            out += escaped(label.substr(i, length));
+            i += length;
             continue;
         }
         std::size_t end = i + 1;
@@ -127,9 +104,8 @@ std::string pixels(double value) {
 
 double text_width(std::string_view text, double font_size) {
     double width = 0;
-    for_each_code_point(text, [&](const CodePoint& point, std::string_view) {
-        width += relative_width(point.length == 0 ? 0xFFFD : point.value);
-    });
+    for_each_code_point(
+        text, [&](const CodePoint& point, std::string_view) { width += relative_width(point.value); });
     return width * font_size;
 }
 
@@ -139,7 +115,7 @@ std::string fitted(std::string_view text, double font_size, double most) {
     double width = font_size;  // of the ellipsis
     bool full = false;
     for_each_code_point(text, [&](const CodePoint& point, std::string_view bytes) {
-        width += relative_width(point.length == 0 ? 0xFFFD : point.value) * font_size;
+        width += relative_width(point.value) * font_size;
         full = full || width > most;
         if (!full) out += bytes;
     });

@@ -33,12 +33,8 @@ std::string listed(const Json& list) {
     return text.empty() ? "none" : text;
 }
 
-/// The beginning of a long text, whole characters.
-std::string shortened(const std::string& text) {
-    if (text.size() <= 200) return text;
-    std::size_t end = 180;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
-    return text.substr(0, end) + "…";
+std::string beginning(const std::string& text) {
+    return text.size() <= 200 ? text : std::string(whole_start(text, 180)) + "…";
 }
 
 /// An input by its path; entries of lists with names go by these.
@@ -90,7 +86,7 @@ std::string differences_html(const std::vector<RunData>& runs) {
         for (const Inputs& inputs : all) {
             std::string value = value_at(inputs, path);
             differs = differs || value != first;
-            row.emplace_back(shortened(value));
+            row.emplace_back(beginning(value));
         }
         if (differs) table.rows.push_back(std::move(row));
     }
