@@ -9,9 +9,9 @@
 #include <doctest/doctest.h>
 
 #include "core/error.hpp"
-#include "pipeline/present/export/dem/dem.hpp"
+#include "pipeline/present/export/codes/dem.hpp"
 #include "pipeline/present/export/expected.hpp"
-#include "pipeline/present/export/tables.hpp"
+#include "pipeline/present/export/codes/tables.hpp"
 #include "tests/exports/ash.hpp"
 #include "tests/relative_difference.hpp"
 

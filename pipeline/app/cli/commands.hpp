@@ -6,7 +6,7 @@
 #include <string>
 
 #include "pipeline/app/commands/sweep.hpp"
-#include "pipeline/present/export/command.hpp"
+#include "pipeline/app/commands/export.hpp"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's own name
 class App;

@@ -3,8 +3,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include "core/text.hpp"
 #include "pipeline/app/cli/argument_checks.hpp"
 #include "pipeline/app/cli/commands.hpp"
+#include "pipeline/present/export/codes/codes.hpp"
 
 namespace ashimpact {
 
@@ -40,7 +42,9 @@ void add_export_command(CLI::App& program, Action& action, const ExportRunner& r
         "\"50 um\"\n    --damping-exponent 2 -o ash-in-openfoam\n"
         "The folder holds inputs, a README, the assumptions, expected.json and a script that compares.");
     const auto options = std::make_shared<ExportOptions>();
-    command->add_option("code", options->code, exported_codes())->required()->type_name("CODE");
+    std::vector<std::string> codes;
+    for (const ExportCode& code : export_codes()) codes.emplace_back(code.name);
+    command->add_option("code", options->code, joined(codes))->required()->type_name("CODE");
     command->add_option("run", options->run, "folder of a run; else give the options of an impact")
         ->type_name("RUN_DIR");
     add_subject_options(*command, *options);

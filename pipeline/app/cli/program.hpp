@@ -2,7 +2,7 @@
 #pragma once
 
 #include "pipeline/app/commands/sweep.hpp"
-#include "pipeline/present/export/command.hpp"
+#include "pipeline/app/commands/export.hpp"
 
 namespace ashimpact {
 

@@ -30,10 +30,7 @@ Figure figure_named(std::string_view id, const RunData& run) {
         if (maker.id == id) return maker.make(run);
         ids.emplace_back(maker.id);
     }
-    const auto guess = nearest(id, ids, 1);
-    throw InputError("no figure is called " + in_quotes(id) +
-                         (guess.empty() ? "" : ", did you mean " + in_quotes(guess.front()) + "?"),
-                     joined(ids));
+    throw InputError("no figure is called " + in_quotes(id) + did_you_mean(id, ids), joined(ids));
 }
 
 }  // namespace ashimpact::report

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/present/export/dem/dem.hpp"
+#include "pipeline/present/export/codes/dem.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 
 #include "core/error.hpp"
 #include "pipeline/case/laws.hpp"
-#include "pipeline/present/export/dem/dem.hpp"
+#include "pipeline/present/export/codes/dem.hpp"
 #include "pipeline/present/export/expected.hpp"
 
 namespace ashimpact {

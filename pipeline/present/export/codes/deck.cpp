@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/present/export/dem/deck.hpp"
+#include "pipeline/present/export/codes/deck.hpp"
 
 #include <fmt/format.h>
 
@@ -40,7 +40,7 @@ std::string body_lines(const ExportSubject& subject, const DemCode& code) {
 
 }  // namespace
 
-ExportFolder deck_folder(const ExportSubject& subject, const DemCode& code, const std::string& contact,
+ExportFolder deck_folder(const ExportSubject& subject, const DemCode& code, const Deck& deck,
                          TemplateValues values) {
     const bool pair = subject.partner.has_value();
     if (pair) {
@@ -57,16 +57,21 @@ ExportFolder deck_folder(const ExportSubject& subject, const DemCode& code, cons
     values["tried"] = code.tried;
     values["setup"] = code.setup;
     values["bodies"] = body_lines(subject, code);
-    values["contact"] = contact;
+    values["contact"] = deck.contact;
     values["title"] = pair ? "of two spheres, the contact of ash_pair.in" : "on the wall of ash_wall.in";
     values["position"] = pair ? "z[1]-z[2]" : "z[1]";
     values["speed"] = pair ? "vz[1]-vz[2]" : "vz[1]";
     values["place"] = pair ? "partner_z" : "ash_wall_z";
-    return {{"README.md", filled(pair ? "common/README_pair.md" : "common/README_dem.md", values)},
-            impact_variables(subject),
-            {"in.impacts", filled("common/in.impacts", values)},
-            {"run.sh", filled("common/run_dem.sh", values)},
-            unchanged("common/compare.py")};
+    ExportFolder folder{
+        {"README.md", filled(pair ? "common/README_pair.md" : "common/README_dem.md", values)},
+        impact_variables(subject),
+        {"in.impacts", filled("common/in.impacts", values)},
+        {"run.sh", filled("common/run_dem.sh", values)},
+        unchanged("common/compare.py")};
+    folder.insert(folder.end(), deck.files.begin(), deck.files.end());
+    folder.push_back(assumptions(subject, deck.conversions));
+    folder.push_back(dem_expected(subject, deck.check));
+    return folder;
 }
 
 double pair_damping(const ExportSubject& subject) {

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/present/export/codes/tables.hpp"
 #include "pipeline/present/export/expected.hpp"
-#include "pipeline/present/export/tables.hpp"
 #include "pipeline/present/text/readable.hpp"
 
 namespace ashimpact {

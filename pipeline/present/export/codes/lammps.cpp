@@ -3,7 +3,7 @@
 
 #include "core/error.hpp"
 #include "pipeline/case/laws.hpp"
-#include "pipeline/present/export/dem/deck.hpp"
+#include "pipeline/present/export/codes/deck.hpp"
 
 namespace ashimpact {
 
@@ -130,20 +130,18 @@ ExportFolder lammps_pair_folder(const ExportSubject& subject) {
     TemplateValues values = dem_values(subject);
     values["own_input"] =
         "`pair_style granular`, then `include ash_pair.in` with both types in `ash_type` and `partner_type`.";
-    ExportFolder folder =
-        deck_folder(subject, lammps,
-                    "comm_modify      vel yes cutoff " + values["skin"] +
-                        "\npair_style       granular\nvariable         ash_type index 1\n"
-                        "variable         partner_type index 1\ninclude          ash_pair.in\n"
-                        "fix              integrate all nve/sphere\n",
-                    values);
-    folder.push_back({"ash_pair.in", lammps_pair_file(subject)});
-    folder.push_back(assumptions(subject, lammps_pair_conversions(subject)));
-    folder.push_back(dem_expected(subject, {.code = "lammps",
-                                            .tolerance = lammps_tolerance,
-                                            .damping_lags = true,
-                                            .free_flight = subject.law.name() == "jkr"}));
-    return folder;
+    return deck_folder(subject, lammps,
+                       {.contact = "comm_modify      vel yes cutoff " + values["skin"] +
+                                   "\npair_style       granular\nvariable         ash_type index 1\n"
+                                   "variable         partner_type index 1\ninclude          ash_pair.in\n"
+                                   "fix              integrate all nve/sphere\n",
+                        .files = {{"ash_pair.in", lammps_pair_file(subject)}},
+                        .conversions = lammps_pair_conversions(subject),
+                        .check = {.code = "lammps",
+                                  .tolerance = lammps_tolerance,
+                                  .damping_lags = true,
+                                  .free_flight = subject.law.name() == "jkr"}},
+                       values);
 }
 
 }  // namespace
@@ -153,16 +151,15 @@ ExportFolder lammps_folder(const ExportSubject& subject) {
     require_lammps(subject);
     TemplateValues values = dem_values(subject);
     values["cloud_words"] = "`in.cloud` throws many sizes at that wall. ";
-    ExportFolder folder =
-        deck_folder(subject, lammps,
-                    "pair_style       none\ncomm_modify      cutoff " + values["skin"] +
-                        "\nfix              integrate all nve/sphere\ninclude          ash_wall.in\n",
-                    values);
-    folder.push_back({"ash_wall.in", lammps_wall_file(subject)});
-    folder.push_back({"in.cloud", filled("lammps/in.cloud", values)});
-    folder.push_back(assumptions(subject, lammps_conversions(subject)));
-    folder.push_back(dem_expected(subject, {.code = "lammps", .tolerance = lammps_tolerance}));
-    return folder;
+    return deck_folder(subject, lammps,
+                       {.contact = "pair_style       none\ncomm_modify      cutoff " + values["skin"] +
+                                   "\nfix              integrate all nve/sphere\n"
+                                   "include          ash_wall.in\n",
+                        .files = {{"ash_wall.in", lammps_wall_file(subject)},
+                                  {"in.cloud", filled("lammps/in.cloud", values)}},
+                        .conversions = lammps_conversions(subject),
+                        .check = {.code = "lammps", .tolerance = lammps_tolerance}},
+                       values);
 }
 
 }  // namespace ashimpact

@@ -6,7 +6,7 @@
 
 #include "core/error.hpp"
 #include "pipeline/case/laws.hpp"
-#include "pipeline/present/export/dem/deck.hpp"
+#include "pipeline/present/export/codes/deck.hpp"
 
 namespace ashimpact {
 
@@ -89,22 +89,19 @@ ExportFolder liggghts_pair_folder(const ExportSubject& subject) {
     require_liggghts_pair(subject);
     TemplateValues values = dem_values(subject);
     values["own_input"] = "`include ash_pair.in`; with more than one type its lists want more entries.";
-    const std::string pair_file = liggghts_pair_file(subject);
-    ExportFolder folder = deck_folder(subject, liggghts,
-                                      "neigh_modify     delay 0\ninclude          ash_pair.in\n"
-                                      "fix              integrate all nve/sphere\n",
-                                      values);
-    folder.push_back({"ash_pair.in", pair_file});
-    folder.push_back(assumptions(
-        subject,
-        {"`model edinburgh` with overlapExponent 1.5, UnloadingStiffness 1 and limitForce off: Hertz with "
-         "constant damping and constant attraction; youngsModulus 2 E* with nu = 0 for both",
-         "coefficientRestitution c gives eta = 2 sqrt(m* k) L/sqrt(L^2 + pi^2), L = -ln c, k = (4/3) E* "
-         "sqrt(R*); it is not e",
-         "pullOffForce = -2 pi w R* under dmt"}));
-    folder.push_back(
-        dem_expected(subject, {.code = "liggghts", .tolerance = liggghts_tolerance, .damping_lags = true}));
-    return folder;
+    return deck_folder(
+        subject, liggghts,
+        {.contact = "neigh_modify     delay 0\ninclude          ash_pair.in\n"
+                    "fix              integrate all nve/sphere\n",
+         .files = {{"ash_pair.in", liggghts_pair_file(subject)}},
+         .conversions = {"`model edinburgh` with overlapExponent 1.5, UnloadingStiffness 1 and limitForce "
+                         "off: Hertz with constant damping and constant attraction; youngsModulus 2 E* with "
+                         "nu = 0 for both",
+                         "coefficientRestitution c gives eta = 2 sqrt(m* k) L/sqrt(L^2 + pi^2), L = -ln c, "
+                         "k = (4/3) E* sqrt(R*); it is not e",
+                         "pullOffForce = -2 pi w R* under dmt"},
+         .check = {.code = "liggghts", .tolerance = liggghts_tolerance, .damping_lags = true}},
+        values);
 }
 
 }  // namespace
@@ -114,16 +111,15 @@ ExportFolder liggghts_folder(const ExportSubject& subject) {
     require_liggghts(subject);
     TemplateValues values = dem_values(subject);
     values["cloud_words"] = "";
-    ExportFolder folder =
-        deck_folder(subject, liggghts,
-                    "neigh_modify     delay 0\ninclude          ash_material.in\n"
-                    "fix              integrate all nve/sphere\ninclude          ash_wall.in\n",
-                    values);
-    folder.push_back({"ash_material.in", filled("liggghts/ash_material.in", values)});
-    folder.push_back({"ash_wall.in", liggghts_wall_file(subject)});
-    folder.push_back(assumptions(subject, liggghts_conversions(subject)));
-    folder.push_back(dem_expected(subject, {.code = "liggghts", .tolerance = liggghts_tolerance}));
-    return folder;
+    return deck_folder(subject, liggghts,
+                       {.contact = "neigh_modify     delay 0\ninclude          ash_material.in\n"
+                                   "fix              integrate all nve/sphere\n"
+                                   "include          ash_wall.in\n",
+                        .files = {{"ash_material.in", filled("liggghts/ash_material.in", values)},
+                                  {"ash_wall.in", liggghts_wall_file(subject)}},
+                        .conversions = liggghts_conversions(subject),
+                        .check = {.code = "liggghts", .tolerance = liggghts_tolerance}},
+                       values);
 }
 
 }  // namespace ashimpact

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/present/export/command.hpp"
+#include "pipeline/app/commands/export.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@
 #include "materials/contact_properties.hpp"
 #include "pipeline/case/laws.hpp"
 #include "pipeline/document/files/file.hpp"
-#include "pipeline/present/export/dem/dem.hpp"
+#include "pipeline/present/export/codes/codes.hpp"
 #include "pipeline/present/export/from_run.hpp"
 #include "pipeline/present/text/readable.hpp"
 
@@ -24,33 +24,6 @@ namespace ashimpact {
 namespace {
 
 constexpr auto mark_of_export = "expected.json";  // every exported folder has one
-
-struct Code {
-    std::string_view name;
-    ExportFolder (*folder)(const ExportSubject&);  ///< null: the table, which needs an image
-};
-
-constexpr std::array codes{Code{"openfoam", openfoam_folder}, Code{"lammps", lammps_folder},
-                           Code{"liggghts", liggghts_folder}, Code{"yade", yade_folder},
-                           Code{"fluent", fluent_folder},     Code{"table", nullptr}};
-
-std::vector<std::string> names_of_codes() {
-    std::vector<std::string> names;
-    names.reserve(codes.size());
-    for (const Code& code : codes) names.emplace_back(code.name);
-    return names;
-}
-
-const Code& code_named(const std::string& name) {
-    for (const Code& code : codes)
-        if (code.name == name) return code;
-    const auto names = names_of_codes();
-    const auto guess = nearest(name, names, 1);
-    throw InputError("no code is called " + in_quotes(name) +
-                         (guess.empty() ? "" : ", did you mean " + guess.front() + "?"),
-                     joined(names))
-        .at("export");
-}
 
 /// The subject of the options of an impact.
 ExportSubject subject_of_options(const ExportOptions& options) {
@@ -198,15 +171,11 @@ void require_free(const std::filesystem::path& folder, const ExportFolder& files
 
 }  // namespace
 
-std::string exported_codes() {
-    return joined(names_of_codes());
-}
-
 void run_export_command(const ExportOptions& options, const TableImage& image, std::ostream& out) {
-    const Code& code = code_named(options.code);
+    const ExportCode& code = export_code(options.code);
     ExportSubject subject = subject_of(options);
     read_ranges(options, subject);
-    const ExportFolder files = code.folder == nullptr ? table_folder(subject, image) : code.folder(subject);
+    const ExportFolder files = code.folder(subject, image);
     const std::filesystem::path folder(options.folder);
     require_free(folder, files);
     std::vector<FileContent> contents;
@@ -214,11 +183,10 @@ void run_export_command(const ExportOptions& options, const TableImage& image, s
     for (const ExportFile& file : files) contents.push_back({folder / file.name, file.content});
     write_files(contents);
     for (const FileContent& each : contents) out << each.path.string() << '\n';
-    const bool is_table = code.folder == nullptr;
-    std::string script = (folder / (is_table ? "compare.py" : "run.sh")).string();
+    std::string script = (folder / code.script).string();
     if (script.starts_with('-')) script.insert(0, "./");
-    out << "README.md says how to use it. To run and compare:\n  " << (is_table ? "python3 " : "sh ")
-        << shell_word(script) << '\n';
+    out << "README.md says how to use it. To run and compare:\n  "
+        << (code.script.ends_with(".py") ? "python3 " : "sh ") << shell_word(script) << '\n';
 }
 
 }  // namespace ashimpact

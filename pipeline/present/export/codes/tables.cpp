@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/present/export/tables.hpp"
+#include "pipeline/present/export/codes/tables.hpp"
 
 #include <cmath>
 

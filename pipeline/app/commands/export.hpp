@@ -6,14 +6,14 @@
 #include <string>
 
 #include "pipeline/app/commands/contact_options.hpp"
-#include "pipeline/present/export/tables.hpp"
+#include "pipeline/present/export/codes/tables.hpp"
 
 namespace ashimpact {
 
-/// What `ashimpact export` was asked for; empty where an option was not given.
+/// Options of `ashimpact export`; empty if not given.
 struct ExportOptions {
     std::string code;  ///< openfoam, lammps, liggghts, yade, fluent, table
-    std::string run;   ///< folder of a run; else the options of an impact
+    std::string run;   ///< folder of a run; if empty, the options of an impact
     std::string sample;
     bool follow_velocity = false;
     ContactOptions contact;
@@ -25,14 +25,11 @@ struct ExportOptions {
     std::string folder;
 };
 
-/// Who exports a table: the program that is linked with HDF5.
+/// The command's body; tables are exported by the program that is linked with HDF5.
 using ExportRunner = std::function<void(const ExportOptions&, std::ostream& out)>;
 
-/// Names of the codes, for messages.
-[[nodiscard]] std::string exported_codes();
-
-/// `ashimpact export`: writes a folder that runs in another code. @p image is asked for tables only.
-/// @throws InputError for a subject that the code cannot do, with the reason; nothing is written then
+/// `ashimpact export`: writes a folder that runs in another code. @param image used for tables only
+/// @throws InputError for a subject that the code cannot do, with the reason; then nothing is written
 void run_export_command(const ExportOptions& options, const TableImage& image, std::ostream& out);
 
 }  // namespace ashimpact

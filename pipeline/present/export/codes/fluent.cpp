@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include "pipeline/present/export/tables.hpp"
+#include "pipeline/present/export/codes/tables.hpp"
 #include "pipeline/present/text/readable.hpp"
 
 namespace ashimpact {
