@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "pipeline/app/sweep/spec/capture_fraction.hpp"
 #include "pipeline/document/files/file.hpp"
 #include "pipeline/document/run_identity.hpp"
 #include "pipeline/document/schema.hpp"
@@ -81,8 +82,9 @@ void report_sweep(const Json& result, const ReportOptions& options, std::ostream
     const std::filesystem::path output = options.output.empty()
                                              ? std::filesystem::path(file).replace_extension(".html")
                                              : std::filesystem::path(options.output);
-    write_file(output,
-               in_file(file.string(), [&] { return report::sweep_page(result, file.filename().string()); }));
+    write_file(output, in_file(file.string(), [&] {
+                   return report::sweep_page(result, capture_fractions(result), file.filename().string());
+               }));
     out << output.string() << '\n';
 }
 

@@ -14,6 +14,7 @@
 #include "pipeline/app/sweep/crew/crew.hpp"
 #include "pipeline/app/sweep/mpi/mpi_team.hpp"
 #include "pipeline/app/sweep/result_json.hpp"
+#include "pipeline/app/sweep/spec/capture_fraction.hpp"
 #include "pipeline/app/sweep/sweep.hpp"
 #include "pipeline/app/sweep/table/outputs.hpp"
 #include "pipeline/app/sweep/table/table_file.hpp"
@@ -78,7 +79,8 @@ std::string summary(const Json& artifact, const SweepFiles& files, const SweepPl
 bool write_report(const SweepOptions& options, const Json& artifact, const SweepFiles& files) {
     if (!options.no_report) {
         try {
-            write_file(files.report, report::sweep_page(artifact, files.result.filename().string()));
+            write_file(files.report, report::sweep_page(artifact, capture_fractions(artifact),
+                                                        files.result.filename().string()));
             return true;
         } catch (const InputError& error) {
             spdlog::warn("warning: no report: {}", error.what());

@@ -7,7 +7,6 @@
 #include "pipeline/present/report/data/headline.hpp"
 #include "pipeline/present/report/data/run_data.hpp"
 #include "pipeline/present/report/figures/axis_units.hpp"
-#include "pipeline/present/report/sweep/capture_fraction.hpp"
 #include "pipeline/present/report/sweep/sweep_page.hpp"
 
 namespace ashimpact::report {
@@ -20,7 +19,7 @@ std::string words(std::string_view name) {
     return text;
 }
 
-Figure capture_figure(const SweepSpec& spec) {
+Figure capture_figure(const CaptureFractions& captured) {
     Figure figure{
         .id = "capture",
         .title = "Captured impacts against each variable",
@@ -29,33 +28,26 @@ Figure capture_figure(const SweepSpec& spec) {
             "The share of impacts that stay on the wall, against one variable while the others are spread as "
             "the sweep says. From {} impacts of its "
             "design, solved again for this figure; bars are one standard uncertainty.",
-            std::min<std::uint64_t>(capture_impacts, std::max<std::uint64_t>(spec.sampling.points, 1))),
+            captured.impacts),
         .panels = {},
         .numbers = {.columns = {"law", "variable", "value [SI]", "captured", "standard uncertainty"}},
         .columns = 2,
         .panel_height = 260};
-    const auto curves = capture_curves(spec);
-    for (std::size_t variable = 0; variable < spec.variables.size(); ++variable) {
-        const std::string name(name_of(spec.variables[variable].input));
+    for (const CaptureVariable& variable : captured.variables) {
         std::vector<double> values;
-        for (const CaptureCurve& curve : curves)
-            if (curve.variable == variable)
-                for (const CaptureShare& share : curve.shares) values.push_back(share.value);
-        const std::string unit(si_unit(dimension_of(spec.variables[variable].input, spec.damping_law)));
-        XyPanel panel{.title = words(name),
-                      .x = quantity_axis(words(name), unit, greatest_of(values)),
+        for (const CaptureCurve& curve : variable.curves)
+            for (const CaptureShare& share : curve.shares) values.push_back(share.value);
+        XyPanel panel{.title = words(variable.name),
+                      .x = quantity_axis(words(variable.name), variable.unit, greatest_of(values)),
                       .y = {.label = "captured", .unit = "%", .scale = 0.01, .from = -0.03, .to = 1.03}};
-        for (const CaptureCurve& curve : curves) {
-            if (curve.variable != variable) continue;
-            const Law law = spec.laws[curve.law].law;
-            Series series{.name = display_name(law.name()),
-                          .legend = display_name(law.name()),
-                          .look = Look::of(law.index())};
+        for (const CaptureCurve& curve : variable.curves) {
+            const std::string name = display_name(curve.law.name());
+            Series series{.name = name, .legend = name, .look = Look::of(curve.law.index())};
             for (const CaptureShare& share : curve.shares) {
                 series.line.push_back({share.value, share.fraction});
                 series.marks.push_back({share.value, share.fraction, 0, share.standard_uncertainty});
-                figure.numbers.rows.push_back(
-                    {std::string(law.name()), name, share.value, share.fraction, share.standard_uncertainty});
+                figure.numbers.rows.push_back({std::string(curve.law.name()), variable.name, share.value,
+                                               share.fraction, share.standard_uncertainty});
             }
             panel.series.push_back(std::move(series));
         }
@@ -190,11 +182,10 @@ Figure sweep_sensitivity_figure(const Json& result) {
 
 }  // namespace
 
-std::vector<Figure> sweep_figures(const Json& artifact) {
-    const LoadedSpec loaded = read_sweep_spec(artifact.at("provenance").at("options").dump());
+std::vector<Figure> sweep_figures(const Json& artifact, const CaptureFractions& captured) {
     const Json& result = artifact.at("result");
     std::vector<Figure> figures;
-    for (Figure& figure : std::vector<Figure>{capture_figure(loaded.spec), histogram_figure(result),
+    for (Figure& figure : std::vector<Figure>{capture_figure(captured), histogram_figure(result),
                                               sweep_sensitivity_figure(result)})
         if (!figure.panels.empty()) figures.push_back(std::move(figure));
     return figures;

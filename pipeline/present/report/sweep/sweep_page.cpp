@@ -48,12 +48,12 @@ std::string provenance(const Json& artifact) {
 
 }  // namespace
 
-std::string sweep_page(const Json& artifact, const std::string& name) {
+std::string sweep_page(const Json& artifact, const CaptureFractions& captured, const std::string& name) {
     const Json& result = artifact.at("result");
     std::string body = fmt::format(
         "<header>\n<h1>{}</h1>\n<p class=\"kind\">Report of an ashimpact sweep.</p>\n{}</header>\n<main>\n",
         html_name(name), answers(result));
-    const auto figures = sweep_figures(artifact);
+    const auto figures = sweep_figures(artifact, captured);
     body += "<nav aria-label=\"Figures\">";
     for (const Figure& figure : figures)
         body += fmt::format("<a href=\"#{}\">{}</a>", figure.id, link_words(figure.id));

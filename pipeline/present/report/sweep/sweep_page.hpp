@@ -1,20 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "core/json/document.hpp"
 #include "pipeline/present/report/figure.hpp"
+#include "solver/contact/registry.hpp"
 
 namespace ashimpact::report {
 
+/// Captured impacts among those in which a variable is near one value.
+struct CaptureShare {
+    double value;                 ///< of the variable [SI]
+    double fraction;              ///< captured [1]
+    double standard_uncertainty;  ///< of the fraction, by the number of impacts [1]
+};
+
+/// Capture by one law against one variable, the other variables as they are spread.
+struct CaptureCurve {
+    Law law;
+    std::vector<CaptureShare> shares{};
+};
+
+/// A variable of a sweep with a curve for each law.
+struct CaptureVariable {
+    std::string name;  ///< "work_of_adhesion"
+    std::string unit;  ///< SI
+    std::vector<CaptureCurve> curves{};
+};
+
+/// Capture against each variable.
+struct CaptureFractions {
+    std::uint64_t impacts = 0;  ///< that the curves are made of
+    std::vector<CaptureVariable> variables{};
+};
+
 /// The figures of a sweep: capture fraction against each variable, histograms, sensitivity.
 /// @param artifact the whole of a sweep's result
-/// @throws InputError for a result whose spec is not one
-[[nodiscard]] std::vector<Figure> sweep_figures(const Json& artifact);
+[[nodiscard]] std::vector<Figure> sweep_figures(const Json& artifact, const CaptureFractions& captured);
 
 /// The report of a sweep as one self-contained HTML file. The same result gives the same bytes.
-[[nodiscard]] std::string sweep_page(const Json& artifact, const std::string& name);
+[[nodiscard]] std::string sweep_page(const Json& artifact, const CaptureFractions& captured,
+                                     const std::string& name);
 
 }  // namespace ashimpact::report

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/present/report/sweep/capture_fraction.hpp"
+#include "pipeline/app/sweep/spec/capture_fraction.hpp"
 
 #include <cmath>
 
 #include <doctest/doctest.h>
 
-namespace ashimpact::report {
+namespace ashimpact {
 
 namespace {
+
+using report::CaptureShare;
 
 /// Impacts whose velocities are far below and far above any critical velocity.
 SweepSpec slow_and_fast() {
@@ -24,9 +26,9 @@ SweepSpec slow_and_fast() {
 }  // namespace
 
 TEST_CASE("capture against a variable of few values: all of the slow impacts, none of the fast") {
-    const auto curves = capture_curves(slow_and_fast());
-    REQUIRE(curves.size() == 2);
-    const std::vector<CaptureShare>& velocity = curves[0].shares;
+    const auto variables = capture_fractions(slow_and_fast()).variables;
+    REQUIRE(variables.size() == 2);
+    const std::vector<CaptureShare>& velocity = variables[0].curves[0].shares;
     REQUIRE(velocity.size() == 2);
     CHECK(velocity[0].value == 1e-3);
     CHECK(velocity[0].fraction == 1.0);
@@ -38,8 +40,8 @@ TEST_CASE("capture against a variable of few values: all of the slow impacts, no
 }
 
 TEST_CASE("capture against a variable of many values, in sixteen parts of equally many impacts") {
-    const auto curves = capture_curves(slow_and_fast());
-    const std::vector<CaptureShare>& radius = curves[1].shares;
+    const auto variables = capture_fractions(slow_and_fast()).variables;
+    const std::vector<CaptureShare>& radius = variables[1].curves[0].shares;
     REQUIRE(radius.size() == 16);
     for (std::size_t i = 0; i < radius.size(); ++i) {
         CAPTURE(i);
@@ -51,4 +53,4 @@ TEST_CASE("capture against a variable of many values, in sixteen parts of equall
     }
 }
 
-}  // namespace ashimpact::report
+}  // namespace ashimpact

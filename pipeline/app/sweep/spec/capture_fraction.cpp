@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/present/report/sweep/capture_fraction.hpp"
+#include "pipeline/app/sweep/spec/capture_fraction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,13 @@
 #include "pipeline/app/sweep/spec/impacts.hpp"
 #include "solver/statistics/design.hpp"
 
-namespace ashimpact::report {
+namespace ashimpact {
 
 namespace {
 
+using report::CaptureShare;
+
+constexpr std::uint64_t capture_impacts = 8192;
 constexpr std::size_t slices = 16;
 constexpr std::size_t few = 24;  ///< values that are shown one by one
 
@@ -70,16 +73,26 @@ std::vector<CaptureShare> shares_of(const std::vector<double>& variable, const s
 
 }  // namespace
 
-std::vector<CaptureCurve> capture_curves(const SweepSpec& spec) {
-    std::vector<CaptureCurve> curves;
-    if (spec.variables.empty()) return curves;
+report::CaptureFractions capture_fractions(const SweepSpec& spec) {
+    report::CaptureFractions fractions{
+        .impacts =
+            std::min<std::uint64_t>(capture_impacts, std::max<std::uint64_t>(spec.sampling.points, 1))};
+    for (const SweepVariable& variable : spec.variables)
+        fractions.variables.push_back(
+            {.name = std::string(name_of(variable.input)),
+             .unit = std::string(si_unit(dimension_of(variable.input, spec.damping_law)))});
+    if (spec.variables.empty()) return fractions;
     const Values values = variable_values(spec);
-    for (std::size_t law = 0; law < spec.laws.size(); ++law) {
-        const std::vector<double> flags = captured(spec, values, spec.laws[law]);
-        for (std::size_t variable = 0; variable < spec.variables.size(); ++variable)
-            curves.push_back({law, variable, shares_of(values[variable], flags)});
+    for (const LawChoice& choice : spec.laws) {
+        const std::vector<double> flags = captured(spec, values, choice);
+        for (std::size_t i = 0; i < values.size(); ++i)
+            fractions.variables[i].curves.push_back({choice.law, shares_of(values[i], flags)});
     }
-    return curves;
+    return fractions;
 }
 
-}  // namespace ashimpact::report
+report::CaptureFractions capture_fractions(const Json& artifact) {
+    return capture_fractions(read_sweep_spec(artifact.at("provenance").at("options").dump()).spec);
+}
+
+}  // namespace ashimpact
