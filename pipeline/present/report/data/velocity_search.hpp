@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-#include <cstddef>
+#include "solver/numeric/inverse_interpolation.hpp"
 
 namespace ashimpact::report {
 
@@ -28,15 +27,10 @@ class VelocitySearch {
 
   private:
     enum class State { open, found, failed };
-    static constexpr std::size_t most_points = 4;
     static constexpr int most_steps = 60;
-    struct Point {
-        double height;  ///< e, or e^2 with adhesion
-        double place;
-    };
 
+    /// e, or e^2 with adhesion.
     [[nodiscard]] double height(double restitution) const;
-    void keep(Point point);
     /// x at the wanted restitution through the points kept.
     [[nodiscard]] double interpolated() const;
     /// The next x, from one outside of the bracket or not known.
@@ -44,12 +38,8 @@ class VelocitySearch {
 
     bool adhesive_ = false;
     double enough_ = 0;  ///< change of x
-    double wanted_ = 0;  ///< height
+    InverseInterpolation<4> place_of_height_;
     double place_ = 0;
-    double too_slow_ = 0, too_fast_ = 0;  ///< the bracket, where known
-    bool has_slow_ = false, has_fast_ = false;
-    std::array<Point, most_points> points_{};  ///< the nearest to the wanted height first
-    std::size_t count_ = 0;
     int steps_ = 0;
     State state_ = State::open;
 };
