@@ -9,6 +9,7 @@
 
 #include "solver/batch/lanes/block-inl.hpp"
 #include "solver/contact/registry.hpp"
+#include "solver/damping/registry.hpp"
 #include "solver/motion/scale.hpp"
 #include "tests/solver/batch/batch_sample.hpp"
 

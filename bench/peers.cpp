@@ -9,6 +9,7 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 
 #include "solver/contact/dmt.hpp"
+#include "solver/contact/registry.hpp"
 #include "solver/motion/scale.hpp"
 #include "tests/support/ode.hpp"
 

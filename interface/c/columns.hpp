@@ -9,7 +9,7 @@
 
 #include "interface/c/parameters.hpp"
 #include "solver/batch/columns.hpp"
-#include "solver/contact/registry.hpp"
+#include "solver/contact/law.hpp"
 
 namespace ashimpact {
 
@@ -36,7 +36,7 @@ class ColumnReader {
     [[nodiscard]] double* copy_of(Parameter parameter);
     [[nodiscard]] static View view_of(const double* numbers, Eigen::Index size) { return {numbers, size}; }
 
-    Law law_ = Law::of<Hertz>();
+    Law law_;
     Parameters parameters_{};
     std::size_t first_ = 0;
     std::size_t count_ = 0;

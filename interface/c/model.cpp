@@ -6,6 +6,7 @@
 
 #include "core/checks.hpp"
 #include "core/error.hpp"
+#include "solver/contact/law_parameters.hpp"
 #include "solver/motion/impact.hpp"
 
 namespace ashimpact {

@@ -8,7 +8,7 @@
 #include "interface/c/parameters.hpp"
 #include "interface/include/ashimpact.h"
 #include "solver/batch/single_impacts.hpp"
-#include "solver/contact/registry.hpp"
+#include "solver/contact/law.hpp"
 #include "solver/damping/damping.hpp"
 
 namespace ashimpact {

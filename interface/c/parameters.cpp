@@ -8,7 +8,8 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "solver/contact/registry.hpp"
+#include "solver/contact/law.hpp"
+#include "solver/contact/law_parameters.hpp"
 
 namespace ashimpact {
 

@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "pipeline/app/commands/contact_options.hpp"
 #include "pipeline/app/commands/impact.hpp"
+#include "solver/contact/law_parameters.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/impact.hpp"
 

@@ -14,6 +14,7 @@
 #include "pipeline/case/measurement_parts.hpp"
 #include "pipeline/document/schema.hpp"
 #include "pipeline/document/schema_version.hpp"
+#include "solver/contact/law_parameters.hpp"
 #include "solver/motion/impact.hpp"
 
 namespace ashimpact {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "solver/contact/registry.hpp"
+#include "solver/contact/law.hpp"
 
 namespace ashimpact {
 

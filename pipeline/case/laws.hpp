@@ -10,9 +10,6 @@
 
 namespace ashimpact {
 
-/// Whether the law knows a yield pressure.
-[[nodiscard]] bool yields(Law law);
-
 /// Replaces the detachments of laws by those that a document gives, {"<law>": "<detachment>"}.
 /// @param known_laws what @p choices are called in messages, such as "a law of the case"
 /// @throws InputError with the JSON pointer for a law that is not among @p choices or does not admit its

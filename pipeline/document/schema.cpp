@@ -15,7 +15,8 @@
 #include "core/text.hpp"
 #include "materials/modulus.hpp"
 #include "materials/work_of_adhesion.hpp"
-#include "solver/contact/registry.hpp"
+#include "solver/contact/law.hpp"
+#include "solver/contact/law_parameters.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/inference/calibration/calibration.hpp"
 
@@ -28,7 +29,7 @@ constexpr std::string_view suffix = ".json";
 
 /// The names for which "@..." stands in the schema files; they are defined in the code.
 std::vector<std::string> listed(const std::string& mark) {
-    if (mark == "@laws") return {RegisteredLaws::names.begin(), RegisteredLaws::names.end()};
+    if (mark == "@laws") return names_of_laws();
     if (mark == "@detachments") return names_of<Detachment>();
     if (mark == "@damping_laws") return names_of<DampingLaw>();
     if (mark == "@calibration_quantities") return names_of<CalibrationQuantity>();

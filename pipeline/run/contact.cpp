@@ -10,6 +10,7 @@
 #include "pipeline/document/quantity_json.hpp"
 #include "pipeline/run/modulus.hpp"
 #include "pipeline/run/read_case_artifact.hpp"
+#include "solver/contact/law_parameters.hpp"
 #include "solver/motion/impact.hpp"
 
 namespace ashimpact {

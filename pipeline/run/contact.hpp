@@ -8,7 +8,7 @@
 
 #include "core/quantity.hpp"
 #include "pipeline/run/stage.hpp"
-#include "solver/contact/registry.hpp"
+#include "solver/contact/law.hpp"
 
 namespace ashimpact {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "core/json/view.hpp"
-#include "solver/contact/registry.hpp"
+#include "solver/contact/law.hpp"
 
 namespace ashimpact {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pipeline/run/stage.hpp"
-#include "solver/contact/registry.hpp"
+#include "solver/contact/law.hpp"
 
 namespace ashimpact {
 

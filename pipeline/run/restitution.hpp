@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pipeline/run/stage.hpp"
-#include "solver/contact/registry.hpp"
+#include "solver/contact/law.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 
 namespace ashimpact {

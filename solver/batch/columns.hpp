@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "solver/contact/registry.hpp"
+#include "solver/contact/law.hpp"
 
 namespace ashimpact {
 

@@ -12,7 +12,6 @@
 #include "solver/batch/parallel.hpp"
 #include "solver/batch/task.hpp"
 #include "solver/motion/scale.hpp"
-#include "solver/motion/scaled_impact.hpp"
 #include "solver/motion/velocity_scales.hpp"
 #include "solver/surrogate/batch/critical_table.hpp"
 
@@ -26,7 +25,7 @@ using Answer = std::optional<KnownCriticalVelocity>;
 /// Reads a chunk of problems from the table of their law; undecided where it has none.
 void look_up(const CriticalVelocityProblem& of_all, const batch::Inputs& inputs, std::size_t count,
              TableVerdict* verdict, double* value) {
-    const bool tabulated = of_all.law != Law::of<Hertz>() && of_all.detachment != Detachment::zero_force &&
+    const bool tabulated = of_all.law.is_adhesive() && of_all.detachment != Detachment::zero_force &&
                            batch::has_kernels(of_all.law);
     if (!tabulated) {
         std::fill_n(verdict, count, TableVerdict::undecided);
@@ -57,7 +56,7 @@ Answer closed_form(const CriticalVelocityProblem& problem) {
     if (!is_self_similar(law, contact)) return std::nullopt;
     if (detachment == Detachment::zero_force)
         return KnownCriticalVelocity{.verdict = CaptureVerdict::never_captured};
-    if (law != Law::of<Hertz>() || damping.coefficient == 0.0) return std::nullopt;
+    if (law.is_adhesive() || damping.coefficient == 0.0) return std::nullopt;
     if (const auto verdict = verdict_without_adhesion(damping, contact))
         return KnownCriticalVelocity{.verdict = *verdict};
     return KnownCriticalVelocity{.value = hertz_critical_constant * velocity_of_damping(damping, contact)};

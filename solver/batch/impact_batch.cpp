@@ -12,6 +12,7 @@
 #include "solver/batch/admissibility.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/batch/task.hpp"
+#include "solver/contact/registry.hpp"
 #include "solver/motion/maugis/cohesive_impact.hpp"
 #include "solver/motion/scale.hpp"
 #include "solver/surrogate/batch/restitution_table.hpp"

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "solver/contact/registry.hpp"
+#include "solver/contact/law.hpp"
 #include "solver/damping/damping.hpp"
 
 namespace ashimpact::batch {

@@ -9,6 +9,8 @@
 #include "core/error.hpp"
 #include "solver/batch/kernels/laws.hpp"
 #include "solver/batch/range_lanes.hpp"
+#include "solver/contact/law_parameters.hpp"
+#include "solver/contact/registry.hpp"
 
 namespace ashimpact::batch {
 
@@ -122,15 +124,15 @@ void FirstFault::raise(const std::function<void(std::size_t)>& refuse) const {
 }
 
 bool has_kernels(Law law) {
-    return std::find(BatchLaws::names.begin(), BatchLaws::names.end(), law.name()) != BatchLaws::names.end();
+    return law.visit<bool>(
+        []<template <class> class L>() { return BatchLaws::index_of<L>() < BatchLaws::size; });
 }
 
 Kernels kernels_of(Law law) {
-    const auto place = std::find(BatchLaws::names.begin(), BatchLaws::names.end(), law.name());
-    if (place == BatchLaws::names.end())
+    return law.visit<Kernels>([]<template <class> class L>() -> Kernels {
+        if constexpr (BatchLaws::index_of<L>() < BatchLaws::size) return law_kernels<L>();
         return {leave_undecided, leave_undecided_numbers, leave_unsearched, leave_unread};
-    return BatchLaws::visit<Kernels>(static_cast<std::size_t>(place - BatchLaws::names.begin()),
-                                     []<template <class> class L>() { return law_kernels<L>(); });
+    });
 }
 
 }  // namespace ashimpact::batch

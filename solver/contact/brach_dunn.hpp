@@ -8,6 +8,8 @@
 
 #include "solver/contact/detachment.hpp"
 #include "solver/contact/pair.hpp"
+#include "solver/contact/pressure.hpp"
+#include "solver/contact/tabor.hpp"
 #include "solver/numeric/power.hpp"
 
 namespace ashimpact {
@@ -18,8 +20,15 @@ template <class Real>
 struct BrachDunn {
     static constexpr std::string_view name = "brach-dunn";
     static constexpr Detachment default_detachment = Detachment::zero_overlap;
+    static constexpr bool uses_work_of_adhesion = true;
 
     Real adhesion;  ///< 2 pi f sqrt(R*) / (k L), f = (6 w^2 R* E* / pi)^(1/3) [1]
+
+    [[nodiscard]] static Trust trust(double /*tabor*/, bool /*yields*/) { return Trust::empirical; }
+    /// Hertz: the attraction acts on the rim of the contact.
+    [[nodiscard]] static PressureProfile pressure(const ContactPair& pair, double a) {
+        return hertz_pressure(pair, a);
+    }
 
     /// Line tension f = (6 w^2 R* E*/pi)^(1/3) [N/m]; Eq. 14.
     [[nodiscard]] static Real line_tension(const BasicContactPair<Real>& pair) {

@@ -8,6 +8,8 @@
 
 #include "solver/contact/detachment.hpp"
 #include "solver/contact/pair.hpp"
+#include "solver/contact/pressure.hpp"
+#include "solver/contact/tabor.hpp"
 #include "solver/numeric/power.hpp"
 
 namespace ashimpact {
@@ -19,8 +21,18 @@ template <class Real>
 struct Dmt {
     static constexpr std::string_view name = "dmt";
     static constexpr Detachment default_detachment = Detachment::zero_overlap;
+    static constexpr bool uses_work_of_adhesion = true;
+    static constexpr AdhesionRegime limit = AdhesionRegime::dmt;
 
     Real adhesion;  ///< 2 pi w R* / (k L^(3/2)) [1]
+
+    [[nodiscard]] static Trust trust(double tabor, bool /*yields*/) {
+        return nearer_to_jkr(tabor) ? Trust::farther_limit : Trust::nearer_limit;
+    }
+    /// Hertz: the attraction acts around the contact.
+    [[nodiscard]] static PressureProfile pressure(const ContactPair& pair, double a) {
+        return hertz_pressure(pair, a);
+    }
 
     /// Adhesion number [1] where L is @p length [m].
     [[nodiscard]] static Real adhesion_number(const BasicContactPair<Real>& pair, const Real& length) {

@@ -6,6 +6,8 @@
 
 #include "solver/contact/detachment.hpp"
 #include "solver/contact/pair.hpp"
+#include "solver/contact/pressure.hpp"
+#include "solver/contact/tabor.hpp"
 #include "solver/numeric/power.hpp"
 
 namespace ashimpact {
@@ -19,8 +21,16 @@ template <class Real>
 struct Hertz {
     static constexpr std::string_view name = "hertz";
     static constexpr Detachment default_detachment = Detachment::zero_overlap;
+    static constexpr bool uses_work_of_adhesion = false;
 
     Real adhesion{};  ///< unused: the law has no attraction
+
+    [[nodiscard]] static Trust trust(double tabor, bool /*yields*/) {
+        return tabor > 0 ? Trust::leaves_adhesion_out : Trust::no_adhesion;
+    }
+    [[nodiscard]] static PressureProfile pressure(const ContactPair& pair, double a) {
+        return hertz_pressure(pair, a);
+    }
 
     /// Adhesion number [1]: 0.
     [[nodiscard]] static Real adhesion_number(const BasicContactPair<Real>&, const Real& /*length*/) {

@@ -8,6 +8,8 @@
 
 #include "solver/contact/detachment.hpp"
 #include "solver/contact/pair.hpp"
+#include "solver/contact/pressure.hpp"
+#include "solver/contact/tabor.hpp"
 #include "solver/numeric/power.hpp"
 
 namespace ashimpact {
@@ -21,8 +23,17 @@ template <class Real>
 struct Jkr {
     static constexpr std::string_view name = "jkr";
     static constexpr Detachment default_detachment = Detachment::pull_off;
+    static constexpr bool uses_work_of_adhesion = true;
+    static constexpr AdhesionRegime limit = AdhesionRegime::jkr;
 
     Real adhesion;  ///< sqrt(2 pi w/E*) R*^(1/4) L^(-3/4) [1]
+
+    [[nodiscard]] static Trust trust(double tabor, bool /*yields*/) {
+        return nearer_to_jkr(tabor) ? Trust::nearer_limit : Trust::farther_limit;
+    }
+    [[nodiscard]] static PressureProfile pressure(const ContactPair& pair, double a) {
+        return jkr_pressure(pair, a);
+    }
 
     /// Adhesion number [1] where L is @p length [m].
     [[nodiscard]] static Real adhesion_number(const BasicContactPair<Real>& pair, const Real& length) {

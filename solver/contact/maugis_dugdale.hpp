@@ -6,8 +6,11 @@
 
 #include "solver/contact/detachment.hpp"
 #include "solver/contact/jkr.hpp"
+#include "solver/contact/maugis/transition.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/contact/parameter.hpp"
+#include "solver/contact/pressure.hpp"
+#include "solver/contact/tabor.hpp"
 
 namespace ashimpact {
 
@@ -49,8 +52,17 @@ template <class Real>
 struct MaugisDugdale {
     static constexpr std::string_view name = "maugis-dugdale";
     static constexpr Detachment default_detachment = Detachment::pull_off;
+    static constexpr bool uses_work_of_adhesion = true;
+    static constexpr bool has_cohesive_zone = true;
     static constexpr bool self_similar = false;
+    static constexpr std::string_view similar = Jkr<Real>::name;
     static constexpr std::array parameters{stated_tabor, cohesive_stress, cohesion_range};
+
+    [[nodiscard]] static Trust trust(double /*tabor*/, bool /*yields*/) { return Trust::every_tabor; }
+    [[nodiscard]] static PressureProfile pressure(const ContactPair& pair, double a) {
+        if (pair.work_of_adhesion == 0.0 || a == 0.0) return hertz_pressure(pair, a);
+        return maugis_dugdale_pressure(pair, transition_parameter(pair), a);
+    }
 
     /// Adhesion number of Jkr [1] where L is @p length [m]; the reach of the cohesion does not enter.
     [[nodiscard]] static Real adhesion_number(const BasicContactPair<Real>& pair, const Real& length) {

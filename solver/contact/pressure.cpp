@@ -54,21 +54,9 @@ PressureProfile hertz_pressure(const ContactPair& contact, double a) {
 
 PressureProfile jkr_pressure(const ContactPair& contact, double a) {
     PressureProfile profile = hertz_pressure(contact, a);
+    if (contact.work_of_adhesion == 0.0 || a == 0.0) return profile;
     profile.rim_tension = std::sqrt(2.0 * contact.work_of_adhesion * contact.contact_modulus / (pi * a));
     return profile;
-}
-
-PressureProfile pressure_profile(Law law, const ContactPair& contact, double a) {
-    if (law == Law::of<Sjkr>()) {
-        PressureProfile profile = hertz_pressure(contact, a);
-        profile.even_tension = contact.parameters[cohesion_energy_density];
-        return profile;
-    }
-    if (contact.work_of_adhesion == 0.0 || a == 0.0) return hertz_pressure(contact, a);
-    if (law == Law::of<Jkr>() || law == Law::of<ThorntonNing>()) return jkr_pressure(contact, a);
-    if (law == Law::of<MaugisDugdale>())
-        return maugis_dugdale_pressure(contact, transition_parameter(contact), a);
-    return hertz_pressure(contact, a);
 }
 
 PressureProfile maugis_dugdale_pressure(const ContactPair& contact, double lambda, double a) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "solver/contact/pair.hpp"
-#include "solver/contact/registry.hpp"
 
 namespace ashimpact {
 
@@ -34,12 +33,8 @@ struct PressureProfile {
 /// Returns the pressure under a Hertz contact of radius @p a [m]. Eqs. 3 to 5.
 [[nodiscard]] PressureProfile hertz_pressure(const ContactPair& contact, double a);
 
-/// Returns the pressure under a JKR contact of radius @p a [m]. Eq. 17.
+/// Returns the pressure under a JKR contact of radius @p a [m], of Hertz for a = 0. Eq. 17.
 [[nodiscard]] PressureProfile jkr_pressure(const ContactPair& contact, double a);
-
-/// Returns the pressure by a law under a contact of radius @p a [m] that has not yielded: JKR for jkr and
-/// thornton-ning, Maugis-Dugdale for that law, Hertz less k_c for sjkr, Hertz for all others.
-[[nodiscard]] PressureProfile pressure_profile(Law law, const ContactPair& contact, double a);
 
 /// Returns the pressure under a Maugis-Dugdale contact of radius @p a [m].
 /// @param lambda transition parameter > 0 [1]

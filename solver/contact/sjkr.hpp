@@ -10,6 +10,8 @@
 #include "solver/contact/detachment.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/contact/parameter.hpp"
+#include "solver/contact/pressure.hpp"
+#include "solver/contact/tabor.hpp"
 #include "solver/numeric/power.hpp"
 
 namespace ashimpact {
@@ -32,9 +34,20 @@ template <class Real>
 struct Sjkr {
     static constexpr std::string_view name = "sjkr";
     static constexpr Detachment default_detachment = Detachment::zero_overlap;
+    static constexpr bool uses_work_of_adhesion = false;
     static constexpr std::array parameters{cohesion_energy_density};
 
     Real adhesion;  ///< pi k_c R* / (k L^(1/2)) [1]
+
+    [[nodiscard]] static Trust trust(double /*tabor*/, bool /*yields*/) {
+        return Trust::empirical_parameters;
+    }
+    /// Hertz less k_c all over the contact.
+    [[nodiscard]] static PressureProfile pressure(const ContactPair& pair, double a) {
+        PressureProfile profile = hertz_pressure(pair, a);
+        profile.even_tension = pair.parameters[cohesion_energy_density];
+        return profile;
+    }
 
     /// Adhesion number [1] where L is @p length [m].
     [[nodiscard]] static Real adhesion_number(const BasicContactPair<Real>& pair, const Real& length) {

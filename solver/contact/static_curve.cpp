@@ -9,7 +9,8 @@
 #include "core/checks.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "solver/motion/scaled_impact.hpp"
+#include "solver/contact/law_parameters.hpp"
+#include "solver/contact/registry.hpp"
 #include "solver/numeric/series.hpp"
 
 namespace ashimpact {
@@ -40,7 +41,7 @@ StaticCurve::StaticCurve(Law law, const ContactPair& contact) : law_(law), lengt
         units_ = maugis_units(contact);
         return;
     }
-    if (law == Law::of<MaugisDugdale>()) law_ = Law::of<Hertz>();  // without adhesion
+    if (law.has_cohesive_zone()) law_ = Law::without_attraction();  // there is no work of adhesion
     force_unit_ = hertz_stiffness(contact) * length_ * std::sqrt(length_);
     law_.visit<void>([&]<template <class> class L>() {
         if constexpr (has_polynomials<L>) {

@@ -26,8 +26,20 @@ template <class Real>
 struct ThorntonNing {
     static constexpr std::string_view name = "thornton-ning";
     static constexpr Detachment default_detachment = Detachment::pull_off;
+    static constexpr bool uses_work_of_adhesion = true;
+    static constexpr bool is_plastic = true;
+    static constexpr AdhesionRegime limit = AdhesionRegime::jkr;
 
     Real adhesion;  ///< as in Jkr [1]
+
+    [[nodiscard]] static Trust trust(double tabor, bool yields) {
+        if (yields) return Trust::describes_yield;
+        return nearer_to_jkr(tabor) ? Trust::nearer_limit_elastic : Trust::farther_limit_elastic;
+    }
+    /// Until the contact yields; then the pressure is p_y where it would be greater.
+    [[nodiscard]] static PressureProfile pressure(const ContactPair& pair, double a) {
+        return jkr_pressure(pair, a);
+    }
 
     /// Adhesion number [1] where L is @p length [m].
     [[nodiscard]] static Real adhesion_number(const BasicContactPair<Real>& pair, const Real& length) {
@@ -53,6 +65,17 @@ struct ThorntonNing {
     /// Attractive part of the force, never positive [k L^(3/2)].
     [[nodiscard]] Real attractive_force(const Real& u) const {
         return Jkr<Real>{adhesion}.attractive_force(u);
+    }
+
+    /// The same on the branches of a yielded contact, where the force is @p force: the tensile rim of a
+    /// sphere that is flattened as much, or all of the force where the contact is tensile throughout.
+    [[nodiscard]] Real attractive_force(const Real& u, const Real& force) const {
+        using std::sqrt;
+        const Real hertz_part = force + Real(1.5) * adhesion * power<3>(u);
+        if (Real(2) * hertz_part <= adhesion * power<3>(u)) return force;
+        const Real rim = adhesion * u;
+        const Real flattening = hertz_part / power<6>(u);  // R*/R_p; the Hertz pressure falls with it
+        return -rim * sqrt(rim / (Real(2) * flattening));
     }
 
     /// State u at first touch.

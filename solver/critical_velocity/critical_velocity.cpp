@@ -9,6 +9,7 @@
 #include "solver/critical_velocity/backward_orbit.hpp"
 #include "solver/critical_velocity/maugis/cohesive_critical_velocity.hpp"
 #include "solver/critical_velocity/plastic_critical_velocity.hpp"
+#include "solver/damping/registry.hpp"
 #include "solver/motion/scaled_impact.hpp"
 #include "solver/motion/velocity_scales.hpp"
 

@@ -2,15 +2,14 @@
 #pragma once
 
 #include <limits>
-#include <string_view>
 
-#include "core/units/units.hpp"
+#include "solver/damping/damping.hpp"
 
 namespace ashimpact {
 
 /// Constant damping, eta = C: the paper's model (Dong et al. 2013, Eq. 2).
 struct ConstantDamping {
-    static constexpr std::string_view name = "constant";
+    static constexpr DampingLaw law = DampingLaw::constant;
     static constexpr Dimension dimension = Dimension::damping;
     static constexpr double overdamped_squared = std::numeric_limits<double>::infinity();
     static constexpr double error_weight = 1.0;  ///< see docs/adding-a-law.md

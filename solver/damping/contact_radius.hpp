@@ -3,16 +3,15 @@
 
 #include <cmath>
 #include <limits>
-#include <string_view>
 
-#include "core/units/units.hpp"
+#include "solver/damping/damping.hpp"
 
 namespace ashimpact {
 
 /// Damping in proportion to the contact radius, eta = C a: viscoelastic spheres (Kuwabara & Kono 1987;
 /// Brilliantov et al. 1996).
 struct ContactRadiusDamping {
-    static constexpr std::string_view name = "contact-radius";
+    static constexpr DampingLaw law = DampingLaw::contact_radius;
     static constexpr Dimension dimension = Dimension::viscosity;
     static constexpr double overdamped_squared = std::numeric_limits<double>::infinity();
     static constexpr double error_weight = 1.0;

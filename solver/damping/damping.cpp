@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/damping/damping.hpp"
 
+#include "solver/damping/registry.hpp"
+
 namespace ashimpact {
 
 Dimension dimension_of(DampingLaw law) {

@@ -2,61 +2,28 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <string_view>
 
 #include "core/names.hpp"
 #include "core/units/units.hpp"
-#include "solver/damping/constant.hpp"
-#include "solver/damping/contact_radius.hpp"
-#include "solver/damping/tsuji.hpp"
 
 namespace ashimpact {
 
-/// How eta of the damping force F_d = eta d(delta)/dt depends on the contact. In the order of
-/// RegisteredDampings.
+/// How eta of the damping force F_d = eta d(delta)/dt depends on the contact. The type of each value is in
+/// the list of registry.hpp, which compares the two.
 enum class DampingLaw { constant, contact_radius, tsuji };
-
-/// A list of damping laws.
-template <class... D>
-struct DampingList {
-    static constexpr std::size_t size = sizeof...(D);
-
-    /// Calls @p visitor.template operator()<Law>() for the type of @p law.
-    template <class Result, class Visitor>
-    static Result visit(DampingLaw law, Visitor&& visitor) {
-        using Entry = Result (*)(Visitor&);
-        static constexpr std::array<Entry, size> entries{&call<D, Result, Visitor>...};
-        return entries[static_cast<std::size_t>(law)](visitor);
-    }
-    /// Applies @p make to the list of types: make.template operator()<D...>().
-    template <class Make>
-    static constexpr auto apply(Make&& make) {
-        return make.template operator()<D...>();
-    }
-
-  private:
-    template <class One, class Result, class Visitor>
-    static Result call(Visitor& visitor) {
-        return visitor.template operator()<One>();
-    }
-};
-
-/// Every damping law. Registering one is its header above, its name in DampingLaw, and its type here.
-using RegisteredDampings = DampingList<ConstantDamping, ContactRadiusDamping, TsujiDamping>;
-
-/// A damping law and its coefficient C >= 0 [SI unit of the law's dimension].
-struct Damping {
-    DampingLaw law = DampingLaw::constant;
-    double coefficient = 0.0;
-};
 
 /// Names as on the command line and in artifacts.
 template <>
 struct Names<DampingLaw> {
     static constexpr std::string_view kind = "damping law";
-    static constexpr auto all = RegisteredDampings::apply(
-        []<class... D>() { return std::array<std::string_view, sizeof...(D)>{D::name...}; });
+    static constexpr std::array<std::string_view, 3> all{"constant", "contact-radius", "tsuji"};
+};
+
+/// A damping law and its coefficient C >= 0 [SI unit of the law's dimension].
+struct Damping {
+    DampingLaw law = DampingLaw::constant;
+    double coefficient = 0.0;
 };
 
 /// What the coefficient measures.

@@ -3,16 +3,15 @@
 
 #include <cmath>
 #include <numbers>
-#include <string_view>
 
-#include "core/units/units.hpp"
+#include "solver/damping/damping.hpp"
 
 namespace ashimpact {
 
 /// Tsuji, Tanaka & Ishida 1992: eta = C sqrt(m k) delta^(1/4), which makes the restitution of a Hertz contact
 /// independent of velocity. With adhesion a^2/R* takes the place of delta.
 struct TsujiDamping {
-    static constexpr std::string_view name = "tsuji";
+    static constexpr DampingLaw law = DampingLaw::tsuji;
     static constexpr Dimension dimension = Dimension::fraction;
     static constexpr double overdamped_squared = 5.0;  ///< a Hertz contact has e = 0 from C = sqrt(5) on
     static constexpr double error_weight = 3.0;

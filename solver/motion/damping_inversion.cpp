@@ -123,7 +123,7 @@ struct Bracket {
 std::optional<Bracket> bracket_by_jkr(const DampingProblem& problem, RestitutionByDamping& curve) {
     if (!is_cohesive(problem.law, problem.contact)) return std::nullopt;
     DampingProblem similar = problem;
-    similar.law = Law::of<Jkr>();
+    similar.law = problem.law.similar();
     RestitutionByDamping other(similar);
     if (other.at<double>(0.0) <= problem.restitution) return std::nullopt;
     const double guess =

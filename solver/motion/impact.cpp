@@ -9,6 +9,8 @@
 #include "core/checks.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "solver/contact/law_parameters.hpp"
+#include "solver/contact/registry.hpp"
 #include "solver/motion/orbit.hpp"
 #include "solver/motion/plastic_orbit.hpp"
 #include "solver/motion/scaled_impact.hpp"

@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "core/names.hpp"
+#include "solver/contact/law.hpp"
 #include "solver/contact/pair.hpp"
-#include "solver/contact/registry.hpp"
 #include "solver/damping/damping.hpp"
 
 namespace ashimpact {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "solver/contact/detachment.hpp"
-#include "solver/damping/damping.hpp"
+#include "solver/damping/registry.hpp"
 #include "solver/numeric/polynomial.hpp"
 
 namespace ashimpact {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "solver/contact/registry.hpp"
 #include "solver/contact/thornton_ning.hpp"
 #include "solver/motion/motion.hpp"
 

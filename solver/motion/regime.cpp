@@ -9,7 +9,9 @@
 #include "materials/separation_energy.hpp"
 #include "solver/contact/maugis/cohesive_zone.hpp"
 #include "solver/contact/maugis/transition.hpp"
+#include "solver/contact/maugis_dugdale.hpp"
 #include "solver/contact/pressure.hpp"
+#include "solver/contact/registry.hpp"
 #include "solver/motion/scaled_impact.hpp"
 #include "solver/motion/velocity_scales.hpp"
 #include "solver/numeric/series.hpp"
@@ -36,7 +38,7 @@ AdhesionRegime adhesion_regime(double tabor_parameter) {
 
 /// Laws with JKR's pressure in the contact, adhesion included, by which they yield.
 bool is_jkr(Law law) {
-    return law == Law::of<Jkr>() || law == Law::of<ThorntonNing>();
+    return law.limit() == AdhesionRegime::jkr;
 }
 
 /// The static law of an impact without damping, in the impact's scale; that of Hertz where a cohesive zone
@@ -44,7 +46,7 @@ bool is_jkr(Law law) {
 Motion<double> static_law(const Impact& impact, const Scale& scale) {
     Impact undamped = impact;
     undamped.damping = {};
-    if (is_cohesive(impact.law, impact.contact)) undamped.law = Law::of<Hertz>();
+    if (is_cohesive(impact.law, impact.contact)) undamped.law = Law::without_attraction();
     if (is_cohesive(impact.law, impact.contact)) undamped.detachment = Detachment::zero_overlap;
     return scaled_motion<double>(undamped, scale);
 }
@@ -127,8 +129,8 @@ class Judge {
     }
 
     [[nodiscard]] double greatest_pressure() const {
-        if (impact_.law == Law::of<ThorntonNing>() && regime_.yields) return contact_.yield_pressure;
-        return pressure_profile(impact_.law, contact_, regime_.contact_radius).central();
+        if (impact_.law.is_plastic() && regime_.yields) return contact_.yield_pressure;
+        return impact_.law.pressure(contact_, regime_.contact_radius).central();
     }
 
     /// As judge_yield() for a cohesive zone, whose own pressure in the centre decides.
@@ -169,13 +171,13 @@ class Judge {
             at_touch ? 0.0 : std::sqrt(2.0 * std::max(0.0, energy)) * scale_.velocity;
         regime_.yields = greatest_ > at_yield;
         const double ratio = yield_number / std::pow(regime_.adhesion_number, 2.0 / 3.0);
-        beyond_closure_ = impact_.law == Law::of<ThorntonNing>() && ratio < yields_at_touch;
+        beyond_closure_ = impact_.law.is_plastic() && ratio < yields_at_touch;
     }
 
     void warn(const std::string& warning) { regime_.warnings.push_back(warning); }
 
     void warn_of_tabor() {
-        const bool hard_law = impact_.law == Law::of<Dmt>();
+        const bool hard_law = impact_.law.limit() == AdhesionRegime::dmt;
         const bool soft_law = is_jkr(impact_.law);
         if (!hard_law && !soft_law) return;
         const std::string source = " (Johnson & Greenwood 1997)";
@@ -191,7 +193,7 @@ class Judge {
     }
 
     void warn_of_left_out_adhesion() {
-        if (impact_.law != Law::of<Hertz>() || !(contact_.work_of_adhesion > 0.0)) return;
+        if (impact_.law.is_adhesive() || !(contact_.work_of_adhesion > 0.0)) return;
         const double attraction =
             2.0 * std::numbers::pi * contact_.work_of_adhesion * contact_.effective_radius;
         const double repulsion = motion_.force(motion_.coordinate(greatest_)) * scale_.force();
@@ -203,7 +205,7 @@ class Judge {
         if (beyond_closure_)
             warn(
                 "adhesion alone yields the contact at first touch: outside the range of the plastic closure");
-        if (!regime_.yields || impact_.law == Law::of<ThorntonNing>()) return;
+        if (!regime_.yields || impact_.law.is_plastic()) return;
         warn("the contact yields: velocity " + text(impact_.velocity) + " m/s, yield velocity " +
              text(*regime_.law_yield_velocity) +
              " m/s (adhesion included, without damping); law thornton-ning "

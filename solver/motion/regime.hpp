@@ -3,26 +3,12 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "solver/contact/tabor.hpp"
 #include "solver/motion/impact.hpp"
 
 namespace ashimpact {
-
-/// Which limit of adhesion a contact is near; Johnson & Greenwood 1997 (J. Colloid Interface Sci. 192:326).
-enum class AdhesionRegime {
-    none,     ///< no work of adhesion
-    dmt,      ///< Tabor parameter below dmt_limit: hard and small, attraction acts around the contact
-    between,  ///< neither limit holds
-    jkr,      ///< Tabor parameter above jkr_limit: soft and large, attraction acts within the contact
-};
-
-template <>
-struct Names<AdhesionRegime> {
-    static constexpr std::string_view kind = "adhesion regime";
-    static constexpr std::array<std::string_view, 4> all{"none", "dmt", "between", "jkr"};
-};
 
 /// The numbers that say whether a contact law applies, and what they say of the law chosen.
 struct Regime {
@@ -48,10 +34,6 @@ struct Regime {
 /// Equilibrium separation z0 of two surfaces, as usual in the Tabor parameter [m].
 inline constexpr double usual_separation = 0.4e-9;
 
-/// Tabor parameters between these belong to neither limit (Johnson & Greenwood 1997): DMT below, JKR above.
-inline constexpr double dmt_limit = 0.1;
-inline constexpr double jkr_limit = 5.0;
-
 /// a/R* beyond which the parabolic geometry that every law here assumes is off by 2 % in overlap.
 inline constexpr double widest_contact = 0.3;
 
@@ -64,7 +46,7 @@ inline constexpr double widest_contact = 0.3;
 
 /// Judges an impact, solved or to be solved. @p maximum_overlap as in ImpactResult [m]
 ///
-/// A contact yields where the pressure in its centre, by pressure_profile() of the law, reaches p_y; the
+/// A contact yields where the pressure in its centre, by Law::pressure(), reaches p_y; the
 /// potential of the law gives the velocity. Brach-Dunn is empirical and has no range of Tabor parameters.
 [[nodiscard]] Regime regime_of(const Impact& impact, double maximum_overlap);
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "solver/contact/pair.hpp"
-#include "solver/damping/damping.hpp"
+#include "solver/damping/registry.hpp"
 #include "solver/numeric/power.hpp"
 
 namespace ashimpact {

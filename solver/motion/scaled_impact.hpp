@@ -4,6 +4,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "solver/contact/registry.hpp"
 #include "solver/motion/impact.hpp"
 #include "solver/motion/maugis/cohesive_impact.hpp"
 #include "solver/motion/motion.hpp"
@@ -26,17 +27,6 @@ template <class Real>
             return make_motion<Hertz, Real>(Real(0), impact.damping.law, damping, Detachment::zero_overlap);
         }
     });
-}
-
-/// Whether an impact's law has a plastic history and its contact can yield.
-[[nodiscard]] inline bool can_yield(Law law, const ContactPair& contact) {
-    return law == Law::of<ThorntonNing>() && std::isfinite(contact.yield_pressure);
-}
-
-/// Whether the scaled impacts of this contact depend on its adhesion and damping number alone: the law is
-/// self-similar and the contact has no plastic history.
-[[nodiscard]] inline bool is_self_similar(Law law, const ContactPair& contact) {
-    return law.self_similar() && !can_yield(law, contact);
 }
 
 /// The scaled branches of an elastic-plastic impact; requires can_yield().

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "solver/contact/registry.hpp"
 #include "solver/motion/maugis/cohesive_ringing.hpp"
 #include "solver/motion/orbit.hpp"
 #include "solver/motion/scaled_impact.hpp"
@@ -101,20 +102,16 @@ class Sampler {
     }
 
   private:
-    /// The law's attraction; on the branches of a yielded contact the tensile rim of JKR, or all of the force
-    /// where the contact is tensile throughout.
+    /// The law's attraction; that of a plastic law depends on the force, which tells its branches apart.
     [[nodiscard]] Extended attraction_at(Extended u, Extended force) const {
         const Extended adhesion = adhesion_;
-        if (law_ == Law::of<ThorntonNing>()) {
-            const Extended hertz_part = force + 1.5_ext * adhesion * power<3>(u);
-            if (2 * hertz_part <= adhesion * power<3>(u)) return force;
-            const Extended rim = adhesion * u;
-            const Extended flattening = hertz_part / power<6>(u);  // R*/R_p; the Hertz pressure falls with it
-            return -rim * std::sqrt(rim / (2 * flattening));
-        }
         return law_.visit<Extended>([&]<template <class> class L>() -> Extended {
-            if constexpr (has_polynomials<L>) return L<Extended>{adhesion}.attractive_force(u);
-            return 0;  // without adhesion, or it would have a cohesive zone
+            if constexpr (requires(L<Extended> law) { law.attractive_force(u, force); })
+                return L<Extended>{adhesion}.attractive_force(u, force);
+            else if constexpr (has_polynomials<L>)
+                return L<Extended>{adhesion}.attractive_force(u);
+            else
+                return 0;  // without adhesion, or it would have a cohesive zone
         });
     }
 

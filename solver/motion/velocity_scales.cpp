@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "solver/contact/registry.hpp"
 #include "solver/motion/scale.hpp"
 
 namespace ashimpact {

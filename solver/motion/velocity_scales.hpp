@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/contact/registry.hpp"
+#include "solver/contact/law.hpp"
 #include "solver/damping/damping.hpp"
 
 namespace ashimpact {

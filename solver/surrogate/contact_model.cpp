@@ -9,7 +9,6 @@
 #include "core/error.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/impact.hpp"
-#include "solver/motion/scaled_impact.hpp"
 #include "solver/motion/velocity_scales.hpp"
 
 namespace ashimpact {
@@ -149,7 +148,8 @@ std::shared_ptr<const RestitutionMap> make_restitution_map(Law law, Detachment d
         range.lower = std::min(range.lower, std::log(velocities.lower / unit));
         range.upper = std::max(range.upper, std::log(velocities.upper / unit));
     }
-    if (!adhesive) return std::make_shared<RestitutionMap>(Law::of<Hertz>(), Detachment::zero_overlap, range);
+    if (!adhesive)
+        return std::make_shared<RestitutionMap>(Law::without_attraction(), Detachment::zero_overlap, range);
     return std::make_shared<RestitutionMap>(law, detachment, range);
 }
 

@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "solver/batch/impact_batch.hpp"
 #include "solver/batch/inversion_batch.hpp"
+#include "solver/contact/law_parameters.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/impact.hpp"
 #include "solver/motion/orbit.hpp"

@@ -4,8 +4,8 @@
 #include <Eigen/Core>
 
 #include "solver/contact/detachment.hpp"
+#include "solver/contact/law.hpp"
 #include "solver/contact/pair.hpp"
-#include "solver/contact/registry.hpp"
 
 namespace ashimpact {
 

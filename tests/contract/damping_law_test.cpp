@@ -5,7 +5,7 @@
 
 #include <doctest/doctest.h>
 
-#include "solver/damping/damping.hpp"
+#include "solver/damping/registry.hpp"
 #include "solver/motion/damping_inversion.hpp"
 #include "solver/motion/scale.hpp"
 #include "tests/relative_difference.hpp"

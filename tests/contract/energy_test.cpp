@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "solver/contact/maugis/transition.hpp"
+#include "solver/contact/registry.hpp"
 #include "solver/contact/static_curve.hpp"
 #include "solver/motion/orbit.hpp"
 #include "solver/motion/scaled_impact.hpp"

@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "materials/contact_properties.hpp"
+#include "solver/contact/sjkr.hpp"
 #include "tests/exports/ash.hpp"
 #include "tests/relative_difference.hpp"
 

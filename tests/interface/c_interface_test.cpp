@@ -17,6 +17,7 @@
 #include "solver/batch/critical_batch.hpp"
 #include "solver/batch/impact_batch.hpp"
 #include "solver/batch/inversion_batch.hpp"
+#include "solver/contact/law_parameters.hpp"
 #include "tests/support/contact_cases.hpp"
 
 using namespace ashimpact;

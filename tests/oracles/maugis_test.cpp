@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "solver/contact/maugis/transition.hpp"
+#include "solver/contact/maugis_dugdale.hpp"
 #include "solver/motion/impact.hpp"
 #include "solver/motion/maugis/cohesive_motion.hpp"
 #include "solver/motion/scale.hpp"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "materials/contact_properties.hpp"
-#include "solver/contact/registry.hpp"
+#include "solver/contact/law.hpp"
 #include "solver/inference/measured_damping.hpp"
 #include "solver/numeric/gsl/distribution.hpp"
 #include "tests/studies/laboratory.hpp"

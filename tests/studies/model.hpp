@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "materials/contact_properties.hpp"
-#include "solver/contact/registry.hpp"
+#include "solver/contact/law.hpp"
 #include "solver/surrogate/contact_model.hpp"
 
 namespace ashimpact::studies {

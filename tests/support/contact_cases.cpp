@@ -5,6 +5,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "solver/contact/law_parameters.hpp"
 #include "solver/motion/scale.hpp"
 #include "solver/motion/scaled_impact.hpp"
 

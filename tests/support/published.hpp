@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/contact/registry.hpp"
+#include "solver/contact/law.hpp"
 #include "solver/damping/damping_polynomial.hpp"
 
 namespace ashimpact::test {

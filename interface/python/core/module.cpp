@@ -18,6 +18,7 @@
 #include "solver/batch/critical_batch.hpp"
 #include "solver/batch/impact_batch.hpp"
 #include "solver/batch/inversion_batch.hpp"
+#include "solver/contact/law_parameters.hpp"
 
 namespace py = pybind11;
 

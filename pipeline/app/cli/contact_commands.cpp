@@ -10,6 +10,7 @@
 #include "pipeline/app/commands/critical_velocity.hpp"
 #include "pipeline/app/commands/damping.hpp"
 #include "pipeline/app/commands/impact.hpp"
+#include "solver/contact/law_parameters.hpp"
 
 namespace ashimpact {
 

@@ -13,6 +13,7 @@
 #include "materials/roughness.hpp"
 #include "pipeline/case/laws.hpp"
 #include "pipeline/present/text/readable.hpp"
+#include "solver/contact/law_parameters.hpp"
 #include "solver/damping/damping.hpp"
 
 namespace ashimpact {
@@ -132,7 +133,7 @@ double read_work_of_adhesion(const ContactOptions& options, Law law) {
 }
 
 double read_yield_pressure(const ContactOptions& options, Law law) {
-    if (yields(law))
+    if (law.is_plastic())
         return read_positive_option("--yield-pressure", options.yield_pressure, Dimension::pressure);
     if (!options.yield_pressure.empty())
         spdlog::warn("warning: --yield-pressure: {} never yields, so it changes nothing", law.name());

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/units/units.hpp"
+#include "solver/contact/law_parameters.hpp"
 #include "solver/motion/impact.hpp"
 
 namespace ashimpact {

@@ -18,6 +18,8 @@
 #include "pipeline/present/export/codes/codes.hpp"
 #include "pipeline/present/export/from_run.hpp"
 #include "pipeline/present/text/readable.hpp"
+#include "solver/contact/law_parameters.hpp"
+#include "solver/contact/maugis_dugdale.hpp"
 
 namespace ashimpact {
 

@@ -19,6 +19,7 @@
 #include "pipeline/document/uncertainty_json.hpp"
 #include "pipeline/present/text/readable.hpp"
 #include "pipeline/present/text/table.hpp"
+#include "solver/contact/law_parameters.hpp"
 #include "solver/inference/impacts/binning.hpp"
 #include "solver/inference/impacts/measurement_reader.hpp"
 #include "solver/inference/measured_damping.hpp"

@@ -4,7 +4,7 @@
 #include "pipeline/app/man/command.hpp"
 #include "pipeline/document/schema.hpp"
 #include "pipeline/run/run.hpp"
-#include "solver/contact/registry.hpp"
+#include "solver/contact/law.hpp"
 #include "solver/damping/damping.hpp"
 
 namespace ashimpact {

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/text.hpp"
-#include "solver/contact/registry.hpp"
+#include "solver/contact/law.hpp"
 
 namespace ashimpact {
 

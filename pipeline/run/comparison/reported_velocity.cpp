@@ -18,8 +18,8 @@ namespace {
 struct Candidate {
     Law law;
     const LawCriticalVelocity* velocity = nullptr;
-    double rank = 0;     ///< the least is taken
-    std::string reason;  ///< why it has that rank
+    Trust trust{};       ///< the least is taken
+    std::string reason;  ///< of that trust
     bool contradicted = false;
 };
 
@@ -27,11 +27,6 @@ bool is_contradicted(const LawCriticalVelocity& velocity) {
     if (!velocity.check.is_object()) return false;
     const std::string verdict = velocity.check.value("verdict", "");
     return verdict == "model-too-low" || verdict == "model-too-high";
-}
-
-/// Whether a Tabor parameter is nearer to the limit of JKR than to that of DMT, in its logarithm.
-bool nearer_to_jkr(double tabor) {
-    return tabor * tabor > dmt_limit * jkr_limit;
 }
 
 std::string tabor_reason(double tabor) {
@@ -42,30 +37,35 @@ std::string tabor_reason(double tabor) {
                        jkr_limit, nearer_to_jkr(tabor) ? "JKR" : "DMT");
 }
 
+std::string reason_of(Trust trust, double tabor) {
+    switch (trust) {
+        case Trust::describes_yield:
+            return "the contact yields";
+        case Trust::every_tabor:
+            return "holds for every Tabor parameter, here " + readable_number(tabor, 3);
+        case Trust::no_adhesion:
+            return "there is no adhesion";
+        case Trust::empirical:
+        case Trust::empirical_parameters:
+            return "its adhesion is empirical";
+        case Trust::leaves_adhesion_out:
+            return "leaves adhesion out";
+        default:
+            return tabor_reason(tabor);
+    }
+}
+
 Candidate candidate_of(Law law, const LawCriticalVelocity& velocity, const ContactPair& contact) {
-    const bool contradicted = is_contradicted(velocity);
-    const auto ranked = [&](double rank, std::string reason) {
-        return Candidate{law, &velocity, rank, std::move(reason), contradicted};
-    };
     const double tabor = tabor_parameter_of(contact);
-    const bool soft = nearer_to_jkr(tabor);
-    if (law == Law::of<ThorntonNing>() && velocity.plastic > 0) return ranked(0, "the contact yields");
-    if (law == Law::of<MaugisDugdale>())
-        return ranked(1, "holds for every Tabor parameter, here " + readable_number(tabor, 3));
-    if (law == Law::of<Jkr>() || law == Law::of<ThorntonNing>())
-        return ranked((soft ? 2 : 3) + (law == Law::of<ThorntonNing>() ? 0.5 : 0), tabor_reason(tabor));
-    if (law == Law::of<Dmt>()) return ranked(soft ? 3 : 2, tabor_reason(tabor));
-    if (law == Law::of<Hertz>())
-        return ranked(contact.work_of_adhesion > 0 ? 6 : 1.5,
-                      contact.work_of_adhesion > 0 ? "leaves adhesion out" : "there is no adhesion");
-    return ranked(law.uses_work_of_adhesion() ? 4 : 5, "its adhesion is empirical");
+    const Trust trust = law.trust(tabor, velocity.plastic > 0);
+    return {law, &velocity, trust, reason_of(trust, tabor), is_contradicted(velocity)};
 }
 
 /// "jkr and dmt contradict"; empty if none does.
 std::string contradiction(const std::vector<Candidate>& passed_over) {
     std::vector<std::string> names;
     for (const Candidate& each : passed_over)
-        if (each.contradicted && !(each.law == Law::of<Hertz>())) names.emplace_back(each.law.name());
+        if (each.contradicted && each.law.is_adhesive()) names.emplace_back(each.law.name());
     if (names.empty()) return {};
     std::string text = names.front();
     for (std::size_t i = 1; i < names.size(); ++i)
@@ -114,11 +114,11 @@ Json reported_json(const LawEvidence& evidence) {
     if (candidates.empty()) return bounds_json(evidence);
 
     const bool all_contradicted = std::all_of(candidates.begin(), candidates.end(), [](const Candidate& c) {
-        return c.contradicted || c.law == Law::of<Hertz>();
+        return c.contradicted || !c.law.is_adhesive();
     });
     std::stable_sort(candidates.begin(), candidates.end(), [&](const Candidate& x, const Candidate& y) {
         if (!all_contradicted && x.contradicted != y.contradicted) return y.contradicted;
-        return x.rank < y.rank;
+        return x.trust < y.trust;
     });
     const Candidate& chosen = candidates.front();
     std::string reason = candidates.size() == 1 ? "the only law with a velocity" : chosen.reason;

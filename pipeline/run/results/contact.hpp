@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "pipeline/case/case.hpp"
-#include "solver/contact/registry.hpp"
+#include "solver/contact/law.hpp"
 
 namespace ashimpact {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/names.hpp"
-#include "solver/contact/registry.hpp"
+#include "solver/contact/law.hpp"
 
 namespace ashimpact {
 

@@ -8,7 +8,7 @@
 
 #include "pipeline/case/case.hpp"
 #include "pipeline/case/impact_columns.hpp"
-#include "solver/contact/registry.hpp"
+#include "solver/contact/law.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 
 namespace ashimpact {

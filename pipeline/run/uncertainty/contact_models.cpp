@@ -8,7 +8,6 @@
 #include <tuple>
 
 #include "solver/inference/measured_damping.hpp"
-#include "solver/motion/scaled_impact.hpp"
 
 namespace ashimpact {
 

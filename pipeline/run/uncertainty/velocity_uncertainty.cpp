@@ -11,7 +11,6 @@
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/curve/headline.hpp"
 #include "solver/inference/propagation/critical_velocity_uncertainty.hpp"
-#include "solver/motion/scaled_impact.hpp"
 
 namespace ashimpact {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "solver/batch/lanes/symbol.hpp"
-#include "solver/damping/damping.hpp"
+#include "solver/damping/registry.hpp"
 #include "solver/motion/motion.hpp"
 
 namespace ashimpact {

@@ -11,7 +11,7 @@
 
 #include "core/names.hpp"
 #include "materials/contact_properties.hpp"
-#include "solver/contact/registry.hpp"
+#include "solver/contact/law.hpp"
 #include "solver/damping/damping_polynomial.hpp"
 
 namespace ashimpact {

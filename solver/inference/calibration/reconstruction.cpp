@@ -8,7 +8,6 @@
 
 #include "core/error.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
-#include "solver/motion/scaled_impact.hpp"
 #include "solver/numeric/gsl/root.hpp"
 
 namespace ashimpact {

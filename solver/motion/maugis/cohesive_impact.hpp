@@ -6,11 +6,6 @@
 
 namespace ashimpact {
 
-/// Whether an impact has a cohesive zone: law maugis-dugdale with adhesion. Without adhesion it is Hertz.
-[[nodiscard]] inline bool is_cohesive(Law law, const ContactPair& contact) {
-    return law == Law::of<MaugisDugdale>() && contact.work_of_adhesion > 0.0;
-}
-
 /// An impact that is_cohesive() in units of Maugis.
 struct ScaledCohesiveImpact {
     Scale scale;  ///< scale.velocity is the unit of velocity, not the velocity of the impact

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <memory>
 
+#include "solver/contact/law_parameters.hpp"
+#include "solver/contact/registry.hpp"
 #include "solver/motion/scale.hpp"
 #include "solver/motion/velocity_scales.hpp"
 #include "solver/numeric/chebyshev.hpp"

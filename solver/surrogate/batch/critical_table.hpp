@@ -69,7 +69,7 @@ class CriticalTable {
     [[nodiscard]] State judged(CriticalPiece& piece) const;
     [[nodiscard]] CriticalVelocity solved(double beta) const;
 
-    Law law_ = Law::of<Hertz>();
+    Law law_;
     Detachment detachment_ = Detachment::zero_overlap;
     DampingLaw damping_law_ = DampingLaw::constant;
     double length_power_ = 0.0;

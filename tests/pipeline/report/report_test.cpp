@@ -20,6 +20,7 @@
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/figure_file.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
+#include "solver/contact/law_parameters.hpp"
 #include "solver/motion/impact.hpp"
 #include "tests/pipeline/sandbox.hpp"
 

@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "core/error.hpp"
+#include "solver/contact/law_parameters.hpp"
 #include "tests/pipeline/sweep/process.hpp"
 #include "tests/pipeline/sweep/specs.hpp"
 

@@ -16,6 +16,7 @@
 #include "solver/batch/impact_batch.hpp"
 #include "solver/batch/kernel.hpp"
 #include "solver/batch/parallel.hpp"
+#include "solver/contact/registry.hpp"
 #include "solver/motion/scale.hpp"
 
 namespace ashimpact::test {

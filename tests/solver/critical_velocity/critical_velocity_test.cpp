@@ -7,7 +7,6 @@
 
 #include "materials/contact_properties.hpp"
 #include "solver/critical_velocity/backward_orbit.hpp"
-#include "solver/motion/scaled_impact.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/contact_cases.hpp"
 #include "tests/support/errors.hpp"

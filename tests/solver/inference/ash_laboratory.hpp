@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/contact/registry.hpp"
+#include "solver/contact/law.hpp"
 #include "tests/solver/inference/synthetic_laboratory.hpp"
 
 namespace ashimpact::test {

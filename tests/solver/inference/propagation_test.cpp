@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include "solver/contact/maugis_dugdale.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/propagation/critical_velocity_uncertainty.hpp"
 #include "solver/motion/velocity_scales.hpp"

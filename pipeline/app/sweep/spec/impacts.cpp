@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "materials/contact_properties.hpp"
+#include "solver/contact/law_parameters.hpp"
 
 namespace ashimpact {
 

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "core/checks.hpp"
+#include "solver/contact/law_parameters.hpp"
 #include "solver/damping/damping.hpp"
 
 namespace ashimpact {

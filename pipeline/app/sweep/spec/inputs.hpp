@@ -6,7 +6,8 @@
 #include <string_view>
 
 #include "core/units/units.hpp"
-#include "solver/contact/registry.hpp"
+#include "solver/contact/law.hpp"
+#include "solver/contact/law_parameters.hpp"
 #include "solver/damping/damping.hpp"
 
 namespace ashimpact {

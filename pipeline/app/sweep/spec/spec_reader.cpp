@@ -11,6 +11,7 @@
 #include "pipeline/case/laws.hpp"
 #include "pipeline/document/schema.hpp"
 #include "pipeline/document/schema_version.hpp"
+#include "solver/contact/law_parameters.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/motion/impact.hpp"
 
@@ -96,7 +97,7 @@ void check_inputs(const View& document, SweepSpec& spec) {
     for (const ImpactInput input : {ImpactInput::radius, ImpactInput::contact_modulus, ImpactInput::velocity})
         require_input(document, spec, input);
     const bool adhesive = any_law(spec, [](Law law) { return law.uses_work_of_adhesion(); });
-    const bool yielding = any_law(spec, yields);
+    const bool yielding = any_law(spec, [](Law law) { return law.is_plastic(); });
     if (adhesive) require_input(document, spec, ImpactInput::work_of_adhesion);
     if (yielding) require_input(document, spec, ImpactInput::yield_pressure);
     warn_unused(spec, ImpactInput::work_of_adhesion, adhesive);

@@ -6,6 +6,7 @@
 
 #include "core/checks.hpp"
 #include "core/text.hpp"
+#include "solver/contact/law_parameters.hpp"
 
 namespace ashimpact {
 

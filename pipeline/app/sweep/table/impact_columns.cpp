@@ -39,7 +39,7 @@ std::string command_of(const Impact& impact) {
     add("radius", impact.contact.effective_radius);
     add("contact-modulus", impact.contact.contact_modulus);
     if (impact.law.uses_work_of_adhesion()) add("work-of-adhesion", impact.contact.work_of_adhesion);
-    if (impact.law == Law::of<ThorntonNing>()) add("yield-pressure", impact.contact.yield_pressure);
+    if (impact.law.is_plastic()) add("yield-pressure", impact.contact.yield_pressure);
     for (const LawParameter& parameter : impact.law.parameters()) {
         if (!impact.contact.parameters.has(parameter)) continue;
         command += " " + option_of(parameter) + " " + shortest(impact.contact.parameters[parameter]);

@@ -7,6 +7,7 @@
 #include "pipeline/case/laws.hpp"
 #include "pipeline/present/export/codes/dem.hpp"
 #include "pipeline/present/export/expected.hpp"
+#include "solver/contact/sjkr.hpp"
 
 namespace ashimpact {
 

@@ -57,7 +57,7 @@ struct ContactTimes {
 FoundImpacts impacts_with(const Values& e, const SearchedContact& contact, const Values& damping,
                           const Values& guess, double enough) {
     const Eigen::Index count = e.size();
-    const bool adhesive = contact.pair.work_of_adhesion > 0 && contact.choice.law != Law::of<Hertz>();
+    const bool adhesive = contact.pair.work_of_adhesion > 0 && contact.choice.law.is_adhesive();
     std::vector<VelocitySearch> searches;
     std::vector<ContactTimes> times(static_cast<std::size_t>(count));
     std::vector<Eigen::Index> open;

@@ -97,7 +97,7 @@ Values guessed_velocities(const CurveProblem& problem, const Values& e) {
 
 /// Exponent of v over damping at equal restitution: 5 for Hertz, less with adhesion.
 double exponent_of_damping(const CurveProblem& problem) {
-    return problem.choice.law == Law::of<Hertz>() ? 5 : 1;
+    return problem.choice.law.is_adhesive() ? 1 : 5;
 }
 
 SearchedContact contact_of(const CurveProblem& problem) {

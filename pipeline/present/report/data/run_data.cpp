@@ -6,7 +6,6 @@
 #include "pipeline/case/laws.hpp"
 #include "pipeline/run/in_parallel.hpp"
 #include "pipeline/run/read_case_artifact.hpp"
-#include "solver/motion/maugis/cohesive_impact.hpp"
 
 namespace ashimpact::report {
 

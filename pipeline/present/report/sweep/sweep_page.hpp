@@ -7,7 +7,7 @@
 
 #include "core/json/document.hpp"
 #include "pipeline/present/report/figure.hpp"
-#include "solver/contact/registry.hpp"
+#include "solver/contact/law.hpp"
 
 namespace ashimpact::report {
 

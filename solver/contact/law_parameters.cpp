@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/contact/registry.hpp"
+#include "solver/contact/law_parameters.hpp"
 
 #include <algorithm>
 
@@ -8,55 +8,6 @@
 #include "core/text.hpp"
 
 namespace ashimpact {
-
-std::string law_names() {
-    return joined(RegisteredLaws::names);
-}
-
-Law Law::named(std::string_view name) {
-    for (std::size_t index = 0; index < RegisteredLaws::size; ++index) {
-        if (RegisteredLaws::names[index] == name) return Law(index);
-    }
-    throw unknown_name("contact law", name, {RegisteredLaws::names.begin(), RegisteredLaws::names.end()});
-}
-
-Detachment Law::default_detachment() const {
-    return visit<Detachment>([]<template <class> class L>() { return L<double>::default_detachment; });
-}
-
-std::span<const LawParameter> Law::parameters() const {
-    using Parameters = std::span<const LawParameter>;
-    return visit<Parameters>([]<template <class> class L>() -> Parameters {
-        if constexpr (requires { L<double>::parameters; }) return L<double>::parameters;
-        return {};
-    });
-}
-
-bool Law::takes(const LawParameter& parameter) const {
-    const auto own = parameters();
-    return std::any_of(own.begin(), own.end(),
-                       [&](const LawParameter& known) { return known.name == parameter.name; });
-}
-
-bool Law::self_similar() const {
-    return visit<bool>([]<template <class> class L>() {
-        if constexpr (requires { L<double>::self_similar; }) return L<double>::self_similar;
-        return true;
-    });
-}
-
-bool Law::uses_work_of_adhesion() const {
-    const ContactPair with{.mass = 1,
-                           .effective_radius = 1,
-                           .contact_modulus = 1,
-                           .work_of_adhesion = 1,
-                           .parameters = typical_parameters(*this)};
-    ContactPair without = with;
-    without.work_of_adhesion = 0;
-    return visit<bool>([&]<template <class> class L>() {
-        return L<double>::adhesion_number(with, 1.0) != L<double>::adhesion_number(without, 1.0);
-    });
-}
 
 const std::vector<LawParameter>& law_parameters() {
     static const auto all = [] {

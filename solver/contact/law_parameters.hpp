@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/contact/law.hpp"
+
+namespace ashimpact {
+
+/// The parameters of all registered laws, each name once.
+[[nodiscard]] const std::vector<LawParameter>& law_parameters();
+
+/// Parameters of a law of which too few or, of a choice, too many are given.
+struct ParameterFault {
+    std::vector<LawParameter> parameters;       ///< one, or those of a choice
+    int given;                                  ///< 0, or two or more of a choice
+    [[nodiscard]] std::string problem() const;  ///< "cohesion_energy_density is missing"
+    [[nodiscard]] std::string allowed() const;  ///< what each of them is, in words
+};
+
+/// The first parameter or choice of the law that is not given as it must be; none if all are.
+[[nodiscard]] std::optional<ParameterFault> parameter_fault(
+    Law law, const std::function<bool(const LawParameter&)>& is_given);
+
+/// Checks one value of a parameter [SI]. @throws InputError naming it, its value, unit and what is allowed
+void require_allowed(const LawParameter& parameter, double value);
+
+/// Checks that a law has the parameters it needs and that their values are allowed. @throws InputError
+void require_parameters(Law law, const ParameterValues<double>& values);
+
+/// Typical values of the parameters that a law requires, one for each choice. For code whose results do not
+/// depend on them, such as tables in scaled numbers.
+[[nodiscard]] ParameterValues<double> typical_parameters(Law law);
+
+}  // namespace ashimpact

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Damping laws as types, for code that runs the formulas of a law; other code includes damping.hpp.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "solver/damping/constant.hpp"
+#include "solver/damping/contact_radius.hpp"
+#include "solver/damping/damping.hpp"
+#include "solver/damping/tsuji.hpp"
+
+namespace ashimpact {
+
+/// A list of damping laws in the order of DampingLaw.
+template <class... D>
+struct DampingList {
+    static constexpr std::array laws{D::law...};
+    static_assert(laws == all_values<DampingLaw>, "every DampingLaw has one type, in the same order");
+
+    /// Calls @p visitor.template operator()<Law>() for the type of @p law.
+    template <class Result, class Visitor>
+    static Result visit(DampingLaw law, Visitor&& visitor) {
+        using Entry = Result (*)(Visitor&);
+        static constexpr std::array<Entry, sizeof...(D)> entries{&call<D, Result, Visitor>...};
+        return entries[static_cast<std::size_t>(law)](visitor);
+    }
+
+  private:
+    template <class One, class Result, class Visitor>
+    static Result call(Visitor& visitor) {
+        return visitor.template operator()<One>();
+    }
+};
+
+/// Every damping law.
+using RegisteredDampings = DampingList<ConstantDamping, ContactRadiusDamping, TsujiDamping>;
+
+}  // namespace ashimpact
