@@ -221,6 +221,11 @@ const char* ashimpact_curve(const char* contact) {
     return answered([&] { return ashimpact::curve_json(ashimpact::parse_json(contact)); });
 }
 
+/// What each law takes; single_contact.hpp has the keys.
+const char* ashimpact_laws() {
+    return answered(ashimpact::laws_json);
+}
+
 /// One impact, JSON in and out; single_contact.hpp has the keys.
 const char* ashimpact_impact(const char* contact) {
     return answered([&] { return ashimpact::single_impact_json(ashimpact::parse_json(contact)); });

@@ -14,6 +14,7 @@
 #include "solver/contact/law_parameters.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/impact.hpp"
+#include "solver/motion/scale.hpp"
 
 namespace ashimpact {
 
@@ -70,6 +71,9 @@ CriticalVelocity critical_velocity_with(double damping, const Impact& impact) {
                               .contact = impact.contact});
 }
 
+/// Where no damping is stated, its scaled coefficient is 1 at this velocity [m/s].
+constexpr double guess_velocity = 1;
+
 /// Where restitution leaves zero on a course: the velocity that is the critical one of the damping there.
 CriticalVelocity critical_velocity_on(const DampingCourse& course, const std::vector<double>& restitution,
                                       const Impact& impact) {
@@ -106,6 +110,18 @@ Json single_impact_json(const Json& contact) {
     return impact_json(impact, solve_impact(impact));
 }
 
+Json laws_json() {
+    Json laws = Json::object();
+    for (std::size_t i = 0; i < Law::count(); ++i) {
+        Json parameters = Json::array();
+        for (const LawParameter& parameter : Law::at(i).parameters()) parameters.push_back(parameter.name);
+        laws[Law::at(i).name()] = {{"parameters", parameters}};
+    }
+    Json dampings = Json::object();
+    for (const DampingLaw law : all_values<DampingLaw>) dampings[name_of(law)] = {{"unit", unit_of(law)}};
+    return {{"laws", laws}, {"damping_laws", dampings}};
+}
+
 Json curve_json(const Json& contact) {
     const ContactOptions options = options_of(contact);
     const ContactChoice choice = read_contact(options);
@@ -114,7 +130,11 @@ Json curve_json(const Json& contact) {
                   .damping = read_damping(options),
                   .contact = choice.contact,
                   .velocity = 1};
+    if (!contact.contains("damping"))
+        impact.damping.coefficient =
+            Scale::of(choice.contact, guess_velocity).damping_coefficient(impact.damping.law, 1);
     const DampingCourse course = course_of(contact, impact.damping.coefficient);
+    const double damping = impact.damping.coefficient;
     std::vector<double> restitution;
     for (std::size_t i = 0; i < course.velocities.size(); ++i) {
         impact.velocity = course.velocities[i];
@@ -125,6 +145,7 @@ Json curve_json(const Json& contact) {
     const CriticalVelocity critical = critical_velocity_on(course, restitution, impact);
     return {{"restitution", restitution},
             {"critical_velocity", critical.value ? Json(*critical.value) : Json(nullptr)},
+            {"damping", damping},
             {"always_captured", critical.verdict == CaptureVerdict::always_captured}};
 }
 

@@ -13,7 +13,11 @@ namespace ashimpact {
 /// `velocities` for `velocity`, and, if the damping is not the same at all of them, `dampings`. Between the
 /// velocities, which then have to increase, the damping is taken as linear and beyond them as constant; the
 /// critical velocity is where restitution leaves zero on this course.
-/// @return `restitution`, `critical_velocity` (null if there is none), `always_captured`
+/// Without `damping` a guess replaces it, whose scaled coefficient is 1 at 1 m/s.
+/// @return `restitution`, `critical_velocity` (null if there is none), `always_captured`, `damping`
 [[nodiscard]] Json curve_json(const Json& contact);
+
+/// What each law takes: {"laws": {name: {"parameters": [names]}}, "damping_laws": {name: {"unit": SI}}}.
+[[nodiscard]] Json laws_json();
 
 }  // namespace ashimpact

@@ -95,13 +95,13 @@ function askForMissing() {
 async function answerOnce() {
     const { changes } = document.documentElement.dataset;
     const incomplete = askForMissing();
-    const { answer, artifacts } = await quick.askOfCase('evaluate', '/at-once', ['1-modulus.json', '2-contact.json', '3-analytic.json', '4-restitution.json'],
+    const { answer, artifacts } = await quick.askOfCase('evaluate', '/at-once', ['0-case.json', '1-modulus.json', '2-contact.json', '3-analytic.json', '4-restitution.json'],
         incomplete ? completedCase() : undefined);
-    showAnswer(answer, artifacts, incomplete);
+    await showAnswer(answer, artifacts, incomplete);
     document.documentElement.dataset.answered = changes;
 }
 
-function showAnswer(answer, artifacts, incomplete) {
+async function showAnswer(answer, artifacts, incomplete) {
     byId('app-run').disabled = answer.status !== 0 || incomplete || run.going;
     if (answer.status !== 0) {
         tellError(answer.error);
@@ -113,7 +113,7 @@ function showAnswer(answer, artifacts, incomplete) {
     tellRead(answer, artifacts);
     if (incomplete) return;
     byId('app-live').replaceChildren(...liveTable(artifacts));
-    offerWhatIf(run.artifacts && !isStale() ? { ...run.artifacts, ...artifacts, '4-restitution.json': run.artifacts['4-restitution.json'] } : artifacts);
+    await offerWhatIf(run.artifacts && !isStale() ? { ...run.artifacts, ...artifacts, '4-restitution.json': run.artifacts['4-restitution.json'] } : artifacts);
 }
 
 // Asks for the newest case; what changed meanwhile is asked for after the answer.

@@ -2,32 +2,43 @@
 const sliders = [
     { key: 'work_of_adhesion', label: 'Work of adhesion w', unit: 'J/m2', scale: 1 },
     { key: 'density', label: 'Density', unit: 'kg/m3', scale: 1 },
-    { key: 'damping', label: 'Damping', unit: 'g/s', scale: 1e3 },
+    { key: 'damping', label: 'Damping' },
     { key: 'contact_modulus', label: 'Contact modulus E*', unit: 'GPa', scale: 1e-9 },
 ];
 const whatIf = { factors: {}, law: null, contact: null, points: [], measured: false, nodes: null };
 
-// The damping that a first guess takes before any was measured: that of a sphere at 1 m/s whose contact it damps critically,
-// give or take.
-const guessedDamping = (mass, modulus, radius) => Math.pow(mass ** 3 * modulus ** 2 * radius, 0.2);
+// The unit of a damping on the page, and the number of these in the SI unit of its law.
+const dampingUnit = (si) => (si === 'kg/s' ? { unit: 'g/s', scale: 1e3 } : { unit: si === '1' ? '' : si, scale: 1 });
 
-// The contact of the sample that is shown, from artifacts of a run or of the answer at once; null where there is none.
-function contactOf(artifacts, law) {
+// What the program takes of a law: names of parameters, units of damping laws. Once for a page.
+let known = null;
+const knownLaws = () => (known ??= quick.ask({ name: 'laws', words: [] }).then(({ answer }) => answer));
+
+// The contact of the sample that is shown, from artifacts of a run or of the answer at once; null where there is none. Its
+// damping is that of the law of the case, as measured; before any was measured the program guesses it.
+async function contactOf(artifacts, law) {
+    const { laws, damping_laws: dampings } = await knownLaws();
     const inArtifact = (file) => artifacts[file] && JSON.parse(artifacts[file]).result.samples?.[state.sample];
     const contact = inArtifact('2-contact.json');
     const modulus = inArtifact('1-modulus.json');
     if (!contact || !modulus || !contact.density) return null;
-    const measured = inArtifact('7-critical-velocity.json')?.[law]?.damping?.value;
-    const course = measured === undefined ? null : dampingCourse(inArtifact('7-critical-velocity.json')[law], inArtifact('5-damping.json')?.[law]);
+    const critical = inArtifact('7-critical-velocity.json')?.[law];
+    const measured = critical?.damping?.value;
+    const course = measured === undefined ? null : dampingCourse(critical, inArtifact('5-damping.json')?.[law]);
+    const asStated = artifacts['0-case.json'] ? JSON.parse(artifacts['0-case.json']).result : {};
+    const dampingLaw = critical?.damping_law ?? asStated.damping_law ?? Object.keys(dampings)[0];
+    const detachment = critical?.detachment ?? asStated.detachments?.[law];
     const parameters = {};
-    for (const key of ['cohesion_range', 'cohesive_stress', 'tabor', 'cohesion_energy_density', 'yield_pressure'])
+    for (const key of [...laws[law].parameters, 'yield_pressure'])
         if (contact[key]) parameters[key] = contact[key].value ?? contact[key];
-    return {
-        ...parameters, law, diameter: modulus.diameter.value, density: contact.density.value,
+    const found = {
+        ...parameters, law, ...(detachment ? { detachment } : {}), damping_law: dampingLaw, diameter: modulus.diameter.value, density: contact.density.value,
         contact_modulus: contact.contact_modulus.value, work_of_adhesion: contact.work_of_adhesion?.value ?? null,
-        damping: measured ?? guessedDamping(contact.mass.value, contact.contact_modulus.value, contact.effective_radius.value),
         course,
     };
+    found.damping = measured ?? (await curveOf(found, [1])).damping;
+    found.dampingUnit = dampingUnit(dampings[dampingLaw].unit);
+    return found;
 }
 
 // Damping over velocity as measured: [v, damping] from the critical velocity on.
@@ -55,7 +66,7 @@ const withFactors = (contact) => Object.fromEntries(Object.entries(contact).map(
 // The damping at each velocity, where it was measured, is times a factor; the critical velocity is where this curve leaves
 // zero.
 async function curveOf(contact, velocities, factor = 1) {
-    const { course, ...asked } = contact;
+    const { course, dampingUnit: _, ...asked } = contact;
     if (course?.length) asked.dampings = velocities.map((v) => dampingAt(course, v) * factor);
     if (asked.work_of_adhesion === null) delete asked.work_of_adhesion;
     const { answer } = await quick.ask({ name: 'curve', words: [JSON.stringify({ ...asked, velocities })] });
@@ -102,9 +113,10 @@ async function drawWhatIf() {
         [{ class: 'base', x: velocities, y: was.restitution }, { class: 'new', x: velocities, y: would.restitution }], whatIf.points, markers));
 }
 
-function sliderFor({ key, label, unit, scale }) {
+function sliderFor({ key, label, ...fixed }) {
     const output = make('output', {});
     const tell = () => {
+        const { unit, scale } = fixed.unit ? fixed : whatIf.contact?.dampingUnit ?? dampingUnit('1');
         output.textContent = whatIf.contact?.[key] === null ? 'not used' : `${readable((whatIf.contact?.[key] ?? 0) * scale * (whatIf.factors[key] ?? 1), 3)} ${unit}`;
         input.setAttribute('aria-valuetext', output.textContent);
     };
@@ -138,13 +150,15 @@ function buildWhatIf() {
 }
 
 // Shows the sliders for what the artifacts hold.
-function offerWhatIf(artifacts, chosen) {
+async function offerWhatIf(artifacts, chosen) {
     if (!whatIf.nodes) buildWhatIf();
     const names = chosenLaws().filter((law) => typeof law === 'string');
     const law = names.includes(chosen ?? whatIf.law) ? chosen ?? whatIf.law : names.at(-1);
     whatIf.artifacts = artifacts;
     whatIf.law = law;
-    whatIf.contact = law ? contactOf(artifacts, law) : null;
+    const contact = law ? await contactOf(artifacts, law) : null;
+    if (whatIf.artifacts !== artifacts || whatIf.law !== law) return;  // another one was chosen meanwhile
+    whatIf.contact = contact;
     whatIf.points = law ? measuredPoints(artifacts, law) : [];
     byId('app-what-if').hidden = !whatIf.contact;
     if (!whatIf.contact) return;

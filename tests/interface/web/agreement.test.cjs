@@ -64,6 +64,12 @@ async function program(files) {
     assert.equal(curve.restitution[0], 0);
     assert.ok(curve.restitution[1] > 0);
 
+    // A contact whose damping is not known gets a guess in the unit of its damping law.
+    const { damping, ...unknown } = { ...asked, damping_law: 'tsuji', velocities: [1] };
+    assert.equal(web.call('curve', JSON.stringify(unknown)).damping, 1);
+    assert.equal(web.call('laws').damping_laws.tsuji.unit, '1');
+    assert.ok(web.call('laws').laws['maugis-dugdale'].parameters.includes('cohesion_range'));
+
     // A wrong case is told as on the command line, and nothing is written.
     web.write('wrong.json', '{"name": "wrong", "samples": [{"name": "a", "diameter": "88 furlong/s"}]}');
     const wrong = web.call('run', 'wrong.json', 'wrong');

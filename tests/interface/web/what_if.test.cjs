@@ -1,0 +1,63 @@
+// what_if.test.cjs: what the sliders of the page ask of the program, without a browser or the program.
+'use strict';
+const assert = require('node:assert/strict');
+const fs = require('node:fs');
+const path = require('node:path');
+const vm = require('node:vm');
+
+const page = path.join(__dirname, '../../../interface/web/page');
+const asked = [];
+const laws = {
+    laws: { dmt: { parameters: [] }, 'maugis-dugdale': { parameters: ['tabor', 'cohesion_range'] } },
+    damping_laws: { constant: { unit: 'kg/s' }, 'contact-radius': { unit: 'Pa s' }, tsuji: { unit: '1' } },
+};
+const quick = {
+    ask: async ({ name, words }) => {
+        if (name === 'laws') return { answer: laws };
+        asked.push(JSON.parse(words[0]));
+        return { answer: { status: 0, damping: 1, restitution: [0], critical_velocity: null } };
+    },
+};
+const context = vm.createContext({ quick, state: { sample: 0 }, JSON, Math, Object, Promise });
+vm.runInContext(`${fs.readFileSync(path.join(page, 'what_if.js'), 'utf8')}\nthis.contactOf = contactOf; this.curveOf = curveOf;`, context);
+
+const quantity = (value, unit) => ({ value, unit });
+function artifacts(law, dampingLaw, measured) {
+    const contact = { contact_modulus: quantity(9e10, 'Pa'), effective_radius: quantity(44e-6, 'm'), mass: quantity(9e-10, 'kg'),
+        density: quantity(2600, 'kg/m3'), work_of_adhesion: quantity(0.3, 'J/m2'), tabor: quantity(2, '1') };
+    const results = {
+        '0-case.json': { damping_law: dampingLaw, detachments: { dmt: 'zero-force' } },
+        '1-modulus.json': { samples: [{ diameter: quantity(88e-6, 'm') }] },
+        '2-contact.json': { samples: [contact] },
+        ...(measured && {
+            '5-damping.json': { samples: [{ [law]: { velocity: { values: [1] }, damping: { values: [1.7] } } }] },
+            '7-critical-velocity.json': { samples: [{ [law]: { detachment: 'zero-overlap', damping_law: dampingLaw, damping: measured, critical_velocity: quantity(0.5, 'm/s') } }] },
+        }),
+    };
+    return Object.fromEntries(Object.entries(results).map(([file, result]) => [file, JSON.stringify({ result })]));
+}
+const plain = (value) => JSON.parse(JSON.stringify(value));
+
+(async () => {
+    // The damping is asked for by the law of the case, and labelled in its unit.
+    const units = [['constant', 'kg/s', { unit: 'g/s', scale: 1e3 }], ['contact-radius', 'Pa s', { unit: 'Pa s', scale: 1 }], ['tsuji', '1', { unit: '', scale: 1 }]];
+    for (const [dampingLaw, unit, shown] of units) {
+        const contact = await context.contactOf(artifacts('dmt', dampingLaw, quantity(1.65, unit)), 'dmt');
+        assert.equal(contact.damping, 1.65);
+        assert.deepEqual(plain(contact.dampingUnit), shown);
+        await context.curveOf(contact, [1, 2]);
+        assert.equal(asked.at(-1).damping_law, dampingLaw);
+        assert.equal(asked.at(-1).detachment, 'zero-overlap');
+        assert.ok(!('dampingUnit' in asked.at(-1)) && !('course' in asked.at(-1)));
+    }
+    // Before any was measured the program guesses it, by the law of the case as well.
+    const guessed = await context.contactOf(artifacts('dmt', 'tsuji'), 'dmt');
+    assert.deepEqual([guessed.damping, asked.at(-1).damping_law, asked.at(-1).detachment, 'damping' in asked.at(-1)], [1, 'tsuji', 'zero-force', false]);
+    // A law gets its own parameters and no other's.
+    assert.equal((await context.contactOf(artifacts('maugis-dugdale', 'constant'), 'maugis-dugdale')).tabor, 2);
+    assert.ok(!('tabor' in guessed));
+    console.log('the sliders ask for the law of the case');
+})().catch((error) => {
+    console.error(error.message);
+    process.exitCode = 1;
+});
