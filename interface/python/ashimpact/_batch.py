@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ashimpact import _core
+from ashimpact._laws import takes_law_parameters
 
 if TYPE_CHECKING:
     import pandas
@@ -170,6 +171,7 @@ def _require_one(given: dict[str, Any], first: str, second: str) -> None:
         raise _core.InputError(f"{first}, {second}: {fault} given; allowed: one of the two")
 
 
+@takes_law_parameters
 def impacts(
     *,
     law: str,
@@ -181,10 +183,6 @@ def impacts(
     work_of_adhesion: NumbersLike = 0.0,
     damping: NumbersLike = 0.0,
     yield_pressure: Optional[NumbersLike] = None,
-    cohesion_energy_density: Optional[NumbersLike] = None,
-    tabor: Optional[NumbersLike] = None,
-    cohesive_stress: Optional[NumbersLike] = None,
-    cohesion_range: Optional[NumbersLike] = None,
     partner_radius: Optional[NumbersLike] = None,
     partner_density: Optional[NumbersLike] = None,
     partner_mass: Optional[NumbersLike] = None,
@@ -192,6 +190,7 @@ def impacts(
     damping_law: str = "constant",
     method: str = "integration",
     threads: int = 0,
+    **parameters: Optional[NumbersLike],
 ) -> Impacts:
     """Normal impacts of spheres on a flat wall, or on a second sphere; every number may be an array.
 
@@ -205,10 +204,6 @@ def impacts(
         work_of_adhesion: energy to separate unit area, not a surface energy [J/m2].
         damping: coefficient of the damping law [kg/s constant, Pa s contact-radius, 1 tsuji].
         yield_pressure: p_y, for the law thornton-ning; without it the sphere never yields [Pa].
-        cohesion_energy_density: k_c, for the law sjkr [J/m3].
-        tabor: Tabor parameter mu, for the law maugis-dugdale [1]; or
-        cohesive_stress: sigma_0, for that law [Pa]; or
-        cohesion_range: z0, for that law [m].
         partner_radius: of a second sphere in place of the wall; velocities are relative ones then [m].
         partner_density: of the second sphere [kg/m3]; or
         partner_mass: of the second sphere [kg].
@@ -217,12 +212,13 @@ def impacts(
         method: integration, or table, some ten times as fast from 100,000 impacts on; a table has neither
             approach times nor overlaps.
         threads: 0 for one a core; no bit of a result depends on it.
+        {law parameters}
 
     Raises:
         InputError: naming the first impact it concerns.
         ConvergenceError: where an impact could not be solved.
     """
-    columns = _columns(locals(), "velocity", "damping")
+    columns = _columns({**locals(), **parameters}, "velocity", "damping")
     restitution, contact_time, approach_time, maximum_overlap = _core.impacts(
         _core.Choice(law, detachment, damping_law),
         columns.contact(),
@@ -242,6 +238,7 @@ def impacts(
     )
 
 
+@takes_law_parameters
 def critical_velocities(
     *,
     law: str,
@@ -252,16 +249,13 @@ def critical_velocities(
     work_of_adhesion: NumbersLike = 0.0,
     damping: NumbersLike = 0.0,
     yield_pressure: Optional[NumbersLike] = None,
-    cohesion_energy_density: Optional[NumbersLike] = None,
-    tabor: Optional[NumbersLike] = None,
-    cohesive_stress: Optional[NumbersLike] = None,
-    cohesion_range: Optional[NumbersLike] = None,
     partner_radius: Optional[NumbersLike] = None,
     partner_density: Optional[NumbersLike] = None,
     partner_mass: Optional[NumbersLike] = None,
     detachment: Optional[str] = None,
     damping_law: str = "constant",
     threads: int = 0,
+    **parameters: Optional[NumbersLike],
 ) -> CriticalVelocities:
     """Velocities below which spheres are captured; arguments as those of impacts().
 
@@ -269,7 +263,7 @@ def critical_velocities(
         InputError: naming the first sphere it concerns.
         ConvergenceError: if a velocity could not be found.
     """
-    columns = _columns(locals(), "damping")
+    columns = _columns({**locals(), **parameters}, "damping")
     velocity = _core.critical_velocities(
         _core.Choice(law, detachment, damping_law),
         columns.contact(),
@@ -280,6 +274,7 @@ def critical_velocities(
     return CriticalVelocities(columns.shaped(velocity))
 
 
+@takes_law_parameters
 def dampings(
     *,
     law: str,
@@ -291,16 +286,13 @@ def dampings(
     mass: Optional[NumbersLike] = None,
     work_of_adhesion: NumbersLike = 0.0,
     yield_pressure: Optional[NumbersLike] = None,
-    cohesion_energy_density: Optional[NumbersLike] = None,
-    tabor: Optional[NumbersLike] = None,
-    cohesive_stress: Optional[NumbersLike] = None,
-    cohesion_range: Optional[NumbersLike] = None,
     partner_radius: Optional[NumbersLike] = None,
     partner_density: Optional[NumbersLike] = None,
     partner_mass: Optional[NumbersLike] = None,
     detachment: Optional[str] = None,
     damping_law: str = "constant",
     threads: int = 0,
+    **parameters: Optional[NumbersLike],
 ) -> Dampings:
     """Damping coefficients that give measured restitutions back; arguments as those of impacts().
 
@@ -311,7 +303,7 @@ def dampings(
         InputError: naming the first impact it concerns.
         ConvergenceError: if a damping could not be found.
     """
-    columns = _columns(locals(), "velocity", "restitution")
+    columns = _columns({**locals(), **parameters}, "velocity", "restitution")
     damping, greatest = _core.dampings(
         _core.Choice(law, detachment, damping_law),
         columns.contact(),

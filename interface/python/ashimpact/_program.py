@@ -19,6 +19,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ashimpact import _core
+from ashimpact._laws import takes_law_parameters
 from ashimpact._tables import csv_text
 
 PathLike = Union[str, "os.PathLike[str]"]
@@ -234,6 +235,7 @@ def sweep(
         return _read(result)
 
 
+@takes_law_parameters
 def analyse_impacts(
     impacts: Any = None,
     *,
@@ -244,10 +246,6 @@ def analyse_impacts(
     mass: Optional[float] = None,
     work_of_adhesion: Optional[float] = None,
     yield_pressure: Optional[float] = None,
-    cohesion_energy_density: Optional[float] = None,
-    tabor: Optional[float] = None,
-    cohesive_stress: Optional[float] = None,
-    cohesion_range: Optional[float] = None,
     detachment: Optional[str] = None,
     damping_law: Optional[str] = None,
     velocity: Optional[npt.ArrayLike] = None,
@@ -261,6 +259,7 @@ def analyse_impacts(
     robust: bool = False,
     bin: Optional[int] = None,
     sheet: Optional[str] = None,
+    **parameters: Optional[float],
 ) -> Document:
     """What measured impacts say of damping and critical velocity; as `ashimpact damping --impacts --json`.
 
@@ -270,8 +269,7 @@ def analyse_impacts(
         rebound_velocity: magnitude, 0 for a capture [m/s]; or
         restitution: 0 for a capture [1].
         law, radius, contact_modulus, density, mass: as impacts(), one of each.
-        work_of_adhesion, yield_pressure, cohesion_energy_density: as impacts(), one of each.
-        tabor, cohesive_stress, cohesion_range, detachment, damping_law: as impacts(), one of each.
+        work_of_adhesion, yield_pressure, detachment, damping_law: as impacts(), one of each.
         frame_rate: of the camera, frames per second, with
         pixel_size: in the object [m]: the uncertainty of the velocities.
         frames: positions that each velocity is the slope of; 2 unless given.
@@ -280,6 +278,7 @@ def analyse_impacts(
         robust: bisquare weights in that polynomial.
         bin: rebounds to be put into one point.
         sheet: of a spreadsheet with several tables.
+        {law parameters}
 
     Returns:
         The document of the command: damping of each impact, fits, critical velocity with its interval.
@@ -292,10 +291,6 @@ def analyse_impacts(
         mass=mass,
         work_of_adhesion=work_of_adhesion,
         yield_pressure=yield_pressure,
-        cohesion_energy_density=cohesion_energy_density,
-        tabor=tabor,
-        cohesive_stress=cohesive_stress,
-        cohesion_range=cohesion_range,
         detachment=detachment,
         damping_law=damping_law,
         frame_rate=frame_rate,
@@ -306,6 +301,7 @@ def analyse_impacts(
         robust=robust,
         bin=bin,
         sheet=sheet,
+        **parameters,
     )
     with tempfile.TemporaryDirectory() as scratch:
         if isinstance(impacts, (str, os.PathLike)):

@@ -214,11 +214,17 @@ py::dict laws() {
     return all;
 }
 
-/// Names of the parameters that laws take beside those of every contact.
-std::vector<std::string> names_of_law_parameters() {
-    std::vector<std::string> names;
-    for (const LawParameter& parameter : law_parameters()) names.emplace_back(parameter.name);
-    return names;
+/// Name, SI unit, text and laws of each parameter that laws take beside those of every contact.
+py::dict table_of_law_parameters() {
+    py::dict table;
+    for (const LawParameter& parameter : law_parameters()) {
+        py::list laws;
+        for (std::size_t i = 0; i < Law::count(); ++i)
+            if (Law::at(i).takes(parameter)) laws.append(std::string(Law::at(i).name()));
+        table[py::str(std::string(parameter.name))] = py::make_tuple(
+            std::string(si_unit(parameter.dimension)), std::string(parameter.description), laws);
+    }
+    return table;
 }
 
 }  // namespace
@@ -231,7 +237,7 @@ PYBIND11_MODULE(_core, module) {
     py::register_exception<ConvergenceError>(module, "ConvergenceError", PyExc_ArithmeticError);
     module.attr("version") = std::string(program_version());
     module.def("laws", &laws);
-    module.def("law_parameters", &names_of_law_parameters);
+    module.def("law_parameters", &table_of_law_parameters);
     py::class_<Choice>(module, "Choice")
         .def(py::init<const std::string&, const std::optional<std::string>&, const std::string&>());
     module.def("impacts", &impacts);
