@@ -16,8 +16,8 @@ std::string one_line(const std::string& place, const std::string& problem, const
     return line;
 }
 
-/// Whether a place already is, or begins with, an outer one: "line 3" of "line 3, cell 1".
-bool stands_before(const std::string& outer, const std::string& place) {
+/// True if the outer place is the whole or the first part of a place: "line 3" of "line 3, cell 1".
+bool is_prefix_of(const std::string& outer, const std::string& place) {
     return place == outer || place.starts_with(outer + ": ") || place.starts_with(outer + ", ");
 }
 
@@ -50,14 +50,14 @@ InputError InputError::at(const std::string& whole_place) const {
     if (whole_place.empty()) return *this;
     const std::string place = with_short_keys(whole_place);
     if (place_.empty()) return {place, problem_, allowed_, names_file_};
-    if (!place.starts_with('/') && stands_before(place, place_)) return *this;
+    if (!place.starts_with('/') && is_prefix_of(place, place_)) return *this;
     const bool one_pointer = !names_file_ && place.starts_with('/') && place_.starts_with('/');
     return {one_pointer ? place + place_ : place + ": " + place_, problem_, allowed_, names_file_};
 }
 
-InputError InputError::in_file(const std::string& file) const {
-    if (names_file_ && stands_before(file, place_)) return *this;
-    return {place_.empty() ? file : file + ": " + place_, problem_, allowed_, true};
+InputError InputError::at(const FileName& file) const {
+    if (names_file_ && is_prefix_of(file.name, place_)) return *this;
+    return {place_.empty() ? file.name : file.name + ": " + place_, problem_, allowed_, true};
 }
 
 }  // namespace ashimpact

@@ -57,13 +57,7 @@ void check_fractions(const Analysis& analysis) {
         throw InputError("the sample has " + std::to_string(analysis.phases.size()) + " phases",
                          std::to_string(most_phases) + " or fewer")
             .at(analysis.phases[most_phases].place);
-    for (const PhaseFraction& phase : analysis.phases) {
-        try {
-            check_fraction(phase);
-        } catch (const InputError& error) {
-            throw error.at(phase.place);
-        }
-    }
+    for (const PhaseFraction& phase : analysis.phases) at_place(phase.place, [&] { check_fraction(phase); });
 }
 
 Component component(const PhaseFraction& line, ResolvedPhase resolved, std::vector<std::string>& notes) {

@@ -21,7 +21,7 @@ std::pair<double, double> read_range(const View& node, const std::string& unit, 
     if (ends.size() != 2) node.fail("not two numbers", "[lowest, highest]");
     const auto end = [&](const View& view) {
         if (!view.json().is_number()) view.fail("is not a number", "a number");
-        return view.located([&] { return to_si(view.json().get<double>(), unit, dimension); });
+        return at_place(view.pointer(), [&] { return to_si(view.json().get<double>(), unit, dimension); });
     };
     const double low = end(ends[0]);
     const double high = end(ends[1]);
@@ -35,7 +35,7 @@ PhaseProperty read_property(const View& node, Dimension dimension) {
     node.require_keys({"value", "unit", "standard_uncertainty", "range", "assumed", "citations"});
     Json plain = node.json();
     for (const auto* key : {"range", "assumed", "citations"}) plain.erase(key);
-    const Quantity quantity = node.located([&] { return read_quantity(plain, dimension); });
+    const Quantity quantity = at_place(node.pointer(), [&] { return read_quantity(plain, dimension); });
     PhaseProperty property{.value = quantity.value, .standard_uncertainty = quantity.standard_uncertainty};
     if (const auto range = node.find("range"))
         property.range = read_range(*range, node.at("unit").text(), dimension, property.value);
@@ -46,13 +46,13 @@ PhaseProperty read_property(const View& node, Dimension dimension) {
 
 PhaseProperty positive(const View& node, Dimension dimension) {
     PhaseProperty property = read_property(node, dimension);
-    node.located([&] { require_positive("value", property.value, dimension); });
+    at_place(node.pointer(), [&] { require_positive("value", property.value, dimension); });
     return property;
 }
 
 PhaseProperty poisson(const View& node) {
     PhaseProperty property = read_property(node, Dimension::fraction);
-    node.located([&] { require_poisson_ratio("value", property.value); });
+    at_place(node.pointer(), [&] { require_poisson_ratio("value", property.value); });
     return property;
 }
 
@@ -104,7 +104,7 @@ void require_unambiguous(const std::vector<Phase>& phases) {
 std::vector<Phase> read_phases(const View& list) {
     std::vector<Phase> phases;
     for (const View& phase : list.elements()) phases.push_back(read_phase(phase));
-    list.located([&] { require_unambiguous(phases); });
+    at_place(list.pointer(), [&] { require_unambiguous(phases); });
     return phases;
 }
 

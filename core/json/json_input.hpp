@@ -3,7 +3,6 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -24,26 +23,5 @@ using Json = nlohmann::ordered_json;
 /// than 64 levels, a number out of range and text after the end are errors too. Errors: InputError at "line
 /// N, column M" or at the JSON pointer.
 [[nodiscard]] Json parse_json(std::string_view text);
-
-/// Returns what `read` returns, and puts `place` in front of the place of an InputError that it throws.
-template <class Read>
-decltype(auto) at_place(const std::string& place, Read&& read) {
-    try {
-        return std::forward<Read>(read)();
-    } catch (const InputError& error) {
-        throw error.at(place);
-    }
-}
-
-/// Returns what `read` returns, and puts the name of a file in front of the place of an InputError that it
-/// throws.
-template <class Read>
-decltype(auto) in_file(const std::string& file, Read&& read) {
-    try {
-        return std::forward<Read>(read)();
-    } catch (const InputError& error) {
-        throw error.in_file(file);
-    }
-}
 
 }  // namespace ashimpact

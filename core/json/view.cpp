@@ -87,7 +87,7 @@ int View::integer() const {
 }
 
 Quantity View::quantity(Dimension dimension) const {
-    return located([&] {
+    return at_place(pointer_, [&] {
         if (!value_->is_object()) return read_quantity(*value_, dimension);
         Json plain = *value_;
         for (const std::string_view key : origin_keys) plain.erase(std::string(key));
@@ -110,7 +110,7 @@ std::vector<double> View::column(Dimension dimension) const {
             element.fail(
                 "is not a number" + (element.is_string() ? remedy_for_number_in_quotes(element.text()) : ""),
                 "a number");
-        column.push_back(element.located([&] {
+        column.push_back(at_place(element.pointer(), [&] {
             if (!conversion) conversion.emplace(unit, dimension);
             return (*conversion)(element.json().get<double>());
         }));
@@ -120,7 +120,7 @@ std::vector<double> View::column(Dimension dimension) const {
 
 Quantity positive_quantity(const View& node, std::string_view name, Dimension dimension) {
     Quantity quantity = node.quantity(dimension);
-    node.located([&] { require_positive(name, quantity.value, dimension); });
+    at_place(node.pointer(), [&] { require_positive(name, quantity.value, dimension); });
     return quantity;
 }
 

@@ -51,11 +51,6 @@ class View {
 
     [[noreturn]] void fail(const std::string& problem, const std::string& allowed = {}) const;
 
-    /// Returns what @p read returns, and puts this pointer in front of the place of an InputError that it
-    /// throws.
-    template <class Read>
-    auto located(Read&& read) const;
-
   private:
     View(const Json& value, std::string pointer) : value_(&value), pointer_(std::move(pointer)) {}
 
@@ -72,8 +67,3 @@ struct View::Member {
 };
 
 }  // namespace ashimpact
-
-template <class Read>
-auto ashimpact::View::located(Read&& read) const {
-    return pointer_.empty() ? read() : at_place(pointer_, read);
-}

@@ -73,7 +73,7 @@ std::vector<PhaseFraction> read_peaks(const View& list) {
     std::vector<PeakIntensity> peaks;
     peaks.reserve(nodes.size());
     for (const View& node : nodes) peaks.push_back(read_peak(node));
-    auto phases = list.located([&] { return adiabatic_fractions(peaks); });
+    auto phases = at_place(list.pointer(), [&] { return adiabatic_fractions(peaks); });
     for (std::size_t i = 0; i < nodes.size(); ++i) phases[i].place = nodes[i].pointer();
     return phases;
 }
@@ -144,7 +144,7 @@ Analysis without_standard(const Analysis& analysis, const View& standard) {
     const Quantity added =
         read_fraction(standard.at(standard.has("added_fraction") ? "added_fraction" : "weight_fraction"));
     const std::string phase = standard.at("phase").text();
-    return standard.located([&] {
+    return at_place(standard.pointer(), [&] {
         const XrdSample mixture{.name = {}, .analysis = analysis};
         return with_internal_standard(mixture, phase, added.value, added.standard_uncertainty).analysis;
     });

@@ -167,7 +167,7 @@ XrdSample sample_of_peaks(const Group& group) {
                                                                       : entry.ratio->standard_uncertainty});
         at_place(at_line(entry.line), [&] { require_computable(peaks.back()); });
     }
-    try {
+    return at_place(at_line(group.entries.front().line), [&] {
         XrdSample sample{.name = group.sample};
         sample.analysis.phases = adiabatic_fractions(peaks);
         for (std::size_t i = 0; i < peaks.size(); ++i) {
@@ -175,9 +175,7 @@ XrdSample sample_of_peaks(const Group& group) {
             sample.analysis.phases[i].place = at_line(group.entries[i].line);
         }
         return sample;
-    } catch (const InputError& error) {
-        throw error.at(at_line(group.entries.front().line));
-    }
+    });
 }
 
 /// Rescales a sample that contains an internal standard, a phase whose weight in the mixture is known.
@@ -196,15 +194,13 @@ XrdSample standardised(const XrdSample& sample, const Group& group, const Table&
     const bool per_cent = standard->standard->per_cent ||
                           table.headings[*table.column(Role::standard)].scale == Scale::per_cent ||
                           standard->standard->value > 1;
-    try {
+    return at_place(at_line(standard->line), [&] {
         const double scale = per_cent ? 0.01 : 1;
         auto uncertainty = standard->standard->standard_uncertainty;
         if (uncertainty) *uncertainty *= scale;
         return with_internal_standard(sample, standard->phase, standard->standard->value * scale,
                                       uncertainty);
-    } catch (const InputError& error) {
-        throw error.at(at_line(standard->line));
-    }
+    });
 }
 
 void warn_of_ignored(const Table& table, Layout layout, std::vector<std::string>& warnings) {

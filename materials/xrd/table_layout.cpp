@@ -109,7 +109,7 @@ std::optional<double> density_in(const TableRow& row, std::size_t column, const 
     const std::string& cell = row.cells[column];
     const Heading& heading = table.headings[column];
     if (says_no_number(cell)) return std::nullopt;
-    try {
+    return at_place(at_cell(row.line, column), [&] {
         if (heading.unit.empty() && read_number(cell))
             throw InputError("the density has no unit",
                              "density [g/cm3] as the heading, or a unit in each cell");
@@ -117,10 +117,8 @@ std::optional<double> density_in(const TableRow& row, std::size_t column, const 
         const double density = number ? to_si(number->value, heading.unit, Dimension::density)
                                       : parse_quantity(cell, Dimension::density);
         if (!(density > 0)) throw InputError("the density is not positive", "a positive density");
-        return density;
-    } catch (const InputError& error) {
-        throw error.place().empty() ? error.at(at_cell(row.line, column)) : error;
-    }
+        return std::optional(density);
+    });
 }
 
 /// One row a phase: phase and weight, or phase, intensity and RIR.

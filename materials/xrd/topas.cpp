@@ -242,11 +242,8 @@ XrdSample completed(XrdSample sample, const TopasPattern& pattern) {
                                       shortest(pattern.amorphous->value) + " %, the standard gives " +
                                       shortest(std::round(100 * ours) / 100) + " %, which is used");
     }
-    try {
-        return with_internal_standard(sample, standard->name, weighed);
-    } catch (const InputError& error) {
-        throw error.at(at_line(standard->line));
-    }
+    return at_place(at_line(standard->line),
+                    [&] { return with_internal_standard(sample, standard->name, weighed); });
 }
 
 XrdSample sample_of(const TopasPattern& pattern) {

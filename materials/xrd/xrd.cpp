@@ -31,17 +31,15 @@ XrdResult read_from_workbook(std::string_view bytes, std::string_view sheet) {
                                      .option = "the name of a sheet (--sheet, in a case \"xrd_sheet\")",
                                      .limits = xrd_limits,
                                      .holds_table = xrd::looks_like_table});
-    try {
-        XrdResult result = xrd::read_table(chosen.lines());
+    return chosen.read([&](const TextLines& lines) {
+        XrdResult result = xrd::read_table(lines);
         result.warnings.insert(result.warnings.begin(), chosen.warnings().begin(), chosen.warnings().end());
         for (XrdSample& sample : result.samples) {
             for (std::string& warning : sample.warnings) warning = in_rows(warning);
             for (PhaseFraction& phase : sample.analysis.phases) phase.place = chosen.place(phase.place);
         }
         return result;
-    } catch (const InputError& error) {
-        throw chosen.located(error);
-    }
+    });
 }
 
 XrdResult read(std::string_view text, std::string_view sheet) {
@@ -68,14 +66,12 @@ std::string stem(std::string_view name) {
 }  // namespace
 
 XrdResult read_xrd(std::string_view text, std::string_view name, std::string_view sheet) {
-    try {
+    return at_place(FileName{std::string(name)}, [&] {
         XrdResult result = read(text, sheet);
         for (XrdSample& sample : result.samples)
             if (sample.name.empty()) sample.name = stem(name);
         return result;
-    } catch (const InputError& error) {
-        throw error.in_file(std::string(name));
-    }
+    });
 }
 
 }  // namespace ashimpact

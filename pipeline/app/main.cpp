@@ -18,7 +18,7 @@ void hand_over(char** argv) {
     execv(program.c_str(), argv);
     throw ashimpact::InputError("cannot be started: " + std::generic_category().message(errno),
                                 "ashimpact-sweep beside ashimpact, where it is built and installed")
-        .in_file(program.string());
+        .at(ashimpact::FileName{program.string()});
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ constexpr double greatest_number = 1e40;  ///< of any number in SI, see is_compu
 /// A quantity that may be zero.
 double not_negative(const View& node, std::string_view name, Dimension dimension) {
     const double value = node.number(dimension);
-    node.located([&] { require_not_negative(name, value, dimension); });
+    at_place(node.pointer(), [&] { require_not_negative(name, value, dimension); });
     return value;
 }
 
@@ -30,7 +30,7 @@ void require_uncertainty(const View& node, const Stated& stated, double most, co
 }
 
 Law law_of(const View::Member& member) {
-    return member.value.located([&] { return Law::named(member.key); });
+    return at_place(member.value.pointer(), [&] { return Law::named(member.key); });
 }
 
 /// How many of the keys an object has.
@@ -79,8 +79,9 @@ ReadAnalysis read_xrd_analysis(const View& node, InputFiles& files) {
     const View file = node.at("xrd");
     const std::string name = file.text();
     const auto sheet = node.find("xrd_sheet");
-    const XrdResult result = file.located(
-        [&] { return read_xrd(files.read(name), files.shown(name), sheet ? sheet->text() : std::string()); });
+    const XrdResult result = at_place(file.pointer(), [&] {
+        return read_xrd(files.read(name), files.shown(name), sheet ? sheet->text() : std::string());
+    });
     XrdSample sample = chosen_sample(node, result);
     for (PhaseFraction& phase : sample.analysis.phases)
         if (!phase.place.empty()) phase.place.insert(0, files.shown(name) + ": ");
@@ -124,7 +125,7 @@ class Printed {
     }
     [[nodiscard]] Quantity read(const View& node) const {
         Quantity quantity = node.quantity(dimension_);
-        node.located([&] { require_possible(quantity.value); });
+        at_place(node.pointer(), [&] { require_possible(quantity.value); });
         if (!quantity.standard_uncertainty) quantity.standard_uncertainty = uncertainty();
         return quantity;
     }
@@ -164,14 +165,14 @@ Stated read_stated(const View& node, Dimension dimension) {
 
 Stated read_positive(const View& node, std::string_view name, Dimension dimension) {
     Stated stated = read_stated(node, dimension);
-    node.located([&] { require_positive(name, stated.value(), dimension); });
+    at_place(node.pointer(), [&] { require_positive(name, stated.value(), dimension); });
     require_uncertainty(node, stated, 10 * stated.value(), "ten times the value at most");
     return stated;
 }
 
 Stated read_poisson_ratio(const View& node) {
     Stated stated = read_stated(node, Dimension::fraction);
-    node.located([&] { require_poisson_ratio("Poisson's ratio", stated.value()); });
+    at_place(node.pointer(), [&] { require_poisson_ratio("Poisson's ratio", stated.value()); });
     require_uncertainty(node, stated, 0.5, "0 to 0.5");
     return stated;
 }
@@ -210,8 +211,9 @@ Adhesion read_adhesion(const View& node) {
         if (node.is_object() && count_of(node, {"surface_energies", "rule"}) > 0)
             node.fail("a value and surface energies are both given", "one of the two");
         Stated stated = read_stated(node, Dimension::energy_per_area);
-        node.located(
-            [&] { require_not_negative("work of adhesion", stated.value(), Dimension::energy_per_area); });
+        at_place(node.pointer(), [&] {
+            require_not_negative("work of adhesion", stated.value(), Dimension::energy_per_area);
+        });
         return stated;
     }
     if (!node.has("rule"))
@@ -226,7 +228,7 @@ Adhesion read_adhesion(const View& node) {
     AdhesionFromSurfaces from{.energies = {.particle = energy("particle"), .wall = other},
                               .rule = named<AdhesionRule>(node.at("rule").text())};
     if (energies.has("interfacial")) from.energies.interfacial = energy("interfacial");
-    node.located([&] { static_cast<void>(work_of_adhesion(from.rule, from.energies)); });
+    at_place(node.pointer(), [&] { static_cast<void>(work_of_adhesion(from.rule, from.energies)); });
     return from;
 }
 
@@ -239,7 +241,7 @@ Porosity read_porosity(const View& node) {
     }
     if (const auto coefficient = node.find("coefficient"))
         porosity.coefficient = coefficient->number(Dimension::fraction);
-    node.located([&] { require_valid(porosity); });
+    at_place(node.pointer(), [&] { require_valid(porosity); });
     return porosity;
 }
 

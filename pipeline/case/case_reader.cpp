@@ -56,7 +56,7 @@ ParticleValues read_particle(const View& node) {
         const auto stated = node.find(parameter.name);
         if (!stated) continue;
         Stated value = read_stated(*stated, parameter.dimension);
-        stated->located([&] { require_allowed(parameter, value.value()); });
+        at_place(stated->pointer(), [&] { require_allowed(parameter, value.value()); });
         particle.parameters.emplace(parameter.name, std::move(value));
     }
     return particle;
@@ -114,11 +114,11 @@ class PublishedSets {
     PublishedSets(const View& document, InputFiles& files) {
         const auto name = document.find("published");
         if (!name) return;
-        name->located([&] {
+        at_place(name->pointer(), [&] {
             const std::string built_in = "published/" + name->text() + ".json";
             const bool carried = embedded_file(built_in).has_value();
             const std::string shown = carried ? built_in : files.shown(name->text());
-            in_file(shown, [&] {
+            at_place(FileName{shown}, [&] {
                 json_ = without_comments(
                     parse_json(carried ? files.read_built_in(built_in) : files.read(name->text())));
                 validate_document(json_, "published");
@@ -160,7 +160,7 @@ std::vector<LawChoice> read_laws(const View& document) {
 PhaseCatalogue catalogue_of(const View& document, const PhaseCatalogue& built_in) {
     PhaseCatalogue catalogue = built_in;
     if (const auto set = document.find("phase_set"))
-        catalogue = set->located([&] { return catalogue.preferring(set->text()); });
+        catalogue = at_place(set->pointer(), [&] { return catalogue.preferring(set->text()); });
     if (const auto own = document.find("phases")) catalogue = catalogue.overridden_by(read_user_phases(*own));
     return catalogue;
 }
@@ -197,7 +197,7 @@ std::vector<Phase> phases_of(const std::vector<Sample>& samples, const View& doc
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const View place = document.at("samples").elements()[i].at("composition");
         const Composition composition =
-            place.located([&] { return composed(samples[i].analysis, catalogue); });
+            at_place(place.pointer(), [&] { return composed(samples[i].analysis, catalogue); });
         for (const Component& component : composition.components) {
             const auto [phase, note] = catalogue.resolve(component.name);
             if (!note.empty()) warnings.push_back(samples[i].name + ": " + note);
@@ -287,8 +287,8 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
     read_other_body(document, data);
     if (const auto roughness = document.find("roughness")) {
         data.roughness = read_stated(*roughness, Dimension::length);
-        roughness->located(
-            [&] { require_not_negative("rms roughness", data.roughness->value(), Dimension::length); });
+        at_place(roughness->pointer(),
+                 [&] { require_not_negative("rms roughness", data.roughness->value(), Dimension::length); });
     }
     Defaults defaults;
     if (const auto particle = document.find("particle")) defaults.particle = read_particle(*particle);
@@ -332,7 +332,7 @@ LoadedCase load_case(const std::optional<std::string>& file, bool allow_outside)
     InputFiles files = file ? InputFiles::beside(*file) : InputFiles::built_in(built_in_case);
     if (allow_outside) files.allow_outside();
     const std::string text = files.read_case();
-    return in_file(files.case_name(), [&] {
+    return at_place(FileName{files.case_name()}, [&] {
         const Json with_comments = parse_json(text);
         const Json document = without_comments(with_comments);
         require_schema_version(document, false);

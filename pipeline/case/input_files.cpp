@@ -39,7 +39,7 @@ std::string InputFiles::read(const std::string& name) {
 
 std::string InputFiles::read_built_in(const std::string& path) {
     const auto bytes = embedded_file(path);
-    if (!bytes) throw InputError("the program carries no such file").in_file(built_in_mark + path);
+    if (!bytes) throw InputError("the program carries no such file").at(FileName{built_in_mark + path});
     return record(built_in_mark + path, std::string(*bytes));
 }
 
@@ -55,7 +55,7 @@ void InputFiles::require_inside(const std::string& name) const {
     const auto way = file.lexically_relative(folder);
     if (!failure && !way.empty() && *way.begin() != "..") return;
     throw InputError("lies outside of the folder of the case", "a file in that folder, or --allow-outside")
-        .in_file(shown(name));
+        .at(FileName{shown(name)});
 }
 
 std::string InputFiles::record(const std::string& name, std::string bytes) {

@@ -11,7 +11,7 @@ void read_detachments(const std::optional<View>& node, std::vector<LawChoice>& c
                       const std::string& known_laws) {
     if (!node) return;
     for (const auto& [name, value] : node->members()) {
-        const Law law = value.located([&key = name] { return Law::named(key); });
+        const Law law = at_place(value.pointer(), [&key = name] { return Law::named(key); });
         const Detachment detachment = named<Detachment>(value.text());
         if (const auto reason = refusal(law, detachment)) value.fail(*reason, admissible_detachments(law));
         const auto chosen = std::find_if(choices.begin(), choices.end(),

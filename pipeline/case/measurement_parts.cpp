@@ -15,7 +15,7 @@ namespace {
 
 void apply_camera(const View& node, MeasuredRestitution& data) {
     const Camera camera = read_camera(node);
-    data.impacts = node.located([&] { return with_camera(std::move(data.impacts), camera); });
+    data.impacts = at_place(node.pointer(), [&] { return with_camera(std::move(data.impacts), camera); });
     data.source += fmt::format("; velocities of a camera with {} frames/s and {} a pixel, u = {}",
                                readable_number(camera.frame_rate, 6), readable(camera.pixel_size, "m"),
                                readable(camera.velocity_uncertainty(), "m/s"));
@@ -27,7 +27,7 @@ void apply_binning(const View& node, MeasuredRestitution& data) {
     if (const auto width = node.find("width"))
         binning.width = positive_quantity(*width, "width", Dimension::velocity).value;
     const std::size_t before = data.impacts.rebounds();
-    data.impacts = node.located([&] { return binned(data.impacts, binning); });
+    data.impacts = at_place(node.pointer(), [&] { return binned(data.impacts, binning); });
     data.source += fmt::format("; {} rebounds in {} bins", before, data.impacts.rebounds());
 }
 
@@ -40,7 +40,7 @@ Camera read_camera(const View& node) {
     if (const auto frames = node.find("frames")) camera.frames = frames->integer();
     if (const auto position = node.find("position_in_pixels"))
         camera.position_in_pixels = position->number(Dimension::fraction);
-    node.located([&] { static_cast<void>(camera.velocity_uncertainty()); });
+    at_place(node.pointer(), [&] { static_cast<void>(camera.velocity_uncertainty()); });
     return camera;
 }
 
@@ -50,7 +50,7 @@ MeasuredRestitution read_measured(const View& node, InputFiles& files, const std
         const std::string name = file->text();
         data.source = name;
         const auto sheet = node.find("sheet");
-        data.impacts = file->located([&] {
+        data.impacts = at_place(file->pointer(), [&] {
             return read_measurements(files.read(name), files.shown(name),
                                      sheet ? sheet->text() : std::string());
         });
@@ -63,9 +63,9 @@ MeasuredRestitution read_measured(const View& node, InputFiles& files, const std
     else if (camera && !data.impacts.has_noise())
         apply_camera(*camera, data);
     const auto place = node.find("file");
-    (place ? *place : node).located([&] {
+    at_place((place ? *place : node).pointer(), [&] {
         if (!place) return check_impacts(data.impacts);
-        in_file(files.shown(place->text()), [&] { check_impacts(data.impacts); });
+        at_place(FileName{files.shown(place->text())}, [&] { check_impacts(data.impacts); });
     });
     if (const auto binning = node.find("binning")) apply_binning(*binning, data);
     return data;

@@ -136,10 +136,11 @@ void require_one_run(const std::vector<Artifact>& artifacts) {
     for (const Artifact& artifact : artifacts) {
         const Artifact& first = artifacts.front();
         const std::string& place = artifact.place.empty() ? artifact.file : artifact.place;
-        if (in_file(place, [&] { return run_of(artifact.document); }) == run_of(first.document)) continue;
+        if (at_place(FileName{place}, [&] { return run_of(artifact.document); }) == run_of(first.document))
+            continue;
         throw InputError("is of another run than " + first.file + " beside it",
                          "artifacts of one run; `ashimpact run` with the case writes all of them anew")
-            .in_file(place);
+            .at(FileName{place});
     }
 }
 

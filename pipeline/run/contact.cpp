@@ -244,11 +244,11 @@ std::vector<SampleContact> read_contacts(const View& result) {
             const auto node = sample.find(parameter.name);
             if (!node) continue;
             const Quantity value = node->quantity(parameter.dimension);
-            node->located([&] { require_allowed(parameter, value.value); });
+            at_place(node->pointer(), [&] { require_allowed(parameter, value.value); });
             contact.pair.parameters.set(parameter.name, value.value);
             contact.parameters.emplace_back(parameter, value);
         }
-        sample.located([&] { validate(contact.pair); });
+        at_place(sample.pointer(), [&] { validate(contact.pair); });
         samples.push_back(std::move(contact));
     }
     return samples;

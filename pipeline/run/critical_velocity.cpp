@@ -169,7 +169,7 @@ Quantity headline_velocity(const View& node) {
         unit.fail("is " + in_quotes(unit.text()), std::string(si_unit(Dimension::velocity)));
     const View value = node.at("value");
     const double velocity = value.number(Dimension::velocity);
-    value.located([&] { require_positive("critical velocity", velocity, Dimension::velocity); });
+    at_place(value.pointer(), [&] { require_positive("critical velocity", velocity, Dimension::velocity); });
     return make_quantity(velocity, Dimension::velocity);
 }
 

@@ -213,9 +213,8 @@ std::vector<SampleFit> read_fits(const View& result, Dimension dimension) {
             const auto value = [&](const char* key) { return node.at(key).number(dimension); };
             LawFit fit{DampingPolynomial::quadratic(value("a"), value("b"), value("c")),
                        value("critical_damping")};
-            node.at("critical_damping").located([&] {
-                require_not_negative("critical damping", fit.critical_damping, dimension);
-            });
+            at_place(node.at("critical_damping").pointer(),
+                     [&] { require_not_negative("critical damping", fit.critical_damping, dimension); });
             fit.critical_damping_uncertainty =
                 node.at("critical_damping").quantity(dimension).standard_uncertainty;
             if (const auto curve = node.find("extrapolated")) fit.extrapolated = read_damping_fit(*curve);

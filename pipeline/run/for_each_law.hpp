@@ -18,7 +18,7 @@ template <class Read>
 void for_each_law(const View& sample, std::initializer_list<std::string_view> other_keys, Read&& read) {
     for (const auto& [name, node] : sample.members()) {
         if (std::find(other_keys.begin(), other_keys.end(), name) != other_keys.end()) continue;
-        const Law law = node.located([&key = name] { return Law::named(key); });
+        const Law law = at_place(node.pointer(), [&key = name] { return Law::named(key); });
         read(law, node);
     }
 }

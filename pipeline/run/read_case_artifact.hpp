@@ -18,7 +18,7 @@ template <class Entry>
         if (entry.name == name) return entry;
     throw InputError("the sample " + in_quotes(name) + " is missing", "every sample of 0-case.json")
         .at("/result/samples")
-        .in_file(artifacts.place_of(file));
+        .at(FileName{artifacts.place_of(file)});
 }
 
 }  // namespace ashimpact

@@ -131,7 +131,8 @@ std::vector<SampleRestitution> read_restitutions(const View& result) {
             for (const View& law : node.at("laws").elements()) series.laws.push_back(Law::named(law.text()));
             series.impacts = read_measurement_columns(node);
             series.impacts.source = series.source;
-            if (!series.impacts.points.empty()) node.located([&] { check_impacts(series.impacts); });
+            if (!series.impacts.points.empty())
+                at_place(node.pointer(), [&] { check_impacts(series.impacts); });
             if (const auto u = node.find("coefficient_uncertainty"))
                 series.coefficient_uncertainty = u->number(Dimension::damping);
             entry.series.push_back(std::move(series));

@@ -39,8 +39,8 @@ StageOutput run_stage(const Stage& stage, const Artifacts& before, const std::ve
             return std::find(edited.begin(), edited.end(), file) != edited.end();
         };
         const auto found = std::find_if(stage.reads.begin(), stage.reads.end(), is_edited_one);
-        throw error.at("/result").in_file(
-            before.place_of(found != stage.reads.end() ? *found : stage.reads.front()));
+        throw error.at("/result").at(
+            FileName{before.place_of(found != stage.reads.end() ? *found : stage.reads.front())});
     }
 }
 
@@ -110,7 +110,7 @@ Artifact loaded_artifact(const std::filesystem::path& folder, std::string_view f
                          std::vector<std::string>& edited) {
     const auto path = folder / file;
     std::string bytes = read_file(path);
-    return in_file(path.string(), [&] {
+    return at_place(FileName{path.string()}, [&] {
         Json document = without_comments(parse_json(bytes));
         require_schema_version(document, true);
         validate_document(document, schema_of(file));
@@ -184,7 +184,7 @@ void replace_without_report(const std::filesystem::path& folder, const std::vect
     std::error_code failure;
     if (!std::filesystem::remove(page, failure))
         throw InputError("cannot be removed: " + failure.message(), "a folder you may write to")
-            .in_file(page.string());
+            .at(FileName{page.string()});
     try {
         replace_files(folder, files);
     } catch (...) {
@@ -204,7 +204,7 @@ void remove_old_figures(const std::filesystem::path& folder, const std::vector<F
         std::error_code failure;
         if (!std::filesystem::remove(old, failure))
             throw InputError("cannot be removed: " + failure.message(), "a folder you may write to")
-                .in_file(old.string());
+                .at(FileName{old.string()});
         ++removed;
     }
     if (removed == 0) return;
@@ -267,7 +267,7 @@ void keep_inputs(const std::vector<InputFile>& inputs, const std::filesystem::pa
             if (is_same_file(input.file, folder / file))
                 throw InputError("the run reads this file and would write " + file + " over it",
                                  "another folder; -o")
-                    .in_file(input.file);
+                    .at(FileName{input.file});
 }
 
 /// The stages a plan runs, as positions in stages().
@@ -288,7 +288,7 @@ Range range_of(const RunPlan& plan) {
         throw unknown_name("stage", name, names).at(plan.only.empty() ? "--from" : "--only");
     if (plan.case_file)
         throw InputError("a case file and a stage to start from are both given", "one of the two")
-            .in_file(*plan.case_file);
+            .at(FileName{*plan.case_file});
     const auto first = static_cast<std::size_t>(found - names.begin());
     return {first, plan.only.empty() ? stages().size() : first + 1, false};
 }
@@ -308,7 +308,7 @@ void add_left(const std::filesystem::path& folder, std::string_view file, std::s
     if (!std::filesystem::is_regular_file(path, ignored)) return;
     std::string bytes = read_file(path);
     Json document{{"stage", stage}, {"provenance", {{"inputs", Json::array()}}}, {"warnings", Json::array()}};
-    in_file(path.string(), [&] {
+    at_place(FileName{path.string()}, [&] {
         const Json whole = without_comments(parse_json(bytes));
         require_schema_version(whole, true);
         validate_document(whole, schema_of(file));

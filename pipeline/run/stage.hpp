@@ -56,7 +56,7 @@ class Artifacts {
     template <class Read>
     auto read(std::string_view file, Read&& read) const {
         const Artifact& artifact = at(file);
-        return in_file(place_of(file), [&] {
+        return at_place(FileName{place_of(file)}, [&] {
             if (!artifact.place.empty()) return read(View(artifact.document).at("result"));
             try {
                 return read(View(artifact.document).at("result"));

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+using ashimpact::FileName;
 using ashimpact::InputError;
 
 TEST_CASE("an input error is one line: place, problem, what is allowed") {
@@ -17,9 +18,9 @@ TEST_CASE("an input error is one line: place, problem, what is allowed") {
 TEST_CASE("a place that is there already is not said twice, but a key may hold one of its own name") {
     const InputError error("is 0", "> 0");
     CHECK(std::string(error.at("--density").at("--density").what()) == "--density: is 0; allowed: > 0");
-    CHECK(std::string(error.in_file("zz").in_file("zz").what()) == "zz: is 0; allowed: > 0");
-    CHECK(std::string(error.at("line 3").in_file("zz").in_file("zz").what()) ==
+    CHECK(std::string(error.at(FileName{"zz"}).at(FileName{"zz"}).what()) == "zz: is 0; allowed: > 0");
+    CHECK(std::string(error.at("line 3").at(FileName{"zz"}).at(FileName{"zz"}).what()) ==
           "zz: line 3: is 0; allowed: > 0");
-    CHECK(std::string(error.at("/1").at("").in_file("zz").what()) == "zz: /1: is 0; allowed: > 0");
+    CHECK(std::string(error.at("/1").at("").at(FileName{"zz"}).what()) == "zz: /1: is 0; allowed: > 0");
     CHECK(std::string(error.at("/a").at("/a").what()) == "/a/a: is 0; allowed: > 0");
 }

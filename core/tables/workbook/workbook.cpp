@@ -83,7 +83,7 @@ ChosenSheet::ChosenSheet(std::string_view bytes, const SheetRequest& request) {
     try {
         lines_ = lines_of(sheet, request.limits);
     } catch (const InputError& error) {
-        throw located(error);
+        throw in_sheet(error);
     }
     std::vector<const Sheet*> others;
     for (const Sheet& other : sheets)
@@ -108,7 +108,7 @@ std::string ChosenSheet::place(const std::string& line) const {
     return sheet + ", cell " + cell_name(row - 1, column - 1) + line.substr(end);
 }
 
-InputError ChosenSheet::located(const InputError& error) const {
+InputError ChosenSheet::in_sheet(const InputError& error) const {
     return InputError(in_rows(error.problem()), in_rows(error.allowed())).at(place(error.place()));
 }
 

@@ -35,14 +35,23 @@ class ChosenSheet {
     /// @throws InputError if no sheet, or more than one, holds such a table, or none has that name
     ChosenSheet(std::string_view bytes, const SheetRequest& request);
 
-    [[nodiscard]] const TextLines& lines() const { return *lines_; }
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
     /// "line 7, cell 2" is `sheet "XRD", cell B7`, and "line 7" is row 7 of it.
     [[nodiscard]] std::string place(const std::string& line) const;
-    [[nodiscard]] InputError located(const InputError& error) const;
+    /// Returns what @p read makes of the lines. The places of its errors are rows and cells of the sheet.
+    template <class Read>
+    auto read(Read&& read) const {
+        try {
+            return read(*lines_);
+        } catch (const InputError& error) {
+            throw in_sheet(error);
+        }
+    }
 
   private:
+    [[nodiscard]] InputError in_sheet(const InputError& error) const;
+
     std::string name_;
     std::unique_ptr<TextLines> lines_;
     std::vector<std::string> warnings_;

@@ -110,7 +110,7 @@ void perform(const Action& action, bool writes_files, HeldWarnings& messages) {
     } catch (const std::filesystem::filesystem_error& error) {  // such as a name that is too long
         messages.drop();
         throw InputError("cannot be used: " + error.code().message(), "a path that the system takes")
-            .in_file(shortened(error.path1().string()));
+            .at(FileName{shortened(error.path1().string())});
     }
     messages.release();
     report(out.str(), writes_files);

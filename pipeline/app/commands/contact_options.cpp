@@ -20,16 +20,6 @@ namespace ashimpact {
 
 namespace {
 
-/// Calls @p read and gives any InputError of it the option as its place.
-template <class Read>
-auto at_option(const std::string& option, Read&& read) {
-    try {
-        return read();
-    } catch (const InputError& error) {
-        throw error.at(option);
-    }
-}
-
 /// The options of one sphere.
 struct SphereOptions {
     const char* radius_option;
@@ -78,7 +68,7 @@ Sphere read_sphere(const SphereOptions& options) {
     if (!options.mass.empty())
         return {radius, read_positive_option(options.mass_option, options.mass, Dimension::mass)};
     const double density = read_positive_option(options.density_option, options.density, Dimension::density);
-    return at_option(std::string(options.radius_option) + ", " + options.density_option, [&] {
+    return at_place(std::string(options.radius_option) + ", " + options.density_option, [&] {
         const double mass = sphere_mass(radius, density);
         require_positive("mass of the sphere", mass, Dimension::mass);
         return Sphere{radius, mass};
@@ -116,7 +106,7 @@ Sphere effective(const Sphere& sphere, const std::optional<Sphere>& partner) {
 double read_roughness(const ContactOptions& options, double effective_radius) {
     if (options.roughness.empty()) return 1;
     const double rms = read_option("--roughness", options.roughness, Dimension::length);
-    return at_option("--roughness", [&] { return roughness_reduction(effective_radius, {.rms = rms}); });
+    return at_place("--roughness", [&] { return roughness_reduction(effective_radius, {.rms = rms}); });
 }
 
 double read_work_of_adhesion(const ContactOptions& options, Law law) {
@@ -126,7 +116,7 @@ double read_work_of_adhesion(const ContactOptions& options, Law law) {
         spdlog::warn("warning: {}: {} does not use it, so it changes nothing", option, law.name());
     if (!used && options.work_of_adhesion.empty()) return 0;
     const double value = read_option(option, options.work_of_adhesion, Dimension::energy_per_area);
-    return at_option(option, [&] {
+    return at_place(option, [&] {
         require_not_negative("work of adhesion", value, Dimension::energy_per_area);
         return value;
     });
@@ -163,7 +153,7 @@ ParameterValues<double> read_parameters(const ContactOptions& options, Law law) 
             continue;
         }
         const double value = read_option(option, text, parameter.dimension);
-        at_option(option, [&] { require_allowed(parameter, value); });
+        at_place(option, [&] { require_allowed(parameter, value); });
         values.set(parameter.name, value);
     }
     const auto is_given = [&](const LawParameter& parameter) { return values.has(parameter); };
@@ -173,7 +163,7 @@ ParameterValues<double> read_parameters(const ContactOptions& options, Law law) 
 
 Detachment read_detachment(const std::string& name, Law law) {
     if (name.empty()) return law.default_detachment();
-    return at_option("--detachment", [&] {
+    return at_place("--detachment", [&] {
         const Detachment detachment = named<Detachment>(name);
         if (const auto reason = refusal(law, detachment))
             throw InputError(*reason, admissible_detachments(law));
@@ -190,7 +180,7 @@ std::string option_of(const LawParameter& parameter) {
 }
 
 double read_option(const std::string& option, const std::string& text, Dimension dimension) {
-    return at_option(option, [&] {
+    return at_place(option, [&] {
         if (text.empty())
             throw InputError("is missing", with_article(dimension_name(dimension)) + " [" +
                                                std::string(si_unit(dimension)) + "]");
@@ -204,14 +194,14 @@ double read_option(const std::string& option, const std::string& text, Dimension
 
 double read_positive_option(const std::string& option, const std::string& text, Dimension dimension) {
     const double value = read_option(option, text, dimension);
-    return at_option(option, [&] {
+    return at_place(option, [&] {
         require_positive(dimension_name(dimension), value, dimension);
         return value;
     });
 }
 
 ContactChoice read_contact(const ContactOptions& options) {
-    const Law law = at_option("--law", [&] { return Law::named(options.law); });
+    const Law law = at_place("--law", [&] { return Law::named(options.law); });
     const Detachment detachment = read_detachment(options.detachment, law);
     const Sphere sphere = read_particle(options);
     const std::optional<Sphere> partner = read_partner(options);
@@ -228,10 +218,10 @@ ContactChoice read_contact(const ContactOptions& options) {
 }
 
 Damping read_damping(const ContactOptions& options) {
-    const DampingLaw law = at_option("--damping-law", [&] { return named<DampingLaw>(options.damping_law); });
+    const DampingLaw law = at_place("--damping-law", [&] { return named<DampingLaw>(options.damping_law); });
     if (options.damping.empty()) return {law, 0};
     const double coefficient = read_option("--damping", options.damping, dimension_of(law));
-    return at_option("--damping", [&] {
+    return at_place("--damping", [&] {
         require_not_negative("damping", coefficient, dimension_of(law));
         return Damping{law, coefficient};
     });

@@ -59,7 +59,7 @@ void require_quantities(const View& node) {
 void run_inspect_command(const InspectOptions& options, std::ostream& out) {
     const std::string& file = options.file;
     const std::string bytes = read_file(file);
-    in_file(file, [&] {
+    at_place(FileName{file}, [&] {
         const Json document = parse_json(bytes);
         validate_document(document, schema_of_artifact(document));
         require_quantities(View(document));
@@ -75,7 +75,7 @@ void run_init_command(const std::string& folder, std::ostream& out) {
     for (const std::string_view path : embedded_files(example)) {
         const auto place = std::filesystem::path(folder) / path.substr(example.size());
         if (std::filesystem::exists(place))
-            throw InputError("is there already", "a folder without a case").in_file(place.string());
+            throw InputError("is there already", "a folder without a case").at(FileName{place.string()});
         files.push_back({place, std::string(embedded_file(path).value())});
     }
     write_files(files);

@@ -168,7 +168,7 @@ void require_free(const std::filesystem::path& folder, const ExportFolder& files
     for (const ExportFile& file : files)
         if (std::filesystem::exists(folder / file.name))
             throw InputError("is there already, and not from an export", "an empty folder; -o")
-                .in_file((folder / file.name).string());
+                .at(FileName{(folder / file.name).string()});
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ MeasurementSet read_impacts(const DampingOptions& options) {
                             .frames = options.frames > 0 ? options.frames : Camera{}.frames};
         set = at_place("--frame-rate, --pixel-size", [&] { return with_camera(std::move(set), camera); });
     }
-    in_file(options.impacts, [&] { check_impacts(set); });
+    at_place(FileName{options.impacts}, [&] { check_impacts(set); });
     return options.bin > 0 ? binned(set, {.impacts_per_bin = options.bin}) : set;
 }
 

@@ -29,7 +29,7 @@ namespace {
 report::RunData loaded(const std::filesystem::path& folder, const std::string& label) {
     if (!std::filesystem::is_directory(folder))
         throw InputError("is no folder", "the folder of a run, or one result of a sweep")
-            .in_file(folder.string());
+            .at(FileName{folder.string()});
     return {load_artifacts(folder, report::report_artifacts()), label};
 }
 
@@ -44,7 +44,7 @@ void require_known(const std::vector<std::string>& given) {
             continue;
         const std::vector<std::string> allowed(files.begin(), files.end());
         throw InputError("is no artifact of a run", "the folder of a run, or " + joined(allowed))
-            .in_file(name);
+            .at(FileName{name});
     }
 }
 
@@ -69,7 +69,7 @@ Artifacts gathered(const std::vector<std::string>& given) {
 std::optional<Json> sweep_result(const std::string& file) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(file, ignored)) return std::nullopt;
-    return in_file(file, [&]() -> std::optional<Json> {
+    return at_place(FileName{file}, [&]() -> std::optional<Json> {
         Json document = without_comments(parse_json(read_file(file)));
         if (!document.is_object() || document.value("schema", Json()) != "sweep-result") return std::nullopt;
         validate_document(document, "sweep-result");
@@ -82,7 +82,7 @@ void report_sweep(const Json& result, const ReportOptions& options, std::ostream
     const std::filesystem::path output = options.output.empty()
                                              ? std::filesystem::path(file).replace_extension(".html")
                                              : std::filesystem::path(options.output);
-    write_file(output, in_file(file.string(), [&] {
+    write_file(output, at_place(FileName{file.string()}, [&] {
                    return report::sweep_page(result, capture_fractions(result), file.filename().string());
                }));
     out << output.string() << '\n';

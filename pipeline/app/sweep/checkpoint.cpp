@@ -41,7 +41,7 @@ std::optional<Checkpoint> load_checkpoint(const std::filesystem::path& file, con
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored)) return std::nullopt;
     const auto refuse = [&](const char* problem) {
-        throw InputError(problem, "--restart to begin anew, or another -o").in_file(file.string());
+        throw InputError(problem, "--restart to begin anew, or another -o").at(FileName{file.string()});
     };
     const std::string content = read_file(file);
     Owner owner;

@@ -126,7 +126,7 @@ void run_sweep_command(const SweepOptions& options, MpiSession& session, const I
     std::string text;
     if (session.rank() == 0) {
         text = read_file(options.spec);
-        const SweepPlan checked = in_file(options.spec, [&] { return SweepPlan(text); });
+        const SweepPlan checked = at_place(FileName{options.spec}, [&] { return SweepPlan(text); });
         for (const std::string& warning : checked.spec().warnings) spdlog::warn("warning: {}", warning);
         check_outputs(SweepFiles::beside(options.output), options.spec, checked, !options.no_report);
     }
@@ -135,7 +135,7 @@ void run_sweep_command(const SweepOptions& options, MpiSession& session, const I
     const int threads = options.threads > 0 ? options.threads : default_threads(session.size_here());
     const auto of_spec = [&](const ImpactModel& model, const ImpactColumns& impacts,
                              const WantedResults& wanted) {
-        return in_file(options.spec, [&] { return solver(model, impacts, wanted); });
+        return at_place(FileName{options.spec}, [&] { return solver(model, impacts, wanted); });
     };
     Crew crew(threads, work_of(plan, of_spec));
     if (session.rank() != 0) {

@@ -24,7 +24,7 @@ std::string reason(int error) {
 }
 
 [[noreturn]] void refuse_write(const std::filesystem::path& path, const std::string& why) {
-    throw InputError("cannot be written: " + why, "a place you may write to").in_file(path.string());
+    throw InputError("cannot be written: " + why, "a place you may write to").at(FileName{path.string()});
 }
 
 /// Writes bytes to a file, which is made or emptied. @return 0, or the error
@@ -117,7 +117,7 @@ class Staged {
 std::string read_file(const std::filesystem::path& path) {
     std::string content = read_start(path, longest_file + 1);
     if (content.size() > longest_file)
-        throw InputError("is longer than 256 MiB", "a file of at most 256 MiB").in_file(path.string());
+        throw InputError("is longer than 256 MiB", "a file of at most 256 MiB").at(FileName{path.string()});
     return content;
 }
 
@@ -150,7 +150,7 @@ std::string read_start(const std::filesystem::path& path, std::size_t most) {
     const bool folder = std::filesystem::is_directory(path, ignored);
     if (!stream || folder) {
         const std::string why = folder ? "it is a folder" : reason(errno != 0 ? errno : EIO);
-        throw InputError("cannot be read: " + why, "a file").in_file(path.string());
+        throw InputError("cannot be read: " + why, "a file").at(FileName{path.string()});
     }
     std::string content;
     std::array<char, 1 << 16> block{};

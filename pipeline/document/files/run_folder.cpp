@@ -34,7 +34,7 @@ constexpr std::string_view backward_mark = "ashimpact run folder 1: backward\n";
 [[noreturn]] void refuse(const fs::path& path, int error) {
     throw InputError("cannot be written: " + std::generic_category().message(error),
                      "a place you may write to")
-        .in_file(path.string());
+        .at(FileName{path.string()});
 }
 
 /// One file of a replacement. The journal states whether it replaces an old file, which can then be restored.
@@ -208,7 +208,7 @@ FolderLock::FolderLock(const fs::path& folder)
     if (status == 0 || errno != EWOULDBLOCK) return;
     ::close(std::exchange(file_, -1));
     throw InputError("another run is at work in this folder", "another -o, or wait until it is done")
-        .in_file(folder.string());
+        .at(FileName{folder.string()});
 }
 
 FolderLock::~FolderLock() {
@@ -230,7 +230,7 @@ void require_plain_files(const fs::path& folder, std::span<const std::string> na
             throw InputError(fs::is_directory(status) ? "cannot be written: it is a folder"
                                                       : "cannot be written: it is no plain file",
                              "a plain file, or another -o")
-                .in_file((folder / name).string());
+                .at(FileName{(folder / name).string()});
     }
 }
 

@@ -82,7 +82,7 @@ void require_enough(const ReboundSelection& selection, const MeasurementSet& set
                           std::to_string(selection.data.rebounds.size()) +
                           " rebounds for a damping curve of order " + std::to_string(order);
     if (!selection.noise_known) problem += " with unknown uncertainties";
-    throw InputError(problem, "at least " + std::to_string(needed)).in_file(set.source);
+    throw InputError(problem, "at least " + std::to_string(needed)).at(FileName{set.source});
 }
 
 Eigen::VectorXd starting_coefficients(const ContactModel& model, const RestitutionData& data, int order,

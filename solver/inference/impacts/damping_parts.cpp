@@ -54,7 +54,7 @@ std::optional<PartBoundary> boundary_of(const DampingSmoothing& smooth, const st
     throw InputError(
         "there is no rising branch: restitution falls with velocity from " + shortest(from) + " m/s on",
         "impacts from below the velocity of greatest restitution")
-        .in_file(set.source);
+        .at(FileName{set.source});
 }
 
 /// Whether the restitution of a few rebounds falls with velocity: with three or more it falls in every pair,

@@ -332,19 +332,16 @@ MeasurementSet read_table(const TextLines& file, std::string_view name) {
     if (lines.empty()) throw InputError("the file holds no table", "a heading and one line an impact");
     const std::size_t place = heading_place(lines);
     const char separator = separator_of(lines[place].text);
-    MeasurementHeading heading{};
-    try {
-        heading = read_measurement_heading(cut_row(lines[place], separator).cells);
-    } catch (const InputError& error) {
-        throw error.at(at_line(lines[place].number));
-    }
+    const MeasurementHeading heading = at_place(at_line(lines[place].number), [&] {
+        return read_measurement_heading(cut_row(lines[place], separator).cells);
+    });
     const TableCells cells(heading, separator != ',');
     MeasurementSet set{.source = std::string(name), .points = {}, .warnings = warnings_of(heading)};
     if (place > 0) set.warnings.push_back(counted(place, "line") + " above the heading not read");
     Unread unread(heading);
     for (std::size_t i = place + 1; i < lines.size(); ++i) {
         TableRow row = cut_row(lines[i], separator);
-        try {
+        at_place(at_line(row.line), [&] {
             require_cells(heading, row);
             const OutcomeWord remark = remarked_outcome(heading, row);
             if (auto point = measurement_of(heading, cells, row, remark)) {
@@ -354,9 +351,7 @@ MeasurementSet read_table(const TextLines& file, std::string_view name) {
                 ++set.unknown;
                 unread.take_unknown(row);
             }
-        } catch (const InputError& error) {
-            throw error.at(at_line(row.line));
-        }
+        });
     }
     unread.tell(set.warnings);
     if (set.points.empty() && set.unknown > 0)
@@ -380,15 +375,13 @@ MeasurementSet read_from_workbook(std::string_view bytes, std::string_view name,
                                      .option = "the name of a sheet (--sheet, in a case \"sheet\")",
                                      .limits = impact_table,
                                      .holds_table = holds_impacts});
-    try {
-        MeasurementSet set = read_table(chosen.lines(), name);
+    return chosen.read([&](const TextLines& lines) {
+        MeasurementSet set = read_table(lines, name);
         for (std::string& warning : set.warnings) warning = in_rows(std::move(warning));
         set.warnings.insert(set.warnings.begin(), chosen.warnings().begin(), chosen.warnings().end());
         validate(set);
         return set;
-    } catch (const InputError& error) {
-        throw chosen.located(error);
-    }
+    });
 }
 
 MeasurementSet read(std::string_view text, std::string_view name, std::string_view sheet) {
@@ -404,11 +397,7 @@ MeasurementSet read(std::string_view text, std::string_view name, std::string_vi
 }  // namespace
 
 MeasurementSet read_measurements(std::string_view text, std::string_view name, std::string_view sheet) {
-    try {
-        return read(text, name, sheet);
-    } catch (const InputError& error) {
-        throw error.in_file(std::string(name));
-    }
+    return at_place(FileName{std::string(name)}, [&] { return read(text, name, sheet); });
 }
 
 }  // namespace ashimpact

@@ -50,7 +50,7 @@ void require_rebounds_above(const DampingCurveFit& fit, const MeasurementSet& se
     throw InputError("the fitted v_c of " + shortest(fitted.value) +
                          " m/s lies above clear rebounds, the slowest at " + shortest(*slowest) + " m/s",
                      "impacts from the rising branch")
-        .in_file(set.source);
+        .at(FileName{set.source});
 }
 
 }  // namespace ashimpact

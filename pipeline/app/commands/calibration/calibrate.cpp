@@ -177,7 +177,7 @@ void run_calibrate_command(const CalibrateOptions& options, std::ostream& out) {
         data.calibration.push_back(free);
     }
 
-    in_file(options.case_file.empty() ? "built-in case" : options.case_file, [&] {
+    at_place(FileName{options.case_file.empty() ? "built-in case" : options.case_file}, [&] {
         tell_that_it_takes_time();
         if (options.compare) {
             const bool elastic = data.wall && std::holds_alternative<ElasticWall>(*data.wall);

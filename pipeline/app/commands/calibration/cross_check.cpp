@@ -206,7 +206,7 @@ void run_cross_check_command(const CrossCheckOptions& options, std::ostream& out
         throw InputError("no sample has published fits to be checked against one another",
                          "restitution by \"reconstruct\"")
             .at("/samples")
-            .in_file(options.case_file);
+            .at(FileName{options.case_file});
     if (options.json) {
         Json json{{"samples", Json::array()}};
         for (const SampleCheck& check : checks) json["samples"].push_back(check_json(check));

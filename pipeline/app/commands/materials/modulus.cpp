@@ -155,7 +155,7 @@ void run_modulus_command(const ModulusCommandOptions& options, std::ostream& out
     for (const XrdSample& sample : chosen(result, options.sample)) {
         const XrdSample whole = completed(sample, options);
         SampleEstimate estimate =
-            in_file(options.file, [&] { return estimated(whole, catalogue, options, rule); });
+            at_place(FileName{options.file}, [&] { return estimated(whole, catalogue, options, rule); });
         for (const std::string& warning : estimate.warnings)
             spdlog::warn("warning: {}: {}", options.file, warning);
         estimate.warnings.insert(estimate.warnings.begin(), result.warnings.begin(), result.warnings.end());

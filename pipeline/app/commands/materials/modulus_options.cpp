@@ -57,7 +57,7 @@ PhaseCatalogue catalogue_of(const ModulusCommandOptions& options) {
     if (!options.phase_set.empty())
         catalogue = at_place("--phase-set", [&] { return catalogue.preferring(options.phase_set); });
     if (options.phases.empty()) return catalogue;
-    return in_file(options.phases, [&] {
+    return at_place(FileName{options.phases}, [&] {
         const Json document = parse_json(read_file(options.phases));
         const View root(document);
         return catalogue.overridden_by(read_user_phases(document.is_array() ? root : root.at("phases")));

@@ -46,7 +46,7 @@ void read_fixed(const View& impact, SweepSpec& spec) {
         const ImpactInput input = impact_input_named(key);
         const Dimension dimension = dimension_of(input, spec.damping_law);
         const double value = node.number(dimension);
-        node.located([&] { require_allowed(input, value, dimension); });
+        at_place(node.pointer(), [&] { require_allowed(input, value, dimension); });
         spec.fixed[static_cast<std::size_t>(input)] = value;
     }
 }
@@ -208,7 +208,7 @@ void check_sampling(const View& document, const SweepSpec& spec) {
                 .at(name_of(variable.input))
                 .fail("a grid takes no distribution", "values or a grid, or another sampling method");
     }
-    document.at("sampling").located([&] {
+    at_place(document.at("sampling").pointer(), [&] {
         const Design design(distributions, spec.sampling, spec.sensitivity.empty() ? 1 : 2);
         if (static_cast<double>(design.points()) > most_samples)
             throw InputError("too many points", "1e15 at most");

@@ -167,7 +167,7 @@ void check_values(const View& node, const Distribution& distribution, ImpactInpu
     std::vector<double> values{0x1p-53, 1 - 0x1p-53};  // beyond, no point of a sweep is
     to_quantiles(distribution, values);
     if (const auto* choice = std::get_if<Choice>(&distribution)) values = choice->values;
-    node.located([&] {
+    at_place(node.pointer(), [&] {
         for (const double value : values) require_allowed(input, value, dimension);
     });
 }

@@ -18,7 +18,7 @@ namespace {
 constexpr auto another = "another -o";
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const char* problem, const char* allowed) {
-    throw InputError(problem, allowed).in_file(file.string());
+    throw InputError(problem, allowed).at(FileName{file.string()});
 }
 
 void check_result(const std::filesystem::path& result) {
@@ -69,7 +69,7 @@ void check_room(const SweepFiles& files, const SweepPlan& plan) {
     throw InputError("a table of " + std::to_string(plan.rows()) + " rows takes " + gigabytes(needed) +
                          " or more, and " + gigabytes(static_cast<double>(space.available)) + " are free",
                      "fewer samples, no \"table\", or a larger disk; -o")
-        .in_file(files.table.string());
+        .at(FileName{files.table.string()});
 }
 
 /// Whether a file is there and does not begin as a sweep's own do.

@@ -21,7 +21,8 @@ RowLog::RowLog(std::filesystem::path path) : path_(std::move(path)) {
         if (locked && is_current()) return;
         close(file_);
         if (!locked)
-            throw InputError("another sweep writes here", "another -o, or patience").in_file(path_.string());
+            throw InputError("another sweep writes here", "another -o, or patience")
+                .at(FileName{path_.string()});
     }
 }
 
@@ -42,7 +43,7 @@ void RowLog::resume(std::uint64_t size) {
     struct stat status {};
     if (fstat(file_, &status) == 0 && static_cast<std::uint64_t>(status.st_size) < size)
         throw InputError("is shorter than its checkpoint says", "--restart to begin anew")
-            .in_file(path_.string());
+            .at(FileName{path_.string()});
     truncate(size);
     if (size == 0) append(row_log_mark);
 }
@@ -72,7 +73,7 @@ void RowLog::sync() {
 void RowLog::refuse(const std::string& doing) const {
     throw InputError("cannot be " + doing + ": " + std::generic_category().message(errno),
                      "a place you may write to")
-        .in_file(path_.string());
+        .at(FileName{path_.string()});
 }
 
 }  // namespace ashimpact

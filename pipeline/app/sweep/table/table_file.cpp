@@ -148,12 +148,12 @@ void write_table(const std::filesystem::path& file, const SweepPlan& plan,
         const std::uint64_t first = damaged.chunk() * plan.rows_in_chunk();
         throw InputError("is damaged from row " + std::to_string(first) + " of the table on",
                          "--restart to begin anew, or another -o")
-            .in_file(rows.string());
+            .at(FileName{rows.string()});
     } catch (const std::runtime_error& error) {  // HDF5's and the file system's
         std::error_code ignored;
         std::filesystem::remove(temporary, ignored);
         throw InputError(std::string("cannot be written: ") + error.what(), "a place with room")
-            .in_file(file.string());
+            .at(FileName{file.string()});
     }
 }
 
