@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/decimal/decimal.hpp"
+#include "core/utf8.hpp"
 
 namespace ashimpact {
 
@@ -19,13 +20,6 @@ std::string_view trimmed(std::string_view text) {
 }
 
 namespace {
-
-/// The longest end of at most @p most bytes that begins with a whole UTF-8 character.
-std::string_view whole_end(std::string_view text, std::size_t most) {
-    std::size_t start = text.size() > most ? text.size() - most : 0;
-    for (int i = 0; i < 3 && start < text.size() && continues_character(text[start]); ++i) ++start;
-    return text.substr(start);
-}
 
 std::string without(char removed, std::string_view number) {
     std::string rest(number);
@@ -169,43 +163,12 @@ std::string joined(std::span<const std::string_view> words) {
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
-CodePoint code_point(std::string_view text) {
-    const auto lead = static_cast<unsigned char>(text.front());
-    if (lead < 0x80) return {lead, 1};
-    const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
-    if (lead < 0xc2 || lead > 0xf4 || text.size() < length) return {};
-    char32_t value = lead & (0xffU >> (length + 1));
-    for (const char byte : text.substr(1, length - 1)) {
-        if (!continues_character(byte)) return {};
-        value = (value << 6U) | (static_cast<unsigned char>(byte) & 0x3fU);
-    }
-    const bool overlong = (length == 3 && value < 0x800) || (length == 4 && value < 0x10000);
-    const bool surrogate = value >= 0xd800 && value < 0xe000;
-    return overlong || surrogate || value > 0x10ffff ? CodePoint{} : CodePoint{value, length};
-}
-
-bool continues_character(char byte) {
-    return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U;
-}
-
-std::string_view whole_start(std::string_view text, std::size_t most) {
-    if (text.size() <= most) return text;
-    std::size_t end = most;
-    while (end > 0 && most - end < 3 && continues_character(text[end])) --end;
-    return text.substr(0, end);
-}
-
 std::string without_controls(std::string_view text) {
     std::string shown;
     shown.reserve(text.size());
-    while (!text.empty()) {
-        const auto [value, length] = code_point(text);
-        const std::string_view character = text.substr(0, std::max<std::size_t>(length, 1));
-        const bool kept = value == '\n' || value == '\t';
-        const bool control = value < 0x20 || (value >= 0x7f && value < 0xa0);
-        shown += length > 0 && (kept || !control) ? character : "?";
-        text.remove_prefix(character.size());
-    }
+    for_each_character(text, [&](const Character& character) {
+        shown += character.valid && !character.is_control() ? character.bytes : "?";
+    });
     return shown;
 }
 

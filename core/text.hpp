@@ -56,22 +56,6 @@ namespace ashimpact {
 /// for each byte that belongs to no UTF-8 character.
 [[nodiscard]] std::string without_controls(std::string_view text);
 
-/// A character of a UTF-8 text.
-struct CodePoint {
-    char32_t value = 0;
-    std::size_t length = 0;  ///< bytes; 0 where they are not UTF-8
-};
-
-/// The character with which a text begins. Overlong forms and halves of surrogate pairs are not UTF-8.
-/// @param text not empty
-[[nodiscard]] CodePoint code_point(std::string_view text);
-
-/// Whether a byte continues a UTF-8 character.
-[[nodiscard]] bool continues_character(char byte);
-
-/// The longest beginning of at most @p most bytes that ends with a whole UTF-8 character.
-[[nodiscard]] std::string_view whole_start(std::string_view text, std::size_t most);
-
 /// The text, such as a file name, with "..." for its middle if it is long.
 [[nodiscard]] std::string shortened(const std::string& text);
 

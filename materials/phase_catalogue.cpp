@@ -2,7 +2,6 @@
 #include "materials/phase_catalogue.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -10,6 +9,7 @@
 #include "core/checks.hpp"
 #include "core/quantity.hpp"
 #include "core/text.hpp"
+#include "core/utf8.hpp"
 
 namespace ashimpact {
 
@@ -145,38 +145,7 @@ constexpr const char* known_phases =
 }  // namespace
 
 std::string phase_key(std::string_view name) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 15> spelled{{
-        {"\u03b1", "alpha"},
-        {"\u03b2", "beta"},
-        {"\u03b3", "gamma"},
-        {"\u03b8", "theta"},
-        {"\u2080", "0"},
-        {"\u2081", "1"},
-        {"\u2082", "2"},
-        {"\u2083", "3"},
-        {"\u2084", "4"},
-        {"\u2085", "5"},
-        {"\u2086", "6"},
-        {"\u2087", "7"},
-        {"\u2088", "8"},
-        {"\u2089", "9"},
-        {"\u00b7", ""},
-    }};
-    std::string key;
-    while (!name.empty()) {
-        const auto* const found = std::find_if(
-            spelled.begin(), spelled.end(), [&](const auto& entry) { return name.starts_with(entry.first); });
-        const char c = name.front();
-        const bool special = found != spelled.end();
-        const bool kept = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                          static_cast<unsigned char>(c) >= 0x80;
-        if (special)
-            key += found->second;
-        else if (kept)
-            key += c;
-        name.remove_prefix(special ? found->first.size() : 1);
-    }
-    return lower_case(key);
+    return word_key(name);
 }
 
 PhaseSet read_phase_set(std::string_view json_text) {

@@ -5,16 +5,13 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "core/utf8.hpp"
 
 namespace ashimpact {
 
 namespace {
 
 constexpr std::size_t longest_line = std::size_t{1} << 20;
-
-unsigned char byte(char c) {
-    return static_cast<unsigned char>(c);
-}
 
 /// Refuses a file that cannot be a text, before anything is copied.
 void check_bytes(std::string_view bytes, const TextLimits& limits) {
@@ -23,7 +20,7 @@ void check_bytes(std::string_view bytes, const TextLimits& limits) {
     std::size_t line_start = 0;
     std::size_t line = 1;
     for (std::size_t i = 0; i < bytes.size(); ++i) {
-        const unsigned char c = byte(bytes[i]);
+        const unsigned char c = static_cast<unsigned char>(bytes[i]);
         if (c == '\n' || c == '\r') {
             line_start = i + 1;
             const bool crlf = c == '\r' && bytes.substr(i + 1).starts_with('\n');
@@ -42,28 +39,6 @@ void check_bytes(std::string_view bytes, const TextLimits& limits) {
     }
     if (trimmed(bytes).empty())
         throw InputError("the file is empty", std::string(limits.content)).at(at_line(1));
-}
-
-bool is_utf8(std::string_view text) {
-    while (!text.empty()) {
-        const std::size_t length = code_point(text).length;
-        if (length == 0) return false;
-        text.remove_prefix(length);
-    }
-    return true;
-}
-
-std::string from_latin1(std::string_view bytes) {
-    std::string text;
-    for (const char c : bytes) {
-        if (byte(c) < 0x80) {
-            text += c;
-            continue;
-        }
-        text += static_cast<char>(0xc0 | (byte(c) >> 6));
-        text += static_cast<char>(0x80 | (byte(c) & 0x3f));
-    }
-    return text;
 }
 
 }  // namespace

@@ -7,8 +7,6 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include "core/text.hpp"
-
 namespace ashimpact {
 
 namespace {
@@ -76,11 +74,6 @@ std::size_t message_width() {
     return width_of_terminal(STDERR_FILENO);
 }
 
-std::size_t width_of(std::string_view text) {
-    return static_cast<std::size_t>(
-        std::count_if(text.begin(), text.end(), [](char c) { return !continues_character(c); }));
-}
-
 std::string wrapped(std::string_view text, std::size_t width, std::size_t hanging) {
     std::string out;
     for (std::size_t begin = 0; begin < text.size();) {
@@ -122,10 +115,8 @@ std::string cut_to(const std::string& text, std::size_t width) {
     constexpr std::string_view dots = "...";
     if (width_of(text) <= width) return text;
     const std::size_t kept = width > dots.size() ? width - dots.size() : 0;
-    std::size_t end = 0;
-    for (std::size_t count = 0; end < text.size(); ++end)
-        if (!continues_character(text[end]) && count++ == kept) break;
-    return text.substr(0, end) + std::string(dots.substr(0, std::min(width, dots.size())));
+    return std::string(first_characters(text, kept)) +
+           std::string(dots.substr(0, std::min(width, dots.size())));
 }
 
 }  // namespace ashimpact

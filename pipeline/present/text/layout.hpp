@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/utf8.hpp"
+
 namespace ashimpact {
 
 /// Columns of a text that goes to a file or to another program.
@@ -14,9 +16,6 @@ inline constexpr std::size_t piped_width = 80;
 [[nodiscard]] std::size_t output_width();
 /// The same for standard error.
 [[nodiscard]] std::size_t message_width();
-
-/// Characters of a UTF-8 text.
-[[nodiscard]] std::size_t width_of(std::string_view text);
 
 /// The text with its lines broken at blanks, so that none is longer than @p width unless a single word is.
 /// @param hanging blanks before the continued part of a line, beyond those that the line begins with

@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/present/report/drawing/markup.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
 #include <fmt/format.h>
 
-#include "core/text.hpp"
+#include "core/utf8.hpp"
 
 namespace ashimpact::report {
 
 namespace {
 
 constexpr std::string_view replacement = "\xEF\xBF\xBD";  // U+FFFD
-
-/// Control characters, other than line end and tab.
-bool is_control(char32_t value) {
-    return (value < 0x20 && value != '\n' && value != '\t') || (value >= 0x7F && value < 0xA0);
-}
 
 /// Width of a character over the font size.
 double relative_width(char32_t value) {
@@ -32,17 +26,6 @@ double relative_width(char32_t value) {
     return value < 0x1100 ? 0.7 : 1.1;
 }
 
-template <class Each>
-void for_each_code_point(std::string_view text, Each&& each) {
-    while (!text.empty()) {
-        CodePoint point = code_point(text);
-        const std::size_t length = std::max<std::size_t>(point.length, 1);
-        if (point.length == 0 || (point.value & 0xFFFEU) == 0xFFFEU) point = {0xFFFD, 0};  // not in XML
-        each(point, text.substr(0, length));
-        text.remove_prefix(length);
-    }
-}
-
 bool is_word(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
@@ -52,8 +35,10 @@ bool is_word(char c) {
 std::string escaped(std::string_view text) {
     std::string out;
     out.reserve(text.size());
-    for_each_code_point(text, [&](const CodePoint& point, std::string_view bytes) {
-        if (point.length == 0)
+    for_each_character(text, [&](const Character& character) {
+        const std::string_view bytes = character.bytes;
+        const bool no_character = (character.code_point & 0xfffeU) == 0xfffeU;  // which XML forbids
+        if (!character.valid || no_character)
             out += replacement;
         else if (bytes == "&")
             out += "&amp;";
@@ -65,7 +50,7 @@ std::string escaped(std::string_view text) {
             out += "&quot;";
         else if (bytes == "'")
             out += "&#39;";
-        else if (!is_control(point.value))
+        else if (!character.is_control())
             out += bytes;
     });
     return out;
@@ -75,9 +60,9 @@ std::string subscripted(std::string_view label) {
     std::string out;
     for (std::size_t i = 0; i < label.size();) {
         if (label[i] != '_' || i == 0 || i + 1 == label.size() || !is_word(label[i + 1])) {
-            const std::size_t length = std::max<std::size_t>(1, code_point(label.substr(i)).length);
-            out += escaped(label.substr(i, length));
-            i += length;
+            const std::string_view bytes = first_character(label.substr(i)).bytes;
+            out += escaped(bytes);
+            i += bytes.size();
             continue;
         }
         std::size_t end = i + 1;
@@ -104,8 +89,8 @@ std::string pixels(double value) {
 
 double text_width(std::string_view text, double font_size) {
     double width = 0;
-    for_each_code_point(
-        text, [&](const CodePoint& point, std::string_view) { width += relative_width(point.value); });
+    for_each_character(text,
+                       [&](const Character& character) { width += relative_width(character.code_point); });
     return width * font_size;
 }
 
@@ -114,18 +99,16 @@ std::string fitted(std::string_view text, double font_size, double most) {
     std::string out;
     double width = font_size;  // of the ellipsis
     bool full = false;
-    for_each_code_point(text, [&](const CodePoint& point, std::string_view bytes) {
-        width += relative_width(point.value) * font_size;
+    for_each_character(text, [&](const Character& character) {
+        width += relative_width(character.code_point) * font_size;
         full = full || width > most;
-        if (!full) out += bytes;
+        if (!full) out += character.bytes;
     });
     return out + "…";
 }
 
 std::string isolated(std::string_view name) {
-    bool plain = true;
-    for (const char c : name) plain = plain && static_cast<unsigned char>(c) < 0x80U;
-    return plain ? escaped(name) : "\u2068" + escaped(name) + "\u2069";
+    return is_ascii(name) ? escaped(name) : "\u2068" + escaped(name) + "\u2069";
 }
 
 std::string base64(std::string_view bytes) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/text.hpp"
+#include "core/utf8.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/page/html.hpp"
 #include "pipeline/present/report/page/run_page.hpp"
@@ -33,8 +34,10 @@ std::string listed(const Json& list) {
     return text.empty() ? "none" : text;
 }
 
-std::string beginning(const std::string& text) {
-    return text.size() <= 200 ? text : std::string(whole_start(text, 180)) + "…";
+/// The beginning of a long text, whole characters.
+std::string shortened(const std::string& text) {
+    if (text.size() <= 200) return text;
+    return std::string(whole_start(text, 180)) + "…";
 }
 
 /// An input by its path; entries of lists with names go by these.
@@ -86,7 +89,7 @@ std::string differences_html(const std::vector<RunData>& runs) {
         for (const Inputs& inputs : all) {
             std::string value = value_at(inputs, path);
             differs = differs || value != first;
-            row.emplace_back(beginning(value));
+            row.emplace_back(shortened(value));
         }
         if (differs) table.rows.push_back(std::move(row));
     }

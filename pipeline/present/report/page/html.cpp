@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/embedded.hpp"
+#include "core/utf8.hpp"
 #include "pipeline/document/files/file.hpp"
 #include "pipeline/document/files/sha256.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
@@ -73,9 +74,7 @@ std::string link_words(std::string_view id) {
 }
 
 std::string html_name(std::string_view name) {
-    bool plain = true;
-    for (const char c : name) plain = plain && static_cast<unsigned char>(c) < 0x80U;
-    return plain ? escaped(name) : "<bdi>" + escaped(name) + "</bdi>";
+    return is_ascii(name) ? escaped(name) : "<bdi>" + escaped(name) + "</bdi>";
 }
 
 std::string html_table(const NumberTable& table, const std::string& label) {
