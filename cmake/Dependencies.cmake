@@ -4,7 +4,7 @@ find_package(Eigen3 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(spdlog REQUIRED)
 find_package(CLI11 REQUIRED)
-find_package(UDUNITS2 REQUIRED)  # ashimpact::udunits2
+find_package(FastFloat REQUIRED)
 find_package(valijson REQUIRED)  # ashimpact::valijson
 find_package(fmt REQUIRED)
 find_package(Nettle REQUIRED)    # nettle::nettle, for SHA-256

@@ -14,7 +14,7 @@ set(config "${CMAKE_CURRENT_LIST_DIR}/config")  # what their own configure scrip
 # Header-only libraries.
 add_library(web_headers INTERFACE)
 target_include_directories(web_headers SYSTEM INTERFACE "${ASHIMPACT_WEB_LIBRARIES}/include")
-foreach(name nlohmann_json::nlohmann_json ashimpact::valijson Boost::headers fast_float::fast_float)
+foreach(name nlohmann_json::nlohmann_json ashimpact::valijson Boost::headers FastFloat::fast_float)
   add_library(${name} INTERFACE IMPORTED GLOBAL)
   target_link_libraries(${name} INTERFACE web_headers)
 endforeach()
@@ -57,13 +57,6 @@ add_library(pugixml::pugixml ALIAS web_pugixml)
 web_library(web_nettle FOLDER "${sources}/nettle" SOURCES sha256.c sha256-compress.c write-be32.c HEADERS ../nettle
   DEFINE HAVE_CONFIG_H)
 add_library(nettle::nettle ALIAS web_nettle)
-
-# The database of UDUNITS-2, which core/units/unit_database.cpp reads, where the program looks for it in the file system
-# in memory.
-set(ASHIMPACT_UNIT_DATABASE)
-foreach(part -prefixes -base -derived -accepted -common)
-  list(APPEND ASHIMPACT_UNIT_DATABASE "/usr/share/xml/udunits/udunits2${part}.xml@/units/udunits2${part}.xml")
-endforeach()
 
 web_library(web_highway FOLDER "${sources}/highway" SOURCES hwy/aligned_allocator.cc hwy/per_target.cc hwy/targets.cc
   HEADERS hwy)

@@ -4,11 +4,11 @@
 #include <charconv>
 #include <string>
 
-/// Numbers as text, in the C locale. The same digits from std::from_chars() and std::to_chars(), and from
-/// other libraries where the standard library lacks those of floating-point numbers (decimal_portable.cpp).
+/// Numbers as text, in the C locale: what std::from_chars() and std::to_chars() do, by fast_float and fmt, as
+/// the standard library of emscripten has them for integers only.
 namespace ashimpact::decimal {
 
-/// std::from_chars(): reads a number from the front of a text.
+/// Reads a number from the front of a text, as std::from_chars() does.
 std::from_chars_result read(const char* first, const char* last, double& value);
 
 /// The fewest digits that read back as the same number, "1e+05" rather than "100000" where that is shorter.

@@ -3,12 +3,13 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "core/decimal/decimal.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "core/units/unit_system.hpp"
+#include "core/units/unit.hpp"
 
 namespace ashimpact {
 
@@ -65,15 +66,14 @@ std::string_view dimension_name(Dimension dimension) {
 }
 
 SiConversion::SiConversion(std::string_view unit, Dimension expected) : expected_(expected) {
-    const auto conversion = scale_to(unit, si_unit(expected));
-    if (conversion.problem == UnitProblem::unknown)
-        throw InputError("the unit " + in_quotes(unit) + " is not known", allowed(expected));
-    if (conversion.problem == UnitProblem::other_dimension)
+    const std::optional<Unit> from = read_unit(ascii_unit(unit));
+    if (!from) throw InputError("the unit " + in_quotes(unit) + " is not known", allowed(expected));
+    if (from->powers != read_unit(si_unit(expected))->powers)
         throw InputError(
             "the unit " + in_quotes(unit) + " is not one of " + std::string(dimension_name(expected)),
             allowed(expected));
-    divides_ = conversion.scale < 1;
-    factor_ = without_rounding_noise(divides_ ? 1 / conversion.scale : conversion.scale);
+    divides_ = from->factor < 1;
+    factor_ = without_rounding_noise(divides_ ? 1 / from->factor : from->factor);
 }
 
 double SiConversion::operator()(double value) const {
@@ -88,7 +88,7 @@ double to_si(double value, std::string_view unit, Dimension expected) {
 }
 
 double parse_quantity(std::string_view text, Dimension expected) {
-    const std::string plain = ascii(text);
+    const std::string plain = ascii_unit(text);
     std::string_view rest = trimmed(plain);
     if (rest.starts_with('+') && !rest.starts_with("+-")) rest.remove_prefix(1);
     double value = 0;

@@ -29,8 +29,8 @@ enum class Dimension {
 [[nodiscard]] std::string_view dimension_name(Dimension dimension);
 
 /// Reads a quantity such as "44 um", "2160 kg/m3", "0.3 J m-2" or "10 %"; returns it [SI unit of the
-/// dimension]. A number without a unit is SI. Unit grammar: UDUNITS-2, plus `µ`/`μ`, `·` and superscript
-/// digits. Errors: InputError for junk, NaN, infinity, an unknown unit or one of another dimension.
+/// dimension]. A number without a unit is SI. Units: see read_unit(). Errors: InputError for junk, NaN,
+/// infinity, an unknown unit or one of another dimension.
 [[nodiscard]] double parse_quantity(std::string_view text, Dimension expected);
 
 /// Converts values of one unit to SI; the unit is looked up once. Errors as to_si().

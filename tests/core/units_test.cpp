@@ -8,7 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "core/error.hpp"
-#include "core/units/unit_system.hpp"
+#include "core/units/unit.hpp"
 #include "tests/relative_difference.hpp"
 
 namespace ashimpact::test {
@@ -128,37 +128,116 @@ TEST_CASE("a long piece of junk is shown cut") {
     CHECK(message(std::string(100'000, 'x'), Dimension::mass).size() < 200);
 }
 
-TEST_CASE("the small unit table agrees with the UDUNITS-2 database, with every prefix") {
-    const std::array<std::pair<std::string_view, std::string_view>, 12> units{{{"m", "m"},
-                                                                               {"g", "kg"},
-                                                                               {"s", "s"},
-                                                                               {"N", "kg.m.s-2"},
-                                                                               {"Pa", "kg.m-1.s-2"},
-                                                                               {"J", "kg.m2.s-2"},
-                                                                               {"W", "kg.m2.s-3"},
-                                                                               {"bar", "kg.m-1.s-2"},
-                                                                               {"dyne", "kg.m.s-2"},
-                                                                               {"erg", "kg.m2.s-2"},
-                                                                               {"meter", "m"},
-                                                                               {"newton", "kg.m.s-2"}}};
-    int compared = 0;
-    for (const auto& [unit, base] : units) {
-        for (const auto* prefix : {"", "T", "G", "M", "k", "c", "m", "u", "n", "p", "f", "giga", "mega",
-                                   "kilo", "centi", "milli", "micro", "nano"}) {
-            const std::string text = prefix + std::string(unit);
-            const auto small = scale_to(text, base);
-            const auto large = database_scale_to(text, base);
-            CAPTURE(text);
-            CHECK(small.problem == large.problem);
-            CHECK(relative_difference(small.scale, large.scale) < 1e-14);
-            compared += large.problem == UnitProblem::none;
+TEST_CASE("symbols and names have their values, with every prefix") {
+    struct Row {
+        std::string_view text;
+        std::string_view si;
+        double factor;
+    };
+    for (const auto& [text, si, factor] :
+         {Row{"N", "kg m s-2", 1}, Row{"Pa", "kg m-1 s-2", 1}, Row{"J", "kg m2 s-2", 1},
+          Row{"W", "kg m2 s-3", 1}, Row{"Hz", "s-1", 1}, Row{"g", "kg", 1e-3}, Row{"bar", "Pa", 1e5},
+          Row{"dyn", "N", 1e-5}, Row{"dyne", "N", 1e-5}, Row{"erg", "J", 1e-7}, Row{"P", "Pa s", 0.1},
+          Row{"poise", "Pa s", 0.1}, Row{"L", "m3", 1e-3}, Row{"micron", "m", 1e-6},
+          Row{"angstrom", "m", 1e-10}, Row{"mil", "m", 2.54e-5}, Row{"meter", "m", 1}, Row{"newton", "N", 1},
+          Row{"gram", "kg", 1e-3}}) {
+        struct Prefix {
+            std::string_view text;
+            double factor;
+        };
+        for (const Prefix& prefix :
+             {Prefix{"", 1}, Prefix{"T", 1e12}, Prefix{"G", 1e9}, Prefix{"M", 1e6}, Prefix{"k", 1e3},
+              Prefix{"c", 1e-2}, Prefix{"m", 1e-3}, Prefix{"u", 1e-6}, Prefix{"n", 1e-9}, Prefix{"p", 1e-12},
+              Prefix{"f", 1e-15}, Prefix{"giga", 1e9}, Prefix{"MEGA", 1e6}, Prefix{"Kilo", 1e3},
+              Prefix{"milli", 1e-3}, Prefix{"micro", 1e-6}, Prefix{"nano", 1e-9}}) {
+            const std::string whole = std::string(prefix.text) + std::string(text);
+            if (whole == "microN") continue;  // the micron, as names go in any case
+            CAPTURE(whole);
+            const auto unit = read_unit(whole);
+            REQUIRE(unit);
+            CHECK(unit->powers == read_unit(si)->powers);
+            CHECK(relative_difference(unit->factor, prefix.factor * factor) < 1e-14);
         }
     }
-    CHECK(compared > 120);
-    for (const auto* text : {"%", "percent", "micron", "angstrom"}) {
-        const auto* const base = text[0] == '%' || text[0] == 'p' ? "1" : "m";
+}
+
+TEST_CASE("units are read as UDUNITS-2 2.2.28 reads them") {
+    struct Row {
+        std::string_view text;
+        std::string_view si;
+        double factor;
+    };
+    for (const auto& [text, si, factor] : {Row{"kg.m-3", "kg/m3", 1},
+                                           Row{"kg*m^-3", "kg/m3", 1},
+                                           Row{"kg m^-3", "kg/m3", 1},
+                                           Row{"kg/(m.s)", "Pa s", 1},
+                                           Row{"kg/m/s2", "Pa", 1},
+                                           Row{"N-s", "N s", 1},
+                                           Row{"lb/ft3", "kg/m3", 16.018463373960138},
+                                           Row{"lb/in3", "kg/m3", 27679.90471020312},
+                                           Row{"mm/ms", "m/s", 1},
+                                           Row{"J/(m2)", "J/m2", 1},
+                                           Row{"(m)(s-1)", "m/s", 1},
+                                           Row{"m per s", "m/s", 1},
+                                           Row{"m  per  s", "m/s", 1},
+                                           Row{"meters/second", "m/s", 1},
+                                           Row{"Metres Per Second", "m/s", 1},
+                                           Row{"MICROMETERS", "m", 1e-6},
+                                           Row{"inches", "m", 0.0254},
+                                           Row{"feet", "m", 0.3048},
+                                           Row{"dam", "m", 10},
+                                           Row{"m^+2", "m2", 1},
+                                           Row{"m+2", "m2", 1},
+                                           Row{"((m))", "m", 1},
+                                           Row{"Mg", "kg", 1000},
+                                           Row{"mg", "kg", 1e-6},
+                                           Row{"g/cc", "kg/m3", 1000},
+                                           Row{"g/L", "kg/m3", 1},
+                                           Row{"km h-1", "m/s", 1 / 3.6},
+                                           Row{"mi/h", "m/s", 0.44704},
+                                           Row{"ft/s", "m/s", 0.3048},
+                                           Row{"knot", "m/s", 1852.0 / 3600},
+                                           Row{"kgf/cm2", "Pa", 98066.5},
+                                           Row{"lbf/in2", "Pa", 6894.757293168361},
+                                           Row{"atm", "Pa", 101325},
+                                           Row{"torr", "Pa", 133.322387415},
+                                           Row{"mmHg", "Pa", 133.322387415},
+                                           Row{"cmH2O", "Pa", 98.0665},
+                                           Row{"ksi", "Pa", 6894757.293168361},
+                                           Row{"dyn/cm", "J/m2", 1e-3},
+                                           Row{"erg/cm2", "J/m2", 1e-3},
+                                           Row{"eV", "J", 1.60217733e-19},
+                                           Row{"cal", "J", 4.1868},
+                                           Row{"kWh", "J", 3.6e6},
+                                           Row{"cP", "Pa s", 1e-3},
+                                           Row{"min", "s", 60},
+                                           Row{"h", "s", 3600},
+                                           Row{"days", "s", 86400},
+                                           Row{"grain", "kg", 6.479891e-5},
+                                           Row{"pounds", "kg", 0.45359237},
+                                           Row{"ton", "kg", 907.18474},
+                                           Row{"tonnes", "kg", 1000},
+                                           Row{"ppm", "1", 1e-6},
+                                           Row{"percent", "1", 0.01},
+                                           Row{"Btu", "J", 1055.05585262}}) {
         CAPTURE(text);
-        CHECK(relative_difference(scale_to(text, base).scale, database_scale_to(text, base).scale) < 1e-14);
+        const auto unit = read_unit(text);
+        REQUIRE(unit);
+        CHECK(unit->powers == read_unit(si)->powers);
+        CHECK(relative_difference(unit->factor, factor) < 1e-14);
+    }
+    for (const std::string_view text :
+         {"",    "m^", "m^ 2", "m..s", "()",  "m/",  "/m",   "perm", "J perm2", "(J)pers",
+          "m()", "(m", "m)",   "m)s",  "%m",  "m%",  "%%",   "mmm",  "oven",    "_m",
+          "m_",  "da", "pa",   "2 m",  "1 m", "m 2", "m--2", "m-",   "cdd",     "m99999999999"}) {
+        CAPTURE(text);
+        CHECK_FALSE(read_unit(text));
+    }
+    CHECK_FALSE(read_unit(std::string(1'000'000, '(')));
+    for (const std::string_view text : {"degC", "K", "A", "mol", "cd", "ncd", "J/degC", "lx"}) {
+        CAPTURE(text);
+        REQUIRE(read_unit(text));
+        CHECK(read_unit(text)->powers.back() != 0);
     }
 }
 

@@ -59,8 +59,7 @@ files() {  # of the tree, but those that apt and dpkg keep for themselves
 }
 
 apt_inside update
-apt_inside install g++ cmake make pkg-config libfmt-dev libgsl-dev libhwy-dev libminizip-dev libpugixml-dev libtbb-dev \
-    libudunits2-dev
+apt_inside install g++ cmake make pkg-config libfmt-dev libgsl-dev libhwy-dev libminizip-dev libpugixml-dev libtbb-dev
 inside sh -c 'apt-get -q -y --no-install-recommends install /packages/*.deb' >"$scratch/log" 2>&1 ||
     { tail -20 "$scratch/log"; exit 1; }
 apt_inside purge "${our[@]}"

@@ -1,5 +1,4 @@
-/* For Nettle and UDUNITS-2 compiled to WebAssembly. GSL has a config.h of its own, which comes first. */
-#define DEFAULT_UDUNITS2_XML_PATH "/units/udunits2.xml"
+/* For Nettle compiled to WebAssembly. GSL has a config.h of its own, which comes first. */
 #define HAVE_UNISTD_H 1
 #define HAVE_ALLOCA_H 1
 #define WORDS_BIGENDIAN 0

@@ -61,7 +61,7 @@ TEST_CASE("no environment variable and no locale changes a byte of an artifact, 
     };
     under("env -i", "bare");
     under(
-        "env UDUNITS2_XML_PATH=/nowhere GSL_RNG_SEED=7 GSL_RNG_TYPE=taus GSL_IEEE_MODE=single-precision"
+        "env GSL_RNG_SEED=7 GSL_RNG_TYPE=taus GSL_IEEE_MODE=single-precision"
         " LC_ALL=de_DE.UTF-8 LC_NUMERIC=de_DE.UTF-8 LANG=tr_TR.UTF-8 TZ=Asia/Tokyo HOME=/nowhere "
         "TMPDIR=/nowhere"
         " OMP_NUM_THREADS=7 COLUMNS=20 SPDLOG_LEVEL=trace NO_COLOR=1 CLICOLOR_FORCE=1 SOURCE_DATE_EPOCH=1",
