@@ -43,10 +43,11 @@ constexpr std::array spellings{
     Spelling{"\u030a", ""},    Spelling{"\u0327", ""},    Spelling{"α", "alpha"},
     Spelling{"β", "beta"},     Spelling{"γ", "gamma"},    Spelling{"θ", "theta"},
     Spelling{"σ", "sigma"},    Spelling{"Σ", "sum"},      Spelling{"±", "+-"},
-    Spelling{"₀", "0"},        Spelling{"₁", "1"},        Spelling{"₂", "2"},
-    Spelling{"₃", "3"},        Spelling{"₄", "4"},        Spelling{"₅", "5"},
-    Spelling{"₆", "6"},        Spelling{"₇", "7"},        Spelling{"₈", "8"},
-    Spelling{"₉", "9"},        Spelling{"·", "."},        Spelling{"\u00a0", " "},
+    Spelling{"²", "2"},        Spelling{"³", "3"},        Spelling{"₀", "0"},
+    Spelling{"₁", "1"},        Spelling{"₂", "2"},        Spelling{"₃", "3"},
+    Spelling{"₄", "4"},        Spelling{"₅", "5"},        Spelling{"₆", "6"},
+    Spelling{"₇", "7"},        Spelling{"₈", "8"},        Spelling{"₉", "9"},
+    Spelling{"·", "."},        Spelling{"\u00a0", " "},
 };
 
 }  // namespace
@@ -131,7 +132,7 @@ std::string replaced(std::string_view text, Replacements pairs) {
 }
 
 std::string transliterated(std::string_view text) {
-    return replaced(text, spellings);
+    return is_ascii(text) ? std::string(text) : replaced(text, spellings);
 }
 
 std::string word_key(std::string_view text, std::string_view kept) {

@@ -12,6 +12,8 @@
 
 #include "core/decimal/decimal.hpp"
 #include "core/text.hpp"
+#include "core/utf8.hpp"
+#include "core/vocabulary.hpp"
 
 namespace ashimpact {
 
@@ -29,69 +31,17 @@ constexpr std::array coverages{Coverage{"68", 1},       Coverage{"68.3", 1},    
                                Coverage{"95.45", 2},    Coverage{"95.5", 2},     Coverage{"99", 2.57583},
                                Coverage{"99.7", 3},     Coverage{"99.73", 3}};
 
-constexpr std::array<std::string_view, 36> uncertainty_words{"u",
-                                                             "su",
-                                                             "sd",
-                                                             "std",
-                                                             "sig",
-                                                             "sigma",
-                                                             "\u03c3",
-                                                             "\u00b1",
-                                                             "+",
-                                                             "esd",
-                                                             "err",
-                                                             "error",
-                                                             "errors",
-                                                             "stdev",
-                                                             "stddev",
-                                                             "stdabw",
-                                                             "erreur",
-                                                             "fehler",
-                                                             "messfehler",
-                                                             "standardfehler",
-                                                             "standarderror",
-                                                             "abweichung",
-                                                             "standardabweichung",
-                                                             "standarddeviation",
-                                                             "uncertainty",
-                                                             "uncertainties",
-                                                             "standarduncertainty",
-                                                             "expandeduncertainty",
-                                                             "unsicherheit",
-                                                             "messunsicherheit",
-                                                             "standardunsicherheit",
-                                                             "erweiterteunsicherheit",
-                                                             "erweitertemessunsicherheit",
-                                                             "incertitude",
-                                                             "incertitudetype",
-                                                             "incertitude\u00e9largie"};
-
-constexpr std::array<std::string_view, 13> interval_words{
-    "ci",         "ki",        "ic",        "interval",  "intervall",          "intervalle",         "range",
-    "confidence", "konfidenz", "vertrauen", "confiance", "konfidenzintervall", "vertrauensintervall"};
-
-constexpr std::array<std::string_view, 8> expanded_words{
-    "expanded", "erweitert", "erweiterte", "erweitertes", "erweiterter", "elargie", "\u00e9largie", "exp"};
-
-template <class Words>
-bool is_one_of(const Words& words, std::string_view word) {
-    return std::find(words.begin(), words.end(), word) != words.end();
+/// Words in a heading that announce an interval, or an expanded uncertainty.
+const WordLists& special_words() {
+    static const WordLists words("uncertainty words");
+    return words;
 }
 
-/// Letters, digits and the signs of an uncertainty in lower case; the rest is dropped.
-std::string key_of(std::string_view text) {
-    std::string key;
-    for (const char c : lower_case(text)) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (std::isalnum(byte) != 0 || byte >= 0x80 || c == '+') key += c;
-    }
-    return key;
-}
-
+/// True if @p holds any word of a text.
 template <class Predicate>
 bool any_word(std::string_view text, Predicate&& holds) {
     std::string word;
-    for (const char c : lower_case(text) + ' ') {
+    for (const char c : transliterated(text) + ' ') {
         const auto byte = static_cast<unsigned char>(c);
         if (std::isalnum(byte) != 0 || byte >= 0x80) {
             word += c;
@@ -109,7 +59,8 @@ bool holds_plus_minus(std::string_view text) {
 }
 
 bool names_interval(std::string_view text) {
-    return any_word(text, [](const std::string& word) { return is_one_of(interval_words, word); });
+    return any_word(text,
+                    [](const std::string& word) { return special_words().list_of(word) == "interval"; });
 }
 
 /// Whether a cell holds nothing but digits and signs, as most that are searched for a heading do.
@@ -162,8 +113,8 @@ std::optional<Statement> coverage_in(const std::string& heading) {
     if (!statement) return std::nullopt;
     const std::string rest =
         heading.substr(0, statement->begin) + ' ' + heading.substr(statement->begin + statement->length);
-    const bool uncertain = holds_plus_minus(rest) || names_interval(rest) ||
-                           any_word(rest, [](const std::string& word) { return is_uncertainty_word(word); });
+    const bool uncertain =
+        holds_plus_minus(rest) || names_interval(rest) || any_word(rest, is_uncertainty_word);
     return uncertain ? statement : std::nullopt;
 }
 
@@ -216,14 +167,16 @@ StatedCoverage read_coverage(std::string_view heading) {
         coverage.problem = problem_of_coverage(coverage.rest, known != coverages.end());
         return coverage;
     }
-    if (any_word(heading, [](const std::string& word) { return is_one_of(expanded_words, word); }) &&
-        any_word(heading, [](const std::string& word) { return is_uncertainty_word(word); }))
+    const auto is_expanded = [](const std::string& word) {
+        return special_words().list_of(word) == "expanded";
+    };
+    if (any_word(heading, is_expanded) && any_word(heading, is_uncertainty_word))
         coverage.problem = std::string("an expanded uncertainty needs its coverage factor (") + remedy + ")";
     return coverage;
 }
 
 bool is_uncertainty_word(std::string_view text) {
-    return is_one_of(uncertainty_words, key_of(text));
+    return uncertainty_words().holds(text);
 }
 
 std::vector<std::string> coverage_warnings(

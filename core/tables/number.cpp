@@ -2,12 +2,12 @@
 #include "core/tables/number.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 
 #include "core/decimal/decimal.hpp"
 #include "core/text.hpp"
+#include "core/vocabulary.hpp"
 
 namespace ashimpact {
 
@@ -86,10 +86,9 @@ std::optional<PrintedNumber> read_number(std::string_view text, bool decimal_com
 }
 
 bool says_no_number(std::string_view text) {
-    const std::string word = lower_case(trimmed(text));
-    constexpr std::array<std::string_view, 14> words{
-        "", "-", "--", "n.d.", "nd", "n/d", "n.a.", "n/a", "undef", "error", "nan", "tr", "traces", "trace"};
-    return word.starts_with('<') || std::find(words.begin(), words.end(), word) != words.end();
+    static const WordLists words("no number", all_marks);
+    const std::string_view word = trimmed(text);
+    return word.starts_with('<') || words.holds(word);
 }
 
 }  // namespace ashimpact

@@ -1,25 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "materials/xrd/headings.hpp"
 
-#include <algorithm>
-#include <array>
 #include <utility>
 
 #include "core/text.hpp"
+#include "core/utf8.hpp"
+#include "core/vocabulary.hpp"
 
 namespace ashimpact::xrd {
 
 namespace {
 
-/// Lower-case letters, digits, per cent and plus-minus signs; the rest is dropped.
 std::string key_of(std::string_view text) {
-    std::string key;
-    for (const char c : lower_case(text)) {
-        const bool kept = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '%' || c == '+' ||
-                          static_cast<unsigned char>(c) >= 0x80;
-        if (kept) key += c;
-    }
-    return key;
+    return word_key(text, "%+");
 }
 
 std::string without_per_cent(std::string key) {
@@ -31,119 +24,11 @@ std::string without_per_cent(std::string key) {
     return key;
 }
 
-struct Alias {
-    std::string_view key;
-    Role role;
-};
-
-/// Headings without per cent signs; the empty one is a bare "%".
-constexpr std::array aliases{
-    Alias{"sample", Role::sample},
-    Alias{"samplename", Role::sample},
-    Alias{"sampleid", Role::sample},
-    Alias{"specimen", Role::sample},
-    Alias{"probe", Role::sample},
-    Alias{"probenname", Role::sample},
-    Alias{"\u00e9chantillon", Role::sample},
-    Alias{"echantillon", Role::sample},
-    Alias{"phase", Role::phase},
-    Alias{"phasename", Role::phase},
-    Alias{"phases", Role::phase},
-    Alias{"mineral", Role::phase},
-    Alias{"mineralname", Role::phase},
-    Alias{"mineralphase", Role::phase},
-    Alias{"compound", Role::phase},
-    Alias{"compoundname", Role::phase},
-    Alias{"component", Role::phase},
-    Alias{"structure", Role::phase},
-    Alias{"name", Role::phase},
-    Alias{"phasenname", Role::phase},
-    Alias{"verbindung", Role::phase},
-    Alias{"min\u00e9ral", Role::phase},
-    Alias{"", Role::weight},
-    Alias{"weight", Role::weight},
-    Alias{"weights", Role::weight},
-    Alias{"weightfraction", Role::weight},
-    Alias{"wt", Role::weight},
-    Alias{"wtfraction", Role::weight},
-    Alias{"w", Role::weight},
-    Alias{"mass", Role::weight},
-    Alias{"massfraction", Role::weight},
-    Alias{"gew", Role::weight},
-    Alias{"gewicht", Role::weight},
-    Alias{"gewichts", Role::weight},
-    Alias{"gewichtsanteil", Role::weight},
-    Alias{"masse", Role::weight},
-    Alias{"massen", Role::weight},
-    Alias{"massenanteil", Role::weight},
-    Alias{"anteil", Role::weight},
-    Alias{"gehalt", Role::weight},
-    Alias{"teneur", Role::weight},
-    Alias{"pds", Role::weight},
-    Alias{"content", Role::weight},
-    Alias{"quantity", Role::weight},
-    Alias{"amount", Role::weight},
-    Alias{"concentration", Role::weight},
-    Alias{"rietveld", Role::weight},
-    Alias{"semiquant", Role::weight},
-    Alias{"fraction", Role::weight},
-    Alias{"volume", Role::volume},
-    Alias{"volumefraction", Role::volume},
-    Alias{"vol", Role::volume},
-    Alias{"volfraction", Role::volume},
-    Alias{"uncertainty", Role::uncertainty},
-    Alias{"standarduncertainty", Role::uncertainty},
-    Alias{"weightuncertainty", Role::uncertainty},
-    Alias{"weighterror", Role::uncertainty},
-    Alias{"error", Role::uncertainty},
-    Alias{"err", Role::uncertainty},
-    Alias{"su", Role::uncertainty},
-    Alias{"u", Role::uncertainty},
-    Alias{"standarderror", Role::uncertainty},
-    Alias{"standarddeviation", Role::uncertainty},
-    Alias{"fehler", Role::uncertainty},
-    Alias{"messfehler", Role::uncertainty},
-    Alias{"standardfehler", Role::uncertainty},
-    Alias{"abweichung", Role::uncertainty},
-    Alias{"standardabweichung", Role::uncertainty},
-    Alias{"stdabw", Role::uncertainty},
-    Alias{"unsicherheit", Role::uncertainty},
-    Alias{"erreur", Role::uncertainty},
-    Alias{"incertitude", Role::uncertainty},
-    Alias{"esd", Role::uncertainty},
-    Alias{"sigma", Role::uncertainty},
-    Alias{"sig", Role::uncertainty},
-    Alias{"std", Role::uncertainty},
-    Alias{"stdev", Role::uncertainty},
-    Alias{"stddev", Role::uncertainty},
-    Alias{"\u00b1", Role::uncertainty},
-    Alias{"\u00b1\u03c3", Role::uncertainty},
-    Alias{"\u03c3", Role::uncertainty},
-    Alias{"+", Role::uncertainty},
-    Alias{"density", Role::density},
-    Alias{"xraydensity", Role::density},
-    Alias{"intensity", Role::intensity},
-    Alias{"netintensity", Role::intensity},
-    Alias{"int", Role::intensity},
-    Alias{"i", Role::intensity},
-    Alias{"area", Role::intensity},
-    Alias{"peakarea", Role::intensity},
-    Alias{"rir", Role::ratio},
-    Alias{"iic", Role::ratio},
-    Alias{"referenceintensityratio", Role::ratio},
-    Alias{"riruncertainty", Role::ratio_uncertainty},
-    Alias{"rirerror", Role::ratio_uncertainty},
-    Alias{"riresd", Role::ratio_uncertainty},
-    Alias{"standard", Role::standard},
-    Alias{"internalstandard", Role::standard},
-    Alias{"spike", Role::standard},
-    Alias{"added", Role::standard},
-};
-
+/// @param key without per cent signs; the empty one is a bare "%"
 Role role_of(const std::string& key) {
-    const auto* const found =
-        std::find_if(aliases.begin(), aliases.end(), [&](const Alias& alias) { return alias.key == key; });
-    return found == aliases.end() ? Role::other : found->role;
+    static const WordLists words("XRD columns", "+");
+    if (const auto role = meaning<Role>(words, key)) return *role;
+    return is_uncertainty_word(key) ? Role::uncertainty : Role::other;
 }
 
 bool says_per_cent(const std::string& key) {
@@ -197,18 +82,9 @@ Heading read_heading(std::string_view text) {
     return heading;
 }
 
-bool means_total(std::string_view name) {
-    const std::string key = without_per_cent(key_of(name));
-    return key == "total" || key == "sum" || key == "summe" || key == "\u03c3" || key == "\u03a3" ||
-           key == "checksum";
-}
-
-bool means_crystalline_total(std::string_view name) {
-    const std::string key = without_per_cent(key_of(name));
-    constexpr std::array<std::string_view, 7> words{
-        "crystalline",      "crystallinetotal", "totalcrystalline",  "totalcrystallinephase",
-        "crystallinephase", "crystallinity",    "totalcrystallinity"};
-    return std::find(words.begin(), words.end(), key) != words.end();
+RowMeaning meaning_of_row(std::string_view name) {
+    static const WordLists words("XRD rows", "+");
+    return meaning<RowMeaning>(words, without_per_cent(key_of(name))).value_or(RowMeaning::phase);
 }
 
 std::optional<std::string> phase_of_uncertainty(std::string_view heading) {

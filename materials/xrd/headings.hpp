@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "core/names.hpp"
 #include "core/tables/coverage.hpp"
 
 namespace ashimpact::xrd {
@@ -24,6 +26,9 @@ enum class Role {
     standard,  ///< known weight fraction of an added internal standard
 };
 
+/// What a row of a table of fractions holds, by its name.
+enum class RowMeaning { phase, total, crystalline_total };
+
 /// Whether a heading states per cent or a fraction.
 enum class Scale { not_stated, per_cent, fraction };
 
@@ -39,11 +44,25 @@ struct Heading {
 
 [[nodiscard]] Heading read_heading(std::string_view text);
 
-/// Whether a heading or a phase name means the total of all phases, or of the crystalline ones.
-[[nodiscard]] bool means_total(std::string_view name);
-[[nodiscard]] bool means_crystalline_total(std::string_view name);
+/// A total, of all phases or of the crystalline ones, unless the name is that of a phase.
+[[nodiscard]] RowMeaning meaning_of_row(std::string_view name);
 
 /// The phase whose uncertainty a heading such as "Quartz esd" holds; nothing for any other heading.
 [[nodiscard]] std::optional<std::string> phase_of_uncertainty(std::string_view heading);
 
 }  // namespace ashimpact::xrd
+
+template <>
+struct ashimpact::Names<ashimpact::xrd::Role> {
+    static constexpr std::string_view kind = "column";
+    static constexpr std::array<std::string_view, 11> all{
+        "other",       "sample",  "phase",     "weight", "volume",
+        "uncertainty", "density", "intensity", "ratio",  "ratio_uncertainty",
+        "standard"};
+};
+
+template <>
+struct ashimpact::Names<ashimpact::xrd::RowMeaning> {
+    static constexpr std::string_view kind = "row";
+    static constexpr std::array<std::string_view, 3> all{"phase", "total", "crystalline_total"};
+};

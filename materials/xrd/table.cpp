@@ -110,11 +110,12 @@ XrdSample sample_of_fractions(const Group& group, double scale) {
                 .at(at_line(entry.line));
         auto uncertainty = entry.uncertainty ? entry.uncertainty : entry.amount->standard_uncertainty;
         if (uncertainty) *uncertainty *= scale;
-        if (means_total(entry.phase)) {
+        const RowMeaning meaning = meaning_of_row(entry.phase);
+        if (meaning == RowMeaning::total) {
             check_total(sum, fraction, entry);
             continue;
         }
-        if (means_crystalline_total(entry.phase)) {
+        if (meaning == RowMeaning::crystalline_total) {
             sample.analysis.amorphous =
                 CrystallineTotal{.value = std::min(fraction, 1.0), .standard_uncertainty = uncertainty};
             continue;

@@ -2,132 +2,37 @@
 #include "solver/inference/impacts/measurement_headings.hpp"
 
 #include <algorithm>
-#include <cctype>
+#include <array>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/tables/coverage.hpp"
 #include "core/text.hpp"
 #include "core/units/units.hpp"
+#include "core/utf8.hpp"
+#include "core/vocabulary.hpp"
 #include "solver/inference/impacts/outcome_words.hpp"
 
 namespace ashimpact {
 
 namespace {
 
-struct Alias {
-    std::string_view key;
-    MeasuredQuantity quantity;
-};
+const WordLists& column_words() {
+    static const WordLists words("impact columns");
+    return words;
+}
 
-constexpr std::array aliases{
-    Alias{"vin", MeasuredQuantity::velocity},
-    Alias{"vi", MeasuredQuantity::velocity},
-    Alias{"v", MeasuredQuantity::velocity},
-    Alias{"velocity", MeasuredQuantity::velocity},
-    Alias{"incidentvelocity", MeasuredQuantity::velocity},
-    Alias{"incidentnormalvelocity", MeasuredQuantity::velocity},
-    Alias{"normalincidentvelocity", MeasuredQuantity::velocity},
-    Alias{"incomingvelocity", MeasuredQuantity::velocity},
-    Alias{"approachvelocity", MeasuredQuantity::velocity},
-    Alias{"impactvelocity", MeasuredQuantity::velocity},
-    Alias{"impactspeed", MeasuredQuantity::velocity},
-    Alias{"incidentspeed", MeasuredQuantity::velocity},
-    Alias{"vimpact", MeasuredQuantity::velocity},
-    Alias{"vein", MeasuredQuantity::velocity},
-    Alias{"veinfall", MeasuredQuantity::velocity},
-    Alias{"einfallsgeschwindigkeit", MeasuredQuantity::velocity},
-    Alias{"aufprallgeschwindigkeit", MeasuredQuantity::velocity},
-    Alias{"auftreffgeschwindigkeit", MeasuredQuantity::velocity},
-    Alias{"anfluggeschwindigkeit", MeasuredQuantity::velocity},
-    Alias{"einfall", MeasuredQuantity::velocity},
-    Alias{"aufprall", MeasuredQuantity::velocity},
-    Alias{"geschwindigkeit", MeasuredQuantity::velocity},
-    Alias{"vitesse", MeasuredQuantity::velocity},
-    Alias{"vitesseincidente", MeasuredQuantity::velocity},
-    Alias{"vitessedimpact", MeasuredQuantity::velocity},
-    Alias{"ventre", MeasuredQuantity::velocity},  // "v_entrée"
-    Alias{"ventree", MeasuredQuantity::velocity},
-    Alias{"vr", MeasuredQuantity::rebound},
-    Alias{"vrn", MeasuredQuantity::rebound},
-    Alias{"vout", MeasuredQuantity::rebound},
-    Alias{"rebound", MeasuredQuantity::rebound},
-    Alias{"reboundvelocity", MeasuredQuantity::rebound},
-    Alias{"normalreboundvelocity", MeasuredQuantity::rebound},
-    Alias{"reboundspeed", MeasuredQuantity::rebound},
-    Alias{"outgoingvelocity", MeasuredQuantity::rebound},
-    Alias{"vrebound", MeasuredQuantity::rebound},
-    Alias{"vaus", MeasuredQuantity::rebound},
-    Alias{"vab", MeasuredQuantity::rebound},
-    Alias{"vrck", MeasuredQuantity::rebound},  // "v_rück"
-    Alias{"vrueck", MeasuredQuantity::rebound},
-    Alias{"rckprall", MeasuredQuantity::rebound},  // "Rückprall"
-    Alias{"rueckprall", MeasuredQuantity::rebound},
-    Alias{"vrckprall", MeasuredQuantity::rebound},  // "v_Rückprall"
-    Alias{"vrueckprall", MeasuredQuantity::rebound},
-    Alias{"abprall", MeasuredQuantity::rebound},
-    Alias{"rebond", MeasuredQuantity::rebound},
-    Alias{"rckprallgeschwindigkeit", MeasuredQuantity::rebound},  // "Rückprallgeschwindigkeit"
-    Alias{"rueckprallgeschwindigkeit", MeasuredQuantity::rebound},
-    Alias{"abprallgeschwindigkeit", MeasuredQuantity::rebound},
-    Alias{"vsortie", MeasuredQuantity::rebound},
-    Alias{"vrebond", MeasuredQuantity::rebound},
-    Alias{"vitessederebond", MeasuredQuantity::rebound},
-    Alias{"e", MeasuredQuantity::restitution},
-    Alias{"en", MeasuredQuantity::restitution},
-    Alias{"cor", MeasuredQuantity::restitution},
-    Alias{"restitution", MeasuredQuantity::restitution},
-    Alias{"coefficientofrestitution", MeasuredQuantity::restitution},
-    Alias{"normalrestitution", MeasuredQuantity::restitution},
-    Alias{"stosszahl", MeasuredQuantity::restitution},
-    Alias{"stozahl", MeasuredQuantity::restitution},  // "Stoßzahl"
-    Alias{"stosskoeffizient", MeasuredQuantity::restitution},
-    Alias{"stokoeffizient", MeasuredQuantity::restitution},  // "Stoßkoeffizient"
-    Alias{"restitutionszahl", MeasuredQuantity::restitution},
-    Alias{"coefficientofnormalrestitution", MeasuredQuantity::restitution},
-    Alias{"normalcoefficientofrestitution", MeasuredQuantity::restitution},
-    Alias{"restitutioncoefficient", MeasuredQuantity::restitution},
-    Alias{"restitutionskoeffizient", MeasuredQuantity::restitution},
-    Alias{"coefficientderestitution", MeasuredQuantity::restitution},
-};
-
-constexpr std::array<std::string_view, 20> uncertainty_words{"u",
-                                                             "sigma",
-                                                             "sd",
-                                                             "std",
-                                                             "stdev",
-                                                             "esd",
-                                                             "uncertainty",
-                                                             "uncertaintyof",
-                                                             "standarduncertainty",
-                                                             "standarduncertaintyof",
-                                                             "fehler",
-                                                             "fehlervon",
-                                                             "unsicherheit",
-                                                             "unsicherheitvon",
-                                                             "messunsicherheit",
-                                                             "standardunsicherheit",
-                                                             "incertitude",
-                                                             "error",
-                                                             "errorof",
-                                                             "plusminus"};
-
-/// ASCII letters and digits in lower case; "v_{in}" becomes "vin", "v_rück" becomes "vrck".
+/// ASCII letters and digits in lower case: "v_{in}" is "vin", "v_rück" is "vrueck".
 std::string key_of(std::string_view text) {
-    std::string key;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const std::string_view rest = text.substr(i);
-        if (rest.starts_with("\u03c3")) key += "sigma";
-        for (const std::string_view sign : {"\u00b1", "+-", "+/-"})
-            if (rest.starts_with(sign)) key += "plusminus";
-        if (std::isalnum(static_cast<unsigned char>(text[i])) != 0) key += lower_case(rest.substr(0, 1));
-    }
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 3> signs{
+        {{"\u00b1", "plusminus"}, {"+-", "plusminus"}, {"+/-", "plusminus"}}};
+    std::string key = word_key(replaced(text, signs));
+    std::erase_if(key, [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
     return key;
 }
 
 std::optional<MeasuredQuantity> quantity_of(std::string_view key) {
-    const auto found =
-        std::find_if(aliases.begin(), aliases.end(), [&](const Alias& alias) { return alias.key == key; });
-    return found == aliases.end() ? std::nullopt : std::optional(found->quantity);
+    return meaning<MeasuredQuantity>(column_words(), key);
 }
 
 struct Meaning {
@@ -138,7 +43,7 @@ struct Meaning {
 std::optional<Meaning> meaning_of(std::string_view name) {
     const std::string key = key_of(name);
     if (const auto quantity = quantity_of(key)) return Meaning{*quantity, false};
-    for (const std::string_view word : uncertainty_words) {
+    for (const auto& [word, list] : uncertainty_words().words()) {
         std::optional<MeasuredQuantity> quantity;
         if (key.starts_with(word)) quantity = quantity_of(std::string_view(key).substr(word.size()));
         if (!quantity && key.ends_with(word))
@@ -226,10 +131,9 @@ bool take_other(MeasurementHeading& heading, std::string_view name, std::size_t 
         column = position;
         return true;
     };
-    constexpr std::array<std::string_view, 6> outcomes{"outcome",  "result",  "ausgang",
-                                                       "ergebnis", "rsultat", "resultat"};
-    if (std::find(outcomes.begin(), outcomes.end(), key) != outcomes.end()) return take(heading.outcome);
-    if (key == "correlation" || key == "rvinvr" || key == "corrvinvr") return take(heading.correlation);
+    const auto list = column_words().list_of(key);
+    if (list == "outcome") return take(heading.outcome);
+    if (list == "correlation") return take(heading.correlation);
     return false;
 }
 

@@ -9,12 +9,19 @@
 #include <utility>
 #include <vector>
 
+#include "core/names.hpp"
 #include "core/tables/coverage.hpp"
 
 namespace ashimpact {
 
 /// Quantity that a column of a table of impacts holds.
 enum class MeasuredQuantity { velocity, rebound, restitution };
+
+template <>
+struct Names<MeasuredQuantity> {
+    static constexpr std::string_view kind = "measured quantity";
+    static constexpr std::array<std::string_view, 3> all{"velocity", "rebound", "restitution"};
+};
 
 struct MeasuredColumn {
     std::size_t position;

@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
-#include <string>
+#include <array>
 #include <string_view>
 
+#include "core/names.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 
 namespace ashimpact {
 
 /// What a text in a table of impacts says of the outcome.
 enum class OutcomeWord { none, capture, rebound, unknown };
+
+template <>
+struct Names<OutcomeWord> {
+    static constexpr std::string_view kind = "word for an outcome";
+    static constexpr std::array<std::string_view, 4> all{"none", "capture", "rebound", "unknown"};
+};
 
 /// The meaning of a cell that holds exactly one word for an outcome, such as "haftet", "stick", "rebound",
 /// "?", or the letters c and r; an empty cell is unknown.
