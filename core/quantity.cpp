@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/json/json_input.hpp"
+#include "core/json/document.hpp"
 #include "core/tables/number.hpp"
 #include "core/text.hpp"
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "core/embedded.hpp"
-#include "core/json/json_input.hpp"
+#include "core/json/document.hpp"
 #include "core/utf8.hpp"
 
 namespace ashimpact {

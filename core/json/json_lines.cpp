@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/json/json_input.hpp"
+#include "core/json/document.hpp"
 
 namespace ashimpact {
 
@@ -19,13 +19,23 @@ JsonLines::JsonLines(std::string_view text) : rest_(text) {
     rest_ = {};
 }
 
-/// Skips blanks and returns the next character without consuming it; NUL at the end.
+void JsonLines::skip(std::size_t bytes) {
+    const std::string_view skipped = rest_.substr(0, bytes);
+    line_ += static_cast<std::size_t>(std::count(skipped.begin(), skipped.end(), '\n'));
+    rest_.remove_prefix(skipped.size());
+}
+
+/// Skips blanks and comments, and returns the next character without consuming it; NUL at the end.
 char JsonLines::next() {
-    const auto blanks = std::min(rest_.find_first_not_of(" \t\r\n"), rest_.size());
-    line_ += static_cast<std::size_t>(
-        std::count(rest_.begin(), rest_.begin() + static_cast<std::ptrdiff_t>(blanks), '\n'));
-    rest_.remove_prefix(blanks);
-    return rest_.empty() ? '\0' : rest_.front();
+    while (true) {
+        skip(std::min(rest_.find_first_not_of(" \t\r\n"), rest_.size()));
+        if (rest_.starts_with("//"))
+            skip(rest_.find('\n'));
+        else if (rest_.starts_with("/*"))
+            skip(rest_.find("*/", 2) + 2);
+        else
+            return rest_.empty() ? '\0' : rest_.front();
+    }
 }
 
 /// Consumes a string and returns it as written, with its quotes.
@@ -62,7 +72,7 @@ void JsonLines::read_value(const std::string& pointer, std::size_t depth) {
     else if (first == '"')
         static_cast<void>(read_string());
     else
-        rest_.remove_prefix(std::min(rest_.find_first_of(",]} \t\r\n"), rest_.size()));
+        rest_.remove_prefix(std::min(rest_.find_first_of(",]}/ \t\r\n"), rest_.size()));
 }
 
 std::size_t JsonLines::line_of(std::string pointer) const {

@@ -22,6 +22,7 @@ class JsonLines {
     void read_members(const std::string& pointer, std::size_t depth, char close);
     std::string read_string();
     char next();
+    void skip(std::size_t bytes);
 
     std::string_view rest_;
     std::size_t line_ = 1;

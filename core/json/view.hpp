@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/json/json_input.hpp"
+#include "core/json/document.hpp"
 #include "core/quantity.hpp"
 
 namespace ashimpact {

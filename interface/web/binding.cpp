@@ -143,9 +143,8 @@ Json impacts_read(const ashimpact::Case& data) {
 
 /// The case without its measured impacts, as a file beside it.
 std::string without_impacts(const std::string& file) {
-    Json document = ashimpact::at_place(ashimpact::FileName{file}, [&] {
-        return ashimpact::without_comments(ashimpact::parse_json(ashimpact::read_file(file)));
-    });
+    Json document = ashimpact::at_place(ashimpact::FileName{file},
+                                        [&] { return ashimpact::parse_json(ashimpact::read_file(file)); });
     if (document.is_object() && document.contains("samples") && document.at("samples").is_array())
         for (Json& sample : document.at("samples"))
             if (sample.is_object()) sample.erase("restitution");

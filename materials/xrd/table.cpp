@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/checks.hpp"
-#include "core/json/json_input.hpp"
+#include "core/json/document.hpp"
 #include "core/text.hpp"
 #include "materials/xrd/readers.hpp"
 #include "materials/xrd/table_layout.hpp"

@@ -119,8 +119,7 @@ class PublishedSets {
             const bool carried = embedded_file(built_in).has_value();
             const std::string shown = carried ? built_in : files.shown(name->text());
             at_place(FileName{shown}, [&] {
-                json_ = without_comments(
-                    parse_json(carried ? files.read_built_in(built_in) : files.read(name->text())));
+                json_ = parse_json(carried ? files.read_built_in(built_in) : files.read(name->text()));
                 validate_document(json_, "published");
                 read(View(json_));
             });
@@ -333,14 +332,13 @@ LoadedCase load_case(const std::optional<std::string>& file, bool allow_outside)
     if (allow_outside) files.allow_outside();
     const std::string text = files.read_case();
     return at_place(FileName{files.case_name()}, [&] {
-        const Json with_comments = parse_json(text);
-        const Json document = without_comments(with_comments);
+        const Json document = parse_json(text);
         require_schema_version(document, false);
         validate_document(document, "case");
         LoadedCase loaded;
         loaded.data = read_case_with(View(document), built_in_phases(), files, loaded.warnings);
         loaded.inputs = files.used();
-        if (const auto remains = example_remains(with_comments, loaded.inputs); !remains.empty())
+        if (const auto remains = example_remains(document, text, loaded.inputs); !remains.empty())
             loaded.warnings.push_back(
                 "still of the example of `ashimpact init`, whose numbers are invented (" + joined(remains) +
                 "), to be replaced or deleted");

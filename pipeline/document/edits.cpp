@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "core/json/json_input.hpp"
+#include "core/json/document.hpp"
 #include "core/json/view.hpp"
 #include "core/text.hpp"
 #include "materials/contact_properties.hpp"

@@ -111,7 +111,7 @@ Artifact loaded_artifact(const std::filesystem::path& folder, std::string_view f
     const auto path = folder / file;
     std::string bytes = read_file(path);
     return at_place(FileName{path.string()}, [&] {
-        Json document = without_comments(parse_json(bytes));
+        Json document = parse_json(bytes);
         require_schema_version(document, true);
         validate_document(document, schema_of(file));
         if (is_edited(document)) {
@@ -309,7 +309,7 @@ void add_left(const std::filesystem::path& folder, std::string_view file, std::s
     std::string bytes = read_file(path);
     Json document{{"stage", stage}, {"provenance", {{"inputs", Json::array()}}}, {"warnings", Json::array()}};
     at_place(FileName{path.string()}, [&] {
-        const Json whole = without_comments(parse_json(bytes));
+        const Json whole = parse_json(bytes);
         require_schema_version(whole, true);
         validate_document(whole, schema_of(file));
         document["provenance"] = whole.at("provenance");

@@ -124,7 +124,7 @@ def run(name, *case):
 def two_spheres():
     """The built-in case with a steel ball in place of the wall."""
     with open(os.path.join(ROOT, "data/cases/dong2013/case.json")) as file:
-        case = json.load(file)
+        case = json.loads("".join(line for line in file if not line.lstrip().startswith("//")))
     case["partner"] = {"diameter": "200 um", "density": "7900 kg/m3", **case.pop("wall")}
     case["laws"] = ["dmt"]
     del case["calibration"]

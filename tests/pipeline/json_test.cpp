@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "core/json/document.hpp"
+#include "core/json/json_lines.hpp"
 #include "core/json/view.hpp"
 #include "core/json/writer.hpp"
 #include "pipeline/document/schema.hpp"
@@ -78,9 +79,18 @@ TEST_CASE("a number beyond double precision is refused where it stands") {
 }
 
 TEST_CASE("comments go, at any depth, and nothing else does") {
-    const Json plain =
-        without_comments(parse_json(R"({"//": 1, "a": [{"// note": 2, "b": null}], "c/d": "//"})"));
-    CHECK(plain == parse_json(R"({"a": [{"b": null}], "c/d": "//"})"));
+    const Json plain = parse_json(R"({"a": [{"b": null}], "c/d": "//"})");
+    CHECK(plain["c/d"] == "//");
+    CHECK(parse_json(R"({"//": 1, "a": [{"// note": {"x": [2]}, "b": null}], "c/d": "//"})") == plain);
+    CHECK(parse_json("// one\n{\"a\": [ /* two\n */ {\"b\": null}], // {\n\"c/d\": \"//\"} // end") == plain);
+    CHECK(parse_message("{\"a\": 1 / 2}").starts_with("line 1, column "));
+}
+
+TEST_CASE("the line of a value counts those of comments") {
+    const JsonLines lines("// one\n{ /* two\n*/ \"a\": 3 // three\n, \"// b\": 1,\n\"c\": [5/*\n*/, 6]}");
+    CHECK(lines.line_of("/a") == 3);
+    CHECK(lines.line_of("/c/0") == 5);
+    CHECK(lines.line_of("/c/1") == 6);
 }
 
 TEST_CASE("what is written reads back as the same document, short things on one line") {

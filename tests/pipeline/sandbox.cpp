@@ -87,7 +87,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 Json example_case() {
-    return without_comments(parse_json(embedded_file("cases/example/case.json").value()));
+    return parse_json(embedded_file("cases/example/case.json").value());
 }
 
 Json example_under(const char* law) {

@@ -27,7 +27,7 @@ async function takeCase(name, bytes, others) {
     const { answer } = await quick.ask({ name: 'validate', files: [...others, [name, bytes]], words: [name] });
     let document = null;
     try {
-        document = JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(bytes));
+        document = parseJson(new TextDecoder('utf-8', { fatal: true }).decode(bytes));
     } catch { /* the program has said so */ }
     if (!isCase(document)) {
         return { text: answer.status === 0 ? `${name}: is no case that this page can show` : answer.error.message, bad: true };

@@ -1,7 +1,7 @@
 // Puts the page together.
 function openEmbedded(name) {
     const files = Object.entries(embedded[name]).filter(([file]) => file !== 'case.json').map(([file, text]) => [file, new TextEncoder().encode(text)]);
-    openCase(name === 'paper' ? 'Open the paper’s case' : 'Open the example', JSON.parse(embedded[name]['case.json']), new Map(files));
+    openCase(name === 'paper' ? 'Open the paper’s case' : 'Open the example', parseJson(embedded[name]['case.json']), new Map(files));
     tell(name === 'paper' ? 'The three sieve sizes of Dong et al. 2013 are open.' : 'The example is open: two sieve sizes with invented numbers.');
 }
 

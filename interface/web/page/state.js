@@ -2,6 +2,9 @@
 // fields.
 const state = { document: null, files: new Map(), sample: 0, units: new Map() };
 
+// JSON with comments, as the program reads it.
+const parseJson = (text) => JSON.parse(text.replace(/"(?:[^"\\]|\\.)*"|\/\/[^\n]*|\/\*[^]*?\*\//g, (part) => (part[0] === '"' ? part : '')));
+
 const isObject = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
 
 // A case to begin with: a wall of stainless steel and a work of adhesion, both told as assumed, and nothing of the ash.

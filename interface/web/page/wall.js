@@ -34,7 +34,7 @@ function lawParameters() {
 }
 
 function exampleWall() {
-    const { wall, work_of_adhesion: adhesion } = JSON.parse(embedded.example['case.json']);
+    const { wall, work_of_adhesion: adhesion } = parseJson(embedded.example['case.json']);
     setAt('/wall', wall);
     setAt('/work_of_adhesion', adhesion);
 }

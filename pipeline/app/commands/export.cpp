@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "core/json/json_input.hpp"
+#include "core/json/document.hpp"
 #include "core/text.hpp"
 #include "materials/contact_properties.hpp"
 #include "pipeline/case/laws.hpp"

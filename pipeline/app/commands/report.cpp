@@ -70,7 +70,7 @@ std::optional<Json> sweep_result(const std::string& file) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(file, ignored)) return std::nullopt;
     return at_place(FileName{file}, [&]() -> std::optional<Json> {
-        Json document = without_comments(parse_json(read_file(file)));
+        Json document = parse_json(read_file(file));
         if (!document.is_object() || document.value("schema", Json()) != "sweep-result") return std::nullopt;
         validate_document(document, "sweep-result");
         return document;

@@ -15,7 +15,7 @@ const whole = Boolean(process.env.ASHIMPACT_WHOLE);  // all wrong files, not eve
 const inShort = ['agreement', 'typing', 'large'];  // of Firefox
 const example = path.join(folder, 'example');
 const inputs = fs.readdirSync(example).filter(name => /\.(json|csv)$/.test(name)).map(name => ({ name, bytes: fs.readFileSync(path.join(example, name)) }));
-const caseText = fs.readFileSync(path.join(example, 'case.json'), 'utf8');
+const caseText = fs.readFileSync(path.join(example, 'case.json'), 'utf8').replace(/^ *\/\/.*\n/gm, '');
 
 const opened = page => page.evaluate(() => document.getElementById('app-told').textContent);
 

@@ -399,8 +399,7 @@ TEST_CASE("init, run and inspect, as the help says") {
     const Sandbox sandbox;
     REQUIRE(ashimpact_program(sandbox, "init my-case").status == 0);
     CHECK(ashimpact_program(sandbox, "init my-case").status == 2);
-    const Json commented = sandbox.json("my-case/case.json");
-    CHECK(commented.contains("//"));
+    CHECK(sandbox.read("my-case/case.json").find("\n  // A case of ashimpact. ") != std::string::npos);
     const auto run = ashimpact_program(sandbox, "run my-case/case.json -o my-case/results");
     REQUIRE_MESSAGE(run.status == 0, run.err);
     for (const char* file : {"0-case", "1-modulus", "2-contact", "3-analytic", "4-restitution", "5-damping",
@@ -573,8 +572,8 @@ TEST_CASE("calibrate finds constants that reproduce the published velocities" *
 TEST_CASE("calibrate's table says which constants the published values do not fix" *
           doctest::skip(test::sanitized)) {
     const Sandbox sandbox;
-    Json document = without_comments(parse_json(embedded_file("cases/dong2013/case.json").value()));
-    Json paper = without_comments(parse_json(embedded_file("published/dong2013.json").value()));
+    Json document = parse_json(embedded_file("cases/dong2013/case.json").value());
+    Json paper = parse_json(embedded_file("published/dong2013.json").value());
     for (auto& [name, sample] : paper["samples"].items()) sample.erase("contact_times");
     document["published"] = "paper.json";
     sandbox.write("paper.json", paper.dump());

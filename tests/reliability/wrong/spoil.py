@@ -243,7 +243,7 @@ def broken_json(text, random, count):
     yield "text", None, data + data
     yield "text", None, data + b"}"
     yield "text", None, data[:-1] + b",}"
-    yield "text", None, b"// a comment\n" + data
+    yield "text", None, b"# a comment\n" + data
     yield "text", None, data.replace(b'"', b"'")
     yield "text", None, b""
     yield "text", None, b" \n\n"

@@ -228,7 +228,7 @@ bool is_given(const SweepSpec& spec, ImpactInput input) {
 }
 
 LoadedSpec read_sweep_spec(const std::string& text) {
-    const Json json = without_comments(parse_json(text));
+    const Json json = parse_json(text);
     require_schema_version(json, false);
     validate_document(json, "sweep");
     const View document(json);
