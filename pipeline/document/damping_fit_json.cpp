@@ -51,7 +51,8 @@ Json with_known_noise(const DampingCurveFit& fit, double value) {
 /// The critical damping of a node, with its interval.
 Interval damping_interval(const View& node, double value) {
     const auto end = [&](const char* key) -> std::optional<double> {
-        const auto found = node.at("critical_damping_interval").find(key);
+        const auto interval = node.find("critical_damping_interval");
+        const auto found = interval ? interval->find(key) : std::nullopt;
         return found ? std::optional(found->number(Dimension::damping)) : std::nullopt;
     };
     return {.value = value,
@@ -95,6 +96,9 @@ DampingCurveFit read_damping_fit(const View& node) {
     fit.damping.coefficients = Eigen::Map<const Eigen::VectorXd>(coefficients.data(), size);
     if (size > 0 && !(coefficients.front() > 0))
         node.at("coefficients").fail("the first, the critical damping, is not positive", "> 0 kg/s");
+    if (size > 0)
+        require_agreement(node.at("critical_damping"), coefficients.front(), Dimension::damping,
+                          "is not the first of the coefficients", "these");
     const auto rows = node.at("covariance").at("values").elements();
     if (size != fit.options.order + 1 || rows.size() != coefficients.size())
         node.fail("coefficients and covariance do not belong to the order", "order + 1 of each");

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/json/document.hpp"
+#include "core/json/view.hpp"
 #include "core/quantity.hpp"
 
 namespace ashimpact {
@@ -19,5 +19,10 @@ namespace ashimpact {
 
 /// {"values", "unit"} of values in SI.
 [[nodiscard]] Json column_json(const std::vector<double>& values, Dimension dimension);
+
+/// Checks that a value agrees with others of its artifact that say the same. Numbers written with fewer
+/// digits agree. @throws InputError at the value: @p problem, the @p expected one, @p others to edit as well
+void require_agreement(const View& value, double expected, Dimension dimension, const std::string& problem,
+                       const std::string& others);
 
 }  // namespace ashimpact

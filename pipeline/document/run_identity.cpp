@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 
 #include "core/checks.hpp"
 #include "core/error.hpp"
 #include "core/json/writer.hpp"
 #include "core/text.hpp"
 #include "core/version.hpp"
-#include "pipeline/document/edits.hpp"
 #include "pipeline/document/files/sha256.hpp"
 
 namespace ashimpact {
@@ -20,80 +18,59 @@ namespace {
 
 constexpr auto run_key = "run";
 constexpr auto result_key = "result_sha256";
-constexpr auto intervals_key = "intervals";
-constexpr auto originals_key = "originals";
 
-/// Calls @p visit with every object of a document and its pointer.
-void for_each_object(Json& node, const std::string& pointer,
-                     const std::function<void(Json&, const std::string&)>& visit) {
-    if (node.is_object()) {
-        visit(node, pointer);
-        for (auto& [key, member] : node.items()) for_each_object(member, child_pointer(pointer, key), visit);
-    } else if (node.is_array()) {
-        for (std::size_t i = 0; i < node.size(); ++i)
-            for_each_object(node[i], child_pointer(pointer, std::to_string(i)), visit);
-    }
+bool is_quantity(const Json& node) {
+    return node.is_object() && node.contains("value") && node["value"].is_number() && node.contains("unit") &&
+           node["unit"].is_string();
 }
 
-/// The number of a quantity; null where there is none.
-Json number_of(const Json& quantity) {
-    if (quantity.is_number()) return quantity;
-    return quantity.is_object() && quantity.contains("value") && quantity["value"].is_number()
-               ? quantity["value"]
-               : Json(nullptr);
+std::string text_of(const Json& quantity) {
+    return shortest(quantity.at("value").get<double>()) + " " + quantity.at("unit").get<std::string>();
 }
 
-/// The value that an interval beside it is of: a quantity with its interval inside, or a critical velocity
-/// with the interval next to it; null where there is none.
-Json value_beside_interval(const Json& object) {
-    if (!object.contains("interval") || !object["interval"].is_object()) return nullptr;
-    if (object.contains("value")) return number_of(object);
-    return object.contains("critical_velocity") ? number_of(object["critical_velocity"]) : Json(nullptr);
-}
-
-/// Whether an interval holds a value; an end that is not there is no bound.
-bool holds(const Json& interval, double value) {
-    const auto end = [&](const char* key) {
-        return interval.contains(key) ? number_of(interval[key]) : Json(nullptr);
-    };
-    const Json lower = end("lower");
-    const Json upper = end("upper");
-    return (lower.is_null() || lower.get<double>() <= value) &&
-           (upper.is_null() || value <= upper.get<double>());
-}
-
-/// What was written of the value at a pointer; null if nothing.
-Json recorded(const Json& provenance, const std::string& pointer) {
-    if (!provenance.contains(intervals_key)) return nullptr;
-    for (const Json& entry : provenance[intervals_key])
-        if (entry.at("at") == pointer) return entry;
-    return nullptr;
-}
-
-/// Takes an interval away. Inside a quantity its ends go; beside one it goes whole, and with it the verdict
-/// of a check that was made with it.
-void drop_interval(Json& object) {
-    if (object.contains("value")) {
-        for (const char* end : {"lower", "upper"}) object["interval"][end] = nullptr;
-        return;
-    }
-    object["interval"] = nullptr;
-    if (object.contains("check")) object["check"] = nullptr;
-}
-
-/// Refuses a quantity of a result that no computation can have written.
-void require_possible(const Json& object, const std::string& pointer) {
-    if (!object.contains("value") || !object["value"].is_number() || !object.contains("unit")) return;
+/// Refuses a quantity that no computation can have written.
+void require_possible(const Json& quantity, const std::string& pointer) {
     constexpr std::array not_negative{"m", "m/s", "kg", "s", "Pa", "kg/m3", "J/m2"};
-    const double value = object["value"].get<double>();
-    const auto refuse = [&](const std::string& allowed) {
-        throw InputError("is " + shortest(value) + " " + object["unit"].get<std::string>(), allowed)
-            .at(child_pointer(pointer, "value"));
+    const double value = quantity.at("value").get<double>();
+    const bool is_signed =
+        std::find(not_negative.begin(), not_negative.end(), quantity["unit"]) == not_negative.end();
+    const auto refuse = [&](const char* allowed) {
+        throw InputError("is " + text_of(quantity), allowed).at(child_pointer(pointer, "value"));
     };
     if (!std::isfinite(value) || std::abs(value) > 1e40) refuse("a number up to 1e40");
-    if (value < 0 &&
-        std::find(not_negative.begin(), not_negative.end(), object["unit"]) != not_negative.end())
-        refuse("0 or more");
+    if (value < 0 && !is_signed) refuse("0 or more");
+}
+
+/// Refuses a quantity outside of its interval. An end that is null is no bound.
+void require_inside(const Json& quantity, const Json& interval, const std::string& pointer) {
+    if (!is_quantity(quantity) || !interval.is_object()) return;
+    for (const char* key : {"lower", "upper"}) {
+        const Json end = interval.value(key, Json());
+        if (!is_quantity(end)) continue;
+        const double beyond = quantity["value"].get<double>() - end["value"].get<double>();
+        if (end["unit"] == quantity["unit"] && !(key == std::string_view("lower") ? beyond < 0 : beyond > 0))
+            continue;
+        throw InputError("is " + text_of(quantity) + ", outside of its interval",
+                         std::string(key) + " end " + text_of(end) + "; edit or remove the interval as well")
+            .at(pointer);
+    }
+}
+
+/// Checks the quantities of a part of a result. The interval of a quantity is inside of it, or beside it
+/// under "interval" or the name of the quantity with "_interval".
+void require_possible_part(const Json& node, const std::string& pointer) {
+    if (is_quantity(node)) {
+        require_possible(node, pointer);
+        require_inside(node, node.value("interval", Json()), pointer);
+    }
+    if (!node.is_structured()) return;
+    for (const auto& [key, member] : node.items()) {
+        const std::string place = child_pointer(pointer, key);
+        require_possible_part(member, place);
+        if (!node.is_object()) continue;
+        require_inside(member, node.value(key + "_interval", Json()), place);
+        if (key == "critical_velocity") require_inside(member, node.value("interval", Json()), place);
+    }
 }
 
 }  // namespace
@@ -108,15 +85,6 @@ void seal(Json& document, const std::string& run) {
     Json& provenance = document["provenance"];
     provenance[run_key] = run;
     provenance[result_key] = sha256(parse_json(write_json(document["result"])).dump());  // as it will be read
-    Json intervals = Json::array();
-    for_each_object(document["result"], "/result", [&](const Json& object, const std::string& pointer) {
-        const Json value = value_beside_interval(object);
-        if (value.is_number())
-            intervals.push_back({{"at", pointer}, {"value", value}, {"interval", object["interval"]}});
-    });
-    if (!intervals.empty()) provenance[intervals_key] = std::move(intervals);
-    Json originals = originals_of(document.at("schema"), document.at("result"));
-    if (!originals.empty()) provenance[originals_key] = std::move(originals);
 }
 
 std::string run_of(const Json& document) {
@@ -144,26 +112,8 @@ void require_one_run(const std::vector<Artifact>& artifacts) {
     }
 }
 
-std::vector<std::string> accept_edits(Json& document) {
-    std::vector<std::string> dropped;
-    const Json provenance = document.at("provenance");
-    for_each_object(document["result"], "/result", [&](Json& object, const std::string& pointer) {
-        require_possible(object, pointer);
-        const Json value = value_beside_interval(object);
-        if (!value.is_number()) return;
-        const Json before = recorded(provenance, pointer);
-        const bool left =
-            !before.is_null() && before.at("value") != value && before.at("interval") == object["interval"];
-        if (!left && holds(object["interval"], value.get<double>())) return;
-        drop_interval(object);
-        dropped.push_back(pointer + ": the value " + shortest(value.get<double>()) +
-                          " was edited without its interval, which is dropped");
-    });
-    if (provenance.contains(originals_key))
-        for (std::string& done :
-             reconcile(document.at("schema"), document["result"], provenance[originals_key]))
-            dropped.push_back(std::move(done));
-    return dropped;
+void require_possible_result(const Json& document) {
+    require_possible_part(document.at("result"), "/result");
 }
 
 std::vector<std::string> outdated(const std::vector<Artifact>& artifacts) {

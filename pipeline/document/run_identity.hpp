@@ -13,8 +13,8 @@ namespace ashimpact {
 /// may be mixed; others may not.
 [[nodiscard]] std::string run_identity(const Json& case_result, const Json& inputs);
 
-/// Writes into the provenance of an artifact which run it is of, and what shows later that it was edited: a
-/// hash of its result, and each value that has an interval.
+/// Writes the identity of its run and a hash of its result, which reveals later edits, into the provenance of
+/// an artifact.
 void seal(Json& document, const std::string& run);
 
 /// Identity of the run that an artifact is of. @throws InputError if it has none
@@ -26,11 +26,9 @@ void seal(Json& document, const std::string& run);
 /// Refuses artifacts of different runs. @throws InputError naming one that does not belong to the first
 void require_one_run(const std::vector<Artifact>& artifacts);
 
-/// Checks the numbers of an edited artifact: quantities that cannot be negative, and those too large for any
-/// computation, are refused with their place; an interval that was left as it was while its value was edited,
-/// or that does not hold it, is dropped; values that say the same follow the edited one, see reconcile().
-/// @return what was done, in words
-[[nodiscard]] std::vector<std::string> accept_edits(Json& document);
+/// Checks every quantity of an edited result: it is possible, and lies inside of its interval.
+/// @throws InputError with the JSON pointer of the first that does not
+void require_possible_result(const Json& document);
 
 /// Artifacts that were computed from another version of one that they read, in words: "3-analytic.json was
 /// computed from another 2-contact.json".

@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/document/schema.hpp"
 
-#include <array>
-#include <cmath>
 #include <map>
-#include <optional>
 #include <set>
 #include <stdexcept>
-#include <utility>
 
 #include "core/embedded.hpp"
 #include "core/error.hpp"
-#include "core/json/view.hpp"
-#include "core/text.hpp"
 #include "materials/modulus.hpp"
 #include "materials/work_of_adhesion.hpp"
 #include "solver/contact/law.hpp"
@@ -148,99 +142,7 @@ const Json* child_schema(const Json& schema, const Json& node, const std::string
     return nullptr;
 }
 
-/// Definitions that are quantities, with their dimension.
-constexpr std::array<std::pair<std::string_view, Dimension>, 12> quantity_definitions{
-    {{"fraction", Dimension::fraction},
-     {"length", Dimension::length},
-     {"mass", Dimension::mass},
-     {"time", Dimension::time},
-     {"velocity", Dimension::velocity},
-     {"density", Dimension::density},
-     {"pressure", Dimension::pressure},
-     {"force", Dimension::force},
-     {"energy", Dimension::energy},
-     {"energy_per_area", Dimension::energy_per_area},
-     {"damping", Dimension::damping},
-     {"impulse", Dimension::impulse}}};
-
-/// The dimension of what @p node describes, through a choice that null is part of too.
-std::optional<Dimension> dimension_of(const Json& node) {
-    if (node.contains("anyOf"))
-        for (const Json& branch : node["anyOf"])
-            if (const auto dimension = dimension_of(branch)) return dimension;
-    if (!node.contains("$ref")) return std::nullopt;
-    const auto target = node["$ref"].get<std::string>();
-    const std::string name = target.substr(target.rfind('/') + 1);
-    for (const auto& [definition, dimension] : quantity_definitions)
-        if (definition == name) return dimension;
-    return std::nullopt;
-}
-
-void validate_quantity(const View& value, Dimension dimension) {
-    constexpr double most = 1e40;
-    const double number = value.number(dimension);
-    if (!(std::abs(number) <= most))
-        (value.is_object() ? value.at("value") : value)
-            .fail("is " + shortest(number) + " " + std::string(si_unit(dimension)),
-                  "a number up to 1e40 in SI");
-}
-
-bool is_of(const View& value, Dimension dimension) {
-    try {
-        static_cast<void>(value.number(dimension));
-        return true;
-    } catch (const InputError&) {
-        return false;
-    }
-}
-
-bool is_coefficient(const Json& node) {
-    return node.value("$ref", "").ends_with("/coefficient");
-}
-
-/// Checks every quantity of a document to which its schema gives a dimension.
-class QuantityCheck {
-  public:
-    explicit QuantityCheck(const Json& schema) : schema_(schema) {}
-
-    void check(const View& value, const Json& node) {
-        if (value.json().is_null()) return;
-        if (const auto dimension = dimension_of(node)) return validate_quantity(value, *dimension);
-        if (is_coefficient(node)) return check_coefficient(value);
-        if (!value.json().is_structured()) return;
-        const Json& part = dereferenced(schema_, node);
-        const auto go_on = [&](const View& member, const std::string& key) {
-            if (const Json* below = child_schema(schema_, part, key)) check(member, *below);
-        };
-        if (value.is_object())
-            for (const auto& [key, member] : value.members()) go_on(member, key);
-        else if (!value.json().empty() && value.json().front().is_structured())
-            for (const View& element : value.elements()) go_on(element, "0");
-    }
-
-  private:
-    /// A damping coefficient has the unit of its damping law, which is one in a document.
-    void check_coefficient(const View& value) {
-        for (const Dimension dimension : {Dimension::damping, Dimension::viscosity, Dimension::fraction}) {
-            if (!is_of(value, dimension) || coefficient_.value_or(dimension) != dimension) continue;
-            if (!value.json().is_number()) coefficient_ = dimension;  // a bare number has any unit
-            return validate_quantity(value, dimension);
-        }
-        value.fail("is not in the unit of a damping coefficient",
-                   coefficient_ ? std::string(si_unit(*coefficient_)) + ", as the others of this artifact"
-                                : "kg/s, Pa s or 1, that of the damping law");
-    }
-
-    const Json& schema_;
-    std::optional<Dimension> coefficient_{};
-};
-
 }  // namespace
-
-void validate_quantities(const Json& document, std::string_view schema_name) {
-    const Json schema = schema_named(schema_name);
-    QuantityCheck(schema).check(View(document), schema);
-}
 
 std::vector<std::string> schema_names() {
     std::vector<std::string> names;

@@ -27,10 +27,4 @@ void validate_document(const Json& document, std::string_view schema_name);
 /// references resolved; null if there is none.
 [[nodiscard]] const Json* schema_part(const Json& schema, const std::vector<std::string>& path);
 
-/// Checks the unit and the size (finite, up to 1e40 in SI) of every quantity to which the schema gives a
-/// dimension. For documents that no reader reads completely, such as edited artifacts. The document must
-/// conform to its schema.
-/// @throws InputError with the JSON pointer
-void validate_quantities(const Json& document, std::string_view schema_name);
-
 }  // namespace ashimpact

@@ -191,18 +191,14 @@ SecondSphere read_second_sphere(const View& node) {
             positive_quantity(node.at("mass"), "mass", Dimension::mass)};
 }
 
-/// R* and m* of two spheres. They stand in the artifact too, and have to be those of the spheres.
+/// R* and m* of two spheres, which have to be those of the artifact.
 void set_two_spheres(const View& sample, double mass, SampleContact& contact) {
     const SecondSphere& partner = *contact.partner;
     contact.pair.effective_radius = effective_radius(contact.radius.value, partner.radius.value);
     contact.pair.mass = effective_mass(mass, partner.mass.value);
-    constexpr double rounding = 1e-9;
     const auto check = [&](const char* key, Dimension dimension, double expected) {
-        const View node = sample.at(key);
-        if (std::abs(positive_quantity(node, key, dimension).value - expected) > rounding * expected)
-            node.fail("is not that of the two spheres", shortest(expected) + " " +
-                                                            std::string(si_unit(dimension)) +
-                                                            ", which follows radius, mass and partner");
+        require_agreement(sample.at(key), expected, dimension, "is not that of the two spheres",
+                          "radius, mass and partner");
     };
     check("effective_radius", Dimension::length, contact.pair.effective_radius);
     check("effective_mass", Dimension::mass, contact.pair.mass);
@@ -232,6 +228,9 @@ std::vector<SampleContact> read_contacts(const View& result) {
                         .effective_radius = contact.radius.value,
                         .contact_modulus = contact.contact_modulus.value,
                         .work_of_adhesion = contact.work_of_adhesion.value};
+        require_agreement(sample.at("mass"), sphere_mass(contact.radius.value, contact.density.value),
+                          Dimension::mass, "is not that of a sphere of this radius and density",
+                          "radius or density");
         if (const auto partner = sample.find("partner")) {
             contact.partner = read_second_sphere(*partner);
             set_two_spheres(sample, contact.pair.mass, contact);

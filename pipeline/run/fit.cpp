@@ -205,12 +205,33 @@ StageOutput fit_stage(const Artifacts& before) {
     return output;
 }
 
+namespace {
+
+/// Checks that a fit has one critical damping, and one polynomial, wherever the artifact repeats them.
+void require_one_fit(const View& node, Dimension dimension) {
+    const double c = node.at("c").number(dimension);
+    require_agreement(node.at("critical_damping"), c, dimension, "is not the c of the same fit", "c");
+    if (const auto curve = node.find("extrapolated")) {
+        const auto coefficients = curve->at("coefficients").column(Dimension::damping);
+        constexpr std::array names{"c", "b", "a"};
+        for (std::size_t i = 0; i < std::min(names.size(), coefficients.size()); ++i)
+            require_agreement(node.at(names.at(i)), coefficients[i], dimension,
+                              "is not that of \"extrapolated\"", "or remove \"extrapolated\" and \"direct\"");
+    } else if (const auto estimate = node.find("direct")) {
+        require_agreement(node.at("c"), estimate->at("critical_damping").number(dimension), dimension,
+                          "is not the critical damping of \"direct\"", "or remove \"direct\"");
+    }
+}
+
+}  // namespace
+
 std::vector<SampleFit> read_fits(const View& result, Dimension dimension) {
     std::vector<SampleFit> samples;
     for (const View& sample : result.at("samples").elements()) {
         SampleFit entry{.name = sample.at("name").text(), .laws = {}};
         for_each_law(sample, {"name"}, [&](Law law, const View& node) {
             const auto value = [&](const char* key) { return node.at(key).number(dimension); };
+            require_one_fit(node, dimension);
             LawFit fit{DampingPolynomial::quadratic(value("a"), value("b"), value("c")),
                        value("critical_damping")};
             at_place(node.at("critical_damping").pointer(),

@@ -29,16 +29,19 @@ std::string schema_of(std::string_view file) {
     return std::string(file.substr(0, file.rfind('.')));
 }
 
-/// Runs a stage. An error that says no place is one of what was edited, or of the case.
-StageOutput run_stage(const Stage& stage, const Artifacts& before, const std::vector<std::string>& edited) {
+/// Whether an artifact was edited, or computed from an edited one.
+bool rests_on_edit(const Artifact& artifact) {
+    return artifact.edited || artifact.document.at("provenance").value("edited", false);
+}
+
+/// Runs a stage. An error without a place gets one: the edited artifact, else the first input.
+StageOutput run_stage(const Stage& stage, const Artifacts& before) {
     try {
         return stage.run(before);
     } catch (const InputError& error) {
         if (!error.place().empty()) throw;
-        const auto is_edited_one = [&](std::string_view file) {
-            return std::find(edited.begin(), edited.end(), file) != edited.end();
-        };
-        const auto found = std::find_if(stage.reads.begin(), stage.reads.end(), is_edited_one);
+        const auto found = std::find_if(stage.reads.begin(), stage.reads.end(),
+                                        [&](std::string_view file) { return before.at(file).edited; });
         throw error.at("/result").at(
             FileName{before.place_of(found != stage.reads.end() ? *found : stage.reads.front())});
     }
@@ -46,8 +49,9 @@ StageOutput run_stage(const Stage& stage, const Artifacts& before, const std::ve
 
 /// An artifact in its envelope.
 /// @param run identity of its run; empty: it starts one
+/// @param edited whether it was computed from an edited artifact
 Artifact sealed(std::string_view file, std::string_view stage, const std::vector<InputFile>& inputs,
-                const StageOutput& output, const std::string& run) {
+                const StageOutput& output, const std::string& run, bool edited = false) {
     Json named = Json::array();
     for (const InputFile& input : inputs) named.push_back({{"file", input.file}, {"sha256", input.sha256}});
     Json document{{"schema", schema_of(file)},
@@ -62,6 +66,7 @@ Artifact sealed(std::string_view file, std::string_view stage, const std::vector
                   {"citations", output.citations},
                   {"warnings", output.warnings},
                   {"result", output.result}};
+    if (edited) document["provenance"]["edited"] = true;
     seal(document, run.empty() ? run_identity(output.result, named) : run);
     std::string bytes = write_json(document);
     return {std::string(file), std::move(document), std::move(bytes)};
@@ -76,58 +81,48 @@ Artifact case_artifact_of(const LoadedCase& loaded) {
     return artifact;
 }
 
-/// Warns of edits in what a stage reads, and in what that was computed from.
-void tell_edits(const Stage& stage, const Artifacts& before, const std::vector<std::string>& edited,
-                std::vector<std::string>& warnings) {
-    constexpr std::string_view said = " was edited after ashimpact wrote it";
-    const auto add = [&](const std::string& warning) {
-        if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
-            warnings.push_back(warning);
-    };
+/// Warns of edited artifacts that a stage reads. @return whether its output rests on an edit
+bool warn_of_edits(const Stage& stage, const Artifacts& before, std::vector<std::string>& warnings) {
+    bool edited = false;
+    bool rests = false;
     for (const std::string_view file : stage.reads) {
-        if (std::find(edited.begin(), edited.end(), file) != edited.end())
-            add(std::string(file) + std::string(said));
-        for (const Json& warning : before.at(file).document.at("warnings"))
-            if (const auto text = warning.get<std::string>(); text.ends_with(said)) add(text);
+        const Artifact& artifact = before.at(file);
+        if (artifact.edited) warnings.push_back(std::string(file) + " was edited after ashimpact wrote it");
+        edited = edited || artifact.edited;
+        rests = rests || rests_on_edit(artifact);
     }
+    if (rests && !edited) warnings.emplace_back("computed from artifacts that rest on an edited one");
+    return rests;
 }
 
-Artifact computed(const Stage& stage, const Artifacts& before, const std::vector<std::string>& edited) {
+Artifact computed(const Stage& stage, const Artifacts& before) {
     std::vector<InputFile> inputs;
     for (const std::string_view file : stage.reads)
         inputs.push_back({std::string(file), sha256(before.at(file).bytes)});
-    StageOutput output = run_stage(stage, before, edited);
-    tell_edits(stage, before, edited, output.warnings);
+    StageOutput output = run_stage(stage, before);
+    const bool edited = warn_of_edits(stage, before, output.warnings);
     const bool reads_case =
         std::find(stage.reads.begin(), stage.reads.end(), case_artifact) != stage.reads.end();
     if (reads_case) output.options["detachments"] = detachments_json(read_case_artifact(before));
-    return sealed(stage.file, stage.name, inputs, output, run_of(before.at(stage.reads.front()).document));
+    return sealed(stage.file, stage.name, inputs, output, run_of(before.at(stage.reads.front()).document),
+                  edited);
 }
 
-/// An artifact of an earlier run, checked against its schema. If it was edited that is said, and what the
-/// edit left without a meaning is dropped.
-Artifact loaded_artifact(const std::filesystem::path& folder, std::string_view file,
-                         std::vector<std::string>& edited) {
+/// An artifact of an earlier run, checked against its schema. An edited one is taken, with a warning.
+Artifact loaded_artifact(const std::filesystem::path& folder, std::string_view file) {
     const auto path = folder / file;
     std::string bytes = read_file(path);
     return at_place(FileName{path.string()}, [&] {
         Json document = parse_json(bytes);
         require_schema_version(document, true);
         validate_document(document, schema_of(file));
-        if (is_edited(document)) {
-            validate_quantities(document, schema_of(file));
-            edited.emplace_back(file);
+        const bool edited = is_edited(document);
+        if (edited) {
+            require_possible_result(document);
             spdlog::warn("warning: {}: was edited after ashimpact wrote it; its values count", path.string());
-            for (const std::string& dropped : accept_edits(document))
-                spdlog::warn("warning: {}: {}", path.string(), dropped);
         }
-        return Artifact{std::string(file), std::move(document), std::move(bytes), path.string()};
+        return Artifact{std::string(file), std::move(document), std::move(bytes), path.string(), edited};
     });
-}
-
-Artifact loaded_artifact(const std::filesystem::path& folder, std::string_view file) {
-    std::vector<std::string> edited;
-    return loaded_artifact(folder, file, edited);
 }
 
 /// The manifest: every artifact of the folder with its hash, those of this run and those from before it.
@@ -355,7 +350,7 @@ Artifacts compute_artifacts(const std::optional<std::string>& case_file, std::st
     Artifacts artifacts;
     artifacts.add(case_artifact_of(load_case(case_file, allow_outside)));
     for (const Stage& stage : stages()) {
-        artifacts.add(computed(stage, artifacts, {}));
+        artifacts.add(computed(stage, artifacts));
         if (stage.name == last_stage) break;
     }
     return artifacts;
@@ -367,7 +362,6 @@ RunSummary run_stages(const RunPlan& plan) {
     RunFolder folder(plan.folder);
     Artifacts artifacts;
     std::vector<Artifact> all;
-    std::vector<std::string> edited;
     RunSummary summary;
     const auto keep = [&](Artifact artifact, bool is_new) {
         if (is_new) summary.written.push_back(artifact);
@@ -379,14 +373,14 @@ RunSummary run_stages(const RunPlan& plan) {
         keep_inputs(loaded.inputs, plan.folder);
         keep(case_artifact_of(loaded), true);
     } else if (is_read(range, case_artifact))
-        keep(loaded_artifact(plan.folder, case_artifact, edited), false);
+        keep(loaded_artifact(plan.folder, case_artifact), false);
     else
         add_left(plan.folder, case_artifact, "case", all);
 
     for (std::size_t i = 0; i < range.first; ++i) {
         const Stage& stage = stages()[i];
         if (is_read(range, stage.file))
-            keep(loaded_artifact(plan.folder, stage.file, edited), false);
+            keep(loaded_artifact(plan.folder, stage.file), false);
         else
             add_left(plan.folder, stage.file, stage.name, all);
     }
@@ -400,7 +394,7 @@ RunSummary run_stages(const RunPlan& plan) {
         for (const std::string& told : outdated(all)) spdlog::warn("warning: {}", told);
     }
     for (std::size_t i = range.first; i < range.end; ++i) {
-        keep(computed(stages()[i], artifacts, edited), true);
+        keep(computed(stages()[i], artifacts), true);
         spdlog::debug("{}: done", stages()[i].name);
     }
     all.insert(all.end(), after.begin(), after.end());

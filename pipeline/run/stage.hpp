@@ -37,6 +37,7 @@ struct Artifact {
     std::string bytes;
     /// The file it was read from, for 0-case.json also the case file; for messages. Empty: it was computed.
     std::string place{};
+    bool edited = false;  ///< its result is not what ashimpact wrote
 };
 
 /// The artifacts of earlier stages.

@@ -476,7 +476,7 @@ TEST_CASE("an artifact edited wrongly is refused with its file and pointer, and 
                   [](Json& a) {
                       Json& law = a["result"]["samples"][1].back();
                       REQUIRE(law.contains("critical_damping"));
-                      law["critical_damping"]["value"] = -0.01;
+                      for (const char* key : {"c", "critical_damping"}) law[key]["value"] = -0.01;
                   },
                   "/critical_damping: critical damping is -0.01 kg/s; allowed: a non-negative damping"},
              Edit{"7-critical-velocity.json",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <filesystem>
+#include <functional>
 
 #include <doctest/doctest.h>
 
@@ -32,15 +33,8 @@ void check_command_refused(const Sandbox& sandbox, const std::string& arguments,
     const auto finished = ashimpact_program(sandbox, arguments);
     CHECK(finished.status == 2);
     CHECK_MESSAGE(finished.err.find(says) != std::string::npos, finished.err);
+    CHECK_MESSAGE(test::lines_of(finished.err).size() == 1, finished.err);
     CHECK(sandbox.everything() == before);
-}
-
-/// The analytic v_c of the first sample is that of this mass.
-void check_analytic_velocity(const Sandbox& sandbox, double mass) {
-    const Json analytic = sandbox.json("one/3-analytic.json")["result"]["samples"][0];
-    const double energy = analytic["separation_energy"]["value"];
-    const double velocity = analytic["critical_velocity"]["value"];
-    CHECK(velocity == doctest::Approx(std::sqrt(2 * energy / mass)).epsilon(1e-4));
 }
 
 }  // namespace
@@ -113,195 +107,126 @@ TEST_CASE("an edited artifact is taken and said to be edited; another layout is 
           std::string::npos);
 }
 
-TEST_CASE("what cannot be is refused in an edited artifact, with file and place") {
+TEST_CASE("an edit counts in what follows, which is marked as computed from it") {
     const Sandbox sandbox;
     run_case(sandbox, quick_case(), "one");
-    const Json whole = sandbox.json("one/3-analytic.json");
-    {
-        Json artifact = whole;
-        artifact["result"]["samples"][0]["critical_velocity"]["unit"] = "kg";
-        sandbox.write("one/3-analytic.json", artifact.dump());
-        check_command_refused(
-            sandbox, "run -o one --only comparison",
-            "one/3-analytic.json: /result/samples/0/critical_velocity: the unit \"kg\" is not one of");
-    }
-    for (const char* value : {"-2", "1e300"}) {
-        Json artifact = whole;
-        artifact["result"]["samples"][0]["critical_velocity"]["value"] = Json::parse(value);
-        sandbox.write("one/3-analytic.json", artifact.dump());
-        check_command_refused(sandbox, "run -o one --only comparison",
-                              "one/3-analytic.json: /result/samples/0/critical_velocity/value: is ");
-    }
-}
-
-TEST_CASE("a value edited without its interval counts, and its interval is dropped with a warning") {
-    const Sandbox sandbox;
-    run_case(sandbox, quick_case(), "one");
-    const Json whole = sandbox.json("one/7-critical-velocity.json");
-    REQUIRE(whole["provenance"].contains("intervals"));
-    const Json entry = whole["provenance"]["intervals"][0];
-    const Json::json_pointer at(entry["at"].get<std::string>());
-    for (const double factor : {1.001, 3.0}) {  // inside of the interval, and outside of it
-        CAPTURE(factor);
-        Json artifact = whole;
-        Json& object = artifact[at];
-        Json& quantity = object.contains("value") ? object : object["critical_velocity"];
-        quantity["value"] = factor * entry["value"].get<double>();
-        sandbox.write("one/7-critical-velocity.json", artifact.dump());
-        const auto run = ashimpact_program(sandbox, "run -o one --only comparison");
-        REQUIRE_MESSAGE(run.status == 0, run.err);
-        CHECK_MESSAGE(run.err.find("was edited without its interval, which is dropped") != std::string::npos,
-                      run.err);
-    }
-}
-
-TEST_CASE("of values that stand twice in an artifact the other follows the edited one") {
-    const Sandbox sandbox;
-    run_case(sandbox, quick_case(), "one");
-    const Json whole = sandbox.json("one/6-fit.json");
-    const Json before = sandbox.json("one/7-critical-velocity.json")["result"]["samples"][0]["hertz"];
-    REQUIRE(whole["result"]["samples"][0]["hertz"].contains("direct"));
-    for (const char* key : {"c", "critical_damping", "direct"}) {
-        CAPTURE(key);
-        Json artifact = whole;
-        Json& fit = artifact["result"]["samples"][0]["hertz"];
-        Json& quantity = key == std::string("direct") ? fit["direct"]["critical_damping"] : fit[key];
-        const double edited = 1.3 * quantity["value"].get<double>();
-        quantity["value"] = edited;
+    const Json before = sandbox.json("one/7-critical-velocity.json");
+    CHECK_FALSE(before["provenance"].contains("edited"));
+    const auto computed_from_edit = [&](const std::function<void(Json&)>& edit) {
+        Json artifact = sandbox.json("one/6-fit.json");
+        edit(artifact["result"]["samples"][0]["hertz"]);
         sandbox.write("one/6-fit.json", artifact.dump());
         const auto run = ashimpact_program(sandbox, "run -o one --from critical-velocity");
         REQUIRE_MESSAGE(run.status == 0, run.err);
-        CHECK_MESSAGE(run.err.find("which was edited") != std::string::npos, run.err);
-        const Json after = sandbox.json("one/7-critical-velocity.json")["result"]["samples"][0]["hertz"];
-        CHECK(after["damping"]["value"] == edited);
-        CHECK(after["critical_velocity"]["value"] > before["critical_velocity"]["value"]);
-        CHECK(after["critical_velocity"]["interval"].is_null());  // that of another damping
-        CHECK(after["interval_note"].get<std::string>().find("states no uncertainty") != std::string::npos);
         for (const char* file :
-             {"one/7-critical-velocity.json", "one/8-histories.json", "one/comparison.json"})
-            CHECK_MESSAGE(
-                sandbox.json(file)["warnings"].dump().find("6-fit.json was edited") != std::string::npos,
-                file);
-    }
-    Json artifact = whole;
-    artifact["result"]["samples"][0]["hertz"]["c"]["value"] = 1;
-    artifact["result"]["samples"][0]["hertz"]["critical_damping"]["value"] = 2;
-    sandbox.write("one/6-fit.json", artifact.dump());
-    check_command_refused(sandbox, "run -o one --from critical-velocity", "and both were edited");
-    artifact = whole;
-    artifact["result"]["samples"][0]["hertz"]["extrapolated"]["coefficients"]["values"][0] = 1;
-    sandbox.write("one/6-fit.json", artifact.dump());
-    check_command_refused(sandbox, "run -o one --from critical-velocity",
-                          "its coefficients are not a, b, c of the fit: c");
-}
-
-TEST_CASE("an edited quantity may be in another unit or form, not of another dimension") {
-    const Sandbox sandbox;
-    run_case(sandbox, quick_case(), "one");
-    const Json whole = sandbox.json("one/6-fit.json");
-    const double written = whole["result"]["samples"][0]["hertz"]["c"]["value"].get<double>();
-    const auto with_c = [&](const Json& c) {
-        Json artifact = whole;
-        artifact["result"]["samples"][0]["hertz"]["c"] = c;
-        sandbox.write("one/6-fit.json", artifact.dump());
+             {"one/7-critical-velocity.json", "one/8-histories.json", "one/comparison.json"}) {
+            CAPTURE(file);
+            CHECK(sandbox.json(file)["provenance"]["edited"] == true);
+            CHECK(sandbox.json(file)["warnings"].dump().find("6-fit.json was edited") != std::string::npos);
+        }
+        return sandbox.json("one/7-critical-velocity.json")["result"]["samples"][0]["hertz"];
     };
-    const auto damping_of_run = [&] {
-        const auto run = ashimpact_program(sandbox, "run -o one --from critical-velocity");
-        REQUIRE_MESSAGE(run.status == 0, run.err);
-        return sandbox
-            .json("one/7-critical-velocity.json")["result"]["samples"][0]["hertz"]["damping"]["value"]
-            .get<double>();
-    };
-    const double edited = 1.3 * written;
-    for (const Json& c :
-         {Json{{"value", edited}, {"unit", "kg/s"}}, Json{{"value", 1e3 * edited}, {"unit", "g/s"}},
-          Json(edited), Json(std::to_string(1e3 * edited) + " g/s")}) {
+    const double estimate = before["result"]["samples"][0]["hertz"]["damping"]["value"];
+    CHECK(computed_from_edit([&](Json& fit) {
+              fit["direct"]["critical_damping"]["value"] = 1.001 * estimate;
+          })["damping"]["value"] == 1.001 * estimate);
+    const double edited = 1.3 * estimate;
+    for (const Json& c : {Json{{"value", 1e3 * edited}, {"unit", "g/s"}}, Json(edited)}) {
         CAPTURE(c.dump());
-        with_c(c);
-        CHECK(damping_of_run() == doctest::Approx(edited).epsilon(1e-6));
+        const Json after = computed_from_edit([&](Json& fit) {
+            for (const char* key : {"c", "critical_damping"}) fit[key] = c;
+            for (const char* part : {"direct", "extrapolated"}) fit.erase(part);
+        });
+        CHECK(after["damping"]["value"].get<double>() == doctest::Approx(edited).epsilon(1e-12));
+        CHECK(after["critical_velocity"]["value"] >
+              before["result"]["samples"][0]["hertz"]["critical_velocity"]["value"]);
+        CHECK(after["interval_note"].get<std::string>().find("states no uncertainty") != std::string::npos);
     }
-    Json c = whole["result"]["samples"][0]["hertz"]["c"];
-    c["unit"] = "kg";
-    with_c(c);
-    check_command_refused(sandbox, "run -o one --from critical-velocity",
-                          "one/6-fit.json: /result/samples/0/hertz/c");
-    with_c("a lot");
-    check_command_refused(sandbox, "run -o one --from critical-velocity",
-                          "one/6-fit.json: /result/samples/0/hertz/c");
 }
 
-TEST_CASE("an edited fraction is read in any form, and said to change nothing") {
+TEST_CASE("an edited artifact is refused in one line where it cannot be or contradicts itself") {
     const Sandbox sandbox;
     run_case(sandbox, quick_case(), "one");
-    const Json whole = sandbox.json("one/1-modulus.json");
-    const auto edited_to = [&](const Json& fraction) {
-        Json artifact = whole;
-        artifact["result"]["samples"][0]["phases"][0]["weight_fraction"] = fraction;
-        sandbox.write("one/1-modulus.json", artifact.dump());
+    struct Edit {
+        const char* file;
+        const char* pointer;
+        Json value;
+        const char* stage;
+        const char* says;
     };
-    for (const Json& fraction : {Json("33 %"), Json(0.33), Json{{"value", 33}, {"unit", "%"}}}) {
-        CAPTURE(fraction.dump());
-        edited_to(fraction);
-        const auto run = ashimpact_program(sandbox, "run -o one --only contact");
+    const auto damping = [](double value, const char* unit) {
+        return Json{{"value", value}, {"unit", unit}};
+    };
+    for (const Edit& edit : {
+             Edit{"3-analytic", "/critical_velocity/unit", "kg", "comparison",
+                  ": the unit \"kg\" is not one of"},
+             Edit{"3-analytic", "/critical_velocity/value", -2, "comparison",
+                  ": is -2 m/s; allowed: 0 or more"},
+             Edit{"3-analytic", "/critical_velocity/value", 1e300, "comparison",
+                  ": is 1e+300 m/s; allowed: a"},
+             Edit{"8-histories", "/hertz/0/damping", damping(1e300, "kg/s"), "comparison",
+                  "/value: is 1e+300"},
+             Edit{"7-critical-velocity", "/hertz/critical_velocity/value", 40, "comparison",
+                  ": is 40 m/s, outside of its interval; allowed: upper end "},
+             Edit{"6-fit", "/hertz/direct/critical_damping/value", 2.5, "critical-velocity",
+                  ": is 2.5 kg/s, outside of its interval; allowed: upper end "},
+             Edit{"6-fit", "/hertz/c/value", 2.5, "critical-velocity",
+                  "/critical_damping: is not the c of the same fit; allowed: 2.5 kg/s, or edit c as well"},
+             Edit{"6-fit", "/hertz/c/unit", "kg", "critical-velocity", ": the unit \"kg\" is not one of"},
+             Edit{"6-fit", "/hertz/c", "a lot", "critical-velocity", ": "},
+             Edit{"6-fit", "/hertz/a/value", 2.5, "critical-velocity", ": is not that of \"extrapolated\""},
+             Edit{"6-fit", "/hertz/residual_deviation", damping(1e300, "kg/s"), "critical-velocity",
+                  "/value: is 1e+300 kg/s"},
+             Edit{"2-contact", "/density/value", 2500, "analytic",
+                  "/mass: is not that of a sphere of this radius and density; allowed: "},
+             Edit{"1-modulus", "/young_modulus/value", -1, "contact", ": is -1 Pa; allowed: 0 or more"},
+         }) {
+        const std::string file = std::string("one/") + edit.file + ".json";
+        CAPTURE(file);
+        CAPTURE(edit.pointer);
+        const std::string bytes = sandbox.read(file);
+        Json artifact = Json::parse(bytes);
+        artifact["result"]["samples"][0][Json::json_pointer(edit.pointer)] = edit.value;
+        sandbox.write(file, artifact.dump());
+        check_command_refused(sandbox, std::string("run -o one --from ") + edit.stage, edit.says);
+        sandbox.write(file, bytes);
+    }
+}
+
+TEST_CASE("an interval edited or removed with its value is taken; a density with its mass") {
+    const Sandbox sandbox;
+    run_case(sandbox, quick_case(), "one");
+    const auto run_from = [&](const char* file, const std::function<void(Json&)>& edit, const char* stage) {
+        Json artifact = sandbox.json(file);
+        edit(artifact["result"]["samples"][0]);
+        sandbox.write(file, artifact.dump());
+        const auto run = ashimpact_program(sandbox, std::string("run -o one --from ") + stage);
         REQUIRE_MESSAGE(run.status == 0, run.err);
-        CHECK_MESSAGE(
-            run.err.find("/result/samples/0/phases/0/weight_fraction: nothing is computed from it") !=
-                std::string::npos,
-            run.err);
-    }
-    edited_to("33 um");
-    check_command_refused(sandbox, "run -o one --only contact",
-                          "one/1-modulus.json: /result/samples/0/phases/0/weight_fraction");
-}
-
-TEST_CASE("a damping in an edited artifact is checked though nothing reads it") {
-    const Sandbox sandbox;
-    run_case(sandbox, quick_case(), "one");
-    const Json histories = sandbox.json("one/8-histories.json");
-    for (const Json& damping :
-         {Json{{"value", 1e300}, {"unit", "kg/s"}}, Json{{"value", 0.01}, {"unit", "kg"}},
-          Json{{"value", 0.01}, {"unit", "Pa s"}}, Json("much"), Json(1e41)}) {
-        CAPTURE(damping.dump());
-        Json artifact = histories;
-        artifact["result"]["samples"][0]["hertz"].back()["damping"] = damping;
-        sandbox.write("one/8-histories.json", artifact.dump());
-        check_command_refused(sandbox, "run -o one --only comparison",
-                              "one/8-histories.json: /result/samples/0/hertz/");
-    }
-    sandbox.write("one/8-histories.json", histories.dump());
-    Json fit = sandbox.json("one/6-fit.json");
-    fit["result"]["samples"][0]["hertz"]["residual_deviation"] = {{"value", 1e300}, {"unit", "kg/s"}};
-    sandbox.write("one/6-fit.json", fit.dump());
-    check_command_refused(sandbox, "run -o one --from critical-velocity",
-                          "one/6-fit.json: /result/samples/0/hertz/residual_deviation");
-}
-
-TEST_CASE("an edited density changes the mass, and v_c with it") {
-    const Sandbox sandbox;
-    run_case(sandbox, quick_case(), "one");
-    Json artifact = sandbox.json("one/2-contact.json");
-    Json& sample = artifact["result"]["samples"][0];
-    sample["density"]["value"] = 1.5 * sample["density"]["value"].get<double>();
-    const double mass = 1.5 * sample["mass"]["value"].get<double>();
-    sandbox.write("one/2-contact.json", artifact.dump());
-    const auto run = ashimpact_program(sandbox, "run -o one --from analytic");
-    REQUIRE_MESSAGE(run.status == 0, run.err);
-    CHECK_MESSAGE(run.err.find("mass: follows radius and density") != std::string::npos, run.err);
-    check_analytic_velocity(sandbox, mass);
-}
-
-TEST_CASE("an edited mass changes the density, and v_c with it") {
-    const Sandbox sandbox;
-    run_case(sandbox, quick_case(), "one");
-    Json artifact = sandbox.json("one/2-contact.json");
-    Json& sample = artifact["result"]["samples"][0];
-    const double mass = 1.5 * sample["mass"]["value"].get<double>();
-    sample["mass"]["value"] = mass;
-    sandbox.write("one/2-contact.json", artifact.dump());
-    const auto run = ashimpact_program(sandbox, "run -o one --from analytic");
-    REQUIRE_MESSAGE(run.status == 0, run.err);
-    CHECK_MESSAGE(run.err.find("density: follows the mass") != std::string::npos, run.err);
-    check_analytic_velocity(sandbox, mass);
+    };
+    run_from(
+        "one/7-critical-velocity.json",
+        [](Json& sample) {
+            sample["hertz"]["critical_velocity"]["value"] = 40;
+            sample["hertz"]["critical_velocity"].erase("interval");
+            sample["hertz"].erase("interval");
+        },
+        "comparison");
+    CHECK(sandbox.json(
+              "one/comparison.json")["result"]["samples"][0]["dynamic_critical_velocity"]["hertz"]["value"] ==
+          40);
+    double mass = 0;
+    run_from(
+        "one/2-contact.json",
+        [&](Json& sample) {
+            for (const char* key : {"density", "mass"})
+                sample[key]["value"] = 1.5 * sample[key]["value"].get<double>();
+            mass = sample["mass"]["value"];
+        },
+        "analytic");
+    const Json analytic = sandbox.json("one/3-analytic.json")["result"]["samples"][0];
+    const double energy = analytic["separation_energy"]["value"];
+    CHECK(analytic["critical_velocity"]["value"].get<double>() ==
+          doctest::Approx(std::sqrt(2 * energy / mass)).epsilon(1e-4));
 }
 
 TEST_CASE("artifacts and cases of another schema version are refused by version") {

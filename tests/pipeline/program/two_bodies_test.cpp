@@ -265,13 +265,10 @@ TEST_CASE("a case with a second sphere: measured impacts, edits of the spheres, 
     Json artifact = sandbox.json("two/2-contact.json");
     artifact["result"]["samples"][0]["partner"]["radius"]["value"] = 50e-6;
     sandbox.write("two/2-contact.json", artifact.dump());
-    const auto edited = ashimpact_program(sandbox, "run -o two --from analytic --no-report");
-    REQUIRE_MESSAGE(edited.status == 0, edited.err);
-    CHECK_MESSAGE(edited.err.find("effective_radius: follows one of the spheres") != std::string::npos,
+    const auto edited = ashimpact_program(sandbox, "run -o two --from analytic");
+    CHECK(edited.status == 2);
+    CHECK_MESSAGE(edited.err.find("/effective_radius: is not that of the two spheres") != std::string::npos,
                   edited.err);
-    artifact["result"]["samples"][0]["effective_radius"]["value"] = 40e-6;
-    sandbox.write("two/2-contact.json", artifact.dump());
-    CHECK(ashimpact_program(sandbox, "run -o two --from analytic").status == 2);
 
     const auto refused = [&](const Json& wrong, const char* message) {
         write_example(sandbox, wrong);
