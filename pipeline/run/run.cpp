@@ -169,26 +169,6 @@ std::vector<std::string> artifact_names() {
     return names;
 }
 
-/// Replaces the artifacts of a folder by those of a run that makes no report. The report of the run before
-/// would stand beside artifacts that are not its own: it is taken away first, and put back where the
-/// artifacts cannot be replaced.
-void replace_without_report(const std::filesystem::path& folder, const std::vector<NamedContent>& files) {
-    const auto page = folder / report::report_file;
-    if (!report::is_own_page(page)) return replace_files(folder, files);
-    const std::string old = read_file(page);
-    std::error_code failure;
-    if (!std::filesystem::remove(page, failure))
-        throw InputError("cannot be removed: " + failure.message(), "a folder you may write to")
-            .at(FileName{page.string()});
-    try {
-        replace_files(folder, files);
-    } catch (...) {
-        write_file(page, old);
-        throw;
-    }
-    spdlog::debug("{}: of the run before, removed", page.string());
-}
-
 /// Takes the figures of an earlier run away that this run does not make again: they would show other results
 /// than the folder has.
 void remove_old_figures(const std::filesystem::path& folder, const std::vector<FileContent>& made) {
@@ -235,10 +215,10 @@ class RunFolder {
         remove_old_figures(folder_ / report::figures_folder, figures);
         for (const Artifact& artifact : artifacts) files.push_back({artifact.file, artifact.bytes});
         const auto is_report = [](const NamedContent& file) { return file.name == report::report_file; };
-        if (std::any_of(files.begin(), files.end(), is_report))
-            replace_files(folder_, files);
-        else
-            replace_without_report(folder_, files);
+        const bool reported = std::any_of(files.begin(), files.end(), is_report);
+        if (!reported && report::is_own_page(folder_ / report::report_file))
+            files.push_back({std::string(report::report_file), {}});  // removes that of other artifacts
+        replace_files(folder_, files);
         if (!figures.empty()) write_files(figures);
     }
 
@@ -246,7 +226,6 @@ class RunFolder {
     void take() {
         require_plain_files(folder_, names_);
         lock_.emplace(folder_);
-        settle(folder_, names_);
     }
 
     std::filesystem::path folder_;
@@ -336,6 +315,7 @@ std::vector<std::string> stage_names() {
 }
 
 Artifacts load_artifacts(const std::filesystem::path& folder, const std::vector<std::string_view>& files) {
+    complete_interrupted(folder);
     Artifacts artifacts;
     std::vector<Artifact> of_one_run;
     of_one_run.reserve(files.size());

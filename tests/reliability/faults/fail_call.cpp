@@ -48,20 +48,6 @@ void count_call(char letter) {
     close_file(stream);
 }
 
-/// Whether this is the first process that comes here: the one that renames counts its calls, too, and one
-/// failure is asked for.
-bool is_first() {
-    const char* file = setting("ASHIMPACT_FAULT_COUNT");
-    if (file == nullptr) return true;
-    char mark[4096];
-    std::snprintf(mark, sizeof(mark), "%s.once", file);
-    static auto* const open_file = real<int(const char*, int, ...)>("open");
-    static auto* const close_file = real<int(int)>("close");
-    const int stream = open_file(mark, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-    if (stream >= 0) close_file(stream);
-    return stream >= 0;
-}
-
 /// Whether this call is the one that fails; errno is set then.
 bool fails(char letter) {
     if (!in_write_phase) return false;
@@ -70,10 +56,7 @@ bool fails(char letter) {
     errno = before;
     const char* which = setting("ASHIMPACT_FAULT_CALL");
     const char* error = setting("ASHIMPACT_FAULT_ERROR");
-    if (which == nullptr || error == nullptr || ++calls != std::strtol(which, nullptr, 10) || !is_first()) {
-        errno = before;
-        return false;
-    }
+    if (which == nullptr || error == nullptr || ++calls != std::strtol(which, nullptr, 10)) return false;
     if (std::strcmp(error, "kill") == 0) {
         kill(getpid(), SIGKILL);
         for (;;) pause();
@@ -157,21 +140,6 @@ int unlinkat(int folder, const char* path, int flags) {
 int remove(const char* path) {
     if (fails('r')) return -1;
     return real<int(const char*)>("remove")(path);
-}
-
-int pipe(int ends[2]) {
-    if (fails('p')) return -1;
-    return real<int(int*)>("pipe")(ends);
-}
-
-pid_t fork() {
-    if (fails('k')) return -1;
-    return real<pid_t()>("fork")();
-}
-
-pid_t waitpid(pid_t process, int* status, int options) {
-    if (fails('w')) return -1;
-    return real<pid_t(pid_t, int*, int)>("waitpid")(process, status, options);
 }
 }
 // NOLINTEND(readability-identifier-naming,readability-inconsistent-declaration-parameter-name)
