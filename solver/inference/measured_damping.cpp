@@ -10,7 +10,6 @@
 #include "core/text.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/outcomes/estimate_comparison.hpp"
-#include "solver/inference/outcomes/rebound_check.hpp"
 #include "solver/motion/scaled_impact.hpp"
 
 namespace ashimpact {

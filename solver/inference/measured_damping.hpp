@@ -33,8 +33,8 @@ struct MeasuredDampingOptions {
 /// A fit with what follows from it.
 struct DampingResult {
     DampingCurveFit fit;
-    std::optional<Propagation> propagation;  ///< of v_c, everything uncertain; none: not asked for
-    CriticalVelocityCheck check;             ///< of v_c, propagated where that was asked for
+    std::optional<Propagation> propagation;  ///< of v_c, everything uncertain; none: not propagated
+    CriticalVelocityCheck check;             ///< of v_c, of the propagated one if there is one
 };
 
 /// Results of the impacts of one sample under one law. Results that the data do not allow are missing; the

@@ -3,7 +3,7 @@
 
 namespace ashimpact {
 
-/// The scalar solver's number type: its extra bits tell capture from rebound where the adhesive well is a
+/// The scalar solver's number type: its extra bits separate capture from rebound where the adhesive well is a
 /// million times deeper than the kinetic energy.
 #ifdef ASHIMPACT_DOUBLE_PRECISION  // WebAssembly has no wider numbers than double but in software, a hundred
                                    // times slower

@@ -6,7 +6,6 @@
 
 #include "core/error.hpp"
 #include "solver/statistics/philox.hpp"
-#include "solver/statistics/random_lanes.hpp"
 
 namespace ashimpact {
 

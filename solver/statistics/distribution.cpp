@@ -60,24 +60,25 @@ void convert(const Triangular& triangular, std::span<double> values) {
                                        : triangular.to - std::sqrt((1 - value) * width * falling);
 }
 
-Support support(const Choice& choice) {
-    const auto [lowest, highest] = std::minmax_element(choice.values.begin(), choice.values.end());
-    return {*lowest, *highest};
+template <class Kind>
+Support support(const Kind& kind) {
+    if constexpr (requires { kind.from; }) {
+        return {kind.from, kind.to};
+    } else if constexpr (requires { kind.minimum; }) {
+        return {kind.minimum, kind.maximum};
+    } else {
+        const auto [lowest, highest] = std::minmax_element(kind.values.begin(), kind.values.end());
+        return {*lowest, *highest};
+    }
 }
-Support support(const Uniform& uniform) {
-    return {uniform.from, uniform.to};
-}
-Support support(const LogUniform& uniform) {
-    return {uniform.from, uniform.to};
-}
-Support support(const Normal& normal) {
-    return {normal.minimum, normal.maximum};
-}
-Support support(const LogNormal& normal) {
-    return {normal.minimum, normal.maximum};
-}
-Support support(const Triangular& triangular) {
-    return {triangular.from, triangular.to};
+
+/// @param place value at point 1, 2, ...; both ends are met exactly
+template <class Place>
+std::vector<double> points_between(double from, double to, int points, const Place& place) {
+    std::vector<double> result(static_cast<std::size_t>(points), from);
+    for (int i = 1; i < points; ++i) result[static_cast<std::size_t>(i)] = place(i);
+    if (points > 1) result.back() = to;
+    return result;
 }
 
 }  // namespace
@@ -104,19 +105,13 @@ Support support_of(const Distribution& distribution) {
 }
 
 std::vector<double> linear_grid(double from, double to, int points) {
-    std::vector<double> grid(static_cast<std::size_t>(points), from);
-    for (int i = 1; i < points; ++i)
-        grid[static_cast<std::size_t>(i)] = from + (to - from) * i / (points - 1);
-    if (points > 1) grid.back() = to;
-    return grid;
+    return points_between(from, to, points, [&](int i) { return from + (to - from) * i / (points - 1); });
 }
 
 std::vector<double> logarithmic_grid(double from, double to, int points) {
-    std::vector<double> grid(static_cast<std::size_t>(points), from);
-    for (int i = 1; i < points; ++i)
-        grid[static_cast<std::size_t>(i)] = from * std::pow(to / from, static_cast<double>(i) / (points - 1));
-    if (points > 1) grid.back() = to;
-    return grid;
+    return points_between(from, to, points, [&](int i) {
+        return from * std::pow(to / from, static_cast<double>(i) / (points - 1));
+    });
 }
 
 }  // namespace ashimpact

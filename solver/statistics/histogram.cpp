@@ -8,8 +8,6 @@
 #include <limits>
 #include <numeric>
 
-#include "solver/statistics/histogram_lanes.hpp"
-
 namespace ashimpact {
 
 namespace {

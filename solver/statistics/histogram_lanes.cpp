@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/statistics/histogram_lanes.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
+
+#include "solver/statistics/histogram.hpp"
 
 // This file once more for each instruction set.
 #undef HWY_TARGET_INCLUDE

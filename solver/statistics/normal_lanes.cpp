@@ -162,7 +162,7 @@ HWY_INLINE void to_quantiles(Values& values, std::size_t count) {
 HWY_INLINE Lanes exponential(Lanes x) {
     const Tag d;
     const hn::RebindToUnsigned<Tag> bits;
-    // Added to a number of this size, another one is rounded to an integer, which stands in the last digits.
+    // A number added to one of this size is rounded to an integer, in the last digits of the sum.
     const Lanes rounder = hn::Set(d, 0x1.8p52);
     const Lanes rounded = hn::MulAdd(x, hn::Set(d, 1.4426950408889634074), rounder);
     const Lanes halvings = hn::Sub(rounded, rounder);
@@ -190,37 +190,34 @@ HWY_INLINE Lanes scaled(const CutNormal& cut, const NormalScale& scale, Lanes z)
     return hn::Min(hn::Max(x, hn::Set(d, scale.minimum)), hn::Set(d, scale.maximum));
 }
 
-/// Converts at most as many values as stand together.
+/// Converts at most as many values as are converted together, in whole registers.
 HWY_INLINE void convert(const CutNormal& cut, const NormalScale& scale, double* values, std::size_t count) {
     const Tag d;
     const std::size_t width = hn::Lanes(d);
     HWY_ALIGN Values work;
-    const auto probability = [&](Lanes p) HWY_ATTR {
+    for (std::size_t i = 0; i < count; i += width) {
+        Lanes p = hn::LoadU(d, values + i);
         if (cut.mirrored) p = hn::Sub(hn::Set(d, 1.0), p);
-        return hn::MulAdd(p, hn::Set(d, cut.width), hn::Set(d, cut.lower));
-    };
-    const std::size_t whole = count - count % width;
-    for (std::size_t i = 0; i < whole; i += width)
-        hn::Store(probability(hn::LoadU(d, values + i)), d, work.data() + i);
-    if (whole < count) {
-        HWY_ALIGN std::array<double, hn::MaxLanes(d)> rest;
-        rest.fill(0.5);
-        for (std::size_t i = whole; i < count; ++i) rest[i - whole] = values[i];
-        hn::Store(probability(hn::Load(d, rest.data())), d, work.data() + whole);
+        hn::Store(hn::MulAdd(p, hn::Set(d, cut.width), hn::Set(d, cut.lower)), d, work.data() + i);
     }
     to_quantiles(work, count);
-    for (std::size_t i = 0; i < whole; i += width)
+    for (std::size_t i = 0; i < count; i += width)
         hn::StoreU(scaled(cut, scale, hn::Load(d, work.data() + i)), d, values + i);
-    if (whole == count) return;
-    hn::Store(scaled(cut, scale, hn::Load(d, work.data() + whole)), d, work.data() + whole);
-    for (std::size_t i = whole; i < count; ++i) values[i] = work[i];
 }
 
 }  // namespace
 
 void normal_quantiles(const CutNormal& cut, const NormalScale& scale, double* values, std::size_t count) {
-    for (std::size_t i = 0; i < count; i += together)
-        convert(cut, scale, values + i, std::min(together, count - i));
+    std::size_t i = 0;
+    for (; i + together <= count; i += together) convert(cut, scale, values + i, together);
+    if (i == count) return;
+    const std::size_t left = count - i;
+    const std::size_t width = hn::Lanes(Tag());
+    Values rest;
+    rest.fill(0.5);  // beyond the values, up to a whole register
+    std::copy_n(values + i, left, rest.begin());
+    convert(cut, scale, rest.data(), (left + width - 1) / width * width);
+    std::copy_n(rest.begin(), left, values + i);
 }
 
 }  // namespace ashimpact::HWY_NAMESPACE

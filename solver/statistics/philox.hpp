@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace ashimpact {
 
@@ -40,5 +41,11 @@ enum class RandomStream : std::uint32_t { points = 0, shifts = 1 };
 [[nodiscard]] constexpr double unit_interval(std::uint64_t bits) {
     return (static_cast<double>(bits >> 12U) + 0.5) * 0x1p-52;
 }
+
+/// Numbers of the interval (0, 1) for consecutive samples of one axis, several in each instruction: those
+/// that unit_interval() makes of random_bits(), bit for bit.
+/// @param first number of the first sample
+void fill_uniform(std::uint64_t seed, std::uint64_t first, std::uint32_t axis, RandomStream stream,
+                  std::span<double> values);
 
 }  // namespace ashimpact

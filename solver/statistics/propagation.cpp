@@ -50,11 +50,11 @@ void validate(const std::vector<RandomInput>& inputs, const PropagationOptions& 
         throw InputError("propagation with fewer than 2 samples or replicates", "at least 2 of each");
 }
 
-/// Results of the model at points A and B, and at A with the inputs of one factor taken from B (A, B, AB_1,
-/// AB_2, ...).
-struct Row {
-    std::vector<double> results;
-    bool complete = true;
+/// Results of the model at points A and B, and at A with the inputs of one factor taken from B: a column each
+/// of A, B, AB_1, AB_2, ...
+struct Replicate {
+    std::vector<std::vector<double>> columns;
+    std::size_t undefined = 0;  ///< points left out, as at least one of their results does not exist
 };
 
 /// Evaluates the model at the points of a design.
@@ -71,12 +71,14 @@ class Sampler {
     [[nodiscard]] const std::vector<Factor>& factors() const { return factors_; }
     [[nodiscard]] const std::vector<double>& nominal() const { return nominal_; }
 
-    /// Results at every point of one replicate.
-    [[nodiscard]] std::vector<Row> rows(std::size_t replicate) const {
-        std::vector<Row> rows;
-        for (std::size_t point = replicate; point < columns_.front().a.size(); point += replicates_)
-            rows.push_back(row(point));
-        return rows;
+    [[nodiscard]] Replicate replicate(std::size_t number) const {
+        Replicate result{.columns = std::vector<std::vector<double>>(factors_.size() + 2)};
+        for (std::size_t point = number; point < columns_.front().a.size(); point += replicates_) {
+            const auto row = results_at(point);
+            if (!row) ++result.undefined;
+            for (std::size_t i = 0; row && i < row->size(); ++i) result.columns[i].push_back((*row)[i]);
+        }
+        return result;
     }
 
   private:
@@ -114,28 +116,28 @@ class Sampler {
         }
     }
 
-    [[nodiscard]] Row row(std::size_t point) const {
+    /// Results at A, B, AB_1, ...; none unless all of them exist.
+    [[nodiscard]] std::optional<std::vector<double>> results_at(std::size_t point) const {
         std::vector<double> a = nominal_;
         std::vector<double> b = nominal_;
         for (const Column& column : columns_) {
             a[column.input] = column.a[point];
             b[column.input] = column.b[point];
         }
-        Row row;
-        evaluate(a, row);
-        evaluate(b, row);
+        std::vector<double> results;
+        const auto evaluate = [&](const std::vector<double>& values) {
+            const std::optional<double> result = model_(values);
+            if (result && std::isfinite(*result)) results.push_back(*result);
+        };
+        evaluate(a);
+        evaluate(b);
         for (const Factor& factor : factors_) {
             std::vector<double> mixed = a;
             for (const std::size_t i : factor.inputs) mixed[i] = b[i];
-            evaluate(mixed, row);
+            evaluate(mixed);
         }
-        return row;
-    }
-
-    void evaluate(const std::vector<double>& values, Row& row) const {
-        const std::optional<double> result = model_(values);
-        row.complete = row.complete && result && std::isfinite(*result);
-        row.results.push_back(result.value_or(0.0));
+        if (results.size() < factors_.size() + 2) return std::nullopt;
+        return results;
     }
 
     const UncertainModel& model_;
@@ -144,13 +146,6 @@ class Sampler {
     std::vector<double> nominal_;
     std::vector<Column> columns_;
 };
-
-SobolSums sums_of(const std::vector<Row>& rows, std::size_t factors) {
-    std::vector<std::vector<double>> columns(factors + 2);
-    for (const Row& row : rows)
-        for (std::size_t i = 0; i < columns.size(); ++i) columns[i].push_back(row.results[i]);
-    return SobolSums::of({columns[0], columns[1], {columns.begin() + 2, columns.end()}});
-}
 
 /// @param replicates at least two; where nothing varies no factor has an influence
 std::vector<Influence> influences_of(const std::vector<Factor>& factors,
@@ -182,14 +177,15 @@ Propagation propagate(const std::vector<RandomInput>& inputs, const UncertainMod
     std::vector<SobolSums> replicates;
     std::vector<double> samples;
     for (int i = 0; i < options.replicates; ++i) {
-        std::vector<Row> rows = sampler.rows(static_cast<std::size_t>(i));
-        const std::size_t all = rows.size();
-        std::erase_if(rows, [](const Row& row) { return !row.complete; });
-        result.undefined += all - rows.size();
-        result.evaluations += all * (sampler.factors().size() + 2);
-        if (rows.size() < 2) continue;
-        replicates.push_back(sums_of(rows, sampler.factors().size()));
-        for (const Row& row : rows) samples.insert(samples.end(), {row.results[0], row.results[1]});
+        const auto [columns, undefined] = sampler.replicate(static_cast<std::size_t>(i));
+        const std::vector<double>& a = columns[0];
+        const std::vector<double>& b = columns[1];
+        result.undefined += undefined;
+        result.evaluations += (a.size() + undefined) * columns.size();
+        if (a.size() < 2) continue;
+        replicates.push_back(SobolSums::of({a, b, {columns.begin() + 2, columns.end()}}));
+        for (std::size_t point = 0; point < a.size(); ++point)
+            samples.insert(samples.end(), {a[point], b[point]});
     }
     if (replicates.size() < 2) throw ConvergenceError("propagation: nearly every sample is without a result");
 

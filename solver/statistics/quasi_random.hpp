@@ -31,7 +31,7 @@ class DigitalSequence {
     [[nodiscard]] static std::size_t greatest_dimension(QuasiRandomSequence sequence);
 
   private:
-    static constexpr std::size_t bits = 63;  ///< points beyond 2^63 are not asked for
+    static constexpr std::size_t bits = 63;  ///< points beyond 2^63 are not needed
 
     std::vector<std::vector<std::uint64_t>> directions_;  ///< of each axis
 };

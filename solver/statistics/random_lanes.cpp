@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/statistics/random_lanes.hpp"
-
 #include <cstddef>
 #include <type_traits>
+
+#include "solver/statistics/philox.hpp"
 
 // This file once more for each instruction set.
 #undef HWY_TARGET_INCLUDE

@@ -5,9 +5,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "solver/inference/calibration/calibration_fit.hpp"
-#include "solver/numeric/gsl/distribution.hpp"
-#include "solver/statistics/intervals/profile.hpp"
+#include "solver/inference/calibration/calibration_objective.hpp"
 
 namespace ashimpact {
 
@@ -38,7 +36,6 @@ std::string statement_of(const CalibrationSummary& summary, std::size_t constant
 Interval logarithmic_interval(const CalibrationObjective& objective, const Eigen::VectorXd& best,
                               Eigen::Index constant, double deviation) {
     const double least = objective.residuals(best).squaredNorm();
-    const double quantile = gsl::normal_quantile(0.5 + 0.5 * confidence);
     const auto profile = [&](double value) {
         Eigen::VectorXd start = best;
         start[constant] = value;
@@ -48,8 +45,6 @@ Interval logarithmic_interval(const CalibrationObjective& objective, const Eigen
     const double range = std::log(furthest);
     return profile_interval(profile, {.best = best[constant],
                                       .deviation = std::min(deviation, 0.2 * range),
-                                      .rise = quantile * quantile,
-                                      .quantile = quantile,
                                       .least = best[constant] - range,
                                       .greatest = best[constant] + range});
 }

@@ -11,7 +11,7 @@
 
 namespace ashimpact {
 
-/// What the observations say of one calibrated constant when all others are free to follow it.
+/// Profile of one calibrated constant: its interval when all others are free to follow it.
 struct ConstantProfile {
     Interval interval;  ///< 95 %, from the rise of chi^2; an end beyond a factor of 10 is missing
     bool identifiable;  ///< whether both ends were found

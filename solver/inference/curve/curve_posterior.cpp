@@ -13,10 +13,11 @@ namespace {
 constexpr double outlier_share = 0.02;
 constexpr double slope_mean = -0.4;
 constexpr double slope_deviation = 0.4;
-constexpr double bend_deviation = 0.07;             ///< deviation of c_2; higher terms fall with their order squared
+constexpr double bend_deviation = 0.07;   ///< deviation of c_2; higher terms fall with their order squared
 constexpr double scatter_median = 0.005;  ///< where the noise is stated
-constexpr double untold_scatter_median = 0.02;  ///< a file without noise says nothing of its particles either
-constexpr double scatter_spread = 1.3;          ///< of the logarithm
+constexpr double unstated_scatter_median =
+    0.02;                               ///< prior when the file states no noise: assume a larger scatter
+constexpr double scatter_spread = 1.3;  ///< of the logarithm
 
 double square(double x) {
     return x * x;
@@ -44,7 +45,7 @@ SmoothDamping CurvePosterior::curve(const Vector& parameters) const {
 }
 
 Scatter CurvePosterior::scatter_of(const Vector& parameters) const {
-    const double median = prior_.noise_known ? scatter_median : untold_scatter_median;
+    const double median = prior_.noise_known ? scatter_median : unstated_scatter_median;
     return {
         .noise = (prior_.noise_known ? 1.0 : prior_.noise) * std::exp(parameters[noise]),
         .damping = prior_.scatter ? *prior_.scatter : median * std::exp(scatter_spread * parameters[scatter]),

@@ -5,10 +5,20 @@
 #include <vector>
 
 #include "core/finding.hpp"
-#include "solver/inference/curve/curve_estimate.hpp"
+#include "solver/inference/curve/curve_posterior.hpp"
 #include "solver/inference/impacts/measurement.hpp"
+#include "solver/statistics/intervals/interval.hpp"
 
 namespace ashimpact {
+
+/// v_c and the curve of damping, estimated from all impacts without assuming a form of eta.
+struct CurveEstimate {
+    Interval critical_velocity;         ///< mean and 95 % interval [m/s]
+    Interval critical_damping;          ///< eta_capture at those [kg/s]
+    CurvePosterior::Vector parameters;  ///< of the likeliest curve
+    double effective;                   ///< effective number of independent draws from the posterior
+    Scatter scatter;
+};
 
 struct EstimateOptions {
     /// Relative standard deviation of single diameters about their mean, if known, such as from the sieve; ln
@@ -29,8 +39,10 @@ struct CriticalVelocityEstimate {
 inline constexpr const char* estimate_method =
     "posterior of v_c with a smooth curve of damping over velocity, captures by their probability";
 
-/// Estimates v_c from rebounds and captures, see SmoothDamping and CurvePosterior. More than few_impacts
-/// impacts are merged into groups narrower than their noise, weighted by their numbers.
+/// Estimates v_c from rebounds and captures, see SmoothDamping and CurvePosterior, by adaptive importance
+/// sampling (Cornuet et al. 2012, Scand. J. Stat. 39:798): draws come from normal densities, each fitted to
+/// the draws before; the first ones lie at the modes of the posterior. More than few_impacts impacts are
+/// merged into groups narrower than their noise, weighted by their numbers.
 /// @throws InputError with the reason if the impacts allow no estimate; ConvergenceError
 [[nodiscard]] CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model,
                                                                   const MeasurementSet& set,

@@ -21,11 +21,9 @@ double normal_density(double difference, double variance) {
     return std::exp(-0.5 * difference * difference / variance) / (root_two_pi * std::sqrt(variance));
 }
 
-constexpr int quadrature_nodes = 16;
-
 /// Quadrature nodes on [0, 1].
 const auto& unit_nodes() {
-    static const auto nodes = gsl::gauss_legendre<quadrature_nodes>(0.0, 1.0);
+    static const auto nodes = gsl::gauss_legendre(16, 0.0, 1.0);
     return nodes;
 }
 
@@ -47,7 +45,7 @@ class Probability {
         const double away =
             from_critical < 0.0 ? std::min(from_critical, -least) : std::max(from_critical, least);
         const double place = curve.log_critical_velocity() + away;
-        const double slope = std::max(0.02, curve.at(place).distance / away);
+        const double slope = std::max(0.02, curve.at_log_velocity(place).distance / away);
         const double by_damping = damping_ / slope;
         width_ = std::hypot(velocity_share_, by_damping);
         share_ = velocity_share_ * velocity_share_ / (width_ * width_);
@@ -69,7 +67,7 @@ class Probability {
     /// Probability of a rebound that was recorded as a capture.
     [[nodiscard]] double unseen() const {
         if (below_ < -linear_to &&
-            curve_.at(x_).restitution * impact_.velocity > 8.0 * rebound_u_ + impact_.resolution)
+            curve_.at_log_velocity(x_).restitution * impact_.velocity > 8.0 * rebound_u_ + impact_.resolution)
             return 0.0;
         return integrated([this](double, double r, double) { return at_rest(r); }, false);
     }
@@ -95,7 +93,7 @@ class Probability {
     }
 
     [[nodiscard]] double rebound_at(double y) const {
-        return curve_.at(x_ + y).restitution * impact_.velocity * std::exp(share_ * y);
+        return curve_.at_log_velocity(x_ + y).restitution * impact_.velocity * std::exp(share_ * y);
     }
 
     [[nodiscard]] double integrated_reading() const {
@@ -147,7 +145,7 @@ class Probability {
     /// Density from mean and variance of the reading, for impacts so far from v_c that the curve is nearly
     /// straight over the noise. Three points of the curve give both.
     [[nodiscard]] double linearised() const {
-        const auto here = curve_.at(x_);
+        const auto here = curve_.at_log_velocity(x_);
         const double r = impact_.velocity * here.restitution;
         const double by_damping = impact_.velocity * here.by_distance * damping_;
         double variance = rebound_u_ * rebound_u_ + by_damping * by_damping;
@@ -158,9 +156,10 @@ class Probability {
             const double down_x = std::log1p(-step * velocity_share_);
             const double change = impact_.velocity * step * velocity_share_;
             const double up =
-                (impact_.velocity + change) * curve_.at(x_ + up_x).restitution - along_ * change;
+                (impact_.velocity + change) * curve_.at_log_velocity(x_ + up_x).restitution - along_ * change;
             const double down =
-                (impact_.velocity - change) * curve_.at(x_ + down_x).restitution + along_ * change;
+                (impact_.velocity - change) * curve_.at_log_velocity(x_ + down_x).restitution +
+                along_ * change;
             const double weight = 0.5 / (step * step);
             mean += weight * (up + down - 2.0 * r);
             variance += weight * ((up - r) * (up - r) + (down - r) * (down - r)) - (mean - r) * (mean - r);

@@ -22,7 +22,7 @@ struct RecordedImpact {
     double rebound_u;          ///< of v_r
     double correlation = 0.0;  ///< of the errors of both
     double resolution;         ///< v_r from which on the camera always sees it move; 0: not known [m/s]
-    double count = 1.0;        ///< impacts that this one stands for
+    double count = 1.0;        ///< impacts merged into this one
 };
 
 /// How measurements scatter about the curve.

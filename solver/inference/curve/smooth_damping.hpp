@@ -24,13 +24,13 @@ class SmoothDamping {
     SmoothDamping(const CurveTable& table, double log_critical_velocity, double fastest,
                   const std::array<double, terms>& coefficients);
 
-    struct Place {
+    struct Point {
         double distance;     ///< phi = ln(eta_capture(v)/eta(v)), negative below v_c
         double restitution;  ///< 0 below v_c
         double by_distance;  ///< d e/d phi
     };
     /// @param x ln v
-    [[nodiscard]] Place at(double x) const;
+    [[nodiscard]] Point at_log_velocity(double x) const;
     [[nodiscard]] double log_critical_velocity() const { return critical_; }
     /// Penalty, -ln of a prior density, on curves whose restitution stays near 0 above v_c: those whose
     /// distance is less than 0.6 of what constant damping gives. For such a curve v_c would have no meaning.
@@ -38,7 +38,7 @@ class SmoothDamping {
 
   private:
     [[nodiscard]] double deviation(double t) const;
-    [[nodiscard]] Place computed(double x) const;
+    [[nodiscard]] Point computed(double x) const;
 
     // The curve is tabulated over the square root of ln(v/v_c), in which e begins smoothly.
     static constexpr int cells = 56;
@@ -50,7 +50,7 @@ class SmoothDamping {
     double step_;  ///< of the square root of ln(v/v_c)
     double lingering_ = 0.0;
     std::array<double, terms> coefficients_;
-    std::array<Place, cells + 3> places_;  ///< from one step before v_c on
+    std::array<Point, cells + 3> points_;  ///< from one step before v_c on
 };
 
 }  // namespace ashimpact

@@ -8,7 +8,6 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "solver/inference/extrapolation/closest_curve.hpp"
 #include "solver/numeric/gsl/distribution.hpp"
 
 namespace ashimpact {

@@ -10,11 +10,8 @@
 #include <Eigen/Dense>
 
 #include "core/names.hpp"
-#include "solver/damping/damping_polynomial.hpp"
 #include "solver/inference/extrapolation/rebound_selection.hpp"
-#include "solver/inference/impacts/measurement.hpp"
 #include "solver/statistics/intervals/interval.hpp"
-#include "solver/surrogate/contact_model.hpp"
 
 namespace ashimpact {
 

@@ -8,7 +8,6 @@
 
 #include "core/error.hpp"
 #include "solver/batch/parallel.hpp"
-#include "solver/inference/extrapolation/restitution_curve.hpp"
 #include "solver/numeric/gsl/linear_fit.hpp"
 #include "solver/numeric/least_median.hpp"
 
@@ -108,7 +107,7 @@ Eigen::VectorXd starting_coefficients(const ContactModel& model, const Restituti
         }
     });
     const auto is_curve = [&](const Eigen::VectorXd& coefficients) {
-        return RestitutionCurve::of(model, {coefficients}, data.greatest_restitution).has_value();
+        return RestitutionCurve::implied_by(model, {coefficients}, data.greatest_restitution).has_value();
     };
     if (robust)
         if (auto start = least_median(design, damping, is_curve)) return *start;

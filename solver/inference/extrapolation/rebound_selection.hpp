@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include <Eigen/Dense>
 
-#include "solver/inference/extrapolation/restitution_data.hpp"
-#include "solver/surrogate/contact_model.hpp"
+#include "solver/inference/extrapolation/closest_curve.hpp"
 
 namespace ashimpact {
 
 enum class Exclusion {
-    above_reach,  ///< v_r exceeds v_in by more than three standard uncertainties, or at all if those are
-                  ///< unknown
+    above_reach,  ///< v_r exceeds v_in by more than three standard uncertainties, or at all if unknown
 };
 
 struct ExcludedRebound {

@@ -72,9 +72,10 @@ ChebyshevAxis RestitutionCurve::axis(double greatest_restitution) {
 RestitutionCurve::RestitutionCurve(DampingPolynomial damping, double greatest_restitution)
     : damping_(std::move(damping)), greatest_(greatest_restitution) {}
 
-std::optional<RestitutionCurve> RestitutionCurve::of(const ContactModel& model, DampingPolynomial damping,
-                                                     double greatest_restitution,
-                                                     const RestitutionCurve* near) {
+std::optional<RestitutionCurve> RestitutionCurve::implied_by(const ContactModel& model,
+                                                             DampingPolynomial damping,
+                                                             double greatest_restitution,
+                                                             const RestitutionCurve* near) {
     const ChebyshevAxis root = axis(greatest_restitution);
     RestitutionCurve curve(std::move(damping), greatest_restitution);
     std::optional<double> guess;
@@ -94,7 +95,7 @@ std::optional<RestitutionCurve> RestitutionCurve::of(const ContactModel& model, 
     return curve;
 }
 
-RestitutionCurve::Place RestitutionCurve::at(double e) const {
+RestitutionCurve::Point RestitutionCurve::point_at(double e) const {
     const double within = std::clamp(e, 0.0, greatest_);
     const ChebyshevAxis along = axis(greatest_);
     const double root = std::cbrt(within);
@@ -114,7 +115,7 @@ RestitutionCurve::Place RestitutionCurve::at(double e) const {
 RestitutionCurve::Projection RestitutionCurve::project(const Measurement& point, const VelocityNoise& noise,
                                                        double start) const {
     ClosestPlace search(start);
-    Place place = at(start);
+    Point place = point_at(start);
     double across = 0.0;  // v_in of the measurement less that of the curve
     double along = 0.0;   // the same for v_r
     for (int i = 0; i < most_walk_steps; ++i) {
@@ -125,7 +126,7 @@ RestitutionCurve::Projection RestitutionCurve::project(const Measurement& point,
         const double ty = place.velocity + e * place.slope;
         const Weighted tangent(noise, tx, ty);
         if (!search.step(tangent.x * across + tangent.y * along, tangent.x * tx + tangent.y * ty)) break;
-        place = at(search.place());
+        place = point_at(search.place());
     }
     const double e = search.place();
     const double nx = place.velocity + e * place.slope;

@@ -20,18 +20,18 @@ class RestitutionCurve {
     /// The curve of a damping; none if the damping is not positive, or v leaves the model's range, for some e
     /// in [0, greatest_restitution]. @param near a similar curve up to the same restitution, for first
     /// guesses; or null
-    [[nodiscard]] static std::optional<RestitutionCurve> of(const ContactModel& model,
-                                                            DampingPolynomial damping,
-                                                            double greatest_restitution,
-                                                            const RestitutionCurve* near = nullptr);
+    [[nodiscard]] static std::optional<RestitutionCurve> implied_by(const ContactModel& model,
+                                                                    DampingPolynomial damping,
+                                                                    double greatest_restitution,
+                                                                    const RestitutionCurve* near = nullptr);
 
-    struct Place {
+    struct Point {
         double velocity;    ///< v(e) [m/s]
         double slope;       ///< dv/de along the curve [m/s]
         double by_damping;  ///< dv/d(eta) at fixed e [m/kg]
     };
     /// Point of the curve at @p e; beyond the ends it is continued by its tangent, or less steeply in e(v).
-    [[nodiscard]] Place at(double e) const;
+    [[nodiscard]] Point point_at(double e) const;
     [[nodiscard]] const DampingPolynomial& damping() const { return damping_; }
     [[nodiscard]] double greatest_restitution() const { return greatest_; }
 

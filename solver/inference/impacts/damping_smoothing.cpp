@@ -9,7 +9,6 @@
 
 #include "core/error.hpp"
 #include "solver/numeric/gsl/linear_fit.hpp"
-#include "solver/numeric/gsl/robust.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
 #include "solver/statistics/moments.hpp"
 
@@ -96,7 +95,7 @@ std::optional<DampingSmoothing> DampingSmoothing::with_intervals(const Rows& row
         design.row(i) = rows.weight[row] * result.splines_.values(rows.position[row]).transpose();
         observed[i] = rows.weight[row] * rows.damping[row];
     }
-    gsl::RobustLinearFit fit;
+    gsl::LinearFit fit;
     try {
         fit = gsl::fit_linear_robust(design, observed);
     } catch (const ConvergenceError&) {

@@ -15,8 +15,8 @@ namespace ashimpact {
 inline constexpr std::size_t least_smoothed = 8;
 
 /// Damping over the logarithm of velocity as a robust cubic spline. Its knots lie at quantiles of the data,
-/// and the corrected Akaike criterion chooses their number. Data without noise, each of which its neighbours
-/// tell better than such a spline does, are interpolated.
+/// and the corrected Akaike criterion chooses their number. Data without noise are interpolated: there the
+/// neighbours of a point predict it better than such a spline does.
 class DampingSmoothing {
   public:
     /// The smoothing of inverted impacts; none if fewer than least_smoothed rebounds have a damping, or fewer

@@ -71,7 +71,7 @@ double OutcomeLikelihood::Outcome::deviation(double extra_variance) const {
     return std::sqrt(variance + extra_variance);
 }
 
-double OutcomeLikelihood::at(const CaptureTransition& transition) const {
+double OutcomeLikelihood::misfit(const CaptureTransition& transition) const {
     double sum = 0.0;
     for (const Outcome& outcome : outcomes_) {
         const double z =
@@ -112,7 +112,7 @@ double OutcomeLikelihood::best_extra_variance(double center) const {
 }
 
 double OutcomeLikelihood::profile(double center) const {
-    return at({center, best_extra_variance(center)});
+    return misfit({center, best_extra_variance(center)});
 }
 
 double OutcomeLikelihood::best_center(double extra_variance) const {
@@ -137,23 +137,23 @@ CaptureTransition OutcomeLikelihood::at_best_width() const {
     constexpr int steps = 24;
     const double most = std::log(fastest_ - slowest_);
     const double step = std::log(1e4) / steps;
-    const auto misfit = [&](double log_width) {
+    const auto at_width = [&](double log_width) {
         const double variance = std::exp(2.0 * log_width);
-        return at({best_center(variance), variance});
+        return misfit({best_center(variance), variance});
     };
     CaptureTransition best{best_center(0.0), 0.0};
-    double least = at(best);
+    double least = misfit(best);
     std::optional<double> width;
     for (int i = 0; i <= steps; ++i) {
         const double log_width = most - i * step;
-        const double here = misfit(log_width);
+        const double here = at_width(log_width);
         if (here >= least) continue;
         least = here;
         width = log_width;
     }
     if (!width) return best;
     const double found =
-        gsl::minimise_between(misfit, *width - step, *width, std::min(*width + step, most + step));
+        gsl::minimise_between(at_width, *width - step, *width, std::min(*width + step, most + step));
     const double variance = std::exp(2.0 * std::min(found, most));
     return {best_center(variance), variance};
 }
@@ -161,7 +161,7 @@ CaptureTransition OutcomeLikelihood::at_best_width() const {
 std::optional<CaptureTransition> OutcomeLikelihood::best() const {
     const CaptureTransition sharp{best_center(0.0), 0.0};
     const double allowed = std::pow(confidence_quantile(), 2);
-    const bool noise_explains = at(sharp) <= without_threshold() + allowed;
+    const bool noise_explains = misfit(sharp) <= without_threshold() + allowed;
     std::optional<CaptureTransition> found;
     if (fastest_ > slowest_ && reversed_ < 0.5) {
         const CaptureTransition widened = at_best_width();

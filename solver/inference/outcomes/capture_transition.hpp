@@ -23,7 +23,8 @@ class OutcomeLikelihood {
     /// @param least standard deviation of v_in in place of an unknown noise [m/s]
     OutcomeLikelihood(const MeasurementSet& set, double least);
 
-    [[nodiscard]] double at(const CaptureTransition& transition) const;
+    /// -2 ln L.
+    [[nodiscard]] double misfit(const CaptureTransition& transition) const;
 
     /// The most likely centre at an extra variance. It is unique because -2 ln L is convex in the centre;
     /// between outcomes far apart, where -2 ln L is flat, it is their middle. Can be negative [m/s].
@@ -42,7 +43,7 @@ class OutcomeLikelihood {
         double velocity;
         double variance;     ///< of v_in
         double sign;         ///< 1 for a capture, -1 for a rebound
-        double count = 1.0;  ///< impacts that it stands for
+        double count = 1.0;  ///< impacts merged into this one
 
         [[nodiscard]] double deviation(double extra_variance) const;
     };

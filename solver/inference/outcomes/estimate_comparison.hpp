@@ -24,4 +24,12 @@ struct FitComparison {
 [[nodiscard]] FitComparison compare(const DampingCurveFit& extrapolated, const Interval& critical_velocity,
                                     const Interval& critical_damping);
 
+/// Checks that a fitted v_c does not lie above clear rebounds among the impacts it was fitted to.
+///
+/// A rebound is clear if v_r exceeds three standard uncertainties of the fit, which may have enlarged or
+/// estimated them. The slowest of many rebounds is likely to have a large error of v_in, which is allowed
+/// for. Outliers of a robust fit (weight below 0.5) and rebounds that no damping gives do not count.
+/// @throws InputError if the lower end of the interval of v_c lies above that
+void require_rebounds_above(const DampingCurveFit& fit, const MeasurementSet& set);
+
 }  // namespace ashimpact

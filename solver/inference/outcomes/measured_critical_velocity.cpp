@@ -9,7 +9,7 @@
 #include "solver/inference/outcomes/capture_transition.hpp"
 #include "solver/inference/outcomes/estimate_comparison.hpp"
 #include "solver/numeric/gsl/distribution.hpp"
-#include "solver/statistics/intervals/profile.hpp"
+#include "solver/statistics/intervals/interval.hpp"
 
 namespace ashimpact {
 
@@ -63,8 +63,8 @@ void bound_one_side(const MeasurementSet& set, MeasuredCriticalVelocity& result)
     }
 }
 
-/// Whether recorded captures may be rebounds too slow to be told from rest: unless they were seen to stick,
-/// if the slowest particles that rebounded were hardly faster than that.
+/// True if captures may be unseen slow rebounds: the slowest rebounds were hardly faster than what the camera
+/// resolves, and the captures were not seen to stick.
 bool may_be_slow_rebounds(const MeasurementSet& set) {
     std::vector<const Measurement*> rebounds;
     bool seen_to_stick = true;
@@ -112,14 +112,11 @@ void take_transition(const MeasurementSet& set, double noise, bool mixed, Measur
         return;
     }
     const double width = std::sqrt(noise * noise + found->extra_variance);
-    const double least = likelihood.at(*found);
-    const double quantile = confidence_quantile();
+    const double least = likelihood.misfit(*found);
     const Interval interval =
         profile_interval([&](double center) { return likelihood.profile(center) - least; },
                          {.best = found->center,
                           .deviation = std::max(width, 0.3 * gap),
-                          .rise = quantile * quantile,
-                          .quantile = quantile,
                           .least = 0.0,
                           .greatest = 10.0 * found->center});
     result.value = interval.value;

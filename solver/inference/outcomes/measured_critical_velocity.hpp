@@ -28,8 +28,8 @@ struct MeasuredCriticalVelocity {
 /// outcomes mix over a wider range, as when particles differ. The interval is that of the profile likelihood,
 /// with the width that is likeliest at each v_c. Without known noise and without mixing it is the gap between
 /// the fastest capture and the slowest rebound. Outcomes that contradict a threshold (captures faster than
-/// rebounds beyond their noise) give no value, and the note says so. Where captures may be rebounds too slow
-/// to be seen, the interval has no lower end.
+/// rebounds beyond their noise) give no value; the note gives the reason. Where captures may be rebounds too
+/// slow to be seen, the interval has no lower end.
 ///
 /// Captures alone bound v_c from below, by the greatest v_in - z u(v_in) of an impact, z the normal quantile
 /// of 1 - 0.05/n for n impacts; rebounds alone bound it from above, by the least v_in + z u(v_in). If all

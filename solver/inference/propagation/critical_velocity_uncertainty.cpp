@@ -73,10 +73,10 @@ class Rereading {
 
     /// Velocities of the places on the curve of some damping; empty where there is none.
     [[nodiscard]] std::vector<double> velocities(const Eigen::VectorXd& coefficients) const {
-        const auto curve = RestitutionCurve::of(model_, {coefficients}, greatest_);
+        const auto curve = RestitutionCurve::implied_by(model_, {coefficients}, greatest_);
         std::vector<double> result;
         if (!curve) return result;
-        for (const double e : restitutions_) result.push_back(curve->at(e).velocity);
+        for (const double e : restitutions_) result.push_back(curve->point_at(e).velocity);
         return result;
     }
     /// eta_c that another contact reads from these places.

@@ -1,23 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/numeric/gsl/distribution.hpp"
 
-#include <cmath>
 #include <numbers>
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_sf_erf.h>
 
 namespace ashimpact::gsl {
-
-namespace {
-
-constexpr double quick_from = -20.0;  // far above where the probability underflows
-
-double quick_normal_probability(double x) {
-    return 0.5 * std::erfc(-x / std::numbers::sqrt2);
-}
-
-}  // namespace
 
 double normal_quantile(double probability) {
     return gsl_cdf_ugaussian_Pinv(probability);
@@ -34,15 +23,6 @@ double normal_log_probability(double x) {
 double normal_log_probability_slope(double x) {
     constexpr double no_density = 37.0;  // exp(-x^2/2) underflows soon beyond, an error to GSL
     return x > no_density ? 0.0 : gsl_sf_hazard(-x);
-}
-
-double quick_normal_log_probability(double x) {
-    return x < quick_from ? normal_log_probability(x) : std::log(quick_normal_probability(x));
-}
-
-double quick_normal_log_probability_slope(double x) {
-    if (x < quick_from) return normal_log_probability_slope(x);
-    return std::exp(-0.5 * x * x) / (std::sqrt(2.0 * std::numbers::pi) * quick_normal_probability(x));
 }
 
 double student_quantile(double probability, int degrees_of_freedom) {

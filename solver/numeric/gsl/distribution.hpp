@@ -15,10 +15,6 @@ namespace ashimpact::gsl {
 /// Slope of normal_log_probability(): density over probability.
 [[nodiscard]] double normal_log_probability_slope(double x);
 
-/// Like the two above, but ten times faster; absolute error about 1e-16.
-[[nodiscard]] double quick_normal_log_probability(double x);
-[[nodiscard]] double quick_normal_log_probability_slope(double x);
-
 /// Quantile of Student's t; that of the normal distribution for 0 degrees of freedom.
 [[nodiscard]] double student_quantile(double probability, int degrees_of_freedom);
 

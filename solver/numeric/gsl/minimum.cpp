@@ -2,14 +2,13 @@
 #include "solver/numeric/gsl/minimum.hpp"
 
 #include <cmath>
-#include <exception>
 #include <memory>
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_min.h>
 #include <gsl/gsl_multimin.h>
 
-#include "solver/numeric/gsl/guarded_function.hpp"
+#include "solver/numeric/gsl/guard.hpp"
 #include "solver/numeric/gsl/status.hpp"
 #include "solver/numeric/gsl/views.hpp"
 
@@ -17,29 +16,21 @@ namespace ashimpact::gsl {
 
 namespace {
 
-constexpr double no_value = 1e12;  ///< stands for infinity, which GSL's line search does not accept
+constexpr double no_value = 1e12;  ///< in place of infinity, which GSL's line search does not accept
 
-/// Carries a function through GSL's C interface; an exception is kept and thrown again outside it.
-struct SimplexTarget {
-    const std::function<double(const Eigen::VectorXd&)>& function;
-    std::exception_ptr error;
-};
-
-double evaluate(const gsl_vector* x, void* parameters) {
-    auto& target = *static_cast<SimplexTarget*>(parameters);
-    if (target.error) return no_value;
-    try {
-        const double value = target.function(view_of(x));
-        return std::isfinite(value) ? value : no_value;
-    } catch (...) {
-        target.error = std::current_exception();
-        return no_value;
-    }
+/// The value of a guarded function for GSL.
+template <class Function, class Argument>
+double finite_value(void* guarded, const Argument& x) {
+    auto& target = *static_cast<Guarded<Function>*>(guarded);
+    const double value = target.value_of([&] { return target.function(x); }, no_value);
+    return std::isfinite(value) ? value : no_value;
 }
 
+using OfOne = std::function<double(double)>;
+using OfSeveral = std::function<double(const Eigen::VectorXd&)>;
+
 /// One simplex from @p position until it has shrunk to a millionth of @p steps. Returns the value there.
-double shrink_simplex(const std::function<double(const Eigen::VectorXd&)>& function,
-                      Eigen::VectorXd& position, const Eigen::VectorXd& steps) {
+double shrink_simplex(const OfSeveral& function, Eigen::VectorXd& position, const Eigen::VectorXd& steps) {
     const auto size = static_cast<std::size_t>(position.size());
     const std::unique_ptr<gsl_multimin_fminimizer, decltype(&gsl_multimin_fminimizer_free)> minimiser(
         gsl_multimin_fminimizer_alloc(gsl_multimin_fminimizer_nmsimplex2, size),
@@ -47,11 +38,11 @@ double shrink_simplex(const std::function<double(const Eigen::VectorXd&)>& funct
     // In units of the steps, so that the size of the simplex means the same in every direction.
     const Eigen::VectorXd scaled = position.cwiseQuotient(steps);
     const Eigen::VectorXd ones = Eigen::VectorXd::Ones(position.size());
-    const std::function<double(const Eigen::VectorXd&)> in_steps = [&](const Eigen::VectorXd& x) {
-        return function(x.cwiseProduct(steps));
-    };
-    SimplexTarget target{in_steps, nullptr};
-    gsl_multimin_function problem{&evaluate, size, &target};
+    const OfSeveral in_steps = [&](const Eigen::VectorXd& x) { return function(x.cwiseProduct(steps)); };
+    Guarded<OfSeveral> target{in_steps};
+    gsl_multimin_function problem{
+        [](const gsl_vector* x, void* self) { return finite_value<OfSeveral>(self, view_of(x)); }, size,
+        &target};
     const auto start = gsl_vector_const_view_array(scaled.data(), size);
     const auto sides = gsl_vector_const_view_array(ones.data(), size);
     int status = gsl_multimin_fminimizer_set(minimiser.get(), &problem, &start.vector, &sides.vector);
@@ -59,7 +50,7 @@ double shrink_simplex(const std::function<double(const Eigen::VectorXd&)>& funct
         status = gsl_multimin_fminimizer_iterate(minimiser.get());
         if (gsl_multimin_fminimizer_size(minimiser.get()) < 1e-6) break;
     }
-    if (target.error) std::rethrow_exception(target.error);
+    target.rethrow();
     position = Eigen::VectorXd(view_of(gsl_multimin_fminimizer_x(minimiser.get()))).cwiseProduct(steps);
     return gsl_multimin_fminimizer_minimum(minimiser.get());
 }
@@ -69,17 +60,13 @@ double shrink_simplex(const std::function<double(const Eigen::VectorXd&)>& funct
 double minimise_between(const std::function<double(double)>& function, double lower, double guess,
                         double upper, double relative) {
     quiet();
-    const std::function<double(double)> finite = [&](double x) {
-        const double value = function(x);
-        return std::isfinite(value) ? value : no_value;
-    };
-    GuardedFunction guarded(finite, no_value);
-    gsl_function target = guarded.for_gsl();
+    Guarded<OfOne> guarded{function};
+    gsl_function target{[](double x, void* self) { return finite_value<OfOne>(self, x); }, &guarded};
     const std::unique_ptr<gsl_min_fminimizer, decltype(&gsl_min_fminimizer_free)> minimiser(
         gsl_min_fminimizer_alloc(gsl_min_fminimizer_brent), &gsl_min_fminimizer_free);
     double position = guess;
     int status = gsl_min_fminimizer_set(minimiser.get(), &target, guess, lower, upper);
-    for (int i = 0; i < 100 && status == GSL_SUCCESS && !guarded.failed(); ++i) {
+    for (int i = 0; i < 100 && status == GSL_SUCCESS && !guarded.error; ++i) {
         status = gsl_min_fminimizer_iterate(minimiser.get());
         position = gsl_min_fminimizer_x_minimum(minimiser.get());
         const double a = gsl_min_fminimizer_x_lower(minimiser.get());
@@ -98,9 +85,9 @@ Eigen::VectorXd minimise(const std::function<double(const Eigen::VectorXd&)>& fu
     constexpr int most_restarts = 20;
     for (int i = 0; i < most_restarts; ++i) {
         const double value = shrink_simplex(function, position, steps);
-        const bool settled = least - value <= 1e-9 * std::abs(value);
+        const bool converged = least - value <= 1e-9 * std::abs(value);
         least = value;
-        if (settled) break;
+        if (converged) break;
     }
     return position;
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/numeric/gsl/nonlinear_fit.hpp"
 
-#include <exception>
 #include <memory>
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multifit_nlinear.h>
 
 #include "core/error.hpp"
+#include "solver/numeric/gsl/guard.hpp"
 #include "solver/numeric/gsl/status.hpp"
 #include "solver/numeric/gsl/views.hpp"
 
@@ -15,23 +15,16 @@ namespace ashimpact::gsl {
 
 namespace {
 
-/// Carries the problem through GSL's C interface; an exception is kept and thrown again outside it.
-struct FitTarget {
-    const NonlinearProblem& problem;
-    std::exception_ptr error;
-};
+using FitTarget = Guarded<NonlinearProblem>;
 
-/// Calls @p action unless an earlier call threw; keeps what it throws.
+/// Runs @p action for GSL. Returns a GSL status.
 template <class Action>
-int guarded(FitTarget& target, Action&& action) {
-    if (target.error) return GSL_EFAILED;
-    try {
+int status_of(FitTarget& target, Action&& action) {
+    const auto done = [&] {
         action();
-        return GSL_SUCCESS;
-    } catch (...) {
-        target.error = std::current_exception();
-        return GSL_EFAILED;
-    }
+        return static_cast<int>(GSL_SUCCESS);
+    };
+    return target.value_of(done, GSL_EFAILED);
 }
 
 /// Whether no step can lower chi^2 by more than rounding: the best linear one gains less than 1e-8 of it, or
@@ -41,7 +34,7 @@ bool is_stationary(const gsl_multifit_nlinear_workspace* workspace) {
     const Eigen::VectorXd residuals = view_of(gsl_multifit_nlinear_residual(workspace));
     const Eigen::VectorXd parameters = view_of(gsl_multifit_nlinear_position(workspace));
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors(jacobian.rows(), jacobian.cols());
-    factors.setThreshold(1e-6);  // directions that only the differences' noise tells apart do not count
+    factors.setThreshold(1e-6);  // directions below the noise of the differences do not count
     const Eigen::VectorXd step = factors.compute(jacobian).solve(residuals);
     const double gain = (jacobian * step).squaredNorm();
     return gain <= 1e-8 * residuals.squaredNorm() ||
@@ -50,12 +43,12 @@ bool is_stationary(const gsl_multifit_nlinear_workspace* workspace) {
 
 int evaluate(const gsl_vector* x, void* parameters, gsl_vector* f) {
     auto& target = *static_cast<FitTarget*>(parameters);
-    return guarded(target, [&] { view_of(f) = target.problem.residuals(view_of(x)); });
+    return status_of(target, [&] { view_of(f) = target.function.residuals(view_of(x)); });
 }
 
 int differentiate(const gsl_vector* x, void* parameters, gsl_matrix* jacobian) {
     auto& target = *static_cast<FitTarget*>(parameters);
-    return guarded(target, [&] { view_of(jacobian) = target.problem.jacobian(view_of(x)); });
+    return status_of(target, [&] { view_of(jacobian) = target.function.jacobian(view_of(x)); });
 }
 
 Eigen::MatrixXd covariance_of(const gsl_multifit_nlinear_workspace* workspace, std::size_t size) {
@@ -84,7 +77,7 @@ NonlinearFit fit_nonlinear(const NonlinearProblem& fitted, const Eigen::VectorXd
         gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &setup, count, size),
         &gsl_multifit_nlinear_free);
 
-    FitTarget target{fitted, nullptr};
+    FitTarget target{fitted};
     gsl_multifit_nlinear_fdf problem{};
     problem.f = &evaluate;
     if (fitted.jacobian) problem.df = &differentiate;
@@ -99,7 +92,7 @@ NonlinearFit fit_nonlinear(const NonlinearProblem& fitted, const Eigen::VectorXd
             static_cast<std::size_t>(options.most_iterations), options.parameter_tolerance,
             options.gradient_tolerance, options.residual_tolerance, nullptr, nullptr, &info, workspace.get());
     }
-    if (target.error) std::rethrow_exception(target.error);
+    target.rethrow();
     // How GSL stopped does not decide: rounding can keep its tests from passing at the minimum, and residuals
     // that are not smooth can pass them elsewhere.
     if (status != GSL_ENOPROG && status != GSL_EMAXITER) check(status, "nonlinear fit");

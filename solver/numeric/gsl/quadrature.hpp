@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
+#include <vector>
 
 namespace ashimpact::gsl {
 
@@ -11,13 +11,6 @@ struct QuadratureNode {
 };
 
 /// Gauss-Legendre nodes of an interval (GSL integration): exact for polynomials of degree 2 count - 1.
-void gauss_legendre(double lower, double upper, int count, QuadratureNode* nodes);
-
-template <int count>
-[[nodiscard]] std::array<QuadratureNode, count> gauss_legendre(double lower, double upper) {
-    std::array<QuadratureNode, count> nodes;
-    gauss_legendre(lower, upper, count, nodes.data());
-    return nodes;
-}
+[[nodiscard]] std::vector<QuadratureNode> gauss_legendre(int count, double lower, double upper);
 
 }  // namespace ashimpact::gsl

@@ -7,7 +7,7 @@
 #include <gsl/gsl_roots.h>
 
 #include "core/error.hpp"
-#include "solver/numeric/gsl/guarded_function.hpp"
+#include "solver/numeric/gsl/guard.hpp"
 #include "solver/numeric/gsl/status.hpp"
 
 namespace ashimpact::gsl {
@@ -15,8 +15,13 @@ namespace ashimpact::gsl {
 RootSummary brent(const std::function<double(double)>& function, double lower, double upper,
                   const RootOptions& options) {
     quiet();
-    GuardedFunction guarded(function, 0.0);
-    gsl_function target = guarded.for_gsl();
+    using Target = Guarded<std::function<double(double)>>;
+    Target guarded{function};
+    gsl_function target{[](double x, void* self) {
+                            auto& to = *static_cast<Target*>(self);
+                            return to.value_of([&] { return to.function(x); }, 0.0);
+                        },
+                        &guarded};
     const std::unique_ptr<gsl_root_fsolver, decltype(&gsl_root_fsolver_free)> solver(
         gsl_root_fsolver_alloc(gsl_root_fsolver_brent), &gsl_root_fsolver_free);
     const int status = gsl_root_fsolver_set(solver.get(), &target, lower, upper);

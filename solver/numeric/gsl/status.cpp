@@ -16,7 +16,7 @@ void quiet() {
 
 void check(int status, const char* what) {
     if (status == GSL_SUCCESS) return;
-    // GSL's own messages for these speak to programmers: "problem with user-supplied function".
+    // GSL's own messages for these are for programmers: "problem with user-supplied function".
     const bool undefined = status == GSL_EBADFUNC || status == GSL_EFAILED || status == GSL_ENOPROG;
     throw ConvergenceError(std::string(what) + ": " +
                            (undefined

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "solver/numeric/gsl/distribution.hpp"
@@ -24,5 +25,20 @@ struct Interval {
 [[nodiscard]] inline double confidence_quantile() {
     return gsl::normal_quantile(0.5 + 0.5 * confidence);
 }
+
+/// Where an interval is searched on a profile of -2 ln L.
+struct ProfileSearch {
+    double best;       ///< position of the minimum
+    double deviation;  ///< standard uncertainty there, the first guess of the width
+    double least;      ///< lower bound of the parameter
+    double greatest;   ///< upper bound of the parameter
+};
+
+/// Interval of a parameter from its profile: where -2 ln L, minimised over all other parameters, has risen by
+/// the square of confidence_quantile() above its minimum. An end that is not reached within [least, greatest]
+/// is missing. The standard uncertainty is that of a normal distribution with this interval.
+/// @param profile rise above the minimum at a value of the parameter
+[[nodiscard]] Interval profile_interval(const std::function<double(double)>& profile,
+                                        const ProfileSearch& search);
 
 }  // namespace ashimpact

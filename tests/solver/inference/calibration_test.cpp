@@ -10,8 +10,8 @@
 #include <doctest/doctest.h>
 
 #include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/inference/calibration/calibration_objective.hpp"
 #include "solver/inference/calibration/calibration_profile.hpp"
-#include "solver/inference/calibration/calibration_residuals.hpp"
 #include "solver/inference/calibration/calibration_response.hpp"
 #include "solver/inference/calibration/reconstruction.hpp"
 #include "solver/numeric/gsl/distribution.hpp"
@@ -30,8 +30,9 @@ constexpr ElasticBody steel{193e9, 0.29};
 
 /// Tables 3 and 4 and the contact times, with the rounding of the printed digits as their uncertainty, and
 /// "about 2 m/s" as anything from 1.95 to 2.05.
-CalibrationProblem paper_problem() {
+CalibrationProblem paper_problem(std::vector<FreeConstant> free = {}) {
     CalibrationProblem problem;
+    problem.free = std::move(free);
     const auto published = published_samples();
     for (std::size_t i = 0; i < published.size(); ++i) {
         problem.samples.push_back({.diameter = published[i].diameter,
@@ -60,15 +61,16 @@ CalibrationProblem paper_problem() {
     return problem;
 }
 
+double critical_velocity_of(const CalibrationSample& sample, Law law, double damping) {
+    return critical_velocity(
+               {law, law.default_detachment(), {DampingLaw::constant, damping}, sample.contact()})
+        .value.value();
+}
+
 /// Replaces every observation by what the samples as they stand would give.
 void observe_exactly(CalibrationProblem& problem) {
-    for (CriticalVelocityObservation& o : problem.critical_velocities) {
-        o.value = critical_velocity({o.law,
-                                     o.law.default_detachment(),
-                                     {DampingLaw::constant, o.critical_damping},
-                                     problem.samples[o.sample].contact()})
-                      .value.value();
-    }
+    for (CriticalVelocityObservation& o : problem.critical_velocities)
+        o.value = critical_velocity_of(problem.samples[o.sample], o.law, o.critical_damping);
     for (ContactTimeObservation& o : problem.contact_times) {
         const PublishedDamping published{.law = o.law,
                                          .detachment = o.law.default_detachment(),
@@ -90,11 +92,18 @@ double worst_of(const std::vector<CalibrationResidual>& residuals) {
     return worst;
 }
 
+/// One work of adhesion, a density for each size.
+const std::vector<FreeConstant> paper_constants{{CalibrationQuantity::work_of_adhesion, false},
+                                                {CalibrationQuantity::density, true}};
+/// One of each, of which density and contact modulus can stand for each other.
+const std::vector<FreeConstant> traded_constants{{CalibrationQuantity::work_of_adhesion, false},
+                                                 {CalibrationQuantity::contact_modulus, false},
+                                                 {CalibrationQuantity::density, false}};
+
 }  // namespace
 
 TEST_CASE("the paper's constants: moduli from XRD, one work of adhesion, a density for each size") {
-    CalibrationProblem problem = paper_problem();
-    problem.free = {{CalibrationQuantity::work_of_adhesion, false}, {CalibrationQuantity::density, true}};
+    const CalibrationProblem problem = paper_problem(paper_constants);
     const CalibrationSummary summary = calibrate(problem);
 
     CHECK(summary.degrees_of_freedom == 8);
@@ -132,10 +141,7 @@ TEST_CASE("the paper's constants: moduli from XRD, one work of adhesion, a densi
 }
 
 TEST_CASE("the alternative, one contact modulus and one density, is worse: 2.5 % in critical velocity") {
-    CalibrationProblem problem = paper_problem();
-    problem.free = {{CalibrationQuantity::work_of_adhesion, false},
-                    {CalibrationQuantity::contact_modulus, false},
-                    {CalibrationQuantity::density, false}};
+    const CalibrationProblem problem = paper_problem(traded_constants);
     const CalibrationSummary summary = calibrate(problem);
     CHECK(summary.degrees_of_freedom == 9);
     CHECK(std::abs(worst_of(summary.critical_velocities) - 0.025) < 0.001);
@@ -145,9 +151,8 @@ TEST_CASE("the alternative, one contact modulus and one density, is worse: 2.5 %
 }
 
 TEST_CASE("chi^2 is that of the residuals it reports, where no rounding is shared") {
-    CalibrationProblem problem = paper_problem();
+    CalibrationProblem problem = paper_problem(paper_constants);
     for (ContactTimeObservation& o : problem.contact_times) o.damping_fit_uncertainty = 0.0;
-    problem.free = {{CalibrationQuantity::work_of_adhesion, false}, {CalibrationQuantity::density, true}};
     const CalibrationSummary summary = calibrate(problem);
     double sum = 0.0;
     for (const auto* residuals : {&summary.critical_velocities, &summary.contact_times}) {
@@ -167,7 +172,7 @@ TEST_CASE("chi^2 is that of the residuals it reports, where no rounding is share
 }
 
 TEST_CASE("constants behind exact observations are recovered from a start well off") {
-    CalibrationProblem problem = paper_problem();
+    CalibrationProblem problem = paper_problem(paper_constants);
     const double truth_w = 0.27;
     const double truth_density[] = {2300.0, 2150.0, 1990.0};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -179,7 +184,6 @@ TEST_CASE("constants behind exact observations are recovered from a start well o
         sample.work_of_adhesion = 0.4;
         sample.density = 2000.0;
     }
-    problem.free = {{CalibrationQuantity::work_of_adhesion, false}, {CalibrationQuantity::density, true}};
     const CalibrationSummary summary = calibrate(problem);
     CHECK(summary.chi_squared < 1e-8);
     CHECK(relative_difference(summary.constants[0].value, truth_w) < 1e-6);
@@ -211,11 +215,8 @@ TEST_CASE("the wall's modulus, or the contact modulus, can be the unknown") {
 
 TEST_CASE(
     "without contact times density and contact modulus cannot be told apart, and their intervals say so") {
-    CalibrationProblem problem = paper_problem();
+    CalibrationProblem problem = paper_problem(traded_constants);
     problem.contact_times.clear();
-    problem.free = {{CalibrationQuantity::work_of_adhesion, false},
-                    {CalibrationQuantity::contact_modulus, false},
-                    {CalibrationQuantity::density, false}};
     const CalibrationSummary light = calibrate(problem);
     for (CalibrationSample& sample : problem.samples) sample.density = 2600.0;
     const CalibrationSummary dense = calibrate(problem);
@@ -241,12 +242,7 @@ TEST_CASE("a contact time's impact is captured up to the velocity from which the
     ContactTimeObservation& observed = problem.contact_times[0];
     const CalibrationSample& sample = problem.samples[0];
     const Law law = observed.law;
-    const double critical =
-        *critical_velocity({law,
-                            law.default_detachment(),
-                            {DampingLaw::constant, observed.damping_fit.critical_damping()},
-                            sample.contact()})
-             .value;
+    const double critical = critical_velocity_of(sample, law, observed.damping_fit.critical_damping());
     const double fold =
         least_rebound({law, law.default_detachment(), sample.contact(), observed.damping_fit}).velocity;
     REQUIRE(fold < 0.995 * critical);
@@ -264,8 +260,7 @@ TEST_CASE("a contact time's impact is captured up to the velocity from which the
 }
 
 TEST_CASE("profiles close around what the paper's tables fix, close to the curvature's intervals") {
-    CalibrationProblem problem = paper_problem();
-    problem.free = {{CalibrationQuantity::work_of_adhesion, false}, {CalibrationQuantity::density, true}};
+    const CalibrationProblem problem = paper_problem(paper_constants);
     const CalibrationSummary summary = calibrate(problem);
     const std::vector<ConstantProfile> profiles = profile_constants(problem, summary);
     REQUIRE(profiles.size() == 4);
@@ -281,11 +276,8 @@ TEST_CASE("profiles close around what the paper's tables fix, close to the curva
 }
 
 TEST_CASE("what the observations do not fix is called not identifiable") {
-    CalibrationProblem problem = paper_problem();
+    CalibrationProblem problem = paper_problem(traded_constants);
     problem.contact_times.clear();
-    problem.free = {{CalibrationQuantity::work_of_adhesion, false},
-                    {CalibrationQuantity::contact_modulus, false},
-                    {CalibrationQuantity::density, false}};
     const std::vector<ConstantProfile> profiles = profile_constants(problem, calibrate(problem));
     REQUIRE(profiles.size() == 3);
     CHECK(profiles[0].identifiable);
@@ -301,8 +293,7 @@ TEST_CASE("what the observations do not fix is called not identifiable") {
 }
 
 TEST_CASE("the rounding of Table 2 widens a contact time, most where the impact is close to capture") {
-    CalibrationProblem problem = paper_problem();
-    problem.free = {{CalibrationQuantity::work_of_adhesion, false}, {CalibrationQuantity::density, true}};
+    CalibrationProblem problem = paper_problem(paper_constants);
     const CalibrationSummary with = calibrate(problem);
     for (ContactTimeObservation& o : problem.contact_times) o.damping_fit_uncertainty = 0.0;
     const CalibrationSummary without = calibrate(problem);
@@ -344,23 +335,20 @@ TEST_CASE("problems that cannot be solved are refused") {
     problem.critical_velocities.erase(problem.critical_velocities.begin() + 2,
                                       problem.critical_velocities.end());
     CHECK(contains(message(problem), "has 2 observations for 3 free constants"));
-    problem = paper_problem();
-    problem.free = {{CalibrationQuantity::density, false}};
+    const std::vector<FreeConstant> one_density{{CalibrationQuantity::density, false}};
+    problem = paper_problem(one_density);
     problem.critical_velocities[0].sample = 3;
     CHECK(message(problem) == "an observation names a sample that does not exist");
-    problem = paper_problem();
-    problem.free = {{CalibrationQuantity::density, false}};
+    problem = paper_problem(one_density);
     problem.contact_times[0].sample = 7;
     CHECK(message(problem) == "an observation names a sample that does not exist");
-    problem = paper_problem();
-    problem.free = {{CalibrationQuantity::density, false}};
+    problem = paper_problem(one_density);
     problem.critical_velocities[0].critical_damping = -0.01;
     CHECK(contains(message(problem), "damping is -0.01"));
 }
 
 TEST_CASE("calibrated constants follow the contact modulus: the linear response against recalibrations") {
-    CalibrationProblem problem = paper_problem();
-    problem.free = {{CalibrationQuantity::work_of_adhesion}, {CalibrationQuantity::density, true}};
+    CalibrationProblem problem = paper_problem(paper_constants);
     problem.samples = calibrate(problem).samples;
     const auto responses = response_to_contact_modulus(problem);
     // Contact times fix density^3 modulus^2 (see ContactTimeObservation): the density goes nearly with the
@@ -371,11 +359,7 @@ TEST_CASE("calibrated constants follow the contact modulus: the linear response 
     const auto velocities_of = [&](const std::vector<CalibrationSample>& samples) {
         std::vector<double> velocities;
         for (const CriticalVelocityObservation& o : problem.critical_velocities)
-            velocities.push_back(critical_velocity({o.law,
-                                                    o.law.default_detachment(),
-                                                    {DampingLaw::constant, o.critical_damping},
-                                                    samples[o.sample].contact()})
-                                     .value.value());
+            velocities.push_back(critical_velocity_of(samples[o.sample], o.law, o.critical_damping));
         return velocities;
     };
     const std::vector<double> nominal = velocities_of(problem.samples);

@@ -16,7 +16,7 @@ using namespace ashimpact::test;
 
 namespace {
 
-MeasurementSet told(const std::vector<std::pair<double, double>>& impacts, double u) {
+MeasurementSet set_of(const std::vector<std::pair<double, double>>& impacts, double u) {
     MeasurementSet set{.source = "lab", .points = {}};
     for (const auto& [velocity, rebound] : impacts)
         set.points.push_back(
@@ -60,7 +60,7 @@ TEST_CASE("the fastest impact counts from a tenth above v_c on") {
     const auto restitution = [&](double above) {
         const double critical = std::log(1.3);
         return SmoothDamping(table, critical, critical + above, {-0.3, 0.02, 0, 0, 0, 0, 0})
-            .at(critical + 0.05)
+            .at_log_velocity(critical + 0.05)
             .restitution;
     };
     CHECK(restitution(-1.0) == restitution(0.1));
@@ -76,7 +76,7 @@ TEST_CASE("up to its first place above v_c the slope of a curve is a line throug
     const SmoothDamping curve(table, critical, fastest, {-0.3, 0.02, 0, 0, 0, 0, 0});
     const auto slope = [&](double places) {
         const double root = places * std::sqrt(fastest + 0.25 - critical) / 56;
-        return curve.at(critical + root * root).by_distance;
+        return curve.at_log_velocity(critical + root * root).by_distance;
     };
     CHECK(relative_difference(slope(0.5), 1.5 * slope(1.0) - 0.5 * slope(2.0)) < 1e-9);
     CHECK(relative_difference(slope(0.5), (slope(0.25) + slope(0.75)) / 2.0) < 1e-9);
@@ -142,15 +142,15 @@ TEST_CASE("readings scatter alike near capture, where they are integrated, and b
 
 TEST_CASE("eight impacts give no absurd critical velocity") {
     const ContactModel model = ash_model(Law::of<Hertz>());
-    const MeasurementSet set = told({{0.605, 0.0},
-                                     {0.480, 0.0},
-                                     {0.367, 0.0},
-                                     {3.565, 0.826},
-                                     {6.084, 2.118},
-                                     {6.140, 2.165},
-                                     {8.672, 3.661},
-                                     {9.537, 3.986}},
-                                    0.03);
+    const MeasurementSet set = set_of({{0.605, 0.0},
+                                       {0.480, 0.0},
+                                       {0.367, 0.0},
+                                       {3.565, 0.826},
+                                       {6.084, 2.118},
+                                       {6.140, 2.165},
+                                       {8.672, 3.661},
+                                       {9.537, 3.986}},
+                                      0.03);
     const Interval v = estimate_critical_velocity(model, set).curve.critical_velocity;
     CHECK(*v.lower > 0.5);  // the fastest capture, less its noise
     CHECK(*v.upper < 3.5);  // the slowest rebound
@@ -166,7 +166,7 @@ TEST_CASE("impacts that scatter far less than they state give an estimate whatev
         for (const double u : {0.02, 0.04, 0.065, 0.13, 0.25}) {
             CAPTURE(law.name());
             CAPTURE(u);
-            const CurveEstimate curve = estimate_critical_velocity(model, told(impacts, u)).curve;
+            const CurveEstimate curve = estimate_critical_velocity(model, set_of(impacts, u)).curve;
             CHECK(curve.effective >= 50.0);
             CHECK(*curve.critical_velocity.upper > 1.55);  // the fastest capture
             CHECK(*curve.critical_velocity.upper < 1.85);
@@ -211,7 +211,7 @@ TEST_CASE("impacts that turn and fall again at high velocity are no outliers, an
              {1.51, 0.29},  {1.65, 0.322}, {1.9, 0.361},  {2.18, 0.39},  {2.55, 0.423},
              {3.0, 0.449},  {3.53, 0.486}, {4.59, 0.492}, {6.0, 0.47},   {7.41, 0.449}})
         impacts.emplace_back(v, v * e);
-    const CurveEstimate curve = estimate_critical_velocity(model, told(impacts, 0.015)).curve;
+    const CurveEstimate curve = estimate_critical_velocity(model, set_of(impacts, 0.015)).curve;
     CHECK(curve.effective > 500.0);
     CHECK(curve.critical_velocity.value > 0.5);
     CHECK(curve.critical_velocity.value < 0.7);
@@ -237,7 +237,7 @@ TEST_CASE("too few rebounds give no estimate, and why") {
     const ContactModel model = ash_model(Law::of<Hertz>());
     const auto refused = input_error_of([&] {
         static_cast<void>(
-            estimate_critical_velocity(model, told({{0.5, 0.0}, {2.0, 0.4}, {3.0, 0.9}}, 0.03)));
+            estimate_critical_velocity(model, set_of({{0.5, 0.0}, {2.0, 0.4}, {3.0, 0.9}}, 0.03)));
     });
     CHECK(contains(refused, "2 different restitutions"));
 }

@@ -12,7 +12,7 @@
 #include "core/counting.hpp"
 #include "materials/contact_properties.hpp"
 #include "solver/inference/extrapolation/rebound_selection.hpp"
-#include "solver/inference/outcomes/rebound_check.hpp"
+#include "solver/inference/outcomes/estimate_comparison.hpp"
 #include "solver/statistics/moments.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/solver/inference/ash_laboratory.hpp"

@@ -8,7 +8,6 @@
 #include "solver/inference/impacts/damping_parts.hpp"
 #include "solver/inference/outcomes/capture_transition.hpp"
 #include "solver/inference/outcomes/measured_critical_velocity.hpp"
-#include "solver/inference/outcomes/rebound_check.hpp"
 #include "solver/numeric/gsl/distribution.hpp"
 #include "solver/numeric/gsl/minimum.hpp"
 #include "solver/numeric/gsl/quadrature.hpp"
@@ -32,11 +31,23 @@ MeasurementSet set_of(std::vector<Measurement> points) {
     return {.source = "lab", .points = std::move(points)};
 }
 
+MeasuredCriticalVelocity measured_from(std::vector<Measurement> points) {
+    return measured_critical_velocity(set_of(std::move(points)));
+}
+
+/// Captures and rebounds that mix over far more than their noise.
+std::vector<Measurement> mixed_outcomes() {
+    std::vector<Measurement> points;
+    for (int i = 0; i < 20; ++i)
+        points.push_back(impact(0.8 + 0.04 * i, i > 9 || i % 3 == 0 ? 0.1 : 0.0, 0.01));
+    return points;
+}
+
 }  // namespace
 
 TEST_CASE("outcomes without noise bound v_c by the gap between them") {
-    const auto measured = measured_critical_velocity(
-        set_of({impact(0.8, 0.0), impact(1.0, 0.0), impact(1.4, 0.2), impact(1.2, 0.1)}));
+    const auto measured =
+        measured_from({impact(0.8, 0.0), impact(1.0, 0.0), impact(1.4, 0.2), impact(1.2, 0.1)});
     CHECK(measured.fastest_capture == 1.0);
     CHECK(measured.slowest_rebound == 1.2);
     CHECK(relative_difference(*measured.value, 1.1) < 1e-12);
@@ -55,7 +66,7 @@ TEST_CASE("outcomes without stated noise get that of their scatter") {
             const double rebound = v > 1.1 ? std::max(1e-3, 0.5 * (v - 1.1) + random.normal(0.03)) : 0.0;
             points.push_back(impact(v + random.normal(0.03), rebound));
         }
-        const auto measured = measured_critical_velocity(set_of(points));
+        const auto measured = measured_from(points);
         REQUIRE(measured.value);
         covered += *measured.lower <= 1.1 && *measured.upper >= 1.1 ? 1 : 0;
     }
@@ -73,8 +84,8 @@ TEST_CASE("outcomes with noise: symmetric ones put v_c in the middle, wider than
 }
 
 TEST_CASE("where noise does not reach across the gap between outcomes, v_c is its middle") {
-    const auto measured = measured_critical_velocity(
-        set_of({impact(0.4, 0.0, 1e-3), impact(1.0, 0.0, 1e-3), impact(3.0, 0.5, 1e-3)}));
+    const auto measured =
+        measured_from({impact(0.4, 0.0, 1e-3), impact(1.0, 0.0, 1e-3), impact(3.0, 0.5, 1e-3)});
     REQUIRE(measured.value);
     CHECK(relative_difference(*measured.value, 2.0) < 1e-9);
 }
@@ -88,7 +99,7 @@ TEST_CASE("captures that may be slow rebounds leave the measured v_c without a l
         const double rebound = v > 1.0 ? std::max(0.0, 0.03 * (v - 1.0) + random.normal(0.05)) : 0.0;
         points.push_back(impact(v, rebound, 0.05));
     }
-    const auto blurred = measured_critical_velocity(set_of(points));
+    const auto blurred = measured_from(points);
     REQUIRE(blurred.value);
     CHECK_FALSE(blurred.lower);
     CHECK(*blurred.upper > 1.0);
@@ -99,15 +110,11 @@ TEST_CASE("captures that may be slow rebounds leave the measured v_c without a l
           CriticalVelocityVerdict::model_too_high);
     for (Measurement& point : points)  // seen to stick
         if (point.captured()) point.outcome = NotedOutcome::capture;
-    CHECK(measured_critical_velocity(set_of(points)).lower);
+    CHECK(measured_from(points).lower);
 }
 
 TEST_CASE("mixed outcomes widen the transition") {
-    std::vector<Measurement> points;
-    points.reserve(20);
-    for (int i = 0; i < 20; ++i)
-        points.push_back(impact(0.8 + 0.04 * i, i > 9 || i % 3 == 0 ? 0.1 : 0.0, 0.01));
-    const auto measured = measured_critical_velocity(set_of(points));
+    const auto measured = measured_from(mixed_outcomes());
     REQUIRE(measured.width);
     CHECK(*measured.width > 0.05);
     CHECK(contains(measured.note, "mix"));
@@ -128,7 +135,7 @@ TEST_CASE("captures and rebounds that overlap by about their noise: always a v_c
             const double v = truth * (0.6 + 2.4 * i / 59.0);
             points.push_back(impact(v + random.normal(noise), v < truth ? 0.0 : 0.1, noise));
         }
-        const auto measured = measured_critical_velocity(set_of(points));
+        const auto measured = measured_from(points);
         REQUIRE(measured.value);
         CHECK(std::abs(*measured.value - truth) < 0.15);
         CHECK(*measured.width >= noise * (1.0 - 1e-12));
@@ -143,31 +150,26 @@ TEST_CASE("captures and rebounds that overlap by about their noise: always a v_c
 }
 
 TEST_CASE("the most likely transition is where neither its centre nor its width can be bettered") {
-    std::vector<Measurement> points;
-    points.reserve(20);
-    for (int i = 0; i < 20; ++i)
-        points.push_back(impact(0.8 + 0.04 * i, i > 9 || i % 3 == 0 ? 0.1 : 0.0, 0.01));
-    const MeasurementSet set = set_of(points);
-    const OutcomeLikelihood likelihood(set, 1e-3);
+    const OutcomeLikelihood likelihood(set_of(mixed_outcomes()), 1e-3);
     const auto best = likelihood.best();
     REQUIRE(best);
-    const double least = likelihood.at(*best);
+    const double least = likelihood.misfit(*best);
     CHECK(best->extra_variance > 0.0);
     for (const double change : {0.9, 0.99, 1.01, 1.1}) {
         CAPTURE(change);
-        CHECK(likelihood.at({best->center * change, best->extra_variance}) > least);
+        CHECK(likelihood.misfit({best->center * change, best->extra_variance}) > least);
         const double variance = best->extra_variance * change * change;
-        CHECK(likelihood.at({likelihood.best_center(variance), variance}) > least - 1e-6);
+        CHECK(likelihood.misfit({likelihood.best_center(variance), variance}) > least - 1e-6);
     }
-    CHECK(likelihood.at({likelihood.best_center(0.0), 0.0}) > least);
+    CHECK(likelihood.misfit({likelihood.best_center(0.0), 0.0}) > least);
 }
 
 TEST_CASE("captures faster than the rebounds are no threshold") {
     for (const double noise : {0.0, 0.05}) {
         CAPTURE(noise);
-        const auto measured = measured_critical_velocity(
-            set_of({impact(8.0, 0.0, noise), impact(9.0, 0.0, noise), impact(2.0, 1.0, noise),
-                    impact(3.0, 1.5, noise), impact(4.0, 2.0, noise), impact(5.0, 2.5, noise)}));
+        const auto measured =
+            measured_from({impact(8.0, 0.0, noise), impact(9.0, 0.0, noise), impact(2.0, 1.0, noise),
+                           impact(3.0, 1.5, noise), impact(4.0, 2.0, noise), impact(5.0, 2.5, noise)});
         CHECK_FALSE(measured.value);
         CHECK_FALSE(measured.lower);
         CHECK_FALSE(measured.upper);
@@ -175,35 +177,34 @@ TEST_CASE("captures faster than the rebounds are no threshold") {
         CHECK(check({1.0, 0.1, 0.8, 1.2}, measured).verdict == CriticalVelocityVerdict::not_comparable);
     }
     // Within the noise a reversal is none.
-    const auto near = measured_critical_velocity(set_of({impact(1.02, 0.0, 0.05), impact(1.0, 0.1, 0.05)}));
+    const auto near = measured_from({impact(1.02, 0.0, 0.05), impact(1.0, 0.1, 0.05)});
     REQUIRE(near.value);
     CHECK(std::abs(*near.value - 1.01) < 1e-6);
 }
 
 TEST_CASE("both outcomes at one velocity") {
-    const auto exact = measured_critical_velocity(set_of({impact(1.0, 0.0), impact(1.0, 0.1)}));
+    const auto exact = measured_from({impact(1.0, 0.0), impact(1.0, 0.1)});
     CHECK(exact.value == 1.0);
     CHECK_FALSE(exact.lower);
     CHECK(contains(exact.note, "one velocity"));
-    const auto noisy = measured_critical_velocity(set_of({impact(1.0, 0.0, 0.1), impact(1.0, 0.1, 0.1)}));
+    const auto noisy = measured_from({impact(1.0, 0.0, 0.1), impact(1.0, 0.1, 0.1)});
     REQUIRE(noisy.value);
     CHECK(std::abs(*noisy.value - 1.0) < 1e-6);
     CHECK(*noisy.lower < 0.95);
 }
 
 TEST_CASE("a lone capture slower than its noise bounds nothing") {
-    const auto measured = measured_critical_velocity(set_of({impact(0.05, 0.0, 0.1)}));
+    const auto measured = measured_from({impact(0.05, 0.0, 0.1)});
     CHECK_FALSE(measured.lower);
     CHECK(contains(measured.note, "every impact was captured"));
 }
 
 TEST_CASE("a verdict on a modelled v_c") {
-    const auto measured =
-        measured_critical_velocity(set_of({impact(1.0, 0.0, 0.02), impact(1.1, 0.1, 0.02)}));
+    const auto measured = measured_from({impact(1.0, 0.0, 0.02), impact(1.1, 0.1, 0.02)});
     CHECK(check({1.05, 0.05, 0.95, 1.15}, measured).verdict == CriticalVelocityVerdict::agrees);
     CHECK(check({0.6, 0.05, 0.5, 0.7}, measured).verdict == CriticalVelocityVerdict::model_too_low);
     CHECK(check({1.6, 0.05, 1.5, 1.7}, measured).verdict == CriticalVelocityVerdict::model_too_high);
-    const auto captured = measured_critical_velocity(set_of({impact(1.0, 0.0)}));
+    const auto captured = measured_from({impact(1.0, 0.0)});
     CHECK(check({0.6, 0.05, 0.5, 0.7}, captured).verdict == CriticalVelocityVerdict::model_too_low);
     CHECK(check({1.6, 0.05, 1.5, 1.7}, captured).verdict == CriticalVelocityVerdict::not_comparable);
 }
@@ -215,14 +216,11 @@ TEST_CASE("the camera's resolution: the slope of a line through whole pixels") {
     const Camera five{.frame_rate = 80e3, .pixel_size = 8e-6, .frames = 5};
     CHECK(relative_difference(five.velocity_uncertainty(), 8e-6 / std::sqrt(12.0) * 80e3 / std::sqrt(10.0)) <
           1e-5);
-    CHECK(contains(input_error_of([] {
-                       static_cast<void>(Camera{80e3, 8e-6, 1}.velocity_uncertainty());
-                   }),
-                   "1 frames"));
-    CHECK(contains(input_error_of([] {
-                       static_cast<void>(Camera{0.0, 8e-6}.velocity_uncertainty());
-                   }),
-                   "frame rate"));
+    const auto refused = [](const Camera& camera) {
+        return input_error_of([&] { static_cast<void>(camera.velocity_uncertainty()); });
+    };
+    CHECK(contains(refused({80e3, 8e-6, 1}), "1 frames"));
+    CHECK(contains(refused({0.0, 8e-6}), "frame rate"));
 }
 
 TEST_CASE("bins hold the mean of their impacts and its uncertainty; captures stay") {
@@ -329,20 +327,9 @@ TEST_CASE("the slope of ln Phi, up to where the density is too small for a numbe
     CHECK(gsl::normal_log_probability_slope(1e3) == 0.0);
 }
 
-TEST_CASE("the quick ln Phi and its slope are GSL's") {
-    for (const double x : {-1e3, -20.001, -19.999, -8.0, -0.7, 0.0, 0.9, 6.0}) {
-        CAPTURE(x);
-        const double exact = gsl::normal_log_probability(x);
-        CHECK(std::abs(gsl::quick_normal_log_probability(x) - exact) <=
-              1e-14 * std::max(1.0, std::abs(exact)));
-        CHECK(relative_difference(gsl::quick_normal_log_probability_slope(x),
-                                  gsl::normal_log_probability_slope(x)) < 1e-13);
-    }
-}
-
 TEST_CASE("Gauss-Legendre nodes integrate polynomials exactly") {
     double sum = 0.0;
-    for (const auto& [position, weight] : gsl::gauss_legendre<6>(-1.0, 3.0))
+    for (const auto& [position, weight] : gsl::gauss_legendre(6, -1.0, 3.0))
         sum += weight * std::pow(position, 11);
     CHECK(relative_difference(sum, (std::pow(3.0, 12) - 1.0) / 12.0) < 1e-13);
 }
@@ -355,7 +342,7 @@ TEST_CASE("the outcomes of many impacts are merged without a loss") {
         const double v = random.uniform(0.8, 2.0);
         points.push_back(impact(v + random.normal(u), v > 1.4 ? 0.3 : 0.0, u));
     }
-    const auto measured = measured_critical_velocity(set_of(points));
+    const auto measured = measured_from(points);
     REQUIRE(measured.value);
     // -2 ln L of each single impact, with the width found.
     const auto misfit = [&](double center) {

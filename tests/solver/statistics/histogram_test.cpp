@@ -6,7 +6,6 @@
 
 #include <doctest/doctest.h>
 
-#include "solver/statistics/histogram_lanes.hpp"
 #include "solver/statistics/philox.hpp"
 
 using namespace ashimpact;

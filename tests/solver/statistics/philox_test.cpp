@@ -5,8 +5,6 @@
 
 #include <doctest/doctest.h>
 
-#include "solver/statistics/random_lanes.hpp"
-
 using namespace ashimpact;
 
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/statistics/intervals/profile.hpp"
+#include "solver/statistics/intervals/interval.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,12 +14,12 @@ namespace {
 std::optional<double> end_towards(double limit, const std::function<double(double)>& profile,
                                   const ProfileSearch& search) {
     const double direction = limit > search.best ? 1.0 : -1.0;
+    const double quantile = confidence_quantile();
+    const double rise = quantile * quantile;
     // The square root of the rise is nearly linear in the parameter.
-    const auto excess = [&](double x) {
-        return std::sqrt(std::max(0.0, profile(x))) - std::sqrt(search.rise);
-    };
+    const auto excess = [&](double x) { return std::sqrt(std::max(0.0, profile(x))) - std::sqrt(rise); };
     double inside = search.best;
-    double step = direction * search.deviation * std::sqrt(search.rise);
+    double step = direction * search.deviation * std::sqrt(rise);
     double outside = search.best + 1.1 * step;
     while (true) {
         if (direction * (outside - limit) >= 0.0) outside = limit;
@@ -40,9 +40,8 @@ Interval profile_interval(const std::function<double(double)>& profile, const Pr
                       .standard_uncertainty = search.deviation,
                       .lower = end_towards(search.least, profile, search),
                       .upper = end_towards(search.greatest, profile, search)};
-    if (interval.lower && interval.upper) {
-        interval.standard_uncertainty = 0.5 * (*interval.upper - *interval.lower) / search.quantile;
-    }
+    if (interval.lower && interval.upper)
+        interval.standard_uncertainty = 0.5 * (*interval.upper - *interval.lower) / confidence_quantile();
     return interval;
 }
 

@@ -30,6 +30,18 @@ void require_solvable(const CalibrationProblem& problem);
                                                           const std::vector<CalibrationSlot>& slots,
                                                           const Eigen::VectorXd& logarithms);
 
+/// Predictions from given samples beside the observations, and how well each is known.
+struct CalibrationResiduals {
+    std::vector<CalibrationResidual> critical_velocities;
+    std::vector<CalibrationResidual> contact_times;
+    /// Covariance of ln(predicted/observed), velocities first. The damping at v_c and the constant term of
+    /// the fit that a contact time rests on are one printed number, so their rounding is one error.
+    Eigen::MatrixXd covariance;
+};
+
+[[nodiscard]] CalibrationResiduals calibration_residuals(const CalibrationProblem& problem,
+                                                         const std::vector<CalibrationSample>& samples);
+
 /// Normalised, uncorrelated residuals of a problem. The weights are computed once, at the point given to the
 /// constructor, so that chi^2 keeps its meaning during a fit.
 class CalibrationObjective {
