@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/inference/calibration/damping_fit.hpp"
 
-#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include <Eigen/Dense>
 #include <doctest/doctest.h>
 
 #include "tests/relative_difference.hpp"
@@ -17,63 +17,37 @@ using namespace ashimpact::test;
 
 namespace {
 
-using Matrix = std::array<std::array<long double, 3>, 3>;
+using LongMatrix = Eigen::Matrix<long double, 3, 3>;
+using LongVector = Eigen::Matrix<long double, 3, 1>;
 
-/// Inverse by cofactors: shares nothing with the SVD of the fit.
-Matrix inverse(const Matrix& m) {
-    const auto cofactor = [&](std::size_t i, std::size_t j) {
-        const std::size_t r0 = (i + 1) % 3;
-        const std::size_t r1 = (i + 2) % 3;
-        const std::size_t c0 = (j + 1) % 3;
-        const std::size_t c1 = (j + 2) % 3;
-        return m[r0][c0] * m[r1][c1] - m[r0][c1] * m[r1][c0];
-    };
-    long double determinant = 0;
-    for (std::size_t j = 0; j < 3; ++j) determinant += m[0][j] * cofactor(0, j);
-    Matrix result{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 3; ++j) result[i][j] = cofactor(j, i) / determinant;
-    }
-    return result;
-}
-
-/// Fit and covariance by the normal equations, in extended precision.
+/// Fit and covariance by the normal equations in extended precision, which share nothing with the SVD of the
+/// fit; of the coefficients in ascending powers.
 struct NormalEquations {
-    std::array<long double, 3> parameters{};
-    Matrix inverse_normal{};
+    LongVector coefficients = LongVector::Zero();
+    LongMatrix inverse = LongMatrix::Zero();
     long double chi_squared = 0;
-};
 
-NormalEquations normal_equations(const std::vector<DampingPoint>& points) {
-    Matrix normal{};
-    std::array<long double, 3> right{};
-    const auto weight = [](const DampingPoint& p) {
-        const long double u = p.standard_uncertainty;
-        return u > 0 ? 1 / (u * u) : 1.0L;
-    };
-    const auto row = [](const DampingPoint& p) {
-        const long double e = p.restitution;
-        return std::array<long double, 3>{e * e, e, 1};
-    };
-    for (const DampingPoint& p : points) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            right[i] += weight(p) * row(p)[i] * p.damping;
-            for (std::size_t j = 0; j < 3; ++j) normal[i][j] += weight(p) * row(p)[i] * row(p)[j];
+    explicit NormalEquations(const std::vector<DampingPoint>& points) {
+        const auto weight = [](const DampingPoint& p) {
+            const long double u = p.standard_uncertainty;
+            return u > 0 ? 1 / (u * u) : 1.0L;
+        };
+        const auto row = [](const DampingPoint& p) {
+            const long double e = p.restitution;
+            return LongVector(1, e, e * e);
+        };
+        LongMatrix normal = LongMatrix::Zero();
+        LongVector right = LongVector::Zero();
+        for (const DampingPoint& p : points) {
+            normal += weight(p) * row(p) * row(p).transpose();
+            right += weight(p) * p.damping * row(p);
         }
+        inverse = normal.inverse();
+        coefficients = inverse * right;
+        for (const DampingPoint& p : points)
+            chi_squared += weight(p) * std::pow(p.damping - row(p).dot(coefficients), 2.0L);
     }
-    NormalEquations solution;
-    solution.inverse_normal = inverse(normal);
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 3; ++j)
-            solution.parameters[i] += solution.inverse_normal[i][j] * right[j];
-    }
-    for (const DampingPoint& p : points) {
-        long double residual = p.damping;
-        for (std::size_t i = 0; i < 3; ++i) residual -= row(p)[i] * solution.parameters[i];
-        solution.chi_squared += weight(p) * residual * residual;
-    }
-    return solution;
-}
+};
 
 /// Noisy points on the 88 um Hertz row of Table 2.
 std::vector<DampingPoint> noisy_points(bool weighted) {
@@ -90,15 +64,14 @@ std::vector<DampingPoint> noisy_points(bool weighted) {
 
 void check_against_normal_equations(const DampingFit& fit, const NormalEquations& expected,
                                     long double scatter) {
-    const auto power = [](std::size_t parameter) { return 2 - static_cast<Eigen::Index>(parameter); };
-    for (std::size_t i = 0; i < 3; ++i) {
-        CHECK(relative_difference(fit.damping.coefficients[power(i)],
-                                  static_cast<double>(expected.parameters[i])) < 1e-12);
-        for (std::size_t j = 0; j < 3; ++j) {
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        CHECK(relative_difference(fit.damping.coefficients[i],
+                                  static_cast<double>(expected.coefficients[i])) < 1e-12);
+        for (Eigen::Index j = 0; j < 3; ++j) {
             CAPTURE(i);
             CAPTURE(j);
-            CHECK(relative_difference(fit.covariance(power(i), power(j)),
-                                      static_cast<double>(scatter * expected.inverse_normal[i][j])) < 1e-11);
+            CHECK(relative_difference(fit.covariance(i, j),
+                                      static_cast<double>(scatter * expected.inverse(i, j))) < 1e-11);
         }
     }
     CHECK(relative_difference(fit.chi_squared, static_cast<double>(expected.chi_squared)) < 1e-11);
@@ -125,7 +98,7 @@ TEST_CASE("an exact quadratic is recovered, with its critical damping") {
 TEST_CASE("with uncertainties: parameters, covariance and chi^2 are those of the normal equations") {
     const auto points = noisy_points(true);
     const DampingFit fit = fit_damping(points);
-    check_against_normal_equations(fit, normal_equations(points), 1.0L);
+    check_against_normal_equations(fit, NormalEquations(points), 1.0L);
     CHECK(fit.degrees_of_freedom == 9);
     CHECK(fit.chi_squared > 1.0);
 }
@@ -133,7 +106,7 @@ TEST_CASE("with uncertainties: parameters, covariance and chi^2 are those of the
 TEST_CASE("without uncertainties the covariance is scaled by the scatter of the residuals") {
     const auto points = noisy_points(false);
     const DampingFit fit = fit_damping(points);
-    const NormalEquations expected = normal_equations(points);
+    const NormalEquations expected(points);
     check_against_normal_equations(fit, expected, expected.chi_squared / 9);
     CHECK(relative_difference(fit.residual_deviation,
                               static_cast<double>(std::sqrt(expected.chi_squared / 9))) < 1e-12);
