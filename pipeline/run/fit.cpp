@@ -128,12 +128,12 @@ Fitted fit_through_model(const FitTask& task) {
     options.size_scatter = choices.size_scatter;
     options.rising_to = task.rising_to;
     const ContactModel model = contact_model_for(task.choice, task.contact, task.measured.impacts);
-    const MeasuredDamping found = analyse_impacts(model, nullptr, task.measured.impacts, options);
+    const MeasuredDamping found = analyse_impacts(model, task.measured.impacts, options);
     Fitted fitted{};
     fitted.notes = texts_of(found.findings);
     if (!found.extrapolated && !found.estimate) return fitted;
     if (found.extrapolated) {
-        const DampingCurveFit& fit = found.extrapolated->fit;
+        const DampingCurveFit& fit = *found.extrapolated;
         std::vector<std::size_t> numbers;
         for (const std::size_t index : found.rising->indices) numbers.push_back(index + 1);
         fitted.json = quadratic_part(fit);

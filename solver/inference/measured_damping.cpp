@@ -41,41 +41,25 @@ void note_impacts(MeasuredDamping& result, const MeasurementSet& set) {
             {"no-rebounds", Severity::doubt, "every impact was captured: there is nothing to fit"});
 }
 
-/// The paper's extrapolation from the rising branch, with what follows from it.
-DampingResult extrapolate(MeasuredDamping& result, const ContactModel& model, const RandomContact* contact,
-                          const MeasuredDampingOptions& options) {
-    const MeasurementSet& rising = result.rising->set;
-    DampingResult extrapolated{fit_damping_curve(model, rising, options.extrapolated), {}, {}};
-    const DampingCurveFit& fit = extrapolated.fit;
-    require_rebounds_above(fit, rising);
+/// The paper's extrapolation from the rising branch.
+DampingCurveFit extrapolate(MeasuredDamping& result, const ContactModel& model,
+                            const DampingCurveOptions& options) {
+    DampingCurveFit fit = fit_damping_curve(model, result.rising->set, options);
+    require_rebounds_above(fit, result.rising->set);
     if (const auto note = enlargement_note(fit))
         result.findings.push_back(
             {"extrapolation-scatter", Severity::background, "extrapolated fit: " + *note});
-    if (options.propagate && contact != nullptr)
-        extrapolated.propagation = attempt("propagation of the extrapolated fit", "no-extrapolation-interval",
-                                           Severity::background, result.findings, [&] {
-                                               return propagate_critical_velocity(
-                                                   fit, model, *contact, options.change, options.propagation);
-                                           });
-    extrapolated.check =
-        check(extrapolated.propagation ? extrapolated.propagation->interval : fit.critical_velocity,
-              result.measured, !options.reported);
-    return extrapolated;
+    return fit;
 }
 
 /// The analysis before any step of it: the contact, and the measured critical velocity.
-MeasuredDamping begun(Law law, Detachment detachment, const ContactPair& pair, const MeasurementSet& set,
-                      const MeasuredDampingOptions& options) {
+MeasuredDamping begun(Law law, Detachment detachment, const ContactPair& pair, const MeasurementSet& set) {
     validate(set);
-    MeasuredDamping result{.law = law,
-                           .detachment = detachment,
-                           .contact = pair,
-                           .measured = options.reported.value_or(MeasuredCriticalVelocity{})};
-    if (!options.reported)
-        result.measured =
-            attempt("measured v_c", "no-measured-critical-velocity", Severity::doubt, result.findings, [&] {
-                return measured_critical_velocity(set);
-            }).value_or(MeasuredCriticalVelocity{});
+    MeasuredDamping result{.law = law, .detachment = detachment, .contact = pair};
+    result.measured =
+        attempt("measured v_c", "no-measured-critical-velocity", Severity::doubt, result.findings, [&] {
+            return measured_critical_velocity(set);
+        }).value_or(MeasuredCriticalVelocity{});
     return result;
 }
 
@@ -85,20 +69,6 @@ void note_parts(MeasuredDamping& result, const MeasurementSet& set, const PartOp
     note_impacts(result, set);
 }
 
-/// The impacts up to a known end of the rising branch.
-RisingBranch branch_to(const MeasurementSet& set, double upper) {
-    RisingBranch branch{{set.source, {}, {}}, {}, upper, false};
-    for (std::size_t i = 0; i < set.points.size(); ++i) {
-        if (set.points[i].velocity > upper) {
-            branch.falls_beyond = true;
-            continue;
-        }
-        branch.set.points.push_back(set.points[i]);
-        branch.indices.push_back(i);
-    }
-    return branch;
-}
-
 /// The rising branch. A robust fit takes every impact where outliers leave too few of them a branch.
 RisingBranch branch_for(MeasuredDamping& result, const ContactModel& model, const MeasurementSet& set,
                         const DampingCurveOptions& options) {
@@ -106,7 +76,7 @@ RisingBranch branch_for(MeasuredDamping& result, const ContactModel& model, cons
         result.findings.push_back(
             {"rising-branch-hidden", Severity::background,
              "extrapolated fit: outliers hide the rising branch, every rebound is used"});
-        return branch_to(set, std::numeric_limits<double>::infinity());
+        return impacts_up_to(set, std::numeric_limits<double>::infinity());
     };
     try {
         RisingBranch branch = rising_branch(model, set, result.smoothing);
@@ -131,30 +101,29 @@ VelocityRange velocities_for_fits(Law law, Detachment detachment, const ContactP
     return {below * slowest->velocity, above * std::max(fastest->velocity, undamped.value.value_or(0.0))};
 }
 
-MeasuredDamping analyse_impacts(Law law, Detachment detachment, const RandomContact& contact,
+MeasuredDamping analyse_impacts(Law law, Detachment detachment, const ContactPair& contact,
                                 const MeasurementSet& set, const MeasuredDampingOptions& options) {
-    const ContactPair pair = contact.nominal();
-    if (can_yield(law, pair)) {
-        MeasuredDamping result = begun(law, detachment, pair, set, options);
-        result.impacts = invert_by_solving(law, detachment, pair, set);
+    if (can_yield(law, contact)) {
+        MeasuredDamping result = begun(law, detachment, contact, set);
+        result.impacts = invert_by_solving(law, detachment, contact, set);
         note_parts(result, set, options.parts);
         result.findings.push_back(
             {"no-fit-yielding", Severity::doubt, "no fit: a contact that yields has a history"});
         return result;
     }
     validate(set);
-    const ContactModel model =
-        make_contact_model(law, detachment, pair, velocities_for_fits(law, detachment, pair, set));
-    MeasuredDamping result = analyse_impacts(model, &contact, set, options);
+    MeasuredDamping result = analyse_impacts(
+        make_contact_model(law, detachment, contact, velocities_for_fits(law, detachment, contact, set)), set,
+        options);
     result.law = law;  // without adhesion the model's is Hertz
     result.detachment = detachment;
     return result;
 }
 
-MeasuredDamping analyse_impacts(const ContactModel& model, const RandomContact* contact,
-                                const MeasurementSet& set, const MeasuredDampingOptions& options) {
+MeasuredDamping analyse_impacts(const ContactModel& model, const MeasurementSet& set,
+                                const MeasuredDampingOptions& options) {
     const ScaledImpacts& scaled = model.map().impacts();
-    MeasuredDamping result = begun(scaled.law(), scaled.detachment(), model.contact(), set, options);
+    MeasuredDamping result = begun(scaled.law(), scaled.detachment(), model.contact(), set);
     result.accuracy = model.map().accuracy();
     if (!options.rising_to) {
         result.impacts = invert(model, set);
@@ -167,16 +136,15 @@ MeasuredDamping analyse_impacts(const ContactModel& model, const RandomContact* 
     if (result.estimate) {
         const auto& found = result.estimate->findings;
         result.findings.insert(result.findings.end(), found.begin(), found.end());
-        result.check = check(result.estimate->curve.critical_velocity, result.measured, !options.reported);
     }
     result.extrapolated =
         attempt("extrapolated fit", "no-extrapolation", Severity::background, result.findings, [&] {
-            result.rising = options.rising_to ? branch_to(set, *options.rising_to)
+            result.rising = options.rising_to ? impacts_up_to(set, *options.rising_to)
                                               : branch_for(result, model, set, options.extrapolated);
-            return extrapolate(result, model, contact, options);
+            return extrapolate(result, model, options.extrapolated);
         });
     if (result.estimate && result.extrapolated)
-        result.comparison = compare(result.extrapolated->fit, result.estimate->curve.critical_velocity,
+        result.comparison = compare(*result.extrapolated, result.estimate->curve.critical_velocity,
                                     result.estimate->curve.critical_damping);
     return result;
 }

@@ -11,8 +11,6 @@
 #include "solver/inference/impacts/inversion.hpp"
 #include "solver/inference/outcomes/estimate_comparison.hpp"
 #include "solver/inference/outcomes/measured_critical_velocity.hpp"
-#include "solver/inference/propagation/critical_velocity_uncertainty.hpp"
-#include "solver/inference/propagation/random_contact.hpp"
 
 namespace ashimpact {
 
@@ -23,18 +21,6 @@ struct MeasuredDampingOptions {
     std::optional<double> size_scatter{};
     /// End of the rising branch, if known: the impacts are then not inverted again [m/s].
     std::optional<double> rising_to{};
-    bool propagate = true;  ///< propagate the uncertainty of the contact too, not only that of the impacts
-    DampingUnderChange change = DampingUnderChange::reread;
-    PropagationOptions propagation{};
-    /// A critical velocity reported beside the impacts; none: it follows from their outcomes.
-    std::optional<MeasuredCriticalVelocity> reported{};
-};
-
-/// A fit with what follows from it.
-struct DampingResult {
-    DampingCurveFit fit;
-    std::optional<Propagation> propagation;  ///< of v_c, everything uncertain; none: not propagated
-    CriticalVelocityCheck check;             ///< of v_c, of the propagated one if there is one
 };
 
 /// Results of the impacts of one sample under one law. Results that the data do not allow are missing; the
@@ -47,11 +33,10 @@ struct MeasuredDamping {
     std::optional<DampingSmoothing> smoothing{};         ///< eta(v_in) as a smooth curve
     DampingParts parts{};                                ///< with the flagged outliers
     std::optional<RisingBranch> rising{};                ///< what the extrapolation uses
-    std::optional<DampingResult> extrapolated{};         ///< the paper's way
+    std::optional<DampingCurveFit> extrapolated{};       ///< the paper's way
     std::optional<CriticalVelocityEstimate> estimate{};  ///< the headline: what the impacts support
-    std::optional<CriticalVelocityCheck> check{};        ///< of the estimate by the measured v_c
     std::optional<FitComparison> comparison{};           ///< of the two
-    MeasuredCriticalVelocity measured{};                 ///< reported, or from the outcomes
+    MeasuredCriticalVelocity measured{};                 ///< from the outcomes alone
     double accuracy = 0.0;  ///< of restitutions read from the law's map; 0: solved [1]
     std::vector<Finding> findings{};
 };
@@ -63,20 +48,18 @@ struct MeasuredDamping {
                                                 const MeasurementSet& set);
 
 /// The whole analysis of a series of impacts with constant damping: inversion, parts of eta(v_in), rising
-/// branch, fits, v_c with its interval beside the measured one.
+/// branch, fits, v_c with its interval beside the measured one. Intervals hold for the contact as given; see
+/// propagate_critical_velocity() for its uncertainty.
 ///
 /// A law with a history (a contact that yields) is inverted by solving impacts and not fitted.
-/// @param contact properties with what is known of their uncertainty
 /// @throws InputError for invalid impacts (no point, numbers not finite, v_in <= 0, v_r < 0) or an unphysical
 /// contact
-[[nodiscard]] MeasuredDamping analyse_impacts(Law law, Detachment detachment, const RandomContact& contact,
+[[nodiscard]] MeasuredDamping analyse_impacts(Law law, Detachment detachment, const ContactPair& contact,
                                               const MeasurementSet& set,
                                               const MeasuredDampingOptions& options = {});
 
 /// Like the above, but with an existing model of a contact without history.
-/// @param contact null: the uncertainty of the contact is not propagated
-[[nodiscard]] MeasuredDamping analyse_impacts(const ContactModel& model, const RandomContact* contact,
-                                              const MeasurementSet& set,
+[[nodiscard]] MeasuredDamping analyse_impacts(const ContactModel& model, const MeasurementSet& set,
                                               const MeasuredDampingOptions& options = {});
 
 }  // namespace ashimpact

@@ -32,7 +32,7 @@ struct Tally {
         no_fit += result.extrapolated ? 0U : 1U;
         if (!result.comparison || !result.comparison->exclude_one_another) return;
         ++disagree;
-        const Interval& v = result.extrapolated->fit.critical_velocity;
+        const Interval& v = result.extrapolated->critical_velocity;
         falsely += v.lower.value_or(0.0) <= truth && v.upper.value_or(truth) >= truth ? 1U : 0U;
     }
 
@@ -42,9 +42,9 @@ struct Tally {
 };
 
 MeasuredDamping analysed(const ContactModel& model, const MeasurementSet& set, bool robust) {
-    MeasuredDampingOptions options{.propagate = false};
+    MeasuredDampingOptions options;
     options.extrapolated.robust = robust;
-    return analyse_impacts(model, nullptr, set, options);
+    return analyse_impacts(model, set, options);
 }
 
 bool run(const studies::Row& row, const Law& law, int repetitions) {

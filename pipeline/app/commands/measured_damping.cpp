@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/app/commands/measured_damping.hpp"
 
-#include <numbers>
 #include <ostream>
 
 #include <fmt/format.h>
@@ -65,22 +64,6 @@ MeasurementSet read_impacts(const DampingOptions& options) {
     return options.bin > 0 ? binned(set, {.impacts_per_bin = options.bin}) : set;
 }
 
-/// The contact with nothing uncertain in it.
-RandomContact exact(const ContactPair& contact) {
-    const double r = contact.effective_radius;
-    SphereInContact sphere{
-        .diameter = {.name = "diameter", .value = 2 * r},
-        .density = {.name = "density", .value = 3 * contact.mass / (4 * std::numbers::pi * r * r * r)},
-        .work_of_adhesion = {.name = "work of adhesion", .value = contact.work_of_adhesion},
-        .yield_pressure = contact.yield_pressure};
-    for (const LawParameter& parameter : law_parameters())
-        if (contact.parameters.has(parameter))
-            sphere.parameters.emplace_back(parameter, RandomInput{.name = std::string(parameter.name),
-                                                                  .value = contact.parameters[parameter]});
-    sphere.contact_modulus = RandomInput{.name = "contact modulus", .value = contact.contact_modulus};
-    return random_contact(sphere);
-}
-
 /// Numbers of the impacts that the fits were given, from 1 on.
 std::vector<std::size_t> numbers_of(const MeasuredDamping& result) {
     std::vector<std::size_t> numbers;
@@ -111,9 +94,9 @@ Json result_json(const MeasuredDamping& result, const MeasurementSet& set) {
         result.estimate ? headline_json(result.estimate->curve.critical_velocity) : Json(nullptr);
     json["extrapolated"] = nullptr;
     if (result.extrapolated) {
-        json["extrapolated"] = damping_fit_json(result.extrapolated->fit, numbers_of(result));
+        json["extrapolated"] = damping_fit_json(*result.extrapolated, numbers_of(result));
         json["extrapolated"]["check"] =
-            check_json(result.extrapolated->fit.critical_velocity, result.measured, true);
+            check_json(result.extrapolated->critical_velocity, result.measured, true);
     }
     json["direct"] = nullptr;
     if (result.estimate) {
@@ -134,8 +117,7 @@ std::string range_text(const Interval& interval, const char* unit) {
                        end(interval.upper));
 }
 
-std::string fit_text(const DampingResult& result) {
-    const DampingCurveFit& fit = result.fit;
+std::string fit_text(const DampingCurveFit& fit) {
     const std::string misfit =
         fit.noise_known
             ? fmt::format("; chi^2 {} of {}", readable_number(fit.chi_squared), fit.degrees_of_freedom)
@@ -215,11 +197,9 @@ void run_measured_damping_command(const DampingOptions& options, std::ostream& o
         throw InputError("a series of impacts is read with constant damping", "constant").at("--damping-law");
     const MeasurementSet set = read_impacts(options);
     MeasuredDampingOptions how;
-    how.propagate = false;
     how.extrapolated = {.order = options.order, .robust = options.robust};
     if (!options.size_scatter.empty()) how.size_scatter = read_size_scatter(options.size_scatter);
-    const MeasuredDamping result =
-        analyse_impacts(choice.law, choice.detachment, exact(choice.contact), set, how);
+    const MeasuredDamping result = analyse_impacts(choice.law, choice.detachment, choice.contact, set, how);
     for (const Finding& finding : result.findings)
         spdlog::warn("warning: {}: {}", options.impacts, finding.text);
     out << (options.json ? write_json(result_json(result, set), Digits::seventeen)

@@ -113,9 +113,8 @@ DampingParts find_parts(const std::optional<DampingSmoothing>& smooth, const Par
 
 RisingBranch rising_branch(const ContactModel& model, const MeasurementSet& set,
                            const std::optional<DampingSmoothing>& smooth) {
-    RisingBranch branch{
-        .set = {set.source, {}, set.warnings}, .indices = {}, .upper = 0.0, .falls_beyond = false};
-    for (const Measurement& point : set.points) branch.upper = std::max(branch.upper, point.velocity);
+    double upper = 0.0;
+    for (const Measurement& point : set.points) upper = std::max(upper, point.velocity);
     if (smooth) {
         const std::vector<double> grid = grid_of(*smooth);
         std::vector<double> restitution;
@@ -128,15 +127,24 @@ RisingBranch rising_branch(const ContactModel& model, const MeasurementSet& set,
         const auto uncertainty = [&](double v, double e) {
             return smooth->at(v).standard_uncertainty / std::abs(model.damping(v, e).by_restitution);
         };
-        branch.falls_beyond =
+        const bool falls_beyond =
             *top - *lowest > 2.0 * std::hypot(uncertainty(v_top, *top), uncertainty(v_low, *lowest));
-        if (branch.falls_beyond) branch.upper = v_top;
-        if (branch.falls_beyond && top == restitution.begin()) refuse_falling(set, smooth->slowest());
+        if (falls_beyond) upper = v_top;
+        if (falls_beyond && top == restitution.begin()) refuse_falling(set, smooth->slowest());
     } else {
         refuse_short_falling(set);
     }
+    return impacts_up_to(set, upper);
+}
+
+RisingBranch impacts_up_to(const MeasurementSet& set, double upper) {
+    RisingBranch branch{
+        .set = {set.source, {}, set.warnings}, .indices = {}, .upper = upper, .falls_beyond = false};
     for (std::size_t i = 0; i < set.points.size(); ++i) {
-        if (set.points[i].velocity > branch.upper) continue;
+        if (set.points[i].velocity > upper) {
+            branch.falls_beyond = true;
+            continue;
+        }
         branch.set.points.push_back(set.points[i]);
         branch.indices.push_back(i);
     }

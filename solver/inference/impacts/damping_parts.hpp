@@ -64,4 +64,7 @@ struct RisingBranch {
 [[nodiscard]] RisingBranch rising_branch(const ContactModel& model, const MeasurementSet& set,
                                          const std::optional<DampingSmoothing>& smoothing);
 
+/// The impacts up to a known end of the rising branch, @p upper [m/s].
+[[nodiscard]] RisingBranch impacts_up_to(const MeasurementSet& set, double upper);
+
 }  // namespace ashimpact

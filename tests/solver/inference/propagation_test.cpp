@@ -198,6 +198,8 @@ TEST_CASE("with the damping read again, errors of the contact cancel in v_c; hel
     CHECK(influence_of(held, "contact modulus").total.value > 0.8);
     CHECK(influence_of(reread, fit_factor).total.value > 0.5);
     CHECK(relative_difference(reread.interval.value, fit.critical_velocity.value) < 1e-3);
+    CHECK(reread.interval.standard_uncertainty > 0.8 * fit.critical_velocity.standard_uncertainty);
+    CHECK(reread.influences.size() == 2);
 }
 
 TEST_CASE("thirty uncertain inputs, sixty dimensions of the sequence") {
