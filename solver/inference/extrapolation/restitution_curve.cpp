@@ -69,19 +69,16 @@ ChebyshevAxis RestitutionCurve::axis(double greatest_restitution) {
     return {0.0, std::cbrt(greatest_restitution), degree};
 }
 
-RestitutionCurve::RestitutionCurve(DampingPolynomial damping, double greatest_restitution)
-    : damping_(std::move(damping)), greatest_(greatest_restitution) {}
-
 std::optional<RestitutionCurve> RestitutionCurve::implied_by(const ContactModel& model,
-                                                             DampingPolynomial damping,
+                                                             const DampingPolynomial& damping,
                                                              double greatest_restitution,
                                                              const RestitutionCurve* near) {
     const ChebyshevAxis root = axis(greatest_restitution);
-    RestitutionCurve curve(std::move(damping), greatest_restitution);
+    RestitutionCurve curve(greatest_restitution);
     std::optional<double> guess;
     for (int i = 0; i <= degree; ++i) {
         const double e = std::pow(root.node(i), 3);
-        const double eta = curve.damping_(e);
+        const double eta = damping(e);
         if (!(eta > 0.0)) return std::nullopt;
         if (near != nullptr) guess = std::exp(near->nodes_(i, 0));
         const auto velocity = model.velocity(e, eta, guess);

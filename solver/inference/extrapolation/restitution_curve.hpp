@@ -21,7 +21,7 @@ class RestitutionCurve {
     /// in [0, greatest_restitution]. @param near a similar curve up to the same restitution, for first
     /// guesses; or null
     [[nodiscard]] static std::optional<RestitutionCurve> implied_by(const ContactModel& model,
-                                                                    DampingPolynomial damping,
+                                                                    const DampingPolynomial& damping,
                                                                     double greatest_restitution,
                                                                     const RestitutionCurve* near = nullptr);
 
@@ -32,13 +32,6 @@ class RestitutionCurve {
     };
     /// Point of the curve at @p e; beyond the ends it is continued by its tangent, or less steeply in e(v).
     [[nodiscard]] Point point_at(double e) const;
-    [[nodiscard]] const DampingPolynomial& damping() const { return damping_; }
-    [[nodiscard]] double greatest_restitution() const { return greatest_; }
-
-    /// Axis of the cube root of e, in which the curve is a Chebyshev series.
-    [[nodiscard]] static ChebyshevAxis axis(double greatest_restitution);
-    /// The series of ln v and of ln dv/d(eta).
-    [[nodiscard]] const auto& series() const { return coefficients_; }
 
     /// The point of the curve nearest to a measurement, in units of its noise.
     struct Projection {
@@ -53,9 +46,11 @@ class RestitutionCurve {
                                      double start) const;
 
   private:
-    RestitutionCurve(DampingPolynomial damping, double greatest_restitution);
+    explicit RestitutionCurve(double greatest_restitution) : greatest_(greatest_restitution) {}
 
-    DampingPolynomial damping_;
+    /// Axis of the cube root of e, in which the curve is a Chebyshev series.
+    [[nodiscard]] static ChebyshevAxis axis(double greatest_restitution);
+
     double greatest_;
     static constexpr int degree = 20;
     Eigen::Matrix<double, degree + 1, 2> nodes_;         ///< ln v and ln dv/d(eta) at the Chebyshev nodes

@@ -78,13 +78,16 @@ DampingSmoothing::Rows DampingSmoothing::Rows::averaged() const {
     return result;
 }
 
+DampingSmoothing::DampingSmoothing(const Rows& rows, const std::vector<double>& breaks)
+    : splines_(breaks), first_(rows.position.front()), last_(rows.position.back()) {}
+
 std::optional<DampingSmoothing> DampingSmoothing::with_intervals(const Rows& rows, int intervals) {
     std::vector<double> fractions;
     for (int i = 0; i <= intervals; ++i) fractions.push_back(static_cast<double>(i) / intervals);
     const std::vector<double> breaks = gsl::quantiles(rows.position, fractions);
     if (std::adjacent_find(breaks.begin(), breaks.end(), std::greater_equal<>()) != breaks.end())
         return std::nullopt;
-    DampingSmoothing result{gsl::BSpline(breaks)};
+    DampingSmoothing result(rows, breaks);
     const auto count = static_cast<Eigen::Index>(rows.position.size());
     const Eigen::Index size = result.splines_.size();
     if (count < size + 3) return std::nullopt;
@@ -101,7 +104,6 @@ std::optional<DampingSmoothing> DampingSmoothing::with_intervals(const Rows& row
     } catch (const ConvergenceError&) {
         return std::nullopt;  // too many knots for the data
     }
-    result.intervals_ = intervals;
     result.coefficients_ = fit.parameters;
     result.covariance_ = fit.covariance;
     const auto n = static_cast<double>(count);
@@ -113,17 +115,15 @@ std::optional<DampingSmoothing> DampingSmoothing::with_intervals(const Rows& row
     return result;
 }
 
-std::optional<DampingSmoothing> DampingSmoothing::robust(const Rows& rows, std::optional<int> intervals) {
+/// The robust spline whose number of knots the corrected Akaike criterion prefers.
+std::optional<DampingSmoothing> DampingSmoothing::robust(const Rows& rows) {
     std::optional<DampingSmoothing> best;
     const auto most =
         static_cast<int>(std::clamp<std::size_t>(rows.position.size() / rows_per_interval, 1, 40));
-    for (int tried = intervals.value_or(1); tried <= intervals.value_or(most); tried += 1 + tried / 3) {
+    for (int tried = 1; tried <= most; tried += 1 + tried / 3) {
         auto candidate = with_intervals(rows, tried);
         if (candidate && (!best || candidate->criterion_ < best->criterion_)) best = std::move(candidate);
     }
-    if (!best) return std::nullopt;
-    best->first_ = rows.position.front();
-    best->last_ = rows.position.back();
     return best;
 }
 
@@ -132,7 +132,7 @@ DampingSmoothing DampingSmoothing::through(const Rows& rows) {
     std::vector<double> breaks = rows.position;
     breaks.erase(breaks.end() - 2);
     breaks.erase(breaks.begin() + 1);
-    DampingSmoothing result{gsl::BSpline(breaks)};
+    DampingSmoothing result(rows, breaks);
     const Eigen::Index size = result.splines_.size();
     Eigen::MatrixXd design(size, size);
     for (Eigen::Index i = 0; i < size; ++i)
@@ -140,9 +140,6 @@ DampingSmoothing DampingSmoothing::through(const Rows& rows) {
     result.coefficients_ =
         design.partialPivLu().solve(Eigen::Map<const Eigen::VectorXd>(rows.damping.data(), size));
     result.covariance_ = Eigen::MatrixXd::Zero(size, size);
-    result.intervals_ = static_cast<int>(breaks.size()) - 1;
-    result.first_ = rows.position.front();
-    result.last_ = rows.position.back();
     return result;
 }
 
@@ -156,8 +153,7 @@ std::vector<double> DampingSmoothing::scaled_residuals(const Rows& rows) const {
     return scaled;
 }
 
-std::optional<DampingSmoothing> DampingSmoothing::of(const std::vector<InvertedImpact>& inverted,
-                                                     std::optional<int> intervals) {
+std::optional<DampingSmoothing> DampingSmoothing::of(const std::vector<InvertedImpact>& inverted) {
     std::vector<const InvertedImpact*> ordered;
     constexpr std::size_t least_velocities = 4;
     std::set<double> velocities;
@@ -174,14 +170,14 @@ std::optional<DampingSmoothing> DampingSmoothing::of(const std::vector<InvertedI
         rows.add(std::log(impact->velocity), *impact->damping,
                  1.0 / impact->standard_uncertainty.value_or(*ordered.front()->damping), impact->index);
     }
-    auto smooth = robust(rows.averaged(), intervals);
+    auto smooth = robust(rows.averaged());
     if (!smooth) return std::nullopt;
     std::vector<double> scaled = smooth->scaled_residuals(rows);
     // Of noisy data the difference from the neighbours is 1.4 times the noise.
     constexpr double clearly = 0.5;
     const bool distinct = std::adjacent_find(rows.position.begin(), rows.position.end(),
                                              std::greater_equal<>()) == rows.position.end();
-    if (!intervals && distinct && rows.position.size() <= most_rows &&
+    if (distinct && rows.position.size() <= most_rows &&
         root_mean_square(rows.misfit_of_neighbours()) < clearly * root_mean_square(scaled)) {
         smooth = through(rows);
         std::ranges::fill(scaled, 0.0);

@@ -20,9 +20,8 @@ inline constexpr std::size_t least_smoothed = 8;
 class DampingSmoothing {
   public:
     /// The smoothing of inverted impacts; none if fewer than least_smoothed rebounds have a damping, or fewer
-    /// than four distinct velocities. @param intervals between knots; none: chosen by the criterion
-    [[nodiscard]] static std::optional<DampingSmoothing> of(const std::vector<InvertedImpact>& inverted,
-                                                            std::optional<int> intervals = std::nullopt);
+    /// than four distinct velocities.
+    [[nodiscard]] static std::optional<DampingSmoothing> of(const std::vector<InvertedImpact>& inverted);
 
     struct Value {
         double damping;                 ///< [kg/s]
@@ -40,24 +39,23 @@ class DampingSmoothing {
         double value;
     };
     [[nodiscard]] const std::vector<Residual>& residuals() const { return residuals_; }
-    [[nodiscard]] int intervals() const { return intervals_; }
 
   private:
-    explicit DampingSmoothing(gsl::BSpline splines) : splines_(std::move(splines)) {}
+    struct Rows;
+
+    /// With knots at @p breaks, without coefficients yet.
+    DampingSmoothing(const Rows& rows, const std::vector<double>& breaks);
 
     gsl::BSpline splines_;
     Eigen::VectorXd coefficients_;
     Eigen::MatrixXd covariance_;
     std::vector<Residual> residuals_;
-    double first_ = 0.0;  ///< ln v
-    double last_ = 0.0;
-    int intervals_ = 1;
+    double first_;  ///< ln v
+    double last_;
     double criterion_ = 0.0;
 
-    struct Rows;
     [[nodiscard]] static std::optional<DampingSmoothing> with_intervals(const Rows& rows, int intervals);
-    [[nodiscard]] static std::optional<DampingSmoothing> robust(const Rows& rows,
-                                                                std::optional<int> intervals);
+    [[nodiscard]] static std::optional<DampingSmoothing> robust(const Rows& rows);
     [[nodiscard]] static DampingSmoothing through(const Rows& rows);
     [[nodiscard]] std::vector<double> scaled_residuals(const Rows& rows) const;
 };

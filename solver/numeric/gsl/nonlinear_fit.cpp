@@ -88,9 +88,9 @@ NonlinearFit fit_nonlinear(const NonlinearProblem& fitted, const Eigen::VectorXd
     int info = 0;
     int status = gsl_multifit_nlinear_init(&start_view.vector, &problem, workspace.get());
     if (status == GSL_SUCCESS) {
-        status = gsl_multifit_nlinear_driver(
-            static_cast<std::size_t>(options.most_iterations), options.parameter_tolerance,
-            options.gradient_tolerance, options.residual_tolerance, nullptr, nullptr, &info, workspace.get());
+        status = gsl_multifit_nlinear_driver(static_cast<std::size_t>(options.most_iterations),
+                                             options.parameter_tolerance, options.gradient_tolerance, 0.0,
+                                             nullptr, nullptr, &info, workspace.get());
     }
     target.rethrow();
     // How GSL stopped does not decide: rounding can keep its tests from passing at the minimum, and residuals
@@ -104,7 +104,6 @@ NonlinearFit fit_nonlinear(const NonlinearProblem& fitted, const Eigen::VectorXd
     NonlinearFit fit;
     fit.parameters = view_of(gsl_multifit_nlinear_position(workspace.get()));
     fit.residuals = view_of(gsl_multifit_nlinear_residual(workspace.get()));
-    fit.jacobian = view_of(gsl_multifit_nlinear_jac(workspace.get()));
     fit.covariance = covariance_of(workspace.get(), size);
     fit.chi_squared = fit.residuals.squaredNorm();
     fit.stationary = stationary;

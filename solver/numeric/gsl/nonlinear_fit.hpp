@@ -10,8 +10,7 @@ namespace ashimpact::gsl {
 struct NonlinearFitOptions {
     double parameter_tolerance = 1e-10;  ///< relative step at which a fit has converged
     double gradient_tolerance = 1e-12;
-    double residual_tolerance = 0.0;  ///< relative change of chi^2; 0: not tested
-    double difference_step = 1e-6;    ///< relative step of the finite-difference Jacobian
+    double difference_step = 1e-6;  ///< relative step of the finite-difference Jacobian
     int most_iterations = 200;
     bool smooth = true;  ///< false: residuals may have kinks, at which a fit may stall
 };
@@ -20,7 +19,6 @@ struct NonlinearFit {
     Eigen::VectorXd parameters;
     Eigen::MatrixXd covariance;  ///< (J^T J)^-1 at the solution
     Eigen::VectorXd residuals;
-    Eigen::MatrixXd jacobian;  ///< of the residuals, at the solution
     double chi_squared;
     int iterations;
     bool stationary;  ///< false: stalled at a kink; only where the residuals need not be smooth
