@@ -477,6 +477,7 @@ TEST_CASE("an artifact edited wrongly is refused with its file and pointer, and 
                       Json& law = a["result"]["samples"][1].back();
                       REQUIRE(law.contains("critical_damping"));
                       for (const char* key : {"c", "critical_damping"}) law[key]["value"] = -0.01;
+                      for (const char* part : {"extrapolated", "direct"}) law.erase(part);
                   },
                   "/critical_damping: critical damping is -0.01 kg/s; allowed: a non-negative damping"},
              Edit{"7-critical-velocity.json",
