@@ -6,7 +6,7 @@
 
 #include "core/tables/number.hpp"
 #include "core/text.hpp"
-#include "materials/xrd/normalise.hpp"
+#include "materials/xrd/amounts.hpp"
 #include "materials/xrd/readers.hpp"
 
 namespace ashimpact::xrd {
@@ -198,27 +198,15 @@ XrdResult read_bgmn(const TextLines& file) {
     const Contents contents = scan(file);
     require_complete(contents, file);
     XrdSample sample{.name = contents.sample};
-    double total = 0;
+    std::vector<ListedPhase> phases;
     for (const Block& block : contents.blocks) {
-        if (!block.weight->number) {
-            sample.warnings.push_back("the phase " + in_quotes(block.name) + " has no weight (line " +
-                                      std::to_string(block.weight->line) + ") and is left out");
-            continue;
-        }
-        const PrintedNumber& weight = *block.weight->number;
-        if (weight.value < 0)
+        const auto& [weight, line] = *block.weight;
+        if (weight && weight->value < 0)
             throw InputError("the weight of " + in_quotes(block.name) + " is below zero", "zero or more")
-                .at(at_line(block.weight->line));
-        sample.analysis.phases.push_back({.name = block.name,
-                                          .fraction = weight.value,
-                                          .standard_uncertainty = weight.standard_uncertainty,
-                                          .density = block.density,
-                                          .place = at_line(block.weight->line)});
-        total += weight.value;
+                .at(at_line(line));
+        phases.push_back({block.name, line, weight, block.density});
     }
-    if (!(total > 0))
-        throw InputError("no phase has a weight", "GEWICHT above zero").at(at_line(file.last_line()));
-    normalise(sample.analysis.phases, total);
+    add_fractions(sample, phases, "weight", "GEWICHT above zero", file.last_line());
     for (const PhaseFraction& phase : sample.analysis.phases)
         compare_with_goal(phase, contents, sample.warnings);
     report_failed_goals(contents, sample.warnings);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <optional>
-#include <set>
 
 #include "core/tables/number.hpp"
 #include "core/text.hpp"
-#include "materials/xrd/normalise.hpp"
+#include "materials/xrd/amounts.hpp"
 #include "materials/xrd/readers.hpp"
 
 namespace ashimpact::xrd {
@@ -87,35 +86,21 @@ std::vector<std::vector<FullProfPhase>> patterns_of(const TextLines& file) {
 }
 
 XrdSample sample_of(const std::vector<FullProfPhase>& phases, const TextLines& file) {
-    XrdSample sample;
-    double total = 0;
-    std::set<std::string> names;
+    std::vector<ListedPhase> listed;
     for (const FullProfPhase& phase : phases) {
         if (!phase.has_fraction)
             throw InputError(
                 "the phase " + in_quotes(phase.name) + " has no Fract(%): the file seems to be cut off",
                 "a complete summary")
                 .at(at_line(&phase == &phases.back() ? file.last_line() : phase.line));
-        if (!names.insert(phase_key(phase.name)).second)
-            throw InputError("the phase " + in_quotes(phase.name) + " is there twice", "each phase once")
-                .at(at_line(phase.line));
-        if (!phase.fraction) {
-            sample.warnings.push_back("the phase " + in_quotes(phase.name) + " has no fraction (line " +
-                                      std::to_string(phase.line) + ") and is left out");
-            continue;
-        }
-        sample.analysis.phases.push_back({.name = phase.name,
-                                          .fraction = phase.fraction->value,
-                                          .standard_uncertainty = phase.fraction->standard_uncertainty,
-                                          .place = at_line(phase.line)});
-        total += phase.fraction->value;
+        listed.push_back({phase.name, phase.line, phase.fraction});
     }
-    if (!(total > 0))
-        throw InputError("no phase has a fraction", "Fract(%) above zero").at(at_line(phases.front().line));
+    XrdSample sample;
+    const double total =
+        add_fractions(sample, listed, "fraction", "Fract(%) above zero", phases.front().line);
     if (total < 99 || total > 101)
         sample.warnings.push_back("the fractions add up to " + shortest(total) +
                                   " %: they are divided by it");
-    normalise(sample.analysis.phases, total);
     return sample;
 }
 

@@ -4,7 +4,7 @@
 
 #include "core/checks.hpp"
 #include "core/text.hpp"
-#include "materials/xrd/normalise.hpp"
+#include "materials/xrd/amounts.hpp"
 #include "materials/xrd/xrd.hpp"
 
 namespace ashimpact {

@@ -4,11 +4,10 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <set>
 
 #include "core/tables/number.hpp"
 #include "core/text.hpp"
-#include "materials/xrd/normalise.hpp"
+#include "materials/xrd/amounts.hpp"
 #include "materials/xrd/readers.hpp"
 
 namespace ashimpact::xrd {
@@ -23,12 +22,9 @@ struct Token {
 };
 
 struct TopasPhase {
-    std::string name;
-    std::size_t line = 0;
-    std::optional<PrintedNumber> weight{};  ///< [%] of the crystalline part
-    bool has_weight = false;                ///< by its keyword, which comes before MVW
-    std::optional<double> spiked{};         ///< [%] of the mixture, as weighed
-    std::optional<double> density{};        ///< [kg/m3]
+    ListedPhase listed{};            ///< the amount is in [%] of the crystalline part
+    bool has_weight = false;         ///< by its keyword, which comes before MVW
+    std::optional<double> spiked{};  ///< [%] of the mixture, as weighed
 };
 
 struct TopasPattern {
@@ -175,13 +171,14 @@ class TopasReader {
             if (at_ >= tokens_.size()) cut_off(token);
             patterns_.back().name = tokens_[at_++].text;
         } else if (word == "str" || word == "hkl_Is" || word == "dummy_str") {
-            pattern(token.line).phases.push_back({.name = {}, .line = token.line});
+            pattern(token.line).phases.push_back({.listed = {.name = {}, .line = token.line}});
         } else if (word == "phase_name") {
             if (at_ >= tokens_.size()) cut_off(token);
-            phase(token).name = tokens_[at_].text;
-            phase(token).line = tokens_[at_++].line;
+            ListedPhase& listed = phase(token).listed;
+            listed.name = tokens_[at_].text;
+            listed.line = tokens_[at_++].line;
         } else if (word == "weight_percent") {
-            phase(token).weight = number_after(token);
+            phase(token).listed.amount = number_after(token);
             phase(token).has_weight = true;
         } else if (word == "spiked_phase_measured_weight_percent") {
             phase(token).spiked = number_after(token).value;
@@ -193,11 +190,11 @@ class TopasReader {
                 throw InputError("MVW has " + std::to_string(arguments.size()) + " arguments",
                                  "MVW( cell mass, cell volume, weight per cent)")
                     .at(at_line(token.line));
-            if (!phase(token).has_weight) phase(token).weight = arguments[2];
+            if (!phase(token).has_weight) phase(token).listed.amount = arguments[2];
         } else if (word == "Phase_Density_g_on_cm3") {
             const auto arguments = arguments_after(token);
             if (arguments.front() && arguments.front()->value > 0)
-                phase(token).density = arguments.front()->value * 1000;  // g/cm3
+                phase(token).listed.density = arguments.front()->value * 1000;  // g/cm3
         }
     }
 
@@ -219,7 +216,7 @@ XrdSample completed(XrdSample sample, const TopasPattern& pattern) {
     for (const TopasPhase& phase : pattern.phases) {
         if (!phase.spiked || *phase.spiked == 0) continue;
         if (standard != nullptr)
-            throw InputError("there are two spiked phases", "one a pattern").at(at_line(phase.line));
+            throw InputError("there are two spiked phases", "one a pattern").at(at_line(phase.listed.line));
         standard = &phase;
     }
     if (standard == nullptr) {
@@ -230,7 +227,8 @@ XrdSample completed(XrdSample sample, const TopasPattern& pattern) {
         }
         return sample;
     }
-    const auto same = [&](const PhaseFraction& phase) { return phase.name == standard->name; };
+    const std::string& name = standard->listed.name;
+    const auto same = [&](const PhaseFraction& phase) { return phase.name == name; };
     const auto& phases = sample.analysis.phases;
     const auto found = std::find_if(phases.begin(), phases.end(), same);
     const double weighed = *standard->spiked / 100;
@@ -242,42 +240,26 @@ XrdSample completed(XrdSample sample, const TopasPattern& pattern) {
                                       shortest(pattern.amorphous->value) + " %, the standard gives " +
                                       shortest(std::round(100 * ours) / 100) + " %, which is used");
     }
-    return at_place(at_line(standard->line),
-                    [&] { return with_internal_standard(sample, standard->name, weighed); });
+    return at_place(at_line(standard->listed.line),
+                    [&] { return with_internal_standard(sample, name, weighed); });
 }
 
 XrdSample sample_of(const TopasPattern& pattern) {
     XrdSample sample{.name = stem_of(pattern.name)};
-    double total = 0;
-    std::set<std::string> names;
+    std::vector<ListedPhase> phases;
     for (const TopasPhase& phase : pattern.phases) {
-        if (phase.name.empty())
+        if (phase.listed.name.empty())
             throw InputError("a phase has no phase_name", "phase_name \"...\" in each str")
-                .at(at_line(phase.line));
-        if (!names.insert(phase_key(phase.name)).second)
-            throw InputError("the phase " + in_quotes(phase.name) + " is there twice", "each phase once")
-                .at(at_line(phase.line));
-        if (!phase.weight) {
-            sample.warnings.push_back("the phase " + in_quotes(phase.name) + " has no weight (line " +
-                                      std::to_string(phase.line) + ") and is left out");
-            continue;
-        }
-        sample.analysis.phases.push_back({.name = phase.name,
-                                          .fraction = phase.weight->value,
-                                          .standard_uncertainty = phase.weight->standard_uncertainty,
-                                          .density = phase.density,
-                                          .place = at_line(phase.line)});
-        total += phase.weight->value;
+                .at(at_line(phase.listed.line));
+        phases.push_back(phase.listed);
     }
-    if (!(total > 0))
-        throw InputError("no phase has a weight", "weight_percent or MVW with a weight per cent above zero")
-            .at(at_line(pattern.line));
-    normalise(sample.analysis.phases, total);
+    add_fractions(sample, phases, "weight", "weight_percent or MVW with a weight per cent above zero",
+                  pattern.line);
     return completed(std::move(sample), pattern);
 }
 
-/// Of several patterns, those of no name or of another's are told apart by their number.
-void tell_apart(std::vector<XrdSample>& samples) {
+/// Gives unnamed or equally named patterns a number.
+void number_patterns(std::vector<XrdSample>& samples) {
     if (samples.size() < 2) return;
     std::map<std::string, std::size_t> count;
     for (const XrdSample& sample : samples) ++count[sample.name];
@@ -307,7 +289,7 @@ XrdResult read_topas(const TextLines& file) {
     if (result.samples.empty())
         throw InputError("there is no phase", "str with phase_name and weight_percent")
             .at(at_line(file.last_line()));
-    tell_apart(result.samples);
+    number_patterns(result.samples);
     return result;
 }
 
