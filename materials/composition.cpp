@@ -12,11 +12,6 @@ namespace ashimpact {
 
 namespace {
 
-constexpr const char* how_to_state_amorphous =
-    "the amorphous weight fraction, the crystalline total, an internal standard, fractions of the whole "
-    "sample, or "
-    "the statement that there is none";
-
 constexpr std::size_t most_phases = 1000;
 
 double sum(std::span<const double> values) {
@@ -102,9 +97,10 @@ bool holds_amorphous_phase(const std::vector<Component>& components) {
 /// Decides how the sum of the listed amounts is to be understood.
 class Closing {
   public:
-    Closing(const Analysis& analysis, bool amorphous_listed)
+    Closing(const Analysis& analysis, bool amorphous_listed, const std::string& how_to_state)
         : analysis_(analysis),
           amorphous_listed_(amorphous_listed),
+          how_to_state_(how_to_state),
           model_(listed(analysis)),
           total_(sum(model_.amounts)) {
         if (total_ > 1 + analysis.closure_tolerance)
@@ -146,7 +142,7 @@ class Closing {
 
     void close(const AmorphousNotStated&) const {
         if (!amorphous_listed_)
-            throw InputError("nothing says how much of the sample is amorphous", how_to_state_amorphous);
+            throw InputError("nothing says how much of the sample is amorphous", how_to_state_);
         require_sum(1, "as the amorphous part is listed");
     }
 
@@ -196,6 +192,7 @@ class Closing {
 
     const Analysis& analysis_;
     bool amorphous_listed_;
+    const std::string& how_to_state_;
     FractionModel model_;
     double total_;
 };
@@ -256,7 +253,8 @@ std::vector<double> FractionModel::fractions() const {
     return result;
 }
 
-Composition compose(const Analysis& analysis, const PhaseCatalogue& catalogue) {
+Composition compose(const Analysis& analysis, const PhaseCatalogue& catalogue,
+                    const std::string& how_to_state) {
     check_fractions(analysis);
     auto resolved = resolved_phases(analysis, catalogue);
 
@@ -264,7 +262,8 @@ Composition compose(const Analysis& analysis, const PhaseCatalogue& catalogue) {
     for (std::size_t i = 0; i < resolved.size(); ++i)
         composition.components.push_back(
             component(analysis.phases[i], std::move(resolved[i]), composition.notes));
-    composition.model = Closing(analysis, holds_amorphous_phase(composition.components)).model();
+    composition.model =
+        Closing(analysis, holds_amorphous_phase(composition.components), how_to_state).model();
     if (composition.model.kind != FractionModel::Kind::closed) {
         const PhaseFraction rest{.name = analysis.amorphous_phase};
         composition.components.push_back(

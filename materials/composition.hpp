@@ -89,10 +89,17 @@ struct Composition {
     std::vector<std::string> notes{};
 };
 
+/// How to state the amorphous part, for the message where nothing does.
+inline constexpr const char* how_to_state_amorphous =
+    "the amorphous weight fraction, the crystalline total, an internal standard, fractions of the whole "
+    "sample, or the statement that there is none";
+
 /// Resolves the phases, closes the fractions and converts them both ways.
 /// Errors: InputError for unknown or repeated phases, negative fractions, more than 100 %, fractions that do
-/// not close within the tolerance, and an amorphous part that is missing or stated twice.
-[[nodiscard]] Composition compose(const Analysis& analysis, const PhaseCatalogue& catalogue);
+/// not close within the tolerance, and an amorphous part that is stated twice, or that is missing, with
+/// @p how_to_state it.
+[[nodiscard]] Composition compose(const Analysis& analysis, const PhaseCatalogue& catalogue,
+                                  const std::string& how_to_state = how_to_state_amorphous);
 
 /// Returns volume fractions [1] from weight fractions and densities: v_i = (w_i/rho_i)/sum_j(w_j/rho_j).
 [[nodiscard]] std::vector<double> volume_fractions(std::span<const double> weight_fractions,

@@ -174,20 +174,9 @@ void answer_to(Phase& phase, const std::string& name) {
     }
 }
 
-/// compose(), with an error that names the keys of the amorphous part if that is missing.
-Composition composed(const Analysis& analysis, const PhaseCatalogue& catalogue) {
-    try {
-        return compose(analysis, catalogue);
-    } catch (const InputError& error) {
-        if (!std::holds_alternative<AmorphousNotStated>(analysis.amorphous) ||
-            !error.problem().starts_with("nothing says how much"))
-            throw;
-        throw InputError(
-            error.problem(),
-            "\"amorphous\" beside the fractions: \"47 %\" of the whole, \"none\", \"remainder\" (what "
-            "is missing to 100 %), {\"crystalline_total\": \"53 %\"}; or \"internal_standard\"");
-    }
-}
+constexpr auto how_to_state =
+    "\"amorphous\" beside the fractions: \"47 %\" of the whole, \"none\", \"remainder\" (what is missing to "
+    "100 %), {\"crystalline_total\": \"53 %\"}; or \"internal_standard\"";
 
 /// Every phase the samples need, once. @throws InputError where a composition is impossible
 std::vector<Phase> phases_of(const std::vector<Sample>& samples, const View& document,
@@ -196,7 +185,7 @@ std::vector<Phase> phases_of(const std::vector<Sample>& samples, const View& doc
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const View place = document.at("samples").elements()[i].at("composition");
         const Composition composition =
-            at_place(place.pointer(), [&] { return composed(samples[i].analysis, catalogue); });
+            at_place(place.pointer(), [&] { return compose(samples[i].analysis, catalogue, how_to_state); });
         for (const Component& component : composition.components) {
             const auto [phase, note] = catalogue.resolve(component.name);
             if (!note.empty()) warnings.push_back(samples[i].name + ": " + note);

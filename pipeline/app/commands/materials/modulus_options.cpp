@@ -83,15 +83,9 @@ XrdSample completed(const XrdSample& sample, const ModulusCommandOptions& option
 }
 
 Composition composed(const XrdSample& sample, const PhaseCatalogue& catalogue) {
-    try {
-        return compose(sample.analysis, catalogue);
-    } catch (const InputError& error) {
-        const bool not_stated = std::holds_alternative<AmorphousNotStated>(sample.analysis.amorphous);
-        if (!not_stated || !error.problem().starts_with("nothing says how much")) throw;
-        throw InputError(error.problem(),
-                         "--amorphous-fraction X (of the whole; none; remainder: what is missing to 100 %), "
-                         "--crystalline-total X, or --internal-standard PHASE with --added-fraction X");
-    }
+    return compose(sample.analysis, catalogue,
+                   "--amorphous-fraction X (of the whole; none; remainder: what is missing to 100 %), "
+                   "--crystalline-total X, or --internal-standard PHASE with --added-fraction X");
 }
 
 std::optional<Porosity> porosity_of(const ModulusCommandOptions& options, double true_density,
