@@ -16,22 +16,18 @@ namespace ashimpact {
 
 namespace {
 
-/// What to write for a number in quotes; empty for anything else.
-template <class Json>
-std::string remedy_for_text(const Json& node) {
-    return node.is_string() ? remedy_for_number_in_quotes(node.template get<std::string>()) : std::string();
-}
-
-template <class Json>
 double finite_number(const Json& node, const std::string& key) {
     if (!node.at(key).is_number())
-        throw InputError("not a number" + remedy_for_text(node.at(key)), "a finite number").at("/" + key);
-    const auto value = node.at(key).template get<double>();
+        throw InputError("not a number" + (node.at(key).is_string()
+                                               ? remedy_for_number_in_quotes(node.at(key).get<std::string>())
+                                               : ""),
+                         "a finite number")
+            .at("/" + key);
+    const auto value = node.at(key).get<double>();
     if (!std::isfinite(value)) throw InputError("not finite", "a finite number").at("/" + key);
     return value;
 }
 
-template <class Json>
 Quantity read_object(const Json& node, Dimension expected) {
     for (const auto& [key, _] : node.items())
         if (key != "value" && key != "unit" && key != "standard_uncertainty")
@@ -44,7 +40,7 @@ Quantity read_object(const Json& node, Dimension expected) {
                              "value, unit, standard_uncertainty");
     if (!plain && !node.at("unit").is_string())
         throw InputError("not a string", "a unit of " + std::string(dimension_name(expected))).at("/unit");
-    const std::string unit = plain ? "1" : node.at("unit").template get<std::string>();
+    const std::string unit = plain ? "1" : node.at("unit").get<std::string>();
     Quantity quantity = make_quantity(to_si(finite_number(node, "value"), unit, expected), expected);
     if (!node.contains("standard_uncertainty")) return quantity;
     const double uncertainty = finite_number(node, "standard_uncertainty");
@@ -54,7 +50,7 @@ Quantity read_object(const Json& node, Dimension expected) {
     return quantity;
 }
 
-/// Where "+-", "+/-" or a plus-minus sign stands in a text, and its length; the end and 0 without one.
+/// Position and length of "+-", "+/-" or "±" in a text; the end and 0 if there is none.
 std::pair<std::size_t, std::size_t> plus_minus_in(std::string_view text) {
     for (const std::string_view sign : {"+-", "+/-", "\u00b1"})
         if (const auto found = text.find(sign); found != std::string_view::npos) return {found, sign.size()};
@@ -114,29 +110,6 @@ Quantity read_text(const std::string& text, Dimension expected) {
     return make_quantity(value, expected, uncertainty);
 }
 
-template <class Json>
-Quantity read(const Json& node, Dimension expected) {
-    if (node.is_string()) {
-        Quantity quantity = read_text(node.template get<std::string>(), expected);
-        require_uncertainty(quantity, expected);
-        return quantity;
-    }
-    if (node.is_number())
-        return make_quantity(to_si(node.template get<double>(), si_unit(expected), expected), expected);
-    if (!node.is_object())
-        throw InputError("not a quantity", "a number in " + std::string(si_unit(expected)) +
-                                               R"(, a string with its unit, or {"value", "unit"})");
-    Quantity quantity = read_object(node, expected);
-    at_place("/standard_uncertainty", [&] { require_uncertainty(quantity, expected); });
-    return quantity;
-}
-
-template <class Json>
-void write(Json& node, const Quantity& quantity) {
-    node = Json{{"value", quantity.value}, {"unit", quantity.unit}};
-    if (quantity.standard_uncertainty) node["standard_uncertainty"] = *quantity.standard_uncertainty;
-}
-
 }  // namespace
 
 Quantity make_quantity(double value, Dimension dimension, std::optional<double> standard_uncertainty) {
@@ -145,17 +118,27 @@ Quantity make_quantity(double value, Dimension dimension, std::optional<double> 
             .standard_uncertainty = standard_uncertainty};
 }
 
-Quantity read_quantity(const nlohmann::json& node, Dimension expected) {
-    return read(node, expected);
+Quantity quantity_of_text(const std::string& text, Dimension expected) {
+    Quantity quantity = read_text(text, expected);
+    require_uncertainty(quantity, expected);
+    return quantity;
 }
+
 Quantity read_quantity(const nlohmann::ordered_json& node, Dimension expected) {
-    return read(node, expected);
+    if (node.is_string()) return quantity_of_text(node.get<std::string>(), expected);
+    if (node.is_number())
+        return make_quantity(to_si(node.get<double>(), si_unit(expected), expected), expected);
+    if (!node.is_object())
+        throw InputError("not a quantity", "a number in " + std::string(si_unit(expected)) +
+                                               R"(, a string with its unit, or {"value", "unit"})");
+    Quantity quantity = read_object(node, expected);
+    at_place("/standard_uncertainty", [&] { require_uncertainty(quantity, expected); });
+    return quantity;
 }
-void to_json(nlohmann::json& node, const Quantity& quantity) {
-    write(node, quantity);
-}
+
 void to_json(nlohmann::ordered_json& node, const Quantity& quantity) {
-    write(node, quantity);
+    node = Json{{"value", quantity.value}, {"unit", quantity.unit}};
+    if (quantity.standard_uncertainty) node["standard_uncertainty"] = *quantity.standard_uncertainty;
 }
 
 }  // namespace ashimpact

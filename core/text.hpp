@@ -41,7 +41,7 @@ namespace ashimpact {
 /// thousands, `write "2600 kg/m3" or "2.600 kg/m3"`. Empty for a text without such a comma.
 [[nodiscard]] std::string remedy_for_commas(std::string_view text);
 
-/// What to write for a number that stands in quotes where only a number may: `, write 2.6 without quotes`.
+/// Remedy for a number in quotes where a plain number is required: `, write 2.6 without quotes`.
 /// Empty for any other text.
 [[nodiscard]] std::string remedy_for_number_in_quotes(std::string_view text);
 
@@ -52,8 +52,8 @@ namespace ashimpact {
 [[nodiscard]] std::string joined(const std::vector<std::string>& words);
 [[nodiscard]] std::string joined(std::span<const std::string_view> words);
 
-/// The text with "?" for each control character that a terminal would obey, except tabs and line ends, and
-/// for each byte that belongs to no UTF-8 character.
+/// The text with "?" for each control character, which could change the state of a terminal, except tabs and
+/// line ends, and for each byte that belongs to no UTF-8 character.
 [[nodiscard]] std::string without_controls(std::string_view text);
 
 /// The text, such as a file name, with "..." for its middle if it is long.

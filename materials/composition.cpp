@@ -218,7 +218,7 @@ void note_small_remainder(const Analysis& analysis, const FractionModel& model,
                     " for the amorphous part: are the fractions of the whole sample?");
 }
 
-/// The modulus of the glass is the least certain input; its catalogue entry says why.
+/// Notes the remark of the catalogue on the glass, whose modulus is the least certain input.
 void note_glass(Composition& composition) {
     for (const Component& c : composition.components)
         if (c.phase.amorphous && !c.phase.remark.empty())

@@ -24,7 +24,7 @@ struct PhaseFraction {
 
 /// How the amorphous part is known. An analysis that does not state it is refused: it is never assumed.
 struct AmorphousNotStated {};
-struct AmorphousNone {};  ///< the user says that there is none
+struct AmorphousNone {};  ///< stated: there is none
 struct AmorphousFraction {
     double value = 0;  ///< [1] of the whole
     std::optional<double> standard_uncertainty{};

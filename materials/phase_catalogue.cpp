@@ -123,7 +123,7 @@ std::string without_database_number(std::string key) {
     return key;
 }
 
-/// "Röntgenamorph (Glas)" without what stands in brackets at its end.
+/// "Röntgenamorph (Glas)" without the brackets at its end.
 std::string_view without_bracket(std::string_view name) {
     const auto open = name.rfind('(');
     return name.ends_with(')') && open != 0 && open != std::string_view::npos ? trimmed(name.substr(0, open))

@@ -21,7 +21,7 @@ struct PhaseSet {
 };
 
 /// Reads a catalogue file (data/phases/*.json). Every property must cite its source.
-/// Errors: InputError with line number or JSON pointer; also when a name stands for two phases of the set.
+/// Errors: InputError with line number or JSON pointer; also when two phases of the set share a name.
 [[nodiscard]] PhaseSet read_phase_set(std::string_view json_text);
 
 /// Reads the phases of a case file, a list of the same form; citations may be missing. The set is called
@@ -51,7 +51,7 @@ class PhaseCatalogue {
     /// The same sets behind `set`: its phases hide phases of the same name, under all their synonyms.
     [[nodiscard]] PhaseCatalogue overridden_by(PhaseSet set) const;
 
-    /// The phase a name stands for: its own name, a synonym, a BGMN identifier (a trailing data-base number
+    /// The phase of a name: its own name, a synonym, a BGMN identifier (a trailing data-base number
     /// is ignored), or a mineral group with a representative. Case, blanks and punctuation do not matter.
     /// Errors: InputError with the nearest candidates, or the members of a group that has no representative.
     [[nodiscard]] ResolvedPhase resolve(std::string_view name) const;

@@ -14,7 +14,7 @@ struct Roughness {
 ///
 ///     w_rough/w = 1/(1 + R*/(1.48 rms)) + 1/(1 + 1.48 rms/H_0)^2.
 ///
-/// A hemispherical asperity of radius 1.48 rms stands between sphere and wall. The first term is the van der
+/// A hemispherical asperity of radius 1.48 rms separates sphere and wall. The first term is the van der
 /// Waals force of the asperity on the sphere, the second that of the wall, which the asperity holds off. The
 /// model gives the ratio of pull-off forces; it scales w here, since pull-off forces are proportional to w
 /// R*. Validity: rms below about 20 nm and far below R*, one asperity under the contact, elastic deformation

@@ -12,7 +12,7 @@ namespace ashimpact {
 
 namespace {
 
-/// Keys of a quantity that say where it comes from; see docs/case.md.
+/// Keys for the origin of a quantity; see docs/case.md.
 constexpr std::array<std::string_view, 2> origin_keys{"origin", "source"};
 
 }  // namespace

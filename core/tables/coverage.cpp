@@ -68,7 +68,7 @@ bool is_number(std::string_view cell) {
     return cell.find_first_not_of("+-.,0123456789 ") == std::string_view::npos;
 }
 
-/// Where in a heading the statement stands, and its number.
+/// Position of the statement in a heading, and its number.
 struct Statement {
     std::size_t begin;
     std::size_t length;

@@ -8,7 +8,7 @@
 
 namespace ashimpact {
 
-/// What the heading of a column says about its uncertainties, as in "Unsicherheit (2s)", "U (k=2)",
+/// The coverage of uncertainties that the heading of a column states, as in "Unsicherheit (2s)", "U (k=2)",
 /// "error (95 %)" or "v_in ± 2 sigma [m/s]".
 struct StatedCoverage {
     std::string rest;    ///< the heading without the statement, "Unsicherheit"
@@ -18,17 +18,16 @@ struct StatedCoverage {
     std::string problem;
 };
 
-/// Finds a multiple of the standard uncertainty (2s, 2 sigma, 2σ, 2 SD, k = 2), or a coverage (95 %) where an
-/// uncertainty is named or "±" stands. A bare "2s" counts in brackets, after "±" or a word for an
-/// uncertainty, and alone. A confidence interval without "±" and an expanded uncertainty without k are
-/// problems.
+/// Finds a multiple of the standard uncertainty (2s, 2 sigma, 2σ, 2 SD, k = 2), or a coverage (95 %) beside
+/// the name of an uncertainty or "±". A bare "2s" counts in brackets, after "±" or a word for an uncertainty,
+/// and alone. A confidence interval without "±" and an expanded uncertainty without k are problems.
 [[nodiscard]] StatedCoverage read_coverage(std::string_view heading);
 
 /// Whether a text is a word for an uncertainty and names no quantity: "Fehler", "u", "s.u.", "±".
 [[nodiscard]] bool is_uncertainty_word(std::string_view text);
 
-/// What to tell of columns, given with their headings, whose uncertainties are not standard ones: one warning
-/// for all that are divided by the same number, one for each that cannot be read.
+/// Warnings for columns, given with their headings, whose uncertainties are not standard ones: one for all
+/// that are divided by the same number, one for each that cannot be read.
 [[nodiscard]] std::vector<std::string> coverage_warnings(
     const std::vector<std::pair<std::string, StatedCoverage>>& columns);
 

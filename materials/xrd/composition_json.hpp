@@ -14,7 +14,7 @@ namespace ashimpact::xrd {
 /// there twice, and fractions given in more than one way or in none.
 [[nodiscard]] Analysis read_fractions_json(const View& node);
 
-/// Completes fractions, wherever they come from, by what stands beside them: "densities" of single phases,
+/// Completes fractions, from any source, by the keys beside them: "densities" of single phases,
 /// "amorphous", "amorphous_phase" and "internal_standard". What is not there stays as it is in @p analysis.
 /// Errors: InputError with the JSON pointer for a density of no phase, and an amorphous part that is stated
 /// twice.

@@ -39,7 +39,7 @@ struct Heading {
     Role role = Role::other;
     Scale scale = Scale::not_stated;
     std::string written{};      ///< the whole heading as in the file
-    StatedCoverage coverage{};  ///< what it says of its uncertainties
+    StatedCoverage coverage{};  ///< of its uncertainties
 };
 
 [[nodiscard]] Heading read_heading(std::string_view text);

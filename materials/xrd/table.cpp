@@ -14,8 +14,8 @@ namespace ashimpact::xrd {
 
 namespace {
 
-/// Factor from amounts to fractions: 0.01 for per cent, if headings or cells say so, or else by the size of
-/// amounts.
+/// Factor from amounts to fractions: 0.01 for per cent, if headings or cells state it, else by the size of
+/// the amounts.
 double scale_of(const Table& table, const std::vector<Entry>& entries, std::vector<std::string>& warnings) {
     bool per_cent = false;
     bool fraction = false;

@@ -41,9 +41,9 @@ bool names_amounts(const std::vector<Heading>& headings) {
     });
 }
 
-/// Index of the heading line among the first lines. Titles may stand above it, such as "Sample;Fly ash 7":
+/// Index of the heading line among the first lines. Titles such as "Sample;Fly ash 7" may precede it:
 /// the first line that names amounts is preferred to one that may be a title, then the one of most cells,
-/// unless numbers stand between them.
+/// unless there are numbers between them.
 std::optional<std::size_t> find_heading(const std::vector<TextLine>& lines) {
     constexpr std::size_t most_titles = 20;
     std::optional<std::size_t> possible;
@@ -84,7 +84,7 @@ bool is_uncertainty(const Heading& heading) {
     return heading.role == Role::uncertainty || heading.role == Role::ratio_uncertainty;
 }
 
-/// The number of a cell, with uncertainties as standard ones; nothing if the cell says that there is none.
+/// The number of a cell, with uncertainties as standard ones; nothing if the cell states that there is none.
 std::optional<PrintedNumber> number_in(const TableRow& row, std::size_t column, const Table& table) {
     const std::string& cell = row.cells[column];
     if (says_no_number(cell)) return std::nullopt;

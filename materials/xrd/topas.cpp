@@ -92,7 +92,7 @@ std::optional<PrintedNumber> printed_number(std::string_view word) {
     return number;
 }
 
-/// Whether a word may stand between a keyword and its number: @, or the name of a parameter.
+/// True for a word that is allowed between a keyword and its number: @, or the name of a parameter.
 bool is_parameter_name(const std::string& word) {
     const char c = word.front();
     return c == '@' || c == '!' || c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');

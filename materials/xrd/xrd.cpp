@@ -25,7 +25,7 @@ constexpr std::array readers{
 
 constexpr TextLimits xrd_limits{.content = "an XRD result", .bytes = longest_xrd_file};
 
-/// A table in a spreadsheet, with all that is said of it in the words of the sheet.
+/// Reads a table in a spreadsheet; messages name rows and cells.
 XrdResult read_from_workbook(std::string_view bytes, std::string_view sheet) {
     const ChosenSheet chosen(bytes, {.name = std::string(sheet),
                                      .option = "the name of a sheet (--sheet, in a case \"xrd_sheet\")",

@@ -26,7 +26,7 @@ struct Names<XrdFormat> {
                                                          "TOPAS .out",       "table",        "JSON"};
 };
 
-/// One sample of a file: fractions, what the file says of the amorphous part, the file's own densities.
+/// One sample of a file: fractions, the amorphous part as far as it is stated, the file's own densities.
 struct XrdSample {
     std::string name;
     Analysis analysis{};
@@ -39,8 +39,8 @@ struct XrdResult {
     std::vector<std::string> warnings{};  ///< about the file as a whole
 };
 
-/// Reads an XRD result, told apart by content: BGMN/Profex .lst, GSAS-II .lst, FullProf .sum, TOPAS .out, a
-/// CSV or TSV table of fractions or of peak intensities with RIR values, or the project's JSON.
+/// Reads an XRD result; its content shows the format: BGMN/Profex .lst, GSAS-II .lst, FullProf .sum, TOPAS
+/// .out, a CSV or TSV table of fractions or of peak intensities with RIR values, or the project's JSON.
 /// docs/materials.md describes them. A byte-order mark, CRLF and Latin-1 are accepted. Errors: InputError
 /// "NAME: line N: problem; allowed: ..." (for JSON with its pointer behind the line) for anything that is
 /// empty, binary, cut off, malformed, has a phase twice or more than 100 %.
@@ -53,8 +53,8 @@ struct XrdResult {
 /// c_i/c_s in the mixture, divided by 1 - w_s in the sample; the rest is amorphous. The standard is taken out
 /// of the phases. Source: Chung 1974a, J. Appl. Cryst. 7:519 (matrix flushing). `added_fraction` is the
 /// weight of the standard over that of the mixture [1], `added_uncertainty` that of the weighing [1]. Errors:
-/// InputError if the standard is not among the phases, has no fraction, or says that more than 100 % of the
-/// sample is crystalline.
+/// InputError if the standard is not among the phases, has no fraction, or implies that more than 100 % of
+/// the sample is crystalline.
 [[nodiscard]] XrdSample with_internal_standard(const XrdSample& sample, std::string_view standard,
                                                double added_fraction,
                                                std::optional<double> added_uncertainty = {});

@@ -21,7 +21,7 @@ namespace {
 constexpr std::string_view schema_folder = "schemas/";
 constexpr std::string_view suffix = ".json";
 
-/// The names for which "@..." stands in the schema files; they are defined in the code.
+/// The names that replace "@..." in the schema files; they are defined in the code.
 std::vector<std::string> listed(const std::string& mark) {
     if (mark == "@laws") return names_of_laws();
     if (mark == "@detachments") return names_of<Detachment>();

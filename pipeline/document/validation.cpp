@@ -98,8 +98,8 @@ constexpr SizeKeys size_keys[]{
     {"diameter", "radius", "\"diameter\": \"88 um\" in place of \"radius\": \"44 um\""},
     {"radius", "diameter", "\"radius\": \"44 um\" in place of \"diameter\": \"88 um\""}};
 
-/// A sphere's size has one key, "diameter" in a case and "radius" in a sweep: names it where the other
-/// stands.
+/// A sphere's size has one key, "diameter" in a case and "radius" in a sweep: reports the other
+/// one.
 void refuse_other_size(const Json& value, const Json& schema, const Path& path, const SizeKeys& size) {
     if (!value.is_object() || !value.contains(size.other)) return;
     const auto keys = keys_allowed(schema, path);
@@ -147,7 +147,7 @@ void refuse_other_size(const Json& value, const Json& schema, const Path& path, 
     throw InputError(problem, allowed_by(schema, path)).at(pointer_to(path));
 }
 
-constexpr std::size_t longest_set = 64;           ///< entries of a list in which none may stand twice
+constexpr std::size_t longest_set = 64;           ///< entries of a list without repetitions
 constexpr std::size_t longest_list = 10'000'000;  ///< of any list
 
 /// Refuses lists that are too long, before the validator sees them. @throws InputError

@@ -9,7 +9,7 @@
 #include "core/error.hpp"
 #include "tests/relative_difference.hpp"
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 
 namespace ashimpact::test {
 

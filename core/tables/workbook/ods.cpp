@@ -10,7 +10,7 @@ namespace ashimpact {
 
 namespace {
 
-/// How often an element stands for itself; more than a sheet has is as good as that.
+/// Number of repetitions of an element, at most the size of a sheet.
 std::size_t repeats(const pugi::xml_node& node, std::string_view attribute) {
     const std::string text = attribute_of(node, attribute).value_or("1");
     std::size_t count = 1;
@@ -40,7 +40,8 @@ std::string text_of_paragraphs(const pugi::xml_node& cell) {
 }
 
 std::string text_of_cell(const pugi::xml_node& cell) {
-    // A second attribute of that name, of LibreOffice's own, says "error": the first one is OpenDocument's.
+    // LibreOffice adds a second attribute of that name with the value "error"; the first one is
+    // OpenDocument's.
     const std::string type = attribute_of(cell, "value-type").value_or("");
     const auto formula = attribute_of(cell, "formula");
     if (formula && type.empty()) {
@@ -58,7 +59,7 @@ std::string text_of_cell(const pugi::xml_node& cell) {
     return text_of_paragraphs(cell);
 }
 
-/// Fills a sheet from its rows, which may stand in groups.
+/// Fills a sheet from its rows, which may be grouped.
 class Filler {
   public:
     explicit Filler(Sheet& sheet) : sheet_(sheet) {}

@@ -21,7 +21,7 @@ namespace ashimpact {
 /// @throws InputError for a file that is damaged, protected, too large or of another kind
 [[nodiscard]] std::vector<Sheet> read_workbook(std::string_view bytes);
 
-/// Which sheet of a workbook is wanted.
+/// Selects a sheet of a workbook.
 struct SheetRequest {
     std::string name{};  ///< empty: the only one that holds such a table
     std::string option;  ///< how the user names one, for messages: "--sheet"
@@ -29,7 +29,7 @@ struct SheetRequest {
     bool (*holds_table)(const TextLines&);
 };
 
-/// The sheet that was chosen, as lines of text, and what is said of it in the sheet's own words.
+/// The selected sheet as lines of text. Its messages name rows and cells.
 class ChosenSheet {
   public:
     /// @throws InputError if no sheet, or more than one, holds such a table, or none has that name

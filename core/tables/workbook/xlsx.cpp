@@ -38,7 +38,7 @@ std::optional<std::string> part(const Archive& archive, const std::string& name)
     return name.empty() ? std::nullopt : archive.read(name);
 }
 
-/// "xl/worksheets/sheet1.xml" for a target that stands in the relationships of "xl/workbook.xml", absolute or
+/// "xl/worksheets/sheet1.xml" for a target in the relationships of "xl/workbook.xml", absolute or
 /// relative.
 std::string resolved(const std::string& of, std::string target) {
     std::replace(target.begin(), target.end(), '\\', '/');

@@ -184,7 +184,7 @@ double read_option(const std::string& option, const std::string& text, Dimension
         if (text.empty())
             throw InputError("is missing", with_article(dimension_name(dimension)) + " [" +
                                                std::string(si_unit(dimension)) + "]");
-        const Quantity quantity = read_quantity(Json(text), dimension);
+        const Quantity quantity = quantity_of_text(text, dimension);
         if (quantity.standard_uncertainty)
             throw InputError(in_quotes(text) + " has an uncertainty, and this command computes without one",
                              "the value alone; a case takes uncertainties and carries them to v_c");

@@ -71,7 +71,7 @@ NameAndUnit split(std::string_view cell) {
     return {cell, {}};
 }
 
-/// The value that stands before "±", as in "v_in ± u [m/s]", if one does: its cells hold both.
+/// The value before "±", as in "v_in ± u [m/s]", whose cells hold value and uncertainty.
 std::optional<Meaning> value_before_plus_minus(std::string_view name) {
     for (const std::string_view sign : {"\u00b1", "+-", "+/-"}) {
         const auto at = name.find(sign);

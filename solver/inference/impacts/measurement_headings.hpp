@@ -42,10 +42,10 @@ struct MeasurementHeading {
     std::array<std::optional<MeasuredColumn>, 3> uncertainty;  ///< by MeasuredQuantity
     std::optional<std::size_t> outcome;                        ///< position of the column of outcomes
     std::optional<std::size_t> correlation;  ///< of the column of the correlation of the two velocities
-    std::vector<TextColumn> remarks;         ///< columns of remarks, in which a word may tell the outcome
+    std::vector<TextColumn> remarks;         ///< columns of remarks, in which a word may state the outcome
     std::vector<TextColumn> unused;
     std::vector<std::pair<std::string, StatedCoverage>> coverages;  ///< of the columns that hold quantities
-    std::vector<std::string> notes;                                 ///< what is to be told of the columns
+    std::vector<std::string> notes;                                 ///< remarks on the columns
     std::size_t columns;
 
     [[nodiscard]] const std::optional<MeasuredColumn>& of(MeasuredQuantity quantity) const {
@@ -65,7 +65,7 @@ struct MeasurementHeading {
 [[nodiscard]] bool names_incident_velocity(const std::vector<std::string>& cells);
 
 /// An uncertainty that names no quantity is that of the column before it. Numbers of uncertainties are taken
-/// as multiples of standard ones where the heading says so (`read_coverage`). Errors: InputError for a unit
+/// as multiples of standard ones if the heading states it (`read_coverage`). Errors: InputError for a unit
 /// of another dimension, a column twice, v_in missing, or both v_r and e_n.
 [[nodiscard]] MeasurementHeading read_measurement_heading(const std::vector<std::string>& cells);
 

@@ -141,7 +141,7 @@ std::optional<NotedOutcome> stated_outcome(const MeasurementHeading& heading, co
         .at(at_cell(row.line, *heading.outcome));
 }
 
-/// The outcome that the remarks of a row tell, each in one word. @throws InputError if they differ
+/// The outcome that the remarks of a row state, each in one word. @throws InputError if they differ
 OutcomeWord remarked_outcome(const MeasurementHeading& heading, const TableRow& row) {
     OutcomeWord told = OutcomeWord::none;
     for (const TextColumn& column : heading.remarks) {
@@ -154,7 +154,7 @@ OutcomeWord remarked_outcome(const MeasurementHeading& heading, const TableRow& 
     return told;
 }
 
-/// How far below zero, and beside a remark that tells of a capture above it, noise may put a reading [m/s].
+/// How far below zero, or above it beside a remark that states a capture, noise may put a reading [m/s].
 double reach_of(const Measurement& point) {
     return point.noise ? 6.0 * std::sqrt(point.noise->rebound) : 0.1 * point.velocity;
 }
@@ -188,7 +188,7 @@ void require_no_rebound(const std::string& told_by, const Measurement& point) {
                          "one of them");
 }
 
-/// Takes the outcome that a remark tells beside a reading. @throws InputError if they contradict each other
+/// Takes the outcome that a remark states beside a reading. @throws InputError if they contradict each other
 NotedOutcome with_remark(OutcomeWord remark, const Measurement& point) {
     if (remark == OutcomeWord::rebound) return NotedOutcome::rebound;
     require_no_rebound("remark", point);
@@ -207,7 +207,7 @@ void read_rebound(Measurement& point, const MeasurementHeading& heading, const T
     if (point.noise && as_velocity) point.noise = correlated(*point.noise, heading, cells, row);
 }
 
-/// One row; none where its outcome is not known. @param remark what its remarks tell
+/// One row; none where its outcome is not known. @param remark the outcome in its remarks
 std::optional<Measurement> measurement_of(const MeasurementHeading& heading, const TableCells& cells,
                                           const TableRow& row, OutcomeWord remark) {
     const Entry velocity = cells.entry(row, MeasuredQuantity::velocity);
@@ -259,7 +259,7 @@ bool remark_counts(const MeasurementHeading& heading, const TableRow& row, Outco
     return remark == OutcomeWord::capture ? blank : remark == OutcomeWord::rebound && reads_zero;
 }
 
-/// What the rows without a reading say of themselves beside it, for one message.
+/// Remarks of the rows without a reading, for one message.
 class Unread {
   public:
     explicit Unread(const MeasurementHeading& heading) : heading_(heading) {}
@@ -369,7 +369,7 @@ bool holds_impacts(const TextLines& file) {
     return names_incident_velocity(cut_row(line, separator_of(line.text)).cells);
 }
 
-/// A table in a spreadsheet, with all that is said of it in the words of the sheet.
+/// Reads a table in a spreadsheet; messages name rows and cells.
 MeasurementSet read_from_workbook(std::string_view bytes, std::string_view name, std::string_view sheet) {
     const ChosenSheet chosen(bytes, {.name = std::string(sheet),
                                      .option = "the name of a sheet (--sheet, in a case \"sheet\")",

@@ -16,7 +16,7 @@ namespace ashimpact {
 /// the restitution e_n; their standard uncertainties u(...), or "1.95 ± 0.02" in the cell. e_n may be in per
 /// cent. A decimal comma is understood where the comma does not separate.
 ///
-/// A column "outcome" says rebound, capture or unknown. Where it is empty or missing the reading tells: v_r =
+/// A column "outcome" holds rebound, capture or unknown. If it is empty or missing the reading decides: v_r =
 /// 0, or a word for it such as "captured", is a capture; an empty cell or "unknown" is not known, and such an
 /// impact is counted and left out. A reading below zero is taken for zero where noise explains it: within 6
 /// standard uncertainties, or without those within a tenth of v_in. A column "correlation" holds that of the

@@ -9,7 +9,7 @@
 
 namespace ashimpact {
 
-/// What a text in a table of impacts says of the outcome.
+/// The outcome that a text in a table of impacts states.
 enum class OutcomeWord { none, capture, rebound, unknown };
 
 template <>
@@ -24,7 +24,7 @@ struct Names<OutcomeWord> {
 
 /// The meaning of a remark. Here a full stop, an exclamation mark or brackets around the word do not count,
 /// and single letters and words for an unknown outcome mean nothing. A longer text means nothing either: it
-/// may as well say the contrary ("haftet nicht").
+/// may mean the contrary ("haftet nicht").
 [[nodiscard]] OutcomeWord outcome_of_remark(std::string_view remark);
 
 /// Whether the heading of a column announces remarks: "Bemerkung", "Befund", "Status", "comment" ...

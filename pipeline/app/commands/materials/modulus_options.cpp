@@ -15,7 +15,7 @@ namespace {
 /// "0.42", "42 %", "42(2) %" or "42 +- 2 %", as in a case.
 Quantity read_fraction(const char* option, const std::string& text) {
     return at_place(option, [&] {
-        Quantity fraction = read_quantity(Json(text), Dimension::fraction);
+        Quantity fraction = quantity_of_text(text, Dimension::fraction);
         require_fraction("the fraction", fraction.value);
         return fraction;
     });
