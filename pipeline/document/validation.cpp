@@ -50,19 +50,17 @@ std::string shown(const Json& value) {
     return value.is_string() ? in_quotes(value.get<std::string>()) : value.dump();
 }
 
+/// The names that a part of the schema lists; none if it lists no names.
+std::vector<std::string> names_in(const Json* part) {
+    return part != nullptr && part->contains("enum") ? (*part)["enum"].get<std::vector<std::string>>()
+                                                     : std::vector<std::string>{};
+}
+
 /// What the schema allows for a value, in words.
 std::string allowed_by(const Json& schema, const Path& path) {
     const Json* part = schema_part(schema, path);
     if (part == nullptr) return {};
-    if (part->contains("enum")) return joined((*part)["enum"].get<std::vector<std::string>>());
-    return part->value("description", "");
-}
-
-std::vector<std::string> keys_in(const Json* part) {
-    std::vector<std::string> keys;
-    if (part != nullptr && part->contains("properties"))
-        for (const auto& [key, _] : (*part)["properties"].items()) keys.push_back(key);
-    return keys;
+    return part->contains("enum") ? joined(names_in(part)) : part->value("description", "");
 }
 
 /// The text between the last pair of single quotes.
@@ -78,14 +76,22 @@ std::string pointer_to(const Path& path) {
     return pointer.empty() ? "/" : pointer;
 }
 
-/// The schema of the object at @p path that lists its keys, behind "allOf" too.
+Path member_of(Path path, const std::string& key) {
+    path.push_back(key);
+    return path;
+}
+
+/// The keys of the object at @p path, behind "allOf" too.
 std::vector<std::string> keys_allowed(const Json& schema, const Path& path) {
     const Json* part = schema_part(schema, path);
     if (part != nullptr && !part->contains("properties") && part->contains("allOf")) {
         const auto reference = (*part)["allOf"][0].value("$ref", "#");
         part = &schema.at(Json::json_pointer(reference.substr(1)));
     }
-    return keys_in(part);
+    std::vector<std::string> keys;
+    if (part != nullptr && part->contains("properties"))
+        for (const auto& [key, _] : (*part)["properties"].items()) keys.push_back(key);
+    return keys;
 }
 
 struct SizeKeys {
@@ -107,10 +113,8 @@ void refuse_other_size(const Json& value, const Json& schema, const Path& path, 
         return std::find(keys.begin(), keys.end(), key) != keys.end();
     };
     if (!allowed(size.key) || allowed(size.other)) return;
-    Path member = path;
-    member.push_back(size.other);
     throw InputError("unknown key, the size of a sphere is its " + std::string(size.key) + " here", size.form)
-        .at(pointer_to(member));
+        .at(pointer_to(member_of(path, size.other)));
 }
 
 [[noreturn]] void refuse(const Json& document, const Json& schema, const Error& error) {
@@ -120,30 +124,23 @@ void refuse_other_size(const Json& value, const Json& schema, const Path& path, 
     for (const SizeKeys& size : size_keys) refuse_other_size(value, schema, path, size);
     if (says("Missing required property")) {
         const std::string key = last_quoted(error.description);
-        Path member = path;
-        member.push_back(key);
-        throw InputError(in_quotes(key) + " is missing", allowed_by(schema, member)).at(pointer_to(path));
+        throw InputError(in_quotes(key) + " is missing", allowed_by(schema, member_of(path, key)))
+            .at(pointer_to(path));
     }
     if (says("could not be validated using 'properties'")) {
         const std::string key = last_quoted(error.description);
-        Path member = path;
-        member.push_back(key);
         const auto keys = keys_allowed(schema, path);
-        throw InputError("unknown key" + did_you_mean(key, keys), joined(keys)).at(pointer_to(member));
+        throw InputError("unknown key" + did_you_mean(key, keys), joined(keys))
+            .at(pointer_to(member_of(path, key)));
     }
-    std::string problem = "is " + shown(value);
-    if (says("enum") && value.is_string()) {
-        const Json* part = schema_part(schema, path);
-        const auto names = part != nullptr && part->contains("enum")
-                               ? (*part)["enum"].get<std::vector<std::string>>()
-                               : std::vector<std::string>{};
-        problem = "unknown name " + shown(value) + did_you_mean(value.get<std::string>(), names);
+    const Json* part = schema_part(schema, path);
+    std::string problem = says("uniqueness") ? "holds the same value twice" : "is " + shown(value);
+    if (value.is_string()) {
+        const auto text = value.get<std::string>();
+        if (says("enum")) problem = "unknown name " + shown(value) + did_you_mean(text, names_in(part));
+        const Json type = part != nullptr ? part->value("type", Json()) : Json();
+        if (type == "number" || type == "integer") problem += remedy_for_number_in_quotes(text);
     }
-    if (const Json* part = schema_part(schema, path);
-        value.is_string() && part != nullptr &&
-        (part->value("type", Json()) == "number" || part->value("type", Json()) == "integer"))
-        problem += remedy_for_number_in_quotes(value.get<std::string>());
-    if (says("uniqueness")) problem = "holds the same value twice";
     throw InputError(problem, allowed_by(schema, path)).at(pointer_to(path));
 }
 
