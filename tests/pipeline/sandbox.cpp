@@ -36,7 +36,7 @@ std::string Sandbox::read(const std::string& name) const {
 }
 
 Json Sandbox::json(const std::string& name) const {
-    return Json::parse(read(name));
+    return parse_json(read(name));
 }
 
 bool Sandbox::has(const std::string& name) const {
