@@ -64,6 +64,27 @@ StaticCurve StaticCurve::normalised(Law law) {
     return {law, unit};
 }
 
+double StaticCurve::touch_overlap(Detachment detachment) const {
+    if (!zone_ || detachment == Detachment::zero_overlap) return 0.0;
+    return static_cast<double>(-zone_->reach()) * units_.overlap;
+}
+
+double StaticCurve::end_overlap(Detachment detachment) const {
+    if (zone_) {
+        if (detachment == Detachment::zero_overlap) return 0.0;
+        const CohesiveState end =
+            detachment == Detachment::load_controlled ? zone_->greatest_tension() : zone_->pull_off();
+        return static_cast<double>(zone_->overlap(end)) * units_.overlap;
+    }
+    return law_.visit<double>([&]<template <class> class L>() {
+        if constexpr (has_polynomials<L>) {
+            const L<double> law{adhesion_};
+            return law.overlap(*law.detachment_point(detachment)) * length_;
+        }
+        return 0.0;
+    });
+}
+
 StaticPoint StaticCurve::point(double root) const {
     return law_.visit<StaticPoint>([&]<template <class> class L>() -> StaticPoint {
         if constexpr (has_polynomials<L>) {

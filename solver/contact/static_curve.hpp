@@ -37,6 +37,12 @@ class StaticCurve {
     /// @throws InputError for a law with parameters of its own
     [[nodiscard]] static StaticCurve normalised(Law law);
 
+    /// Overlap at which an impact begins [m]: 0, or where the surfaces of a cohesive zone come within reach,
+    /// unless the contact ends at zero overlap.
+    [[nodiscard]] double touch_overlap(Detachment detachment) const;
+    /// Overlap at which the static contact ends; the law must have that point [m].
+    [[nodiscard]] double end_overlap(Detachment detachment) const;
+
     /// The point where the curve begins.
     [[nodiscard]] StaticPoint first() const {
         return zone_ ? cohesive_point(zone_->pull_off()) : point(least_root_);

@@ -26,6 +26,12 @@ struct TsujiDamping {
     [[nodiscard]] static auto unit(const Scale& scale) {
         return decltype(scale.momentum())(1);
     }
+    /// Restitution of a Hertz impact that ends at zero overlap, for a scaled coefficient, exactly [1].
+    [[nodiscard]] static double hertz_restitution(double number) {
+        const double share = number / std::sqrt(overdamped_squared);
+        if (share >= 1) return 0;
+        return std::exp(-std::numbers::pi * share / std::sqrt((1 - share) * (1 + share)));
+    }
     /// Scaled coefficient of a Hertz impact with e = 1 - @p loss, exactly [1].
     [[nodiscard]] static double hertz_number(double loss) {
         const double log_loss = -std::log1p(-loss);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every registered damping law: its shape, its unit, its limit and the guess that searches start from.
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include <doctest/doctest.h>
@@ -10,6 +11,7 @@
 #include "solver/motion/scale.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/contact_cases.hpp"
+#include "tests/support/worst.hpp"
 
 using namespace ashimpact;
 using namespace ashimpact::test;
@@ -64,6 +66,30 @@ TEST_CASE("searches start within ten per cent of the damping of a Hertz impact")
     }
 }
 
+TEST_CASE("a damping law that states a closed form gives the restitution of a Hertz impact") {
+    int seen = 0;
+    Worst worst;
+    for (const DampingLaw damping : all_values<DampingLaw>) {
+        const ContactCase hertz{Law::of<Hertz>(), damping, Detachment::zero_overlap};
+        for (const double number : {0.01, 0.1, 0.4, 1.0, 2.0}) {
+            const auto closed = RegisteredDampings::visit<std::optional<double>>(
+                damping, [&]<class D>() -> std::optional<double> {
+                    if constexpr (requires { D::hertz_restitution(number); })
+                        return D::hertz_restitution(number);
+                    return std::nullopt;
+                });
+            if (!closed) continue;
+            ++seen;
+            for (const double v : ash_velocities) {
+                const Impact impact = impact_of(hertz, ash(0.0), number, v);
+                worst.see(relative_difference(solved(impact).restitution, *closed), describe(impact));
+            }
+        }
+    }
+    CHECK(seen >= 5);
+    CHECK_MESSAGE(worst.deviation() < 1e-13, worst.where());
+}
+
 TEST_CASE("a law's limit of overdamping is where Hertz impacts cease to rebound") {
     for (const DampingLaw damping : all_values<DampingLaw>) {
         const double limit = std::sqrt(overdamped_squared(damping));
@@ -71,8 +97,8 @@ TEST_CASE("a law's limit of overdamping is where Hertz impacts cease to rebound"
         CAPTURE(name_of(damping));
         const ContactCase hertz{Law::of<Hertz>(), damping, Detachment::zero_overlap};
         for (const double v : ash_velocities) {
-            CHECK(solve_impact(impact_of(hertz, ash(0.0), 0.99 * limit, v)).outcome == Outcome::rebound);
-            CHECK(solve_impact(impact_of(hertz, ash(0.0), 1.0000001 * limit, v)).outcome == Outcome::capture);
+            CHECK(solved(impact_of(hertz, ash(0.0), 0.99 * limit, v)).outcome == Outcome::rebound);
+            CHECK(solved(impact_of(hertz, ash(0.0), 1.0000001 * limit, v)).outcome == Outcome::capture);
         }
     }
 }

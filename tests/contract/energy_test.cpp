@@ -6,8 +6,6 @@
 
 #include <doctest/doctest.h>
 
-#include "solver/contact/maugis/transition.hpp"
-#include "solver/contact/registry.hpp"
 #include "solver/contact/static_curve.hpp"
 #include "solver/motion/orbit.hpp"
 #include "solver/motion/scaled_impact.hpp"
@@ -23,38 +21,12 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Overlap at which the static law detaches [m].
-double end_overlap(Law law, const ContactPair& pair, Detachment detachment) {
-    if (is_cohesive(law, pair)) {
-        const CohesiveZone zone(transition_parameter(pair));
-        const CohesiveState end =
-            detachment == Detachment::load_controlled ? zone.greatest_tension() : zone.pull_off();
-        const double unit = maugis_units(pair).overlap;
-        return detachment == Detachment::zero_overlap ? 0.0 : static_cast<double>(zone.overlap(end)) * unit;
-    }
-    return law.visit<double>([&]<template <class> class L>() {
-        if constexpr (has_polynomials<L>) {
-            const double length = pair.effective_radius;
-            const L<double> numeric{L<double>::adhesion_number(pair, length)};
-            return numeric.overlap(*numeric.detachment_point(detachment)) * length;
-        }
-        return 0.0;
-    });
-}
-
-/// Overlap at which an impact begins [m]: where the surfaces come within reach of one another.
-double first_overlap(Law law, const ContactPair& pair, Detachment detachment) {
-    if (!is_cohesive(law, pair) || detachment == Detachment::zero_overlap) return 0.0;
-    return static_cast<double>(-CohesiveZone(transition_parameter(pair)).reach()) *
-           maugis_units(pair).overlap;
-}
-
 /// Work that breaking the contact costs, from the overlap of its beginning to its end [J]: the static force
 /// over the overlap, in a variable in which it is smooth at a fold.
 double work_of_breaking(Law law, const ContactPair& pair, Detachment detachment) {
     const StaticCurve curve(law, pair);
-    const double first = first_overlap(law, pair, detachment);
-    const double way = end_overlap(law, pair, detachment) - first;
+    const double first = curve.touch_overlap(detachment);
+    const double way = curve.end_overlap(detachment) - first;
     if (std::abs(way) < 1e-12 * pair.effective_radius) return 0.0;
     return integral(
         [&](double x) { return curve.at_overlap(first + way * (1.0 - x * x)).force() * 2.0 * x * way; }, 0.0,
@@ -87,7 +59,7 @@ TEST_CASE("an undamped impact loses what breaking the contact costs, and nothing
         for (const double w : ash_adhesions) {
             for (const double v : ash_velocities) {
                 const Impact impact = impact_of(c, ash(w), 0.0, v);
-                const ImpactResult result = solve_impact(impact);
+                const ImpactResult result = solved(impact);
                 const double kinetic = 0.5 * impact.contact.mass * v * v;
                 const double breaking = work_of_breaking(c.law, impact.contact, c.detachment);
                 const double expected = std::sqrt(1.0 - breaking / kinetic);
@@ -112,8 +84,8 @@ TEST_CASE("the damping law does not matter where its coefficient is zero") {
     for (const ContactCase& c : contact_cases()) {
         ContactCase plain = c;
         plain.damping_law = DampingLaw::constant;
-        const ImpactResult a = solve_impact(impact_of(c, ash(0.3), 0.0, 2.0));
-        const ImpactResult b = solve_impact(impact_of(plain, ash(0.3), 0.0, 2.0));
+        const ImpactResult a = solved(impact_of(c, ash(0.3), 0.0, 2.0));
+        const ImpactResult b = solved(impact_of(plain, ash(0.3), 0.0, 2.0));
         worst.see(std::abs(a.restitution - b.restitution), name_of(c));
         worst.see(relative_difference(*a.contact_time, *b.contact_time), name_of(c));
         worst.see(relative_difference(a.maximum_overlap, b.maximum_overlap), name_of(c));
@@ -126,7 +98,7 @@ TEST_CASE("the ledger of a damped impact closes, and every entry has its sign") 
     int captures = 0;
     int yielded = 0;
     for_each_damped_impact([&](const Impact& impact) {
-        const ImpactResult result = solve_impact(impact);
+        const ImpactResult result = solved(impact);
         const EnergyLedger& energy = result.energy;
         CAPTURE(describe(impact));
         const double kinetic = 0.5 * impact.contact.mass * impact.velocity * impact.velocity;
@@ -181,7 +153,7 @@ TEST_CASE("the dissipated energy is the work of damping, integrated by itself al
             const auto [units, motion, velocity] = scaled_cohesive_impact(impact);
             const auto orbit = follow_cohesive(motion, velocity, add_work).orbit;
             const double work = orbit.outcome == Outcome::rebound ? approach + rebound : approach;
-            worst.see(relative_difference(work * units.energy(), solve_impact(impact).energy.dissipated),
+            worst.see(relative_difference(work * units.energy(), solved(impact).energy.dissipated),
                       describe(impact));
             return;
         }
@@ -191,7 +163,7 @@ TEST_CASE("the dissipated energy is the work of damping, integrated by itself al
                 : follow<Extended>(scaled_motion<Extended>(impact, scale), 1.0L, add_work);
         // The ledger of a capture ends at the greatest overlap.
         const double work = orbit.outcome == Outcome::rebound ? approach + rebound : approach;
-        worst.see(relative_difference(work * scale.energy(), solve_impact(impact).energy.dissipated),
+        worst.see(relative_difference(work * scale.energy(), solved(impact).energy.dissipated),
                   describe(impact));
     });
     CHECK(worst.count() > 500);

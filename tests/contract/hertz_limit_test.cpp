@@ -37,7 +37,7 @@ TEST_CASE("an impact without adhesion is that of Hertz") {
         for (const double v : ash_velocities) {
             for (const double number : damping_numbers) {
                 const Impact impact = impact_of(c, ash(0.0), number, v);
-                worst.see(difference(solve_impact(impact), solve_impact(hertz_of(impact))), describe(impact));
+                worst.see(difference(solved(impact), solved(hertz_of(impact))), describe(impact));
             }
         }
     }
@@ -51,7 +51,7 @@ TEST_CASE("an impact tends to that of Hertz as adhesion vanishes, at least with 
     for (const ContactCase& c : elastic_cases()) {
         const auto distance = [&](double w) {
             const Impact impact = impact_of(c, ash(w), 0.3, 2.0);
-            return difference(solve_impact(impact), solve_impact(hertz_of(impact)));
+            return difference(solved(impact), solved(hertz_of(impact)));
         };
         for (int power = -4; power > -13; power -= 2) {
             const double w = std::pow(10.0, power);

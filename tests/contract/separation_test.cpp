@@ -44,7 +44,7 @@ TEST_CASE("undamped JKR impacts rebound with e = sqrt(1 - (v_s/v)^2)") {
                 const Impact impact = impact_of({Law::of<Jkr>(), DampingLaw::constant, end.detachment},
                                                 ash(w), 0.0, ratio * v_s);
                 const double expected = std::sqrt((1.0 - 1.0 / ratio) * (1.0 + 1.0 / ratio));
-                worst.see(std::abs(solve_impact(impact).restitution - expected), describe(impact));
+                worst.see(std::abs(solved(impact).restitution - expected), describe(impact));
             }
         }
     }

@@ -2,12 +2,14 @@
 // A law's own lines: polynomials, derivatives, signs, special points and units, for every registered law.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include <doctest/doctest.h>
 
 #include "solver/contact/registry.hpp"
+#include "solver/contact/static_curve.hpp"
 #include "solver/motion/scale.hpp"
 #include "solver/numeric/polynomial.hpp"
 #include "tests/relative_difference.hpp"
@@ -30,6 +32,13 @@ void for_each_law(Visitor&& visitor) {
             if constexpr (has_polynomials<L>) visitor.template operator()<L>();
         });
     }
+}
+
+/// How many those are.
+int laws_with_polynomials() {
+    int count = 0;
+    for_each_law([&]<template <class> class L>() { ++count; });
+    return count;
 }
 
 /// Adhesion numbers of a law at fly-ash scale.
@@ -111,9 +120,42 @@ TEST_CASE("overlap and force are the polynomials that the motion is built from, 
             }
         }
     });
-    CHECK(value.count() >= static_cast<int>(Law::count() - 1) * 100);
+    CHECK(value.count() >= laws_with_polynomials() * 100);
     CHECK_MESSAGE(value.deviation() < 1e-18, value.where());
     CHECK_MESSAGE(slope.deviation() < 1e-14, slope.where());
+}
+
+TEST_CASE("what a law states of itself fits its force and pressure") {
+    const double overlap = 1e-7;
+    const auto attraction = [&](Law law, const ContactPair& pair) {
+        return StaticCurve(law, pair).at_overlap(overlap).attractive_force;
+    };
+    for (std::size_t i = 0; i < Law::count(); ++i) {
+        const Law law = Law::at(i);
+        CAPTURE(law.name());
+        CHECK(std::filesystem::exists(std::filesystem::path(ASHIMPACT_TEST_DATA) / "../.." / law.page()));
+        ContactPair pair = ash(0.3);
+        const double radius = StaticCurve(law, pair).at_overlap(overlap).contact_radius;
+        CHECK((attraction(law, pair) != 0.0) == law.is_adhesive());
+        CHECK(law.pressure(pair, radius).central() > 0.0);
+        CHECK(law.pressure(ash(0.0), radius).central() == hertz_pressure(pair, radius).central());
+        const double before = attraction(law, pair);
+        pair.work_of_adhesion = 0.6;
+        CHECK((attraction(law, pair) != before) == law.uses_work_of_adhesion());
+        CHECK((law.trust(1.0, false) == Trust::leaves_adhesion_out) == !law.is_adhesive());
+        CHECK((law.trust(1.0, true) == Trust::describes_yield) == law.is_plastic());
+        CHECK(law.similar().self_similar());
+    }
+}
+
+TEST_CASE("a law that is a limit of the Tabor parameter is trusted on its side of it") {
+    for (std::size_t i = 0; i < Law::count(); ++i) {
+        const Law law = Law::at(i);
+        if (law.limit() == AdhesionRegime::none) continue;
+        CAPTURE(law.name());
+        const bool soft = law.limit() == AdhesionRegime::jkr;
+        CHECK(law.trust(soft ? 10.0 : 0.01, false) < law.trust(soft ? 0.01 : 10.0, false));
+    }
 }
 
 TEST_CASE("first touch is at zero overlap, and the special points are what their names say") {
@@ -151,7 +193,7 @@ TEST_CASE("first touch is at zero overlap, and the special points are what their
             }
         }
     });
-    CHECK(worst.count() >= static_cast<int>(Law::count() - 1) * 18);
+    CHECK(worst.count() >= laws_with_polynomials() * 18);
     CHECK_MESSAGE(worst.deviation() < 1e-17, worst.where());
 }
 

@@ -120,8 +120,8 @@ TEST_CASE("impacts scale with their units") {
         for (const double w : ash_adhesions) {
             for (const double number : damping_numbers) {
                 const Impact impact = impact_of(c, ash(w), number, 2.0);
-                const ImpactResult a = solve_impact(impact);
-                const ImpactResult b = solve_impact(in_other_units(impact));
+                const ImpactResult a = solved(impact);
+                const ImpactResult b = solved(in_other_units(impact));
                 CHECK(a.outcome == b.outcome);
                 const double size = a.energy.incident + std::abs(a.energy.minimum);
                 Comparison(describe(impact))
@@ -150,10 +150,8 @@ TEST_CASE("critical velocities scale with their units") {
         for (const double number : damping_numbers) {
             const Impact impact = impact_of(c, ash(0.3), number, 2.0);
             const Impact other = in_other_units(impact);
-            const CriticalVelocity a =
-                critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact});
-            const CriticalVelocity b =
-                critical_velocity({other.law, other.detachment, other.damping, other.contact});
+            const CriticalVelocity a = critical_of(impact);
+            const CriticalVelocity b = critical_of(other);
             CHECK(a.verdict == b.verdict);
             Comparison(describe(impact))
                 .same(a.value, b.value, velocity)

@@ -5,9 +5,10 @@
 #include <numbers>
 #include <sstream>
 
+#include <doctest/doctest.h>
+
 #include "solver/contact/law_parameters.hpp"
 #include "solver/motion/scale.hpp"
-#include "solver/motion/scaled_impact.hpp"
 
 namespace ashimpact::test {
 
@@ -85,6 +86,16 @@ Impact impact_of(const ContactCase& c, const ContactPair& pair, double damping_n
             .damping = {c.damping_law, scale.damping_coefficient(c.damping_law, damping_number)},
             .contact = contact,
             .velocity = velocity};
+}
+
+ImpactResult solved(const Impact& impact) {
+    INFO(describe(impact));
+    return solve_impact(impact);
+}
+
+CriticalVelocity critical_of(const Impact& impact) {
+    INFO(describe(impact));
+    return critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact});
 }
 
 std::string describe(const Impact& impact) {

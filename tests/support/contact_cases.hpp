@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/impact.hpp"
 
 namespace ashimpact::test {
@@ -49,6 +50,10 @@ inline constexpr double damping_numbers[] = {0.05, 0.3, 0.8};
 /// damping), and whose contact has the case's yield pressure.
 [[nodiscard]] Impact impact_of(const ContactCase& c, const ContactPair& pair, double damping_number,
                                double velocity);
+
+/// solve_impact() and critical_velocity(); what they throw is reported with the impact.
+[[nodiscard]] ImpactResult solved(const Impact& impact);
+[[nodiscard]] CriticalVelocity critical_of(const Impact& impact);
 
 /// The impact in words, for the message of a failed check.
 [[nodiscard]] std::string describe(const Impact& impact);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <random>
+#include <string_view>
 
 #include "solver/numeric/gsl/distribution.hpp"
 #include "solver/statistics/philox.hpp"
@@ -35,6 +36,13 @@ class Random {
   private:
     std::mt19937_64 engine_;
 };
+
+/// Random numbers of a name, so that a new name shifts no other's. @param seed of the test
+[[nodiscard]] inline Random random_of(std::string_view name, std::uint64_t seed) {
+    std::uint64_t hash = 0xcbf29ce484222325U ^ seed;  // FNV-1a
+    for (const char letter : name) hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3U;
+    return Random(hash);
+}
 
 /// How often to repeat what costs time: as often as asked, but less under sanitizers.
 [[nodiscard]] constexpr int repetitions(int in_release) {
