@@ -26,7 +26,12 @@ Law Law::named(std::string_view name) {
 }
 
 std::string_view Law::name() const {
-    return visit<std::string_view>([]<template <class> class L>() { return L<double>::name; });
+    return visit<std::string_view>([]<template <class> class L>() {
+        static_assert(
+            has_polynomials<L> || requires { L<double>::has_cohesive_zone; },
+            "solver/motion follows laws that are polynomials of u, or have a cohesive zone");
+        return L<double>::name;
+    });
 }
 
 std::string Law::page() const {
