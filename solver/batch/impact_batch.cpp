@@ -13,7 +13,6 @@
 #include "solver/batch/parallel.hpp"
 #include "solver/batch/task.hpp"
 #include "solver/contact/registry.hpp"
-#include "solver/motion/maugis/cohesive_impact.hpp"
 #include "solver/motion/scale.hpp"
 #include "solver/surrogate/batch/restitution_table.hpp"
 
@@ -91,15 +90,14 @@ constexpr double most_adhesion = 1e6;
 /// One impact by the scalar solver, with a cohesive zone in double precision where that is enough.
 ImpactResult solve_alone(const Impact& impact) {
     if (!is_cohesive(impact.law, impact.contact)) return solve_impact(impact);
-    validate(impact);
     const double length = Scale::of(impact.contact, impact.velocity).length;
     const double adhesion = Dmt<double>::adhesion_number(impact.contact, length);
     try {
         if (adhesion > least_adhesion && adhesion < most_adhesion)
-            return solve_cohesive_impact(impact, Precision::standard);
+            return solve_impact(impact, Precision::standard);
     } catch (const ConvergenceError&) {  // it may in extended precision
     }
-    return solve_cohesive_impact(impact, Precision::extended);
+    return solve_impact(impact);
 }
 
 /// Solves a task. Impacts that its kernel left undecided or gave an impossible result go through the scalar

@@ -120,10 +120,9 @@ StaticPoint StaticCurve::at_overlap(double delta) const {
     require_at_least("overlap", delta, first().overlap);
     if (delta == first().overlap) return first();
     if (zone_) return cohesive_point(zone_->at_overlap(delta / units_.overlap));
-    const auto excess = [&](double step) { return point(least_root_ + step).overlap - delta; };
-    double step = std::max(least_root_, std::sqrt(std::sqrt(std::abs(delta) / length_)));
-    while (excess(step) < 0.0) step *= 2.0;
-    return point(least_root_ + sign_change<double>(excess, step));
+    const auto excess = [&](double root) { return point(root).overlap - delta; };
+    const double width = std::max(least_root_, std::sqrt(std::sqrt(std::abs(delta) / length_)));
+    return point(root_beyond<double>(excess, least_root_, width));
 }
 
 std::vector<StaticPoint> StaticCurve::sampled(double delta, int count) const {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
-#include "solver/motion/motion_stepper.hpp"
+#include "solver/critical_velocity/critical_impact.hpp"
+#include "solver/motion/legs.hpp"
 #include "solver/numeric/extended.hpp"
 
 namespace ashimpact {
@@ -15,6 +17,11 @@ struct Arrival {
     std::optional<Extended> time_after = 0;  ///< from that state to the end; none if infinite
 };
 
+/// The critical impact of an orbit followed backward from @p arrival to the state @p touch at first touch.
+[[nodiscard]] CriticalImpact critical_impact(const Arrival& arrival, const MotionState<Extended>& touch,
+                                             Extended plastic, Extended break_energy,
+                                             Extended maximum_overlap);
+
 /// Whether the end of contact is a rest point of the regularised motion (delta'(q_end) = 0).
 [[nodiscard]] bool ends_at_rest_point(const Motion<Extended>& motion);
 
@@ -22,13 +29,53 @@ struct Arrival {
 /// adhesion there is one only if the damping does not vanish with the contact radius.
 [[nodiscard]] std::optional<Arrival> critical_arrival(const Motion<Extended>& motion);
 
-/// Follows the outward leg backward in time to its turning point; none if the orbit escapes, so that no
-/// velocity is high enough to rebound. @p steps counts Taylor steps. @throws ConvergenceError
-[[nodiscard]] std::optional<MotionState<Extended>> back_to_turn(const Motion<Extended>& motion,
-                                                                MotionState<Extended> state, int& steps);
+/// Beyond this coordinate, in units of the equilibrium or of the damping length, a backward orbit has
+/// escaped.
+inline constexpr Extended escape = 1e25_ext;
 
-/// Follows the inward leg backward in time to the coordinate @p target. @throws ConvergenceError
-[[nodiscard]] MotionState<Extended> back_to(const Motion<Extended>& motion, MotionState<Extended> state,
-                                            Extended target, int& steps);
+/// Expands for a step backward in time.
+template <class Branch>
+[[nodiscard]] MotionExpansion<Extended> backward_expansion(const Branch& branch,
+                                                           const MotionState<Extended>& state, int& steps) {
+    MotionExpansion<Extended> x = counted_expansion(branch, state, steps);
+    x.step = -x.step;
+    return x;
+}
+
+/// Follows the outward leg on a branch backward in time to its turning point; none if the orbit escapes, so
+/// that no velocity is high enough to rebound.
+/// @param equilibrium coordinate of static equilibrium. @throws ConvergenceError
+template <class Branch>
+[[nodiscard]] std::optional<MotionState<Extended>> back_to_turn(const Branch& branch,
+                                                                MotionState<Extended> state,
+                                                                Extended equilibrium) {
+    const Extended farthest = escape * std::max({1.0_ext, equilibrium, state.position});
+    int steps = 0;
+    while (state.position < farthest) {
+        const MotionExpansion<Extended> x = backward_expansion(branch, state, steps);
+        const auto turn = event_within(x, x.step, [](const MotionState<Extended>& s) { return -s.velocity; });
+        state = x.at(turn.value_or(x.step));
+        if (!turn) continue;
+        state.velocity = 0;
+        return state;
+    }
+    return std::nullopt;
+}
+
+/// Follows the inward leg on a branch backward in time to the coordinate @p place; or to rest, where rounding
+/// leaves the orbit just short of it. @throws ConvergenceError
+template <class Branch>
+[[nodiscard]] MotionState<Extended> back_to(const Branch& branch, MotionState<Extended> state,
+                                            Extended place) {
+    int steps = 0;
+    while (true) {
+        const MotionExpansion<Extended> x = backward_expansion(branch, state, steps);
+        const auto rest = event_within(x, x.step, [](const MotionState<Extended>& s) { return s.velocity; });
+        const Extended part = rest.value_or(x.step);
+        const auto there = event_within(x, part, way_to(place, -1.0_ext));
+        state = x.at(there.value_or(part));
+        if (there || rest) return state;
+    }
+}
 
 }  // namespace ashimpact

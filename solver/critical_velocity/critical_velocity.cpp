@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "core/checks.hpp"
-#include "solver/critical_velocity/backward_orbit.hpp"
-#include "solver/critical_velocity/maugis/cohesive_critical_velocity.hpp"
-#include "solver/critical_velocity/plastic_critical_velocity.hpp"
+#include "core/error.hpp"
+#include "solver/critical_velocity/critical_impact.hpp"
 #include "solver/damping/registry.hpp"
 #include "solver/motion/scaled_impact.hpp"
 #include "solver/motion/velocity_scales.hpp"
@@ -17,48 +17,89 @@ namespace ashimpact {
 
 namespace {
 
-/// Verdict known beforehand, or none if the critical orbit has to be followed.
-std::optional<CaptureVerdict> known_verdict(const CriticalVelocityProblem& problem, bool adhesive,
-                                            bool breaking_costs) {
-    const Damping& damping = problem.damping;
-    if (problem.detachment == Detachment::zero_force) return CaptureVerdict::never_captured;
-    if (damping.coefficient == 0.0 && !breaking_costs) return CaptureVerdict::never_captured;
-    return adhesive ? std::nullopt : verdict_without_adhesion(damping, problem.contact);
-}
+/// Finds the critical impacts on the branches of a law.
+struct Search {
+    const CriticalVelocityProblem& problem;
+    const Scale& scale;
 
-CriticalVelocity finite_result(const Motion<Extended>& motion, const Arrival& arrival,
-                               const MotionState<Extended>& turn, const MotionState<Extended>& touch,
-                               const Scale& scale) {
-    const Extended dissipated = arrival.dissipated_after - touch.dissipation;
-    const Extended released = motion.potential(*motion.end) - motion.potential(motion.touch);
+    [[nodiscard]] CriticalImpacts operator()(const Motion<Extended>& motion) const {
+        const Damping& damping = problem.damping;
+        if (problem.detachment == Detachment::zero_force) return {CaptureVerdict::never_captured};
+        const bool breaking_costs = motion.potential(*motion.end) > motion.potential(motion.touch);
+        if (damping.coefficient == 0.0 && !breaking_costs) return {CaptureVerdict::never_captured};
+        if (velocity_of_adhesion(problem.law, problem.contact) == 0.0) {
+            if (const auto verdict = verdict_without_adhesion(damping, problem.contact)) return {*verdict};
+        }
+        if (damping.coefficient > 0.0)  // beyond the range of numbers there is no verdict to be had
+            require_positive("the velocity that this damping captures", scale.velocity, Dimension::velocity);
+        return critical_impacts(motion);
+    }
+    [[nodiscard]] CriticalImpacts operator()(const PlasticMotion<Extended>& motion) const {
+        return critical_impacts(motion, problem.contact.effective_radius / scale.length);
+    }
+    [[nodiscard]] CriticalImpacts operator()(const CohesiveMotion& motion) const {
+        const bool costs_nothing = problem.detachment == Detachment::zero_overlap;
+        if (problem.damping.coefficient == 0.0 && costs_nothing) return {CaptureVerdict::never_captured};
+        return critical_impacts(motion);
+    }
+};
+
+CriticalVelocity in_si_units(const CriticalImpacts& found, const Scale& scale) {
+    const auto joule = [&](Extended energy) { return static_cast<double>(energy) * scale.energy(); };
+    const CriticalImpact& first = found.impacts.front();
     CriticalVelocity result;
-    result.value = static_cast<double>(std::sqrt(2 * (dissipated + released))) * scale.velocity;
-    result.crossings = {*result.value};
-    if (arrival.time_after)
-        result.contact_time = static_cast<double>(*arrival.time_after - touch.time) * scale.time();
-    result.maximum_overlap = static_cast<double>(motion.overlap(turn.position)) * scale.length;
-    result.dissipated = static_cast<double>(dissipated) * scale.energy();
-    result.detachment_energy = static_cast<double>(released) * scale.energy();
+    if (first.contact_time) result.contact_time = static_cast<double>(*first.contact_time) * scale.time();
+    result.maximum_overlap = static_cast<double>(first.maximum_overlap) * scale.length;
+    result.dissipated = joule(first.dissipated);
+    result.plastic = joule(first.plastic);
+    result.detachment_energy = joule(first.break_energy);
+    for (const CriticalImpact& impact : found.impacts)
+        result.crossings.push_back(static_cast<double>(impact.velocity) * scale.velocity);
+    result.value = result.crossings.front();
     return result;
 }
 
-CriticalVelocity cohesive_critical_velocity(const CriticalVelocityProblem& problem) {
-    const bool costs_nothing = problem.detachment == Detachment::zero_overlap;
-    if (problem.damping.coefficient == 0.0 && costs_nothing)
-        return {.verdict = CaptureVerdict::never_captured};
-    const auto [scale, motion, one] =
-        scaled_cohesive_impact({problem.law, problem.detachment, problem.damping, problem.contact, 1.0});
-    const auto critical = critical_cohesive_impact(motion);
-    if (!critical) return {.verdict = CaptureVerdict::always_captured};
-    CriticalVelocity result;
-    result.value = static_cast<double>(critical->velocity) * scale.velocity;
-    result.crossings = {*result.value};
-    result.contact_time = static_cast<double>(critical->contact_time) * scale.time();
-    result.maximum_overlap = static_cast<double>(critical->maximum_overlap) * scale.length;
-    result.dissipated = static_cast<double>(critical->dissipated) * scale.energy();
-    result.detachment_energy = static_cast<double>(critical->break_energy) * scale.energy();
-    result.steps = critical->steps;
-    return result;
+bool captured_at(const CriticalVelocityProblem& problem, double velocity) {
+    return scaled_restitution<Extended>(
+               {problem.law, problem.detachment, problem.damping, problem.contact, velocity}) == 0;
+}
+
+/// The crossing refined by forward impacts. Very strong damping draws orbits together, so that a backward
+/// orbit loses digits that forward impacts keep.
+double confirmed(const CriticalVelocityProblem& problem, double velocity) {
+    double margin = 1e-11;
+    const auto parts = [&](double lower, double upper) {
+        return captured_at(problem, lower) != captured_at(problem, upper);
+    };
+    while (margin < 0.03 && !parts(velocity * (1 - margin), velocity * (1 + margin))) margin *= 10;
+    if (margin == 1e-11 || margin >= 0.03) return velocity;
+    double lower = velocity * (1 - margin);
+    double upper = velocity * (1 + margin);
+    const bool captured = captured_at(problem, lower);
+    while (upper - lower > 1e-15 * upper) {
+        const double middle = lower + (upper - lower) / 2;
+        if (middle <= lower || middle >= upper) break;
+        (captured_at(problem, middle) == captured ? lower : upper) = middle;
+    }
+    return upper;
+}
+
+/// Refines the crossings of a contact that can yield.
+/// @throws InputError if no impact of positive energy gets there: the closure does not hold
+void confirm(const CriticalVelocityProblem& problem, CriticalVelocity& result) {
+    const bool first_exists = std::isfinite(*result.value);
+    std::erase_if(result.crossings, [](double crossing) { return !std::isfinite(crossing); });
+    for (double& crossing : result.crossings) crossing = confirmed(problem, crossing);
+    if (first_exists) result.value = result.crossings.front();
+    for (const double number :
+         {*result.value, result.contact_time.value_or(0.0), result.maximum_overlap.value_or(0.0),
+          result.dissipated, result.plastic, result.detachment_energy}) {
+        if (std::isfinite(number)) continue;
+        std::ostringstream what;
+        what << "the critical impact lies outside the range of the plastic closure at a yield pressure of "
+             << problem.contact.yield_pressure << " Pa";
+        throw InputError(what.str(), "a larger yield pressure or less adhesion, or the law jkr");
+    }
 }
 
 }  // namespace
@@ -82,29 +123,18 @@ std::optional<CaptureVerdict> verdict_without_adhesion(const Damping& damping, c
 }
 
 CriticalVelocity critical_velocity(const CriticalVelocityProblem& problem) {
-    validate(Impact{problem.law, problem.detachment, problem.damping, problem.contact, 1.0});
-    if (can_yield(problem.law, problem.contact)) return plastic_critical_velocity(problem);
-    if (is_cohesive(problem.law, problem.contact)) return cohesive_critical_velocity(problem);
-    const double adhesion_velocity = velocity_of_adhesion(problem.law, problem.contact);
-    const double unit = std::max({adhesion_velocity, velocity_of_damping(problem.damping, problem.contact),
-                                  std::numeric_limits<double>::min()});
-    const Scale scale = Scale::of(problem.contact, unit);
-    const Motion<Extended> motion = scaled_motion<Extended>(
-        {problem.law, problem.detachment, problem.damping, problem.contact, unit}, scale);
-    const bool breaking_costs = motion.end && motion.potential(*motion.end) > motion.potential(motion.touch);
-    if (const auto verdict = known_verdict(problem, adhesion_velocity > 0.0, breaking_costs)) {
-        return {.verdict = *verdict};
-    }
-    if (problem.damping.coefficient > 0.0)  // beyond the range of numbers there is no verdict to be had
-        require_positive("the velocity that this damping captures", unit, Dimension::velocity);
-    const std::optional<Arrival> arrival = critical_arrival(motion);
-    if (!arrival) return {.verdict = CaptureVerdict::never_captured};
-    int steps = 0;
-    const auto turn = back_to_turn(motion, arrival->state, steps);
-    if (!turn) return {.verdict = CaptureVerdict::always_captured};
-    const MotionState<Extended> touch = back_to(motion, *turn, motion.touch, steps);
-    CriticalVelocity result = finite_result(motion, *arrival, *turn, touch, scale);
-    result.steps = steps;
+    const auto& [law, detachment, damping, contact] = problem;
+    validate(Impact{law, detachment, damping, contact, 1.0});
+    const bool yields = can_yield(law, contact);
+    // Beside these the numbers of the scaled impact are of order one or less.
+    const double unit = std::max({velocity_of_adhesion(law, contact), velocity_of_damping(damping, contact),
+                                  yields ? yield_velocity(contact) : std::numeric_limits<double>::min()});
+    const auto [scale, velocity, branches] =
+        scaled_impact<Extended>({law, detachment, damping, contact, unit}, Precision::extended);
+    const CriticalImpacts found = std::visit(Search{problem, scale}, branches);
+    if (found.impacts.empty()) return {.verdict = found.verdict};
+    CriticalVelocity result = in_si_units(found, scale);
+    if (yields) confirm(problem, result);
     return result;
 }
 

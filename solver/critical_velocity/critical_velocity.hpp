@@ -37,7 +37,6 @@ struct CriticalVelocity {
     double dissipated = 0.0;                  ///< work taken by damping at v_c [J]
     double plastic = 0.0;                     ///< work spent in yielding at v_c [J]
     double detachment_energy = 0.0;           ///< U(end) - U(touch): cost of the break itself [J]
-    int steps = 0;                            ///< Taylor steps taken
     std::vector<double> crossings{};  ///< every velocity at which capture and rebound change places [m/s]
 };
 
@@ -53,7 +52,8 @@ struct CriticalVelocity {
 /// Orbits cannot cross, so rebound speed is monotone in the incident velocity, and one integration backward
 /// in time from the end gives v_c without root finding: v_c^2 = 2 (D + U_end - U_touch)/m. The dissipated
 /// work D is integrated too, so nothing cancels under weak damping. Hertz with constant damping has v_c =
-/// 0.5476175 eta^5/(m^3 k^2).
+/// 0.5476175 eta^5/(m^3 k^2). Where the contact yields there may be several critical velocities, of which
+/// this is the least by greatest contact; verdicts then hold for overlaps up to R* only.
 /// @throws InputError for inadmissible input, ConvergenceError if the step count runs away
 [[nodiscard]] CriticalVelocity critical_velocity(const CriticalVelocityProblem& problem);
 

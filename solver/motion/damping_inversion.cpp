@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "core/error.hpp"
-#include "solver/motion/orbit.hpp"
 #include "solver/motion/scaled_impact.hpp"
 #include "solver/motion/velocity_scales.hpp"
 #include "solver/numeric/gsl/root.hpp"
@@ -29,7 +28,7 @@ class RestitutionByDamping {
     template <class Real>
     [[nodiscard]] Real at(double number) {
         ++impacts;
-        return scaled_restitution<Real>(impact(number), scale_);
+        return scaled_restitution<Real>(impact(number));
     }
     [[nodiscard]] Impact impact(double number) const {
         return {problem_.law, problem_.detachment, damping(number), problem_.contact, problem_.velocity};

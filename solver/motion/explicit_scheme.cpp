@@ -8,8 +8,8 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "solver/contact/registry.hpp"
-#include "solver/motion/hertz_contact.hpp"
-#include "solver/motion/orbit.hpp"
+#include "solver/motion/impact_result.hpp"
+#include "solver/motion/scale.hpp"
 #include "solver/motion/scaled_impact.hpp"
 
 namespace ashimpact {
@@ -47,33 +47,23 @@ double longest_time_step(const Impact& impact) {
 
 void require_treatable(const Impact& impact, const ExplicitSchemeOptions& options) {
     validate(impact);
-    if (!is_treatable(impact.law)) {
-        throw InputError("the paper's explicit scheme cannot treat law '" + std::string(impact.law.name()) +
-                             "': its force is not a function of overlap",
-                         treatable_laws());
-    }
-    if (impact.detachment != Detachment::zero_overlap) {
-        throw InputError("the paper's explicit scheme ends contact at zero overlap", "zero-overlap");
-    }
-    if (impact.damping.law != DampingLaw::constant) {
-        throw InputError("the paper's explicit scheme has constant damping", "constant");
-    }
-    if (!(options.time_step > 0.0) || !std::isfinite(options.time_step)) {
-        throw InputError("time_step is " + shortest(options.time_step) + " s", "a finite number > 0 s");
-    }
+    const auto require = [](bool holds, const std::string& problem, const std::string& allowed) {
+        if (!holds) throw InputError(problem, allowed);
+    };
+    require(is_treatable(impact.law),
+            "the paper's explicit scheme cannot treat law '" + std::string(impact.law.name()) +
+                "': its force is not a function of overlap",
+            treatable_laws());
+    require(impact.detachment == Detachment::zero_overlap,
+            "the paper's explicit scheme ends contact at zero overlap", "zero-overlap");
+    require(impact.damping.law == DampingLaw::constant, "the paper's explicit scheme has constant damping",
+            "constant");
+    const std::string step = "time_step is " + shortest(options.time_step) + " s";
+    require(options.time_step > 0.0 && std::isfinite(options.time_step), step, "a finite number > 0 s");
     const double longest = longest_time_step(impact);
-    if (options.time_step > longest) {
-        throw InputError("time_step is " + shortest(options.time_step) + " s, too long for this impact",
-                         "up to " + shortest(longest) + " s");
-    }
+    require(options.time_step <= longest, step + ", too long for this impact",
+            "up to " + shortest(longest) + " s");
 }
-
-/// Where the ledger ends: detachment, or for a capture the greatest overlap or the rest it creeps to.
-struct LedgerEnd {
-    double overlap = 0.0;
-    double speed = 0.0;
-    double dissipated = 0.0;
-};
 
 /// The recurrence of Eq. 31, scaled; remembers the three latest overlaps.
 struct Recurrence {
@@ -92,24 +82,23 @@ struct Recurrence {
     [[nodiscard]] MotionState<double> state() const {
         return {.position = coordinate(now), .velocity = velocity()};
     }
-    /// Part of the last step at which the overlap fell through zero, by linear interpolation.
-    [[nodiscard]] double crossing() const { return before / (before - now); }
-    /// Velocity at the crossing, from those half a step and one and a half steps ago.
-    [[nodiscard]] double crossing_velocity() const {
-        const double previous = (before - earlier) / step;
-        return velocity() + (velocity() - previous) * (crossing() - 0.5);
-    }
-    /// At rest in equilibrium, where a creeping approach ends: damping has taken all that is above it.
-    [[nodiscard]] LedgerEnd at_rest() const {
-        const double rest = motion.overlap(motion.equilibrium);
-        const double above = motion.potential(coordinate(now)) - motion.potential(motion.equilibrium);
-        return {rest, 0.0, dissipated + step_work() + velocity() * velocity() / 2.0 + above};
-    }
-    [[nodiscard]] LedgerEnd at_crossing() const {
-        return {0.0, std::max(0.0, -crossing_velocity()), dissipated + crossing() * step_work()};
-    }
     /// Work of damping over the last step.
     [[nodiscard]] double step_work() const { return motion.damping[0] * velocity() * velocity() * step; }
+    /// At rest in equilibrium, where a creeping approach ends: damping has taken all that is above it.
+    [[nodiscard]] MotionState<double> at_rest() const {
+        const double above = motion.potential(coordinate(now)) - motion.potential(motion.equilibrium);
+        return {.position = motion.equilibrium,
+                .dissipation = dissipated + step_work() + velocity() * velocity() / 2.0 + above};
+    }
+    /// Part of the last step at which the overlap fell through zero, by linear interpolation.
+    [[nodiscard]] double crossing() const { return before / (before - now); }
+    /// The state there, its velocity from those half a step and one and a half steps ago.
+    [[nodiscard]] MotionState<double> at_crossing() const {
+        const double previous = (before - earlier) / step;
+        const double crossing_velocity = velocity() + (velocity() - previous) * (crossing() - 0.5);
+        return {.velocity = std::min(0.0, crossing_velocity),
+                .dissipation = dissipated + crossing() * step_work()};
+    }
     void advance() {
         const double next = 2.0 * now - before -
                             step * step * (motion.damping[0] * velocity() + motion.force(coordinate(now)));
@@ -133,53 +122,41 @@ ImpactResult solve_impact_explicit(const Impact& impact, const ExplicitSchemeOpt
     require_treatable(impact, options);
     const Scale scale = Scale::of(impact.contact, impact.velocity);
     const Motion<double> motion = scaled_motion<double>(impact, scale);
-    const double step = options.time_step / scale.time();
-    Recurrence r{.motion = motion, .step = step};
-
     const CaptureTest<double> capture(motion);
+    Recurrence r{.motion = motion, .step = options.time_step / scale.time()};
+    Orbit<double> orbit;
+    orbit.rest_potential = motion.potential(motion.equilibrium);
     long count = 1;
     long turned_at = 0;
-    LedgerEnd last;
     bool captured = false;
     while (r.now > 0.0 && !captured) {
         if (++count > options.most_steps) throw ConvergenceError("explicit scheme: step limit reached");
         r.advance();
         const bool rises = r.now >= r.before;
-        if (turned_at == 0 && !rises) {
+        if (!orbit.turned && !rises) {
+            orbit.turned = true;
             turned_at = count - 1;
-            last = {.overlap = r.before, .speed = 0.0, .dissipated = r.dissipated};
-        } else if (turned_at != 0 && rises) {
+            orbit.turn = {.position = r.coordinate(r.before), .dissipation = r.dissipated};
+            orbit.maximum_overlap = r.before;
+        } else if (orbit.turned && rises) {
             captured = true;  // a second turning point, still in contact
         }
         if (r.now <= 0.0 || captured) continue;
-        captured = turned_at == 0 ? capture.creeping_up(r.state()) : capture.creeping(r.state());
+        captured = orbit.turned ? capture.creeping(r.state()) : capture.creeping_up(r.state());
     }
-    const bool turned = turned_at != 0;
-    const double maximum = turned ? last.overlap : motion.overlap(motion.equilibrium);
-    if (!turned) last = r.at_rest();
-    if (!captured) last = r.at_crossing();
-    const double speed = last.speed;
-    const double potential = motion.potential(r.coordinate(last.overlap));
-
-    ImpactResult result{};
-    result.outcome = captured ? Outcome::capture : Outcome::rebound;
-    result.restitution = captured ? 0.0 : speed;
-    result.rebound_velocity = result.restitution * impact.velocity;
+    if (!orbit.turned) {
+        orbit.turn = r.at_rest();
+        orbit.maximum_overlap = motion.overlap(motion.equilibrium);
+    }
     if (!captured) {
-        result.contact_time = (static_cast<double>(count - 1) + r.crossing()) * options.time_step;
+        orbit.outcome = Outcome::rebound;
+        orbit.end = r.at_crossing();
     }
-    if (turned) result.approach_time = static_cast<double>(turned_at) * options.time_step;
-    result.maximum_overlap = maximum * scale.length;
-    result.energy = {.incident = 0.5 * scale.energy(),
-                     .remaining = 0.5 * speed * speed * scale.energy(),
-                     .at_touch = 0.0,
-                     .potential = potential * scale.energy(),
-                     .dissipated = last.dissipated * scale.energy(),
-                     .plastic = 0.0,
-                     .jumps = 0.0,
-                     .residual = (0.5 - 0.5 * speed * speed - potential - last.dissipated) * scale.energy(),
-                     .minimum = motion.potential(motion.equilibrium) * scale.energy()};
-    result.steps = static_cast<int>(count);
+    orbit.last_potential = motion.potential(orbit.last().position);
+    orbit.steps = static_cast<int>(count);
+    ImpactResult result = impact_result(orbit, 1.0, scale, impact.velocity);
+    if (!captured) result.contact_time = (static_cast<double>(count - 1) + r.crossing()) * options.time_step;
+    if (orbit.turned) result.approach_time = static_cast<double>(turned_at) * options.time_step;
     return result;
 }
 

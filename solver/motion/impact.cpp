@@ -11,53 +11,12 @@
 #include "core/text.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/contact/registry.hpp"
-#include "solver/motion/orbit.hpp"
-#include "solver/motion/plastic_orbit.hpp"
+#include "solver/motion/impact_result.hpp"
 #include "solver/motion/scaled_impact.hpp"
 
 namespace ashimpact {
 
 namespace {
-
-/// One solved impact with what the ledger needs of its branches.
-struct Solved {
-    Orbit<Extended> orbit;
-    Motion<Extended> last;  ///< branch of the rebound
-    Extended touch_potential = 0;
-    Extended plastic_work = 0;
-    bool yielded = false;
-};
-
-Solved solved(const Impact& impact, const Scale& scale) {
-    constexpr auto unobserved = [](const Motion<Extended>&, const MotionExpansion<Extended>&, Extended) {};
-    if (can_yield(impact.law, impact.contact)) {
-        const auto motion = scaled_plastic_motion<Extended>(impact, scale);
-        PlasticOrbit<Extended> followed = follow_plastic(motion, 1.0_ext, unobserved);
-        return {followed.orbit, followed.last, motion.touch_potential(), followed.plastic_work,
-                followed.yielded};
-    }
-    const auto motion = scaled_motion<Extended>(impact, scale);
-    return {follow(motion, 1.0_ext), motion, motion.potential(motion.touch)};
-}
-
-EnergyLedger ledger_of(const Solved& impact, double unit) {
-    const bool rebound = impact.orbit.outcome == Outcome::rebound;
-    const MotionState<Extended>& last = rebound ? impact.orbit.end : impact.orbit.turn;
-    const Extended incident = 0.5_ext;  // the scale's velocity is v_in
-    const Extended remaining = last.velocity * last.velocity / 2;
-    const Extended potential = impact.last.potential(last.position);
-    const Extended spent = last.dissipation + impact.plastic_work;
-    const auto joule = [unit](Extended energy) { return static_cast<double>(energy) * unit; };
-    return {.incident = joule(incident),
-            .remaining = joule(remaining),
-            .at_touch = joule(impact.touch_potential),
-            .potential = joule(potential),
-            .dissipated = joule(last.dissipation),
-            .plastic = joule(impact.plastic_work),
-            .jumps = 0.0,
-            .residual = joule(incident + impact.touch_potential - remaining - potential - spent),
-            .minimum = joule(impact.last.potential(impact.last.equilibrium))};
-}
 
 /// Refuses results outside the closure of the elastic-plastic law: numbers that are not finite, a ledger that
 /// does not close, or, inside the closure's range, a flattened sphere that gains more by adhesion than the
@@ -101,7 +60,7 @@ std::optional<std::string> refusal(Law law, Detachment detachment) {
                                             " does not end a contact of law " + std::string(law.name());
                 if (!point) return subject + ": the law has no such point";
                 const Motion<Extended> motion =
-                    make_motion<L, Extended>(numeric.adhesion, DampingLaw::constant, 0.0_ext, detachment);
+                    make_motion<L, Extended>(numeric.adhesion, ScaledDamping<Extended>::none(), detachment);
                 if (motion.potential(*motion.end) < motion.potential(motion.touch)) {
                     return subject +
                            ": its potential there is below that at first touch, an undamped impact would "
@@ -153,35 +112,18 @@ void validate(const Impact& impact) {
     }
 }
 
-ImpactResult solve_impact(const Impact& impact) {
+ImpactResult solve_impact(const Impact& impact, Precision precision) {
     validate(impact);
-    if (is_cohesive(impact.law, impact.contact)) return solve_cohesive_impact(impact);
-    const Scale scale = Scale::of(impact.contact, impact.velocity);
-    const Solved followed = solved(impact, scale);
-    const Orbit<Extended>& orbit = followed.orbit;
-
-    const bool rebound = orbit.outcome == Outcome::rebound;
-    const auto seconds = [&](Extended time) { return static_cast<double>(time) * scale.time(); };
-    ImpactResult result{};
-    result.outcome = orbit.outcome;
-    // Undamped, rounding may put it a last bit above 1.
-    result.restitution = rebound ? std::min(static_cast<double>(std::abs(orbit.end.velocity)), 1.0) : 0.0;
-    result.rebound_velocity = result.restitution * impact.velocity;
-    if (rebound) result.contact_time = seconds(orbit.end.time);
-    if (orbit.turned) result.approach_time = seconds(orbit.turn.time);
-    result.maximum_overlap = static_cast<double>(orbit.maximum_overlap) * scale.length;
-    result.yielded = followed.yielded;
-    result.energy = ledger_of(followed, scale.energy());
-    result.steps = orbit.steps;
-    if (followed.yielded) require_within_closure(impact, scale, result);
+    const auto scaled = scaled_impact<Extended>(impact, precision);
+    const ImpactResult result = impact_result(follow(scaled), scaled.velocity, scaled.scale, impact.velocity);
+    if (result.yielded) require_within_closure(impact, scaled.scale, result);
     return result;
 }
 
 double restitution_of(const Impact& impact) {
-    const Scale scale = Scale::of(impact.contact, impact.velocity);
-    const double restitution = scaled_restitution<double>(impact, scale);
+    const double restitution = scaled_restitution<double>(impact);
     if (std::isfinite(restitution)) return restitution;
-    return static_cast<double>(scaled_restitution<Extended>(impact, scale));  // beyond the range of double
+    return static_cast<double>(scaled_restitution<Extended>(impact));  // beyond the range of double
 }
 
 }  // namespace ashimpact

@@ -47,22 +47,6 @@ struct Integrator {
     }
 };
 
-/// An impact followed in units of its own.
-struct Followed {
-    Orbit<Extended> orbit;
-    Scale scale;
-    Extended incident;  ///< velocity at first touch, scaled
-};
-
-Followed followed(const Impact& impact, Integrator& sum) {
-    if (is_cohesive(impact.law, impact.contact)) {
-        const auto [scale, motion, velocity] = scaled_cohesive_impact(impact);
-        return {follow_cohesive(motion, velocity, sum).orbit, scale, velocity};
-    }
-    const Scale scale = Scale::of(impact.contact, impact.velocity);
-    return {scaled_orbit<Extended>(impact, scale, sum), scale, 1};
-}
-
 /// @param momentum at the open end of the stage, scaled
 StageMomentum stage_of(const Impulses& stage, Extended momentum, const Scale& scale) {
     const Extended residual = stage.contact + stage.damping - momentum;
@@ -109,11 +93,14 @@ std::string verdict_of(const MomentumBalance& balance) {
 MomentumBalance momentum_balance(const Impact& impact) {
     validate(impact);
     Integrator sum;
-    const auto [orbit, scale, incident] = followed(impact, sum);
+    const auto scaled = scaled_impact<Extended>(impact, Precision::extended);
+    const Orbit<Extended> orbit = follow(scaled, sum);
     if (orbit.outcome == Outcome::capture) {
         throw InputError("a captured particle has no momentum balance of a rebound",
                          "a velocity above the critical one");
     }
+    const Scale& scale = scaled.scale;
+    const Extended incident = scaled.velocity;
     const Extended left = std::abs(orbit.end.velocity);
     return {.approach = stage_of(sum.approach, incident, scale),
             .rebound = stage_of(sum.rebound, left, scale),

@@ -41,26 +41,19 @@ bool is_jkr(Law law) {
     return law.limit() == AdhesionRegime::jkr;
 }
 
-/// The static law of an impact without damping, in the impact's scale; that of Hertz where a cohesive zone
-/// has one of its own.
-Motion<double> static_law(const Impact& impact, const Scale& scale) {
-    Impact undamped = impact;
-    undamped.damping = {};
-    if (is_cohesive(impact.law, impact.contact)) undamped.law = Law::without_attraction();
-    if (is_cohesive(impact.law, impact.contact)) undamped.detachment = Detachment::zero_overlap;
-    return scaled_motion<double>(undamped, scale);
+/// The static law of an impact, in its scale; that of Hertz where a cohesive zone has one of its own.
+Motion<double> static_law(Impact impact, const Scale& scale) {
+    impact.damping = {};
+    return scaled_motion<double>(impact, scale);
 }
 
 /// State u = sqrt(contact radius) of greatest overlap, at or beyond first touch.
 double greatest_root(const Motion<double>& motion, double overlap) {
     const double touch = motion.root_radius(motion.touch);
-    const auto beyond = [&](double step) {
-        return motion.overlap(motion.coordinate(touch + step)) - overlap;
-    };
-    double step = std::max(touch, std::sqrt(std::sqrt(std::max(0.0, overlap))));
-    if (step == 0.0 || beyond(0.0) >= 0.0) return touch;
-    while (beyond(step) < 0.0) step *= 2.0;
-    return touch + sign_change<double>(beyond, step);
+    const auto excess = [&](double root) { return motion.overlap(motion.coordinate(root)) - overlap; };
+    const double width = std::max(touch, std::sqrt(std::sqrt(std::max(0.0, overlap))));
+    if (width == 0.0 || excess(touch) >= 0.0) return touch;
+    return root_beyond<double>(excess, touch, width);
 }
 
 /// Whether the pair says how far its cohesion reaches.
@@ -142,11 +135,9 @@ class Judge {
             return maugis_dugdale_pressure(contact_, lambda, a).central() - contact_.yield_pressure;
         };
         // Hertz reaches p_y at this radius; the cohesion only delays it.
-        double a = std::numbers::pi * contact_.effective_radius * contact_.yield_pressure /
-                   (2.0 * contact_.contact_modulus);
-        double width = a;
-        while (margin(a + width) < 0.0) width *= 2.0;
-        a += sign_change<double>([&](double x) { return margin(a + x); }, width);
+        const double hertz = std::numbers::pi * contact_.effective_radius * contact_.yield_pressure /
+                             (2.0 * contact_.contact_modulus);
+        const double a = root_beyond<double>(margin, hertz, hertz);
         const CohesiveState at_yield = zone.at_contact_radius(a / units.radius);
         const CohesiveState begin =
             impact_.detachment == Detachment::zero_overlap ? zone.at_overlap(0) : zone.touch();

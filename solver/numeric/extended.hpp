@@ -12,6 +12,12 @@ using Extended = double;
 using Extended = long double;
 #endif
 
+/// Numbers in which Taylor series of a cohesive zone are computed; its states are Extended in any case.
+enum class Precision {
+    extended,  ///< Extended: exact to the rounding of double
+    standard,  ///< double: a third of the time, for searches and batches
+};
+
 /// A number of that type with all the digits it has: 0.1_ext.
 constexpr Extended operator""_ext(long double value) {
     return static_cast<Extended>(value);

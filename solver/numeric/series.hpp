@@ -93,4 +93,13 @@ template <class Real, class Function>
     return b;
 }
 
+/// The root of a function that is negative at @p start and rises beyond it, to rounding of its distance. The
+/// bracket begins with @p width and doubles until the sign changes.
+template <class Real, class Function>
+[[nodiscard]] Real root_beyond(Function&& function, Real start, Real width) {
+    const auto beyond = [&](Real step) { return function(start + step); };
+    while (beyond(width) < Real(0)) width *= Real(2);
+    return start + sign_change<Real>(beyond, width);
+}
+
 }  // namespace ashimpact

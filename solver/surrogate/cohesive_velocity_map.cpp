@@ -6,8 +6,8 @@
 
 #include "solver/contact/maugis/transition.hpp"
 #include "solver/contact/maugis_dugdale.hpp"
-#include "solver/critical_velocity/maugis/cohesive_critical_velocity.hpp"
-#include "solver/motion/maugis/cohesive_impact.hpp"
+#include "solver/critical_velocity/critical_impact.hpp"
+#include "solver/motion/scaled_impact.hpp"
 
 namespace ashimpact {
 
@@ -23,11 +23,10 @@ std::optional<double> scaled_logarithm(const CriticalVelocityProblem& nominal, d
     pair.parameters.set(stated_tabor.name, std::exp(y) / transition_per_tabor());
     const Scale scale = Scale::of(pair, maugis_velocity(pair));
     const Damping damping{nominal.damping.law, scale.damping_coefficient(nominal.damping.law, std::exp(x))};
-    const auto critical = critical_cohesive_impact(
-        scaled_cohesive_impact({nominal.law, nominal.detachment, damping, pair, 1.0}, Precision::standard)
-            .motion);
-    if (!critical) return std::nullopt;
-    return static_cast<double>(std::log(critical->velocity));
+    const CriticalImpacts critical = critical_impacts(
+        scaled_cohesive_motion({nominal.law, nominal.detachment, damping, pair, 1.0}, Precision::standard));
+    if (critical.impacts.empty()) return std::nullopt;
+    return static_cast<double>(std::log(critical.impacts.front().velocity));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 #include "solver/contact/law_parameters.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/impact.hpp"
-#include "solver/motion/orbit.hpp"
+#include "solver/motion/follow.hpp"
 #include "solver/motion/scaled_impact.hpp"
 #include "solver/motion/velocity_scales.hpp"
 #include "solver/numeric/gsl/root.hpp"

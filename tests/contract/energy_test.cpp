@@ -7,7 +7,6 @@
 #include <doctest/doctest.h>
 
 #include "solver/contact/static_curve.hpp"
-#include "solver/motion/orbit.hpp"
 #include "solver/motion/scaled_impact.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/contact_cases.hpp"
@@ -136,7 +135,6 @@ TEST_CASE("the ledger of a damped impact closes, and every entry has its sign") 
 TEST_CASE("the dissipated energy is the work of damping, integrated by itself along the motion") {
     Worst worst;
     for_each_damped_impact([&](const Impact& impact) {
-        const Scale scale = Scale::of(impact.contact, impact.velocity);
         double approach = 0.0;
         double rebound = 0.0;
         const auto add_work = [&](const auto& branch, const MotionExpansion<Extended>& x, Extended used) {
@@ -149,21 +147,11 @@ TEST_CASE("the dissipated energy is the work of damping, integrated by itself al
                 0.0, 1.0);
             (x.velocity[0] > 0 ? approach : rebound) += work;
         };
-        if (is_cohesive(impact.law, impact.contact)) {
-            const auto [units, motion, velocity] = scaled_cohesive_impact(impact);
-            const auto orbit = follow_cohesive(motion, velocity, add_work).orbit;
-            const double work = orbit.outcome == Outcome::rebound ? approach + rebound : approach;
-            worst.see(relative_difference(work * units.energy(), solved(impact).energy.dissipated),
-                      describe(impact));
-            return;
-        }
-        const Orbit<Extended> orbit =
-            can_yield(impact.law, impact.contact)
-                ? follow_plastic(scaled_plastic_motion<Extended>(impact, scale), 1.0L, add_work).orbit
-                : follow<Extended>(scaled_motion<Extended>(impact, scale), 1.0L, add_work);
+        const auto scaled = scaled_impact<Extended>(impact, Precision::extended);
+        const Orbit<Extended> orbit = follow(scaled, add_work);
         // The ledger of a capture ends at the greatest overlap.
         const double work = orbit.outcome == Outcome::rebound ? approach + rebound : approach;
-        worst.see(relative_difference(work * scale.energy(), solved(impact).energy.dissipated),
+        worst.see(relative_difference(work * scaled.scale.energy(), solved(impact).energy.dissipated),
                   describe(impact));
     });
     CHECK(worst.count() > 500);

@@ -3,7 +3,6 @@
 
 #include "solver/batch/lanes/symbol.hpp"
 #include "solver/damping/registry.hpp"
-#include "solver/motion/motion.hpp"
 
 namespace ashimpact {
 

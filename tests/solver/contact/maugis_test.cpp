@@ -15,7 +15,7 @@
 #include "solver/contact/pressure.hpp"
 #include "solver/contact/sjkr.hpp"
 #include "solver/contact/static_curve.hpp"
-#include "solver/motion/maugis/cohesive_motion.hpp"
+#include "solver/motion/branches/cohesive_motion.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/contact_cases.hpp"
 #include "tests/support/quadrature.hpp"

@@ -6,7 +6,6 @@
 
 #include <doctest/doctest.h>
 
-#include "solver/motion/hertz_contact.hpp"
 #include "solver/motion/impact.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/contact_cases.hpp"

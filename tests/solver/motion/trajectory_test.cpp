@@ -9,7 +9,7 @@
 
 #include "solver/contact/maugis/transition.hpp"
 #include "solver/contact/static_curve.hpp"
-#include "solver/motion/maugis/cohesive_impact.hpp"
+#include "solver/motion/scaled_impact.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/contact_cases.hpp"
 #include "tests/support/errors.hpp"

@@ -13,7 +13,7 @@
 #include "pipeline/present/text/readable.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/contact/sjkr.hpp"
-#include "solver/motion/hertz_contact.hpp"
+#include "solver/motion/scale.hpp"
 
 namespace ashimpact {
 

@@ -8,7 +8,7 @@
 
 #include "core/error.hpp"
 #include "pipeline/present/report/data/impact_search.hpp"
-#include "solver/motion/maugis/cohesive_impact.hpp"
+#include "solver/motion/scaled_impact.hpp"
 #include "solver/statistics/intervals/interval.hpp"
 #include "solver/surrogate/interpolation.hpp"
 
@@ -53,9 +53,7 @@ Losses losses_of(const CurveProblem& problem, double damping, double velocity) {
                         {problem.damping_law, damping},
                         problem.contact,
                         velocity};
-    const bool costly = is_cohesive(problem.choice.law, problem.contact);
-    const EnergyLedger energy =
-        (costly ? solve_cohesive_impact(impact, Precision::standard) : solve_impact(impact)).energy;
+    const EnergyLedger energy = solve_impact(impact, Precision::standard).energy;
     return {energy.potential - energy.at_touch + energy.jumps, energy.plastic};
 }
 

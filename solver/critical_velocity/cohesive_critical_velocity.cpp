@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/critical_velocity/maugis/cohesive_critical_velocity.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "solver/motion/orbit.hpp"
+#include "solver/critical_velocity/backward_orbit.hpp"
 
 namespace ashimpact {
 
 namespace {
 
 using Terms = Series<Extended>;
-
-/// Beyond this coordinate, in units of the equilibrium, a backward orbit has escaped.
-constexpr Extended farthest_escape = 1e25_ext;
 
 /// The critical orbit near the fold of the touching branch, where delta'(q) = 0: v is a power series of
 /// x = q - q_fold with v dv/dx = -delta' (eta v + F), the root that arrives (v < 0 for x > 0).
@@ -75,52 +70,6 @@ class FoldArrival {
     Terms total_{};
 };
 
-/// Follows a branch backward in time.
-class Backward {
-  public:
-    /// Until the velocity vanishes; false if the orbit escapes beyond @p farthest.
-    template <class Branch>
-    bool to_rest(const Branch& branch, MotionState<Extended>& state, Extended farthest) {
-        while (state.position < farthest) {
-            const MotionExpansion<Extended> x = expansion(branch, state);
-            const auto rest =
-                event_within(x, x.step, [](const MotionState<Extended>& s) { return -s.velocity; });
-            state = x.at(rest.value_or(x.step));
-            if (!rest) continue;
-            state.velocity = 0;
-            return true;
-        }
-        return false;
-    }
-
-    /// Until the coordinate @p place, where the coordinate changes with @p direction on the way; or rest,
-    /// where rounding leaves the orbit just short of the place.
-    template <class Branch>
-    void to_place(const Branch& branch, MotionState<Extended>& state, Extended place, Extended direction) {
-        while (true) {
-            const MotionExpansion<Extended> x = expansion(branch, state);
-            const auto rest = event_within(
-                x, x.step, [&](const MotionState<Extended>& s) { return -direction * s.velocity; });
-            const Extended part = rest.value_or(x.step);
-            const auto there = event_within(
-                x, part, [&](const MotionState<Extended>& s) { return direction * (place - s.position); });
-            state = x.at(there.value_or(part));
-            if (there || rest) return;
-        }
-    }
-
-    int steps = 0;
-
-  private:
-    template <class Branch>
-    MotionExpansion<Extended> expansion(const Branch& branch, const MotionState<Extended>& state) {
-        if (++steps > most_steps) throw ConvergenceError("impact did not end within the step limit");
-        MotionExpansion<Extended> x = branch.expand(state);
-        x.step = -x.step;
-        return x;
-    }
-};
-
 /// Time that the critical orbit takes from cohesive radius @p c to rest at the fold of the gap branch, c_f:
 /// with U(c_f) - U(c) = (pi lambda/8) (c - c_f)^2 (c^2 + 2 c c_f/3 + c_f^2/3) the integral of delta'(c)/v is
 /// an arsinh.
@@ -149,28 +98,21 @@ Arrival arrival_of(const CohesiveMotion& motion) {
 
 }  // namespace
 
-std::optional<CriticalCohesiveImpact> critical_cohesive_impact(const CohesiveMotion& motion) {
+CriticalImpacts critical_impacts(const CohesiveMotion& motion) {
     const TouchingBranch& branch = motion.touching();
-    Backward backward;
     const Arrival arrival = arrival_of(motion);
-    MotionState<Extended> state = arrival.state;
-    const Extended farthest =
-        farthest_escape * std::max({1.0_ext, branch.coordinate(motion.zone().equilibrium()), state.position});
-    if (!backward.to_rest(branch, state, farthest)) return std::nullopt;
-    CriticalCohesiveImpact result;
-    result.maximum_overlap = branch.overlap(state.position);
-    const CohesiveState& first = motion.begin().touching() ? motion.begin() : motion.zone().join();
-    backward.to_place(branch, state, branch.coordinate(first), -1);
-    if (!motion.begin().touching()) {
-        state.position = GapBranch::coordinate(first);
-        backward.to_place(motion.gap(), state, GapBranch::coordinate(motion.begin()), -1);
+    const auto turn = back_to_turn(branch, arrival.state, motion.rest().position);
+    if (!turn) return {.verdict = CaptureVerdict::always_captured};
+    const bool begins_in_gap = !motion.begin().touching();
+    const CohesiveState first = begins_in_gap ? motion.zone().join() : motion.begin();
+    MotionState<Extended> state = back_to(branch, *turn, branch.coordinate(first));
+    if (begins_in_gap) {
+        state.position = first.cohesive_radius;
+        state = back_to(motion.gap(), state, motion.begin().cohesive_radius);
     }
-    result.dissipated = arrival.dissipated_after - state.dissipation;
-    result.break_energy = motion.potential_at_end() - motion.potential_at_begin();
-    result.velocity = std::sqrt(2 * (result.dissipated + result.break_energy));
-    result.contact_time = *arrival.time_after - state.time;
-    result.steps = backward.steps;
-    return result;
+    return {.impacts = {critical_impact(arrival, state, 0,
+                                        motion.potential_at_end() - motion.potential_at_begin(),
+                                        branch.overlap(turn->position))}};
 }
 
 }  // namespace ashimpact

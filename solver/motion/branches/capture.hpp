@@ -4,13 +4,47 @@
 #include <cmath>
 #include <limits>
 
-#include "solver/motion/orbit.hpp"
+#include "solver/motion/branches/motion.hpp"
 
 namespace ashimpact {
 
 /// Scaled overlap and velocity below which a rebound counts as a capture. No instrument would resolve it, and
 /// its powers would underflow.
 inline constexpr double vanishing_overlap = 1e-100;
+
+/// Decides capture exactly from the present state, so that the integration need not wait for the motion to
+/// die out.
+template <class Real>
+class CaptureTest {
+  public:
+    explicit CaptureTest(const Motion<Real>& motion);
+
+    /// Whether the energy no longer suffices to reach the end of contact.
+    [[nodiscard]] bool bound(const MotionState<Real>& state) const;
+    /// After the turn: whether it is so damped that it creeps back and never reaches the end of contact.
+    [[nodiscard]] bool creeping(const MotionState<Real>& state) const;
+    /// After the turn: whether capture is certain.
+    [[nodiscard]] bool captured(const MotionState<Real>& state) const {
+        return bound(state) || creeping(state);
+    }
+    /// Before the turn: whether it is so damped that it creeps up to equilibrium and never turns.
+    [[nodiscard]] bool creeping_up(const MotionState<Real>& state) const;
+    /// The equilibrium that it creeps up to, if it does.
+    [[nodiscard]] std::optional<RestPlace<Real>> creeps_to(const MotionState<Real>& state) const {
+        if (!creeping_up(state)) return std::nullopt;
+        return motion_.rest();
+    }
+
+  private:
+    const Motion<Real>& motion_;
+    bool by_place_;           ///< the contact ends at a place, so capture is possible at all
+    bool always_overdamped_;  ///< so damped that no impact rebounds, whatever its velocity
+    Real end_overlap_{};
+    Real end_potential_{};
+    Real equilibrium_overlap_{};
+    Polynomial<Real> force_slope_;  ///< dF/dq
+    Real least_damping_{};          ///< smallest eta(q) beyond equilibrium
+};
 
 template <class Real>
 CaptureTest<Real>::CaptureTest(const Motion<Real>& motion)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/motion/maugis/cohesive_motion.hpp"
+#include "solver/motion/branches/cohesive_motion.hpp"
 
 #include <cmath>
 #include <limits>
@@ -38,14 +38,22 @@ CohesiveMotion::CohesiveMotion(const CohesiveZone& zone, const Polynomial<Extend
     outside_ = zone.potential(begin_);
 }
 
-bool CohesiveMotion::creeps_up(const MotionState<Extended>& state) const {
-    const CohesiveState& equilibrium = zone_.equilibrium();
-    if (state.position >= touching_.coordinate(equilibrium)) return false;
+RestPlace<Extended> CohesiveMotion::rest() const {
+    const CohesiveState equilibrium = zone_.equilibrium();
+    return {touching_.coordinate(equilibrium), zone_.overlap(equilibrium), zone_.potential(equilibrium)};
+}
+
+std::optional<RestPlace<Extended>> CohesiveMotion::creeps_to(const MotionState<Extended>& state) const {
+    const RestPlace<Extended> place = rest();
+    if (state.position >= place.position) return std::nullopt;
     const Extended damping = touching_.damping(state.position);
-    const Extended way = zone_.overlap(equilibrium) - touching_.overlap(state.position);
-    const Extended rounding = 64 * std::numeric_limits<Extended>::epsilon() * zone_.overlap(equilibrium);
-    if (std::abs(way) <= rounding && state.velocity <= damping * rounding) return true;
-    return state.velocity <= damping / 2 * way && zone_.stiffness(equilibrium) <= damping * damping / 4;
+    const Extended way = place.overlap - touching_.overlap(state.position);
+    const Extended rounding = 64 * std::numeric_limits<Extended>::epsilon() * place.overlap;
+    const bool arrived = std::abs(way) <= rounding && state.velocity <= damping * rounding;
+    const bool creeps =
+        state.velocity <= damping / 2 * way && zone_.stiffness(zone_.equilibrium()) <= damping * damping / 4;
+    if (!arrived && !creeps) return std::nullopt;
+    return place;
 }
 
 std::optional<std::string> cohesive_refusal(const CohesiveZone& zone, Detachment detachment) {

@@ -2,15 +2,10 @@
 #pragma once
 
 #include "solver/contact/maugis/cohesive_zone.hpp"
-#include "solver/motion/motion_stepper.hpp"
+#include "solver/motion/branches/motion.hpp"
+#include "solver/numeric/extended.hpp"
 
 namespace ashimpact {
-
-/// Numbers in which the Taylor series of a step are computed. States and events are Extended in any case.
-enum class Precision {
-    extended,  ///< Extended: exact to the rounding of double
-    standard,  ///< double: a third of the time, for searches and batches
-};
 
 /// The touching part of a Maugis-Dugdale impact (CohesiveZone) in the regularised form of Motion:
 ///
@@ -20,8 +15,7 @@ enum class Precision {
 class TouchingBranch {
   public:
     /// @param damping eta as a polynomial of sqrt(a)
-    TouchingBranch(const CohesiveZone& zone, const Polynomial<Extended>& damping,
-                   Precision precision = Precision::extended);
+    TouchingBranch(const CohesiveZone& zone, const Polynomial<Extended>& damping, Precision precision);
 
     [[nodiscard]] Extended coordinate(const CohesiveState& state) const;
     [[nodiscard]] CohesiveState state(Extended q) const;
@@ -30,7 +24,6 @@ class TouchingBranch {
     [[nodiscard]] Extended force(Extended q) const { return zone_.force(state(q)); }
     [[nodiscard]] Extended potential(Extended q) const { return zone_.potential(state(q)); }
     [[nodiscard]] Extended damping(Extended q) const { return damping_(q); }
-    [[nodiscard]] const Polynomial<Extended>& damping() const { return damping_; }
 
     /// The motion as Taylor series about a state; MotionExpansion::step as in MotionStepper.
     [[nodiscard]] MotionExpansion<Extended> expand(const MotionState<Extended>& state) const;
@@ -50,28 +43,16 @@ class TouchingBranch {
     CohesiveZone zone_;
     bool rooted_;  ///< q = sqrt(a)
     Polynomial<Extended> damping_;
+    PowerChain powers_;  ///< those of q in damping_
     Precision precision_;
 };
 
 /// The part of the impact in which the surfaces attract one another across a gap, without damping. q is the
 /// radius c of the cohesive zone, in which everything is a polynomial.
-class GapBranch {
-  public:
-    explicit GapBranch(const CohesiveZone& zone);
-
-    [[nodiscard]] static Extended coordinate(const CohesiveState& state) { return state.cohesive_radius; }
-    [[nodiscard]] static CohesiveState state(Extended q) { return CohesiveZone::in_gap(q); }
-    [[nodiscard]] Extended overlap(Extended q) const { return motion_.overlap(q); }
-    [[nodiscard]] Extended slope(Extended q) const { return motion_.slope(q); }
-    [[nodiscard]] Extended force(Extended q) const { return motion_.force(q); }
-    [[nodiscard]] Extended potential(Extended q) const { return motion_.potential(q); }
-    [[nodiscard]] static Extended damping(Extended /*q*/) { return 0; }
-    [[nodiscard]] MotionExpansion<Extended> expand(const MotionState<Extended>& state) const {
-        return MotionStepper<Extended>(motion_).expand(state);
-    }
-
-  private:
-    Motion<Extended> motion_;
+struct GapBranch : Motion<Extended> {
+    explicit GapBranch(const CohesiveZone& zone)
+        : Motion(branch_motion<Extended>({zone.gap_overlap(), zone.gap_force(), {}},
+                                         ScaledDamping<Extended>::none())) {}
 };
 
 }  // namespace ashimpact

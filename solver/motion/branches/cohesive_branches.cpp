@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/motion/maugis/cohesive_branches.hpp"
+#include "solver/motion/branches/cohesive_branches.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -89,22 +89,6 @@ Extended convergence(const Series<Real>& terms) {
     return static_cast<Extended>(radius(terms));
 }
 
-/// Coefficient n of p(q) for a series q, whose powers are kept in @p powers.
-template <class Real>
-Real composed(const Polynomial<Extended>& p, std::array<Series<Real>, Polynomial<Extended>::capacity>& powers,
-              const Series<Real>& q, std::size_t n) {
-    const auto coefficient = [&](int power) { return static_cast<Real>(p[power]); };
-    if (p.degree == 0) return n == 0 ? coefficient(0) : 0;
-    powers[1][n] = q[n];
-    Real sum = (n == 0 ? coefficient(0) : 0) + coefficient(1) * q[n];
-    for (int j = 2; j <= p.degree; ++j) {
-        const auto i = static_cast<std::size_t>(j);
-        powers[i][n] = product_coefficient(powers[i - 1], q, n);
-        sum += coefficient(j) * powers[i][n];
-    }
-    return sum;
-}
-
 /// The series about @p start, whose first terms keep their digits.
 template <class Real>
 MotionExpansion<Extended> from_start(const MotionState<Extended>& start, const MotionExpansion<Real>& x,
@@ -129,7 +113,9 @@ TouchingBranch::TouchingBranch(const CohesiveZone& zone, const Polynomial<Extend
     : zone_(zone),
       rooted_(!damping.even()),
       damping_(rooted_ ? damping : damping.of_square()),
-      precision_(precision) {}
+      precision_(precision) {
+    powers_.require(damping_);
+}
 
 Extended TouchingBranch::coordinate(const CohesiveState& state) const {
     const Extended a = state.contact_radius();
@@ -158,7 +144,7 @@ MotionExpansion<Extended> TouchingBranch::expanded(const MotionState<Extended>& 
     x.position[0] = static_cast<Real>(start.position);
     x.velocity[0] = static_cast<Real>(start.velocity);
     SeriesOfZone<Real> zone(zone_, state(start.position));
-    std::array<Terms, Polynomial<Extended>::capacity> powers{};
+    PowerSeries<Real> powers{};
     Terms radius{};
     Terms rate{};  // of the contact radius
     Terms slope{};
@@ -172,7 +158,8 @@ MotionExpansion<Extended> TouchingBranch::expanded(const MotionState<Extended>& 
         rate[n] = rooted_ ? 2 * product(x.position, x.velocity) : x.velocity[n];
         zone.advance(radius, n);
         slope[n] = rooted_ ? 2 * product(x.position, zone.overlap_by_radius) : zone.overlap_by_radius[n];
-        eta[n] = composed(damping_, powers, x.position, n);
+        powers_.advance(powers, x.position, n);
+        eta[n] = composed(damping_, powers, n);
         drag_force[n] = product(eta, x.velocity);
         total[n] = zone.force[n] + drag_force[n];
         power[n] = product(slope, drag_force);
@@ -195,7 +182,7 @@ TouchingBranch::Statics TouchingBranch::statics(Extended q) const {
     using Terms = Series<Extended>;
     Statics result{};
     SeriesOfZone<Extended> zone(zone_, state(q));
-    std::array<Terms, Polynomial<Extended>::capacity> powers{};
+    PowerSeries<Extended> powers{};
     Terms place{};  // q itself
     place[0] = q;
     place[1] = 1;
@@ -211,14 +198,11 @@ TouchingBranch::Statics TouchingBranch::statics(Extended q) const {
         result.force[n] = zone.force[n];
         result.slope[n] =
             rooted_ ? product_coefficient(twice, zone.overlap_by_radius, n) : zone.overlap_by_radius[n];
-        result.damping[n] = composed(damping_, powers, place, n);
+        powers_.advance(powers, place, n);
+        result.damping[n] = composed(damping_, powers, n);
         if (n + 1 < place.size()) zone.follow(rate, n);
     }
     return result;
 }
-
-GapBranch::GapBranch(const CohesiveZone& zone)
-    : motion_(
-          branch_motion<Extended>(zone.gap_overlap(), zone.gap_force(), {DampingLaw::constant, 0.0_ext})) {}
 
 }  // namespace ashimpact

@@ -5,9 +5,8 @@
 #include <string>
 
 #include "solver/contact/detachment.hpp"
-#include "solver/motion/impact.hpp"
-#include "solver/motion/maugis/cohesive_branches.hpp"
-#include "solver/motion/scale.hpp"
+#include "solver/contact/pair.hpp"
+#include "solver/motion/branches/cohesive_branches.hpp"
 
 namespace ashimpact {
 
@@ -19,9 +18,11 @@ namespace ashimpact {
 /// zero overlap, on the stable branch, and leaves out what happens across the gap.
 class CohesiveMotion {
   public:
+    using Number = Extended;
+
     /// @param damping eta as a polynomial of sqrt(a)
     CohesiveMotion(const CohesiveZone& zone, const Polynomial<Extended>& damping, Detachment detachment,
-                   Precision precision = Precision::extended);
+                   Precision precision);
 
     [[nodiscard]] const CohesiveZone& zone() const { return zone_; }
     [[nodiscard]] const TouchingBranch& touching() const { return touching_; }
@@ -33,10 +34,17 @@ class CohesiveMotion {
     [[nodiscard]] Extended potential_outside() const { return outside_; }
     [[nodiscard]] Extended potential_at_begin() const { return zone_.potential(begin_); }
     [[nodiscard]] Extended potential_at_end() const { return zone_.potential(end_); }
-    /// Whether an approach in contact is so damped that it creeps up to equilibrium and never turns. It stays
-    /// below the line v = (eta/2) (delta_eq - delta) if dF/d(delta) <= eta^2/4 all the way, and the stiffness
-    /// rises all the way. @param state its position is a coordinate of touching()
-    [[nodiscard]] bool creeps_up(const MotionState<Extended>& state) const;
+    /// Static equilibrium, on the touching branch.
+    [[nodiscard]] RestPlace<Extended> rest() const;
+
+    /// Before the turn, in contact: the equilibrium that an approach creeps up to, if it is so damped that it
+    /// never turns. It stays below the line v = (eta/2) (delta_eq - delta) if dF/d(delta) <= eta^2/4 all the
+    /// way, and the stiffness rises all the way. @param state its position is a coordinate of touching()
+    [[nodiscard]] std::optional<RestPlace<Extended>> creeps_to(const MotionState<Extended>& state) const;
+    /// After the turn, in contact: whether the energy no longer suffices to reach the end.
+    [[nodiscard]] bool captured(const MotionState<Extended>& state) const {
+        return state.velocity * state.velocity / 2 + touching_.potential(state.position) < potential_at_end();
+    }
 
   private:
     CohesiveZone zone_;
@@ -49,6 +57,9 @@ class CohesiveMotion {
 
 /// Why the detachment is not admissible for this transition parameter, in words; none if it is.
 [[nodiscard]] std::optional<std::string> cohesive_refusal(const CohesiveZone& zone, Detachment detachment);
+
+/// The same for a contact, without other validation.
+[[nodiscard]] std::optional<std::string> cohesive_refusal(const ContactPair& contact, Detachment detachment);
 
 /// Velocity for which BasicScale has the units of Maugis [m/s]; w must be above 0.
 [[nodiscard]] double maugis_velocity(const ContactPair& contact);

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/motion/branches/motion.hpp"
+
+#include <numbers>
+
+namespace ashimpact {
+
+template <class Real>
+MotionExpansion<Real> Motion<Real>::expand(const MotionState<Real>& state) const {
+    MotionExpansion<Real> x{};
+    x.position[0] = state.position;
+    x.velocity[0] = state.velocity;
+    x.time[0] = state.time;
+    x.dissipation[0] = state.dissipation;
+
+    PowerSeries<Real> series;  // the powers of the chain are filled below
+    Series<Real> drag_series;
+    Series<Real> drag_velocity;
+    const bool damped = drag.degree > 0 || drag[0] != Real(0);
+    for (std::size_t n = 0; n + 1 < x.position.size(); ++n) {
+        powers.advance(series, x.position, n);
+        const Real factor = Real(1) / static_cast<Real>(n + 1);
+        Real acceleration = -composed(stiffness, series, n);
+        if (damped) {
+            drag_series[n] = composed(drag, series, n);
+            drag_velocity[n] = product_coefficient(drag_series, x.velocity, n);
+            acceleration -= drag_velocity[n];
+            x.dissipation[n + 1] = factor * product_coefficient(drag_velocity, x.velocity, n);
+        }
+        x.position[n + 1] = factor * x.velocity[n];
+        x.velocity[n + 1] = factor * acceleration;
+        x.time[n + 1] = factor * composed(slope, series, n);
+    }
+    const Real within = std::min(radius(x.position), radius(x.velocity));
+    x.step = within / (std::numbers::e_v<Real> * std::numbers::e_v<Real>);
+    return x;
+}
+
+template struct Motion<double>;
+template struct Motion<long double>;
+
+}  // namespace ashimpact

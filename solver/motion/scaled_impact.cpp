@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/motion/scaled_impact.hpp"
+
+#include "solver/contact/maugis/transition.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+/// The zone of a transition parameter; the last one of each thread is kept, since searches use it again.
+const CohesiveZone& zone_of(double lambda) {
+    thread_local CohesiveZone last(1);
+    if (last.lambda() != static_cast<Extended>(lambda)) last = CohesiveZone(lambda);
+    return last;
+}
+
+}  // namespace
+
+std::optional<std::string> cohesive_refusal(const ContactPair& contact, Detachment detachment) {
+    return cohesive_refusal(zone_of(transition_parameter(contact)), detachment);
+}
+
+CohesiveMotion scaled_cohesive_motion(const Impact& impact, Precision precision) {
+    const Scale scale = Scale::of(impact.contact, maugis_velocity(impact.contact));
+    const auto damping =
+        ScaledDamping<Extended>::of(impact.damping.law, scale.damping_number(impact.damping));
+    const StaticBranch<Extended> hertz{{}, {}, power<6>(Polynomial<Extended>::identity())};
+    return {zone_of(transition_parameter(impact.contact)), damping.on_branch(hertz), impact.detachment,
+            precision};
+}
+
+template <class Real>
+ScaledImpact<Real> scaled_impact(const Impact& impact, Precision precision) {
+    if (is_cohesive(impact.law, impact.contact)) {
+        const double unit = maugis_velocity(impact.contact);
+        return {Scale::of(impact.contact, unit),
+                static_cast<Extended>(impact.velocity) / static_cast<Extended>(unit),
+                scaled_cohesive_motion(impact, precision)};
+    }
+    const Scale scale = Scale::of(impact.contact, impact.velocity);
+    if (!can_yield(impact.law, impact.contact)) return {scale, 1, scaled_motion<Real>(impact, scale)};
+    using Plastic = ThorntonNing<double>;
+    const YieldedContact<Real> contact{Real(Plastic::adhesion_number(impact.contact, scale.length)),
+                                       Real(Plastic::yield_number(impact.contact, scale.length))};
+    const auto damping =
+        ScaledDamping<Real>::of(impact.damping.law, Real(scale.damping_number(impact.damping)));
+    return {scale, 1, PlasticMotion<Real>(contact, damping, impact.detachment)};
+}
+
+template <class Real>
+Real scaled_restitution(const Impact& impact) {
+    constexpr auto precision = std::is_same_v<Real, double> ? Precision::standard : Precision::extended;
+    const auto scaled = scaled_impact<Real>(impact, precision);
+    return std::visit(
+        [&]<class Branches>(const Branches& branches) {
+            const auto velocity = static_cast<typename Branches::Number>(scaled.velocity);
+            return static_cast<Real>(follow(branches, velocity).restitution(velocity));
+        },
+        scaled.branches);
+}
+
+template ScaledImpact<double> scaled_impact(const Impact&, Precision);
+template ScaledImpact<long double> scaled_impact(const Impact&, Precision);
+template double scaled_restitution(const Impact&);
+template long double scaled_restitution(const Impact&);
+
+}  // namespace ashimpact
