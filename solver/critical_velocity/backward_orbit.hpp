@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "solver/critical_velocity/critical_impact.hpp"
@@ -30,7 +31,8 @@ struct Arrival {
 [[nodiscard]] std::optional<Arrival> critical_arrival(const Motion<Extended>& motion);
 
 /// Beyond this coordinate, in units of the equilibrium or of the damping length, a backward orbit has
-/// escaped.
+/// escaped. So it has where the coefficients of its series leave the range of numbers, as those of a damping
+/// that grows with a high power of the contact radius do before.
 inline constexpr Extended escape = 1e25_ext;
 
 /// Expands for a step backward in time.
@@ -53,6 +55,7 @@ template <class Branch>
     int steps = 0;
     while (state.position < farthest) {
         const MotionExpansion<Extended> x = backward_expansion(branch, state, steps);
+        if (!std::isfinite(x.position.back()) || !std::isfinite(x.velocity.back())) return std::nullopt;
         const auto turn = event_within(x, x.step, [](const MotionState<Extended>& s) { return -s.velocity; });
         state = x.at(turn.value_or(x.step));
         if (!turn) continue;

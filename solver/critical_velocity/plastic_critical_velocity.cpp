@@ -18,6 +18,28 @@ struct Unloading {
     std::optional<MotionState<Extended>> turn{};
 };
 
+/// The arrival of an impact that turns at @p u, with work and time counted from there.
+Arrival arrival_from(const Unloading& unloading, double u) {
+    const Motion<Extended>& motion = unloading.motion;
+    constexpr double near = 1e-9;
+    const auto& turn = unloading.turn;
+    if (turn && std::abs(motion.root_radius(turn->position) / u - 1) < near) {
+        Arrival arrival = *unloading.arrival;
+        arrival.dissipated_after -= turn->dissipation;
+        if (arrival.time_after) *arrival.time_after -= turn->time;
+        return arrival;
+    }
+    // Damping draws the orbits together until backward they either turn far below u or escape. Forward they
+    // are the same orbit, whose work is the fall of the potential.
+    const MotionState<Extended> start{.position = motion.coordinate(u)};
+    Orbit<Extended> orbit;
+    const Unobserved unobserved;
+    Legs(orbit, unobserved).rebound(motion, start, CaptureTest<Extended>(motion));
+    return {.state = orbit.end,
+            .dissipated_after = motion.potential(start.position) - motion.potential(*motion.end),
+            .time_after = orbit.end.time};
+}
+
 class PlasticCapture {
   public:
     explicit PlasticCapture(const PlasticMotion<Extended>& motion) : motion_(motion) {}
@@ -48,10 +70,7 @@ class PlasticCapture {
             state.position = elastic.coordinate(std::min<Extended>(yield, u));
             state = back_to(elastic, state, elastic.touch);
         }
-        Arrival arrival = *unloading.arrival;  // counted from the turn
-        arrival.dissipated_after -= unloading.turn->dissipation;
-        if (arrival.time_after) *arrival.time_after -= unloading.turn->time;
-        return critical_impact(arrival, state, plastic_work,
+        return critical_impact(arrival_from(unloading, u), state, plastic_work,
                                unloading.motion.potential(*unloading.motion.end) - motion_.touch_potential(),
                                loading.overlap(loading.coordinate(u)));
     }

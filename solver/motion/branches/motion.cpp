@@ -1,9 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/motion/branches/motion.hpp"
 
+#include <limits>
 #include <numbers>
 
 namespace ashimpact {
+
+namespace {
+
+/// Step of a motion that nothing accelerates, whose series end: it doubles or ends the coordinate.
+template <class Real>
+Real uniform_step(const MotionState<Real>& state) {
+    using std::abs;
+    const Real way = state.position != Real(0) ? abs(state.position) : Real(1);
+    return state.velocity != Real(0) ? way / abs(state.velocity) : Real(1);
+}
+
+}  // namespace
 
 template <class Real>
 MotionExpansion<Real> Motion<Real>::expand(const MotionState<Real>& state) const {
@@ -32,7 +45,8 @@ MotionExpansion<Real> Motion<Real>::expand(const MotionState<Real>& state) const
         x.time[n + 1] = factor * composed(slope, series, n);
     }
     const Real within = std::min(radius(x.position), radius(x.velocity));
-    x.step = within / (std::numbers::e_v<Real> * std::numbers::e_v<Real>);
+    const bool uniform = within == std::numeric_limits<Real>::infinity();
+    x.step = uniform ? uniform_step(state) : within / (std::numbers::e_v<Real> * std::numbers::e_v<Real>);
     return x;
 }
 
