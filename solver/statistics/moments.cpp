@@ -4,24 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace ashimpact {
 
 namespace {
 
-/// Sums of the powers of deviations, and extremes, of a part of the values. In turns in several places, so
-/// that one addition need not wait for the one before.
-struct PowerSums {
+/// Sums over a part of the values, formed in turns in several places, so that one addition need not wait for
+/// the one before.
+struct PowerSums : DeviationSums {
     static constexpr std::size_t places = 4;
     static constexpr std::size_t longest = 128;  ///< part that is summed without halving it
-
-    double first = 0;
-    double second = 0;
-    double third = 0;
-    double fourth = 0;
-    double minimum = std::numeric_limits<double>::infinity();
-    double maximum = -std::numeric_limits<double>::infinity();
 
     void add(double value, double centre) {
         const double deviation = value - centre;
@@ -77,8 +69,10 @@ Moments Moments::of(std::span<const double> values) {
     if (values.empty()) return {};
     const auto count = static_cast<double>(values.size());
     const double guess = sum_of(values) / count;
-    const PowerSums sums = PowerSums::of(values, guess);
-    return of({count, guess, sums.first, sums.second, sums.third, sums.fourth, sums.minimum, sums.maximum});
+    PowerSums sums = PowerSums::of(values, guess);
+    sums.count = count;
+    sums.guess = guess;
+    return of(sums);
 }
 
 Moments Moments::of(const DeviationSums& sums) {

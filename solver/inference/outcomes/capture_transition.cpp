@@ -67,38 +67,34 @@ void OutcomeLikelihood::merge() {
     outcomes_ = std::move(merged);
 }
 
-double OutcomeLikelihood::Outcome::deviation(double extra_variance) const {
-    return std::sqrt(variance + extra_variance);
+/// Sum over the outcomes of term(outcome, z, deviation), with z the distance of v_in from the centre,
+/// positive on the side of the outcome, in standard deviations.
+template <class Term>
+double OutcomeLikelihood::sum_of(const CaptureTransition& transition, const Term& term) const {
+    double sum = 0.0;
+    for (const Outcome& outcome : outcomes_) {
+        const double deviation = std::sqrt(outcome.variance + transition.extra_variance);
+        sum += term(outcome, outcome.sign * (transition.center - outcome.velocity) / deviation, deviation);
+    }
+    return sum;
 }
 
 double OutcomeLikelihood::misfit(const CaptureTransition& transition) const {
-    double sum = 0.0;
-    for (const Outcome& outcome : outcomes_) {
-        const double z =
-            (transition.center - outcome.velocity) / outcome.deviation(transition.extra_variance);
-        sum -= 2.0 * outcome.count * gsl::normal_log_probability(outcome.sign * z);
-    }
-    return sum;
+    return sum_of(transition, [](const Outcome& outcome, double z, double) {
+        return -2.0 * outcome.count * gsl::normal_log_probability(z);
+    });
 }
 
 double OutcomeLikelihood::slope(const CaptureTransition& transition) const {
-    double sum = 0.0;
-    for (const Outcome& outcome : outcomes_) {
-        const double deviation = outcome.deviation(transition.extra_variance);
-        const double z = outcome.sign * (transition.center - outcome.velocity) / deviation;
-        sum -= 2.0 * outcome.count * outcome.sign * gsl::normal_log_probability_slope(z) / deviation;
-    }
-    return sum;
+    return sum_of(transition, [](const Outcome& outcome, double z, double deviation) {
+        return -2.0 * outcome.count * outcome.sign * gsl::normal_log_probability_slope(z) / deviation;
+    });
 }
 
 double OutcomeLikelihood::variance_slope(const CaptureTransition& transition) const {
-    double sum = 0.0;
-    for (const Outcome& outcome : outcomes_) {
-        const double deviation = outcome.deviation(transition.extra_variance);
-        const double z = outcome.sign * (transition.center - outcome.velocity) / deviation;
-        sum += outcome.count * gsl::normal_log_probability_slope(z) * z / (deviation * deviation);
-    }
-    return sum;
+    return sum_of(transition, [](const Outcome& outcome, double z, double deviation) {
+        return outcome.count * gsl::normal_log_probability_slope(z) * z / (deviation * deviation);
+    });
 }
 
 double OutcomeLikelihood::best_extra_variance(double center) const {

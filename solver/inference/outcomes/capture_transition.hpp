@@ -44,11 +44,11 @@ class OutcomeLikelihood {
         double variance;     ///< of v_in
         double sign;         ///< 1 for a capture, -1 for a rebound
         double count = 1.0;  ///< impacts merged into this one
-
-        [[nodiscard]] double deviation(double extra_variance) const;
     };
 
     void merge();
+    template <class Term>
+    [[nodiscard]] double sum_of(const CaptureTransition& transition, const Term& term) const;
     [[nodiscard]] double slope(const CaptureTransition& transition) const;
     [[nodiscard]] double variance_slope(const CaptureTransition& transition) const;
     [[nodiscard]] double best_extra_variance(double center) const;
