@@ -310,64 +310,63 @@ TEST_CASE("impacts without scatter give the damping behind them") {
     CHECK(result.extrapolated->critical_damping.standard_uncertainty < 1e-5 * c[0]);
 }
 
-TEST_CASE("degenerate: every impact captured") {
-    const MeasuredDamping result = analysed(impacts_of({{0.2, 0.0}, {0.5, 0.0}, {0.8, 0.0}}));
-    check_finite(result);
-    CHECK_FALSE(result.extrapolated);
-    CHECK_FALSE(result.estimate);
-    CHECK_FALSE(result.measured.value);
-    CHECK(result.measured.lower == 0.8);
-    CHECK_FALSE(result.measured.upper);
-    CHECK(has_finding(result, "no-rebounds"));
-    CHECK(result.impacts[2].damping);  // the least that captures
-}
-
-TEST_CASE("degenerate: captured at velocities at which nothing can rebound") {
-    const MeasuredDamping result = analysed(impacts_of({{1e-4, 0.0}, {2e-4, 0.0}}), Law::of<Jkr>());
-    check_finite(result);
-    CHECK_FALSE(result.impacts[0].damping);
-    CHECK(has_finding(result, "no-rebounds"));
-}
-
-TEST_CASE("degenerate: one point") {
-    const MeasuredDamping result = analysed(impacts_of({{2.0, 0.6}}));
-    check_finite(result);
-    REQUIRE(result.impacts.size() == 1);
-    CHECK(result.impacts[0].damping.value_or(0.0) > 0.0);
-    CHECK(result.impacts[0].contact_time);
-    CHECK_FALSE(result.extrapolated);
-    CHECK(has_finding(result, "no extrapolated fit: 1 distinct restitutions"));
-    CHECK(contains(result.parts.note, "fewer than 8 rebounds"));
-    CHECK(result.measured.upper == 2.0);
-}
-
-TEST_CASE("degenerate: restitution falls from the first impact on") {
-    std::vector<std::pair<double, double>> impacts;
-    for (int i = 0; i < 20; ++i) {
-        const double v = 2.0 + 0.2 * i;
-        impacts.emplace_back(v, v * (0.6 - 0.06 * v));
-    }
-    const MeasuredDamping result = analysed(impacts_of(impacts));
-    check_finite(result);
-    CHECK_FALSE(result.rising);
-    CHECK_FALSE(result.extrapolated);
-    CHECK(has_finding(result, "no rising branch"));
-}
-
-TEST_CASE("degenerate: restitution of few rebounds falls all along") {
-    const std::vector<std::pair<double, double>> impacts{{2.0, 1.0},  {3.0, 1.35}, {4.0, 1.6},
-                                                         {5.0, 1.75}, {6.0, 1.8},  {7.0, 1.75}};
-    for (const Law law : {Law::of<BrachDunn>(), Law::of<Hertz>(), Law::of<Dmt>()}) {
-        CAPTURE(law.name());
-        const MeasuredDamping result = analysed(impacts_of(impacts), law);
-        CHECK_FALSE(result.rising);
+TEST_CASE("degenerate series are analysed as far as they go, with the reason why no further") {
+    const auto every = [](int count, double step, const auto& restitution) {
+        std::vector<std::pair<double, double>> impacts;
+        for (int i = 0; i < count; ++i) {
+            const double v = 1.5 + step * i;
+            impacts.emplace_back(v, v * restitution(v));
+        }
+        return impacts;
+    };
+    const auto falling = every(20, 0.2, [](double v) { return 0.6 - 0.06 * v; });
+    const std::vector<std::pair<double, double>> few_falling{{2.0, 1.0},  {3.0, 1.35}, {4.0, 1.6},
+                                                             {5.0, 1.75}, {6.0, 1.8},  {7.0, 1.75}};
+    struct Degenerate {
+        std::vector<std::pair<double, double>> impacts;
+        Law law;
+        std::string finding;
+    };
+    const Law brach_dunn = Law::of<BrachDunn>();
+    for (const Degenerate& each :
+         {Degenerate{{{0.2, 0.0}, {0.5, 0.0}, {0.8, 0.0}}, brach_dunn, "no-rebounds"},
+          Degenerate{{{1e-4, 0.0}, {2e-4, 0.0}}, Law::of<Jkr>(), "no-rebounds"},
+          Degenerate{{{2.0, 0.6}}, brach_dunn, "no extrapolated fit: 1 distinct restitutions"},
+          Degenerate{every(20, 0.0, [](double) { return 0.35; }), brach_dunn, "1 distinct restitutions"},
+          Degenerate{falling, brach_dunn, "no extrapolated fit: there is no rising branch"},
+          Degenerate{few_falling, brach_dunn, "there is no rising branch"},
+          Degenerate{few_falling, Law::of<Hertz>(), "there is no rising branch"},
+          Degenerate{few_falling, Law::of<Dmt>(), "there is no rising branch"}}) {
+        CAPTURE(each.law.name());
+        CAPTURE(each.finding);
+        const MeasuredDamping result = analysed(impacts_of(each.impacts), each.law);
+        check_finite(result);
         CHECK_FALSE(result.extrapolated);
-        CHECK(has_finding(result, "there is no rising branch"));
+        CHECK(has_finding(result, each.finding));
+        if (contains(each.finding, "rising")) CHECK_FALSE(result.rising);
     }
+    check_finite(analysed(impacts_of(every(13, 0.2, [](double) { return 0.4; }))));
     // Two that scatter downwards in a series that rises do not make it fall.
-    const MeasuredDamping rises =
-        analysed(impacts_of({{1.5, 0.3}, {2.0, 0.6}, {2.5, 0.95}, {3.0, 1.1}, {3.5, 1.5}, {4.0, 1.7}}));
-    CHECK(rises.rising);
+    CHECK(analysed(impacts_of({{1.5, 0.3}, {2.0, 0.6}, {2.5, 0.95}, {3.0, 1.1}, {3.5, 1.5}, {4.0, 1.7}}))
+              .rising);
+}
+
+TEST_CASE("captures alone bound v_c from below, a rebound from above, and each has its damping") {
+    const MeasuredDamping captured = analysed(impacts_of({{0.2, 0.0}, {0.5, 0.0}, {0.8, 0.0}}));
+    CHECK_FALSE(captured.estimate);
+    CHECK_FALSE(captured.measured.value);
+    CHECK(captured.measured.lower == 0.8);
+    CHECK_FALSE(captured.measured.upper);
+    CHECK(captured.impacts[2].damping);  // the least that captures
+    // At velocities at which nothing can rebound no damping is the least.
+    const MeasuredDamping slow = analysed(impacts_of({{1e-4, 0.0}, {2e-4, 0.0}}), Law::of<Jkr>());
+    CHECK_FALSE(slow.impacts[0].damping);
+    const MeasuredDamping one = analysed(impacts_of({{2.0, 0.6}}));
+    REQUIRE(one.impacts.size() == 1);
+    CHECK(one.impacts[0].damping.value_or(0.0) > 0.0);
+    CHECK(one.impacts[0].contact_time);
+    CHECK(contains(one.parts.note, "fewer than 8 rebounds"));
+    CHECK(one.measured.upper == 2.0);
 }
 
 TEST_CASE("a fitted v_c above clear rebounds is refused, and which rebound contradicts it is said") {
@@ -441,35 +440,21 @@ TEST_CASE("degenerate: order does not matter, duplicates count as what they are"
     CHECK(std::abs(c.value - a.value) < 0.02 * a.standard_uncertainty);
     CHECK(c.standard_uncertainty < 0.9 * a.standard_uncertainty);
     check_finite(twice);
-
-    std::vector<std::pair<double, double>> same(20, {2.0, 0.7});
-    const MeasuredDamping single = analysed(impacts_of(same));
-    check_finite(single);
-    CHECK_FALSE(single.extrapolated);
-    CHECK(has_finding(single, "1 distinct restitutions"));
-}
-
-TEST_CASE("degenerate: the same restitution at every velocity") {
-    std::vector<std::pair<double, double>> impacts;
-    for (int i = 0; i < 13; ++i) {
-        const double v = 1.5 + 0.2 * i;
-        impacts.emplace_back(v, 0.4 * v);
-    }
-    const MeasuredDamping result = analysed(impacts_of(impacts));
-    check_finite(result);
 }
 
 TEST_CASE("degenerate: numbers that are none are refused with their line") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    MeasurementSet set = impacts_of({{2.0, 0.5}, {nan, 0.5}});
-    set.points[1].line = 3;
-    CHECK(contains(input_error_of([&] { static_cast<void>(analysed(set)); }), "line 3: v_in is nan"));
-    set.points[1].velocity = 2.0;
-    set.points[1].rebound = nan;
-    CHECK(contains(input_error_of([&] { static_cast<void>(analysed(set)); }), "line 3: v_r is nan"));
-    set.points[1].rebound = -0.5;
-    CHECK(contains(input_error_of([&] { static_cast<void>(analysed(set)); }), "v_r is -0.5"));
-    CHECK(contains(input_error_of([&] { static_cast<void>(analysed(impacts_of({}))); }), "no measurement"));
+    const auto refused = [](const MeasurementSet& set) {
+        return input_error_of([&] { static_cast<void>(analysed(set)); });
+    };
+    for (const auto& [impact, message] : {std::pair{std::pair{nan, 0.5}, "line 3: v_in is nan"},
+                                          {{2.0, nan}, "line 3: v_r is nan"},
+                                          {{2.0, -0.5}, "line 3: v_r is -0.5"}}) {
+        MeasurementSet set = impacts_of({{2.0, 0.5}, impact});
+        set.points[1].line = 3;
+        CHECK(contains(refused(set), message));
+    }
+    CHECK(contains(refused(impacts_of({})), "no measurement"));
 }
 
 TEST_CASE("a contact that yields is inverted and not fitted") {
