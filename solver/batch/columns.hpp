@@ -39,6 +39,14 @@ struct ContactColumns {
     std::vector<ParameterColumn> parameters{};  ///< of laws that declare parameters of their own
 };
 
+/// How the impacts of a batch are solved; both keep the bound of solve_impacts().
+enum class BatchMethod {
+    integration,  ///< each impact is integrated
+    table,  ///< e and contact time come from a table of the law's impacts. Its parts are integrated when they
+            ///< are first needed, then kept. Impacts next to the edge of capture are integrated. Faster from
+            ///< about 100,000 impacts on.
+};
+
 /// Name and length of a column, for messages.
 struct NamedColumn {
     std::string_view name;

@@ -32,14 +32,8 @@ struct CriticalVelocityBatchResult {
 /// Errors: as critical_velocity().
 [[nodiscard]] CriticalVelocity tabulated_critical_velocity(const CriticalVelocityProblem& problem);
 
-/// What is known of a critical velocity without an integration.
-struct KnownCriticalVelocity {
-    CaptureVerdict verdict = CaptureVerdict::finite;
-    std::optional<double> value{};  ///< v_c, where finite [m/s]
-};
-
 /// As above, from the law, a table or a closed form; none if v_c takes an integration. Admissible input only.
-[[nodiscard]] std::optional<KnownCriticalVelocity> critical_velocity_without_integration(
+[[nodiscard]] std::optional<CriticalVelocity> critical_velocity_without_integration(
     const CriticalVelocityProblem& problem);
 
 /// Critical velocities as tabulated_critical_velocity() gives them.

@@ -9,12 +9,10 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "solver/batch/admissibility.hpp"
-#include "solver/batch/parallel.hpp"
-#include "solver/batch/task.hpp"
-#include "solver/contact/registry.hpp"
+#include "solver/batch/problems.hpp"
+#include "solver/contact/dmt.hpp"
+#include "solver/contact/law.hpp"
 #include "solver/motion/scale.hpp"
-#include "solver/surrogate/batch/restitution_table.hpp"
 
 namespace ashimpact {
 
@@ -25,14 +23,6 @@ using batch::is_possible_end;
 using batch::LaneEnd;
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-Impact impact_at(const ImpactBatch& batch, const batch::Inputs& in, std::size_t i) {
-    return {batch.law,
-            batch.detachment,
-            {batch.damping_law, in.damping.at(i)},
-            batch::pair_at(in, i),
-            in.velocity.at(i)};
-}
 
 void take_end(const ImpactResult& result, const ImpactTask& task, std::size_t i) {
     task.end[i] = result.outcome == Outcome::rebound ? LaneEnd::rebound : LaneEnd::capture;
@@ -102,15 +92,16 @@ ImpactResult solve_alone(const Impact& impact) {
 
 /// Solves a task. Impacts that its kernel left undecided or gave an impossible result go through the scalar
 /// solver. @return how many those were
-std::int64_t solve(const ImpactBatch& batch, const ImpactTask& task, std::size_t first, Failures& failures) {
-    batch::kernels_of(batch.law).impacts(task);
+std::int64_t solve(const batch::Problems& chunk, const ImpactTask& task, std::size_t first,
+                   Failures& failures) {
+    batch::kernels_of(chunk.law).impacts(task);
     std::int64_t solved_alone = 0;
     for (std::size_t i = 0; i < task.count; ++i) {
         const bool end_known = is_possible_end(task, i);
         const bool turn_known = !task.turning_point || (end_known && is_possible_turn(task, i));
         if (end_known && turn_known) continue;
         try {
-            const ImpactResult result = solve_alone(impact_at(batch, task.inputs, i));
+            const ImpactResult result = solve_alone(chunk.impact(i));
             if (!end_known) take_end(result, task, i);
             if (task.turning_point) take_turn(result, task, i);
         } catch (const ConvergenceError& error) {
@@ -121,7 +112,7 @@ std::int64_t solve(const ImpactBatch& batch, const ImpactTask& task, std::size_t
     return solved_alone;
 }
 
-/// Columns for the results of a task that no one asks for, as its kernel needs a place for them.
+/// Columns for results of a task that the caller does not take: its kernel writes all of them.
 struct Unwanted {
     using Numbers = std::array<double, batch::most_impacts>;  // filled by the kernel
     Numbers restitution;
@@ -152,78 +143,64 @@ void complete(const ImpactTask& task, const BatchOutputs& out) {
     leave_out(out.maximum_overlap);
 }
 
-void resize(ImpactBatchResult& result, Eigen::Index count) {
-    result.outcome.resize(count);
-    for (Eigen::ArrayXd* column :
-         {&result.restitution, &result.contact_time, &result.approach_time, &result.maximum_overlap}) {
-        column->resize(count);
-    }
+batch::Problems problems_of(const ImpactBatch& batch) {
+    return batch::problems_of(batch.law, batch.detachment, batch.damping_law, batch.contact,
+                              {{"damping", batch.damping, &batch::Inputs::damping},
+                               {"velocity", batch.velocity, &batch::Inputs::velocity}});
 }
 
-/// Number of impacts of a batch. @throws InputError if columns differ in length
-Eigen::Index count_of(const ImpactBatch& batch) {
-    return common_size(batch.contact,
-                       {{"damping", batch.damping.size()}, {"velocity", batch.velocity.size()}});
-}
-
-batch::Inputs inputs_of(const ImpactBatch& batch) {
-    batch::Inputs inputs = batch::inputs_of(batch.law, batch.contact);
-    inputs.damping = batch::input_of(batch.damping);
-    inputs.velocity = batch::input_of(batch.velocity);
-    return inputs;
-}
-
-}  // namespace
-
-BatchReport solve_impacts(const ImpactBatch& batch, const BatchOutputs& outputs,
-                          const BatchOptions& options) {
-    batch::require_admissible(batch.law, batch.detachment);
-    const bool tabulated = options.method == BatchMethod::table;
-    batch::RestitutionTable* const table =
-        tabulated ? &batch::RestitutionTable::of(batch.law, batch.detachment, batch.damping_law) : nullptr;
-    const Eigen::Index count = count_of(batch);
-    const batch::Inputs inputs = inputs_of(batch);
-    batch::FirstFault fault;
-    std::atomic<std::int64_t> scalar = 0;
+BatchReport solve_problems(const batch::Problems& problems, const BatchOutputs& outputs,
+                           const BatchOptions& options) {
+    batch::RestitutionTable* const table = batch::table_for(options.method, problems);
     Failures failures(options.keep_failures);
-    const auto chunk = [&](std::size_t first, std::size_t size) {
-        const batch::Inputs chunk_inputs = inputs.from(first);
-        if (!fault.check(chunk_inputs, first, size)) return;
+    const auto solve_chunk = [&](const batch::Problems& chunk, std::size_t first) {
         std::array<LaneEnd, batch::most_impacts> end;  // the kernel fills what is used
         Unwanted unwanted;
         const BatchOutputs out = from(outputs, first);
         const auto column = [](double* wanted, Unwanted::Numbers& other) {
             return wanted != nullptr ? wanted : other.data();
         };
-        const ImpactTask task{.damping_law = batch.damping_law,
-                              .detachment = batch.detachment,
+        const ImpactTask task{.damping_law = chunk.damping_law,
+                              .detachment = chunk.detachment,
                               .with_contact_time = options.contact_time || options.turning_point,
                               .turning_point = options.turning_point,
                               .table = table,
-                              .count = size,
-                              .inputs = chunk_inputs,
+                              .count = chunk.count,
+                              .inputs = chunk.inputs,
                               .end = end.data(),
                               .restitution = column(out.restitution, unwanted.restitution),
                               .contact_time = column(out.contact_time, unwanted.contact_time),
                               .approach_time = column(out.approach_time, unwanted.approach_time),
                               .maximum_overlap = column(out.maximum_overlap, unwanted.maximum_overlap)};
-        scalar += solve(batch, task, first, failures);
+        const std::int64_t scalar = solve(chunk, task, first, failures);
         complete(task, out);
+        return scalar;
     };
-    batch::for_chunks(static_cast<std::size_t>(count), batch::most_impacts, options.threads, chunk);
-    fault.raise([&](std::size_t i) { validate(impact_at(batch, inputs, i)); });
+    const std::int64_t scalar = batch::solve_in_chunks(problems, options.threads, solve_chunk);
     return {std::move(failures).in_order(), scalar};
 }
 
+}  // namespace
+
+BatchReport solve_impacts(const ImpactBatch& batch, const BatchOutputs& outputs,
+                          const BatchOptions& options) {
+    return solve_problems(problems_of(batch), outputs, options);
+}
+
 void solve_impacts(const ImpactBatch& batch, ImpactBatchResult& result, const BatchOptions& options) {
-    resize(result, count_of(batch));
-    BatchReport report = solve_impacts(batch,
-                                       {.outcome = result.outcome.data(),
-                                        .restitution = result.restitution.data(),
-                                        .contact_time = result.contact_time.data(),
-                                        .approach_time = result.approach_time.data(),
-                                        .maximum_overlap = result.maximum_overlap.data()},
-                                       options);
+    const batch::Problems problems = problems_of(batch);
+    result.outcome.resize(problems.size());
+    for (Eigen::ArrayXd* column :
+         {&result.restitution, &result.contact_time, &result.approach_time, &result.maximum_overlap}) {
+        column->resize(problems.size());
+    }
+    BatchReport report = solve_problems(problems,
+                                        {.outcome = result.outcome.data(),
+                                         .restitution = result.restitution.data(),
+                                         .contact_time = result.contact_time.data(),
+                                         .approach_time = result.approach_time.data(),
+                                         .maximum_overlap = result.maximum_overlap.data()},
+                                        options);
     result.failed = std::move(report.failed);
     result.scalar = report.scalar;
 }
@@ -232,6 +209,37 @@ ImpactBatchResult solve_impacts(const ImpactBatch& batch, const BatchOptions& op
     ImpactBatchResult result;
     solve_impacts(batch, result, options);
     return result;
+}
+
+ImpactList::ImpactList(const std::vector<Impact>& impacts) : first_(impacts.at(0)) {
+    const auto size = static_cast<Eigen::Index>(impacts.size());
+    for (Eigen::ArrayXd* column :
+         {&mass_, &radius_, &modulus_, &adhesion_, &pressure_, &damping_, &velocity_})
+        column->resize(size);
+    for (Eigen::Index i = 0; i < size; ++i) {
+        const auto& [law, detachment, damping, contact, velocity] = impacts[static_cast<std::size_t>(i)];
+        mass_[i] = contact.mass;
+        radius_[i] = contact.effective_radius;
+        modulus_[i] = contact.contact_modulus;
+        adhesion_[i] = contact.work_of_adhesion;
+        pressure_[i] = contact.yield_pressure;
+        damping_[i] = damping.coefficient;
+        velocity_[i] = velocity;
+    }
+}
+
+ImpactBatch ImpactList::batch() const {
+    return {.law = first_.law,
+            .detachment = first_.detachment,
+            .damping_law = first_.damping.law,
+            .contact = {.mass = mass_,
+                        .effective_radius = radius_,
+                        .contact_modulus = modulus_,
+                        .work_of_adhesion = adhesion_,
+                        .yield_pressure = pressure_,
+                        .parameters = single_columns(first_.contact.parameters)},
+            .damping = damping_,
+            .velocity = velocity_};
 }
 
 }  // namespace ashimpact

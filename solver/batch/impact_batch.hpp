@@ -8,7 +8,6 @@
 #include <Eigen/Core>
 
 #include "solver/batch/columns.hpp"
-#include "solver/batch/method.hpp"
 #include "solver/motion/impact.hpp"
 
 namespace ashimpact {
@@ -40,7 +39,7 @@ struct FailedImpact {
 };
 
 /// Results of the impacts. NaN stands for the contact time of a capture, for the approach time of an approach
-/// that never turns, and for what was not asked for.
+/// that never turns, and for what the options leave out.
 struct ImpactBatchResult {
     Eigen::Array<Outcome, Eigen::Dynamic, 1> outcome{};
     Eigen::ArrayXd restitution{};        ///< e_n, 0 for a capture [1]
@@ -62,7 +61,7 @@ struct BatchOutputs {
     double* maximum_overlap = nullptr;  ///< [m]
 };
 
-/// What a batch says beside the columns of its results; as in ImpactBatchResult.
+/// Results of a batch that are no columns, as in ImpactBatchResult.
 struct BatchReport {
     std::vector<FailedImpact> failed{};
     std::int64_t scalar = 0;
@@ -80,7 +79,21 @@ struct BatchReport {
 /// As above, into an existing result. Columns of the right length are reused without allocation.
 void solve_impacts(const ImpactBatch& batch, ImpactBatchResult& result, const BatchOptions& options = {});
 
-/// As above, to columns of the caller: nothing is copied, and what no one asks for is not written.
+/// As above, to columns of the caller: nothing is copied, and a null column is not written.
 BatchReport solve_impacts(const ImpactBatch& batch, const BatchOutputs& outputs, const BatchOptions& options);
+
+/// The columns of impacts that have law, detachment, damping law and law parameters in common.
+class ImpactList {
+  public:
+    /// @param impacts at least one; what they have in common is taken from the first
+    explicit ImpactList(const std::vector<Impact>& impacts);
+
+    /// It refers to these columns.
+    [[nodiscard]] ImpactBatch batch() const;
+
+  private:
+    Impact first_;
+    Eigen::ArrayXd mass_, radius_, modulus_, adhesion_, pressure_, damping_, velocity_;
+};
 
 }  // namespace ashimpact

@@ -6,7 +6,6 @@
 #include <Eigen/Core>
 
 #include "solver/batch/columns.hpp"
-#include "solver/batch/method.hpp"
 #include "solver/motion/damping_inversion.hpp"
 
 namespace ashimpact {

@@ -3,10 +3,8 @@
 
 #include <limits>
 
-#include "solver/batch/admissibility.hpp"
 #include "solver/batch/critical_batch.hpp"
-#include "solver/batch/task.hpp"
-#include "solver/surrogate/batch/restitution_table.hpp"
+#include "solver/batch/problems.hpp"
 
 namespace ashimpact {
 
@@ -14,7 +12,7 @@ SingleImpacts::SingleImpacts(Law law, Detachment detachment, DampingLaw damping_
     : law_(law), detachment_(detachment), damping_law_(damping_law) {
     batch::require_admissible(law, detachment);
     if (!batch::has_kernels(law)) return;
-    table_ = &batch::RestitutionTable::of(law, detachment, damping_law);
+    table_ = &batch::restitution_table(law, detachment, damping_law);
     kernels_ = batch::kernels_of(law);
 }
 

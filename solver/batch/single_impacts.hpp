@@ -3,8 +3,10 @@
 
 #include <optional>
 
-#include "solver/batch/kernel.hpp"
+#include "solver/batch/kernels/kernel.hpp"
+#include "solver/contact/law.hpp"
 #include "solver/contact/pair.hpp"
+#include "solver/damping/damping.hpp"
 
 namespace ashimpact {
 

@@ -114,15 +114,20 @@ std::optional<double> ContactModel::critical_velocity_anywhere(double damping) c
 
 double ContactModel::restitution(double velocity, double damping) const {
     if (damping >= this->damping(velocity, 0.0).value) return 0.0;
+    return rebound_restitution(velocity, damping,
+                               {.guess = 0.5 * greatest_restitution(velocity), .tolerance = 1e-14});
+}
+
+double ContactModel::rebound_restitution(double velocity, double damping, const Search& search) const {
     double lower = 0.0;
     double upper = greatest_restitution(velocity);
-    double e = 0.5 * upper;
+    double e = std::min(std::max(search.guess, 1e-9), 0.999999 * upper);
     for (int i = 0; i < most_iterations; ++i) {
         const DampingAt at = this->damping(velocity, e);
         (at.value > damping ? lower : upper) = e;
         const double newton = e - (at.value - damping) / at.by_restitution;
         const double next = newton > lower && newton < upper ? newton : 0.5 * (lower + upper);
-        if (std::abs(next - e) <= 1e-14) return next;
+        if (std::abs(next - e) <= search.tolerance) return next;
         e = next;
     }
     return e;

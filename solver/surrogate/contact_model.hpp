@@ -63,6 +63,14 @@ class ContactModel {
     [[nodiscard]] std::optional<double> critical_velocity_anywhere(double damping) const;
     /// Restitution of an impact, 0 for a capture [1]. @param velocity within range() [m/s]
     [[nodiscard]] double restitution(double velocity, double damping) const;
+    /// Where and how accurately a restitution is searched.
+    struct Search {
+        double guess;
+        double tolerance;  ///< last change of the restitution
+    };
+    /// Restitution of an impact that is no capture, by Newton's method within a bracket that only shrinks
+    /// [1].
+    [[nodiscard]] double rebound_restitution(double velocity, double damping, const Search& search) const;
     /// Contact time of a rebound [s].
     [[nodiscard]] double contact_time(double velocity, double restitution) const;
 

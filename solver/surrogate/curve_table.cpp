@@ -13,24 +13,6 @@ namespace {
 constexpr int intervals_of_s = 160;  ///< rows of the table, less one
 constexpr double columns_per_x = 8;  ///< the dependence on ln v at fixed phi is weak
 
-/// Restitution of an impact by Newton's method, kept within a bracket that only shrinks. Faster than
-/// ContactModel::restitution(), because neighbouring entries of the table give the guess; error below 1e-10.
-double restitution_at(const ContactModel& model, double velocity, double damping, double guess) {
-    const double most = model.greatest_restitution(velocity);
-    double lower = 0.0;
-    double upper = most;
-    double e = std::clamp(guess, 1e-9, 0.999999 * most);
-    for (int i = 0; i < 40; ++i) {
-        const DampingAt at = model.damping(velocity, e);
-        (at.value > damping ? lower : upper) = e;
-        double next = e - (at.value - damping) / at.by_restitution;
-        if (!(next > lower && next < upper)) next = 0.5 * (lower + upper);
-        if (std::abs(next - e) < 1e-10) return next;
-        e = next;
-    }
-    return e;
-}
-
 }  // namespace
 
 CurveTable::CurveTable(const ContactModel& model, VelocityRange velocities) {
@@ -56,7 +38,8 @@ CurveTable::CurveTable(const ContactModel& model, VelocityRange velocities) {
         double before = 0.0;
         for (int i = 1; i < intervals_of_s; ++i) {
             const double s = static_cast<double>(i) / intervals_of_s;
-            const double found = restitution_at(model, velocity, most * (1.0 - s * s), 2.0 * e - before);
+            const double found = model.rebound_restitution(velocity, most * (1.0 - s * s),
+                                                           {.guess = 2.0 * e - before, .tolerance = 1e-10});
             before = e;
             e = found;
             restitution_(i, j) = e;

@@ -6,9 +6,9 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "core/error.hpp"
-#include "solver/batch/impact_batch.hpp"
 #include "solver/batch/inversion_batch.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
@@ -22,7 +22,7 @@ namespace ashimpact {
 
 namespace {
 
-/// The pair that stands for all others: mass, radius, stiffness and work of adhesion are 1.
+/// The pair in place of all others: mass, radius, stiffness and work of adhesion are 1.
 constexpr ContactPair unit_pair{
     .mass = 1.0, .effective_radius = 1.0, .contact_modulus = 0.75, .work_of_adhesion = 1.0};
 
@@ -41,33 +41,6 @@ Impact impact_at(const ScaledImpacts& impacts, double damping_number, double vel
             .damping = {DampingLaw::constant, coefficient},
             .contact = unit_pair_of(impacts.law()),
             .velocity = velocity};
-}
-
-/// Columns that hold the unit pair once, for any number of impacts.
-class UnitPairColumns {
-  public:
-    explicit UnitPairColumns(Law law) : parameters_(typical_parameters(law)) {}
-
-    [[nodiscard]] ContactColumns columns() const {
-        return {one_, one_, modulus_, one_, never_yields, single_columns(parameters_)};
-    }
-
-  private:
-    Eigen::ArrayXd one_ = Eigen::ArrayXd::Constant(1, 1.0);
-    Eigen::ArrayXd modulus_ = Eigen::ArrayXd::Constant(1, unit_pair.contact_modulus);
-    ParameterValues<double> parameters_;
-};
-
-/// Damping coefficient of damping number one at each velocity.
-Eigen::ArrayXd damping_units(const Eigen::ArrayXd& velocities) {
-    return velocities.unaryExpr([](double velocity) {
-        return Scale::of(unit_pair, velocity).damping_coefficient(DampingLaw::constant, 1.0);
-    });
-}
-
-/// The scale's time L/v at each velocity.
-Eigen::ArrayXd time_units(const Eigen::ArrayXd& velocities) {
-    return velocities.unaryExpr([](double velocity) { return Scale::of(unit_pair, velocity).time(); });
 }
 
 CriticalVelocity critical_of(const Impact& impact) {
@@ -138,27 +111,27 @@ double ScaledImpacts::damping_number(double restitution, double x, const Search&
         search);
 }
 
-Eigen::ArrayXd ScaledImpacts::velocities(const Eigen::ArrayXd& x) const {
-    return x.unaryExpr([this](double each) { return velocity(each); });
+ImpactList ScaledImpacts::columns(const Eigen::ArrayXd& damping_number, const Eigen::ArrayXd& x) const {
+    std::vector<Impact> impacts;
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+        impacts.push_back(impact_at(*this, damping_number[i], velocity(x[i])));
+    return ImpactList(impacts);
 }
 
 Eigen::ArrayXd ScaledImpacts::damping_numbers(const Eigen::ArrayXd& restitution,
                                               const Eigen::ArrayXd& x) const {
-    const UnitPairColumns unit(law_);
-    const Eigen::ArrayXd speed = velocities(x);
+    const ImpactList columns_of_ones = columns(Eigen::ArrayXd::Ones(x.size()), x);
+    const ImpactBatch ones = columns_of_ones.batch();
     const auto found = dampings_from_restitutions(
-        {law_, detachment_, DampingLaw::constant, unit.columns(), speed, restitution});
-    return found.damping / damping_units(speed);
+        {law_, detachment_, ones.damping_law, ones.contact, ones.velocity, restitution});
+    return found.damping / ones.damping;
 }
 
 Eigen::ArrayXd ScaledImpacts::contact_times(const Eigen::ArrayXd& damping_number,
                                             const Eigen::ArrayXd& x) const {
-    const UnitPairColumns unit(law_);
-    const Eigen::ArrayXd speed = velocities(x);
-    const Eigen::ArrayXd damping = damping_number * damping_units(speed);
-    const auto solved = solve_impacts(
-        {law_, detachment_, DampingLaw::constant, unit.columns(), damping, speed}, {.turning_point = false});
-    return solved.contact_time / time_units(speed);
+    const auto solved = solve_impacts(columns(damping_number, x).batch(), {.turning_point = false});
+    return solved.contact_time /
+           x.unaryExpr([this](double each) { return Scale::of(unit_pair, velocity(each)).time(); });
 }
 
 }  // namespace ashimpact

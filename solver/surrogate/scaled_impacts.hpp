@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include "solver/batch/impact_batch.hpp"
 #include "solver/contact/detachment.hpp"
 #include "solver/contact/law.hpp"
 #include "solver/contact/pair.hpp"
@@ -51,7 +52,7 @@ class ScaledImpacts {
 
   private:
     [[nodiscard]] double velocity(double x) const;
-    [[nodiscard]] Eigen::ArrayXd velocities(const Eigen::ArrayXd& x) const;
+    [[nodiscard]] ImpactList columns(const Eigen::ArrayXd& damping_number, const Eigen::ArrayXd& x) const;
 
     Law law_;
     Detachment detachment_;

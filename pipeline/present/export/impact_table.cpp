@@ -22,7 +22,7 @@ constexpr std::size_t smallest_sizes = 9;
 constexpr std::size_t smallest_nodes = 65;
 constexpr std::size_t largest_cells = 400'000;
 constexpr double velocity_span = 1e3;   // of a table without captures
-constexpr double least_velocity = 10;   // that a table reaches where nothing else is asked for [m/s]
+constexpr double least_velocity = 10;   // default end of a table [m/s]
 constexpr double beyond_critical = 10;  // times the largest v_c that it reaches
 
 /// How finely a table is divided.
@@ -100,43 +100,8 @@ double velocity_of(double t, double start) {
     return start * (1 + std::sinh(t) * std::sinh(t));
 }
 
-/// Columns of impacts that are solved at once.
-struct Impacts {
-    Eigen::ArrayXd mass, radius, modulus, adhesion, pressure, damping, velocity;
-
-    explicit Impacts(Eigen::Index size)
-        : mass(size),
-          radius(size),
-          modulus(size),
-          adhesion(size),
-          pressure(size),
-          damping(size),
-          velocity(size) {}
-
-    void set(Eigen::Index i, const Impact& impact) {
-        mass[i] = impact.contact.mass;
-        radius[i] = impact.contact.effective_radius;
-        modulus[i] = impact.contact.contact_modulus;
-        adhesion[i] = impact.contact.work_of_adhesion;
-        pressure[i] = impact.contact.yield_pressure;
-        damping[i] = impact.damping.coefficient;
-        velocity[i] = impact.velocity;
-    }
-};
-
-ImpactBatchResult solve(const ExportSubject& subject, const Impacts& impacts) {
-    return solve_impacts({.law = subject.law,
-                          .detachment = subject.detachment,
-                          .damping_law = subject.damping.law,
-                          .contact = {.mass = impacts.mass,
-                                      .effective_radius = impacts.radius,
-                                      .contact_modulus = impacts.modulus,
-                                      .work_of_adhesion = impacts.adhesion,
-                                      .yield_pressure = impacts.pressure,
-                                      .parameters = single_columns(subject.contact.parameters)},
-                          .damping = impacts.damping,
-                          .velocity = impacts.velocity},
-                         {.threads = 0, .turning_point = false});
+ImpactBatchResult solve(const std::vector<Impact>& impacts) {
+    return solve_impacts(ImpactList(impacts).batch(), {.threads = 0, .turning_point = false});
 }
 
 void fill_nodes(const ExportSubject& subject, ImpactTable& table) {
@@ -144,7 +109,7 @@ void fill_nodes(const ExportSubject& subject, ImpactTable& table) {
     const auto columns = static_cast<Eigen::Index>(table.t.size());
     table.velocity.resize(rows, columns);
     table.damping.resize(rows, columns);
-    Impacts impacts(rows * columns);
+    std::vector<Impact> impacts;
     for (Eigen::Index i = 0; i < rows; ++i) {
         const auto size = static_cast<std::size_t>(i);
         for (Eigen::Index j = 0; j < columns; ++j) {
@@ -152,10 +117,10 @@ void fill_nodes(const ExportSubject& subject, ImpactTable& table) {
             const Impact impact = impact_at(subject, table.diameter[size], v);
             table.velocity(i, j) = v;
             table.damping(i, j) = impact.damping.coefficient;
-            impacts.set(i * columns + j, impact);
+            impacts.push_back(impact);
         }
     }
-    const ImpactBatchResult result = solve(subject, impacts);
+    const ImpactBatchResult result = solve(impacts);
     using RowMajor = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     table.restitution = Eigen::Map<const RowMajor>(result.restitution.data(), rows, columns);
     table.contact_time = Eigen::Map<const RowMajor>(result.contact_time.data(), rows, columns);
@@ -215,10 +180,9 @@ std::vector<Probe> probes_of(const ExportSubject& subject, const ImpactTable& ta
 Errors errors_of(const ExportSubject& subject, const ImpactTable& table) {
     const std::vector<Probe> probes = probes_of(subject, table);
     if (probes.empty()) return {};
-    Impacts impacts(static_cast<Eigen::Index>(probes.size()));
-    for (std::size_t i = 0; i < probes.size(); ++i)
-        impacts.set(static_cast<Eigen::Index>(i), impact_at(subject, probes[i].diameter, probes[i].velocity));
-    const ImpactBatchResult result = solve(subject, impacts);
+    std::vector<Impact> impacts;
+    for (const Probe& probe : probes) impacts.push_back(impact_at(subject, probe.diameter, probe.velocity));
+    const ImpactBatchResult result = solve(impacts);
     Errors errors;
     for (std::size_t i = 0; i < probes.size(); ++i) {
         const auto& [diameter, velocity, between_sizes, between_nodes] = probes[i];

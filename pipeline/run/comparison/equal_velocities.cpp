@@ -12,7 +12,7 @@
 #include "solver/damping/damping.hpp"
 #include "solver/inference/impacts/damping_smoothing.hpp"
 #include "solver/motion/impact.hpp"
-#include "solver/surrogate/interpolation.hpp"
+#include "solver/numeric/gsl/spline.hpp"
 
 namespace ashimpact {
 

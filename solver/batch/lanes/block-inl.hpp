@@ -9,8 +9,8 @@
 
 #include <cstdint>
 
-#include "solver/batch/kernel.hpp"
 #include "solver/batch/lanes/leapfrog-inl.hpp"
+#include "solver/batch/lanes/number_task.hpp"
 #include "solver/batch/lanes/orbit-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();

@@ -42,7 +42,7 @@ template <class F>
     return p;
 }
 
-/// Share of the energy in the well below which double precision does not tell capture from rebound.
+/// Share of the energy in the well below which double precision cannot separate capture from rebound.
 inline constexpr double energy_doubt = 1e-9;
 /// v^2 in the well from which on rounding in the well is seen in the energy of a rebound.
 inline constexpr double deepest_well = 1e5;
@@ -61,7 +61,7 @@ class LaneCapture {
     HWY_INLINE LaneCapture(const Equation<F>& equation, const Places& places)
         : equation_(equation), places_(places) {}
 
-    /// @param look_for_creeping whether to look for lanes that creep, which are rare and slow to tell
+    /// @param look_for_creeping whether to look for lanes that creep, which are rare and slow to detect
     [[nodiscard]] HWY_INLINE LaneVerdict verdict(Lanes q, Lanes v, Mask active, Mask approaching,
                                                  bool look_for_creeping) const {
         const Mask leaving = without(without(active, approaching), places_.by_force);

@@ -74,6 +74,19 @@ struct Equation {
     }
 };
 
+/// Number of registers advanced together, so that the arithmetic of one hides the latency of another.
+inline constexpr std::size_t group_count = 4;
+template <class T>
+using Groups = std::array<T, group_count>;
+
+/// The change of a state in one step, with an estimate of its error.
+struct LaneStep {
+    LaneState change;
+    Lanes position_error;
+    Lanes momentum_error;
+    Lanes end_stiffness;  ///< h(q) at the end, to second order
+};
+
 }  // namespace ashimpact::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

@@ -125,7 +125,7 @@ struct Monic {
     template <int last, PowerSet set>
     [[nodiscard]] HWY_INLINE Lanes horner(const Powers<set>& x) const {
         constexpr int gap = (Pattern::terms.at(last - 1) - Pattern::terms.at(last)) / stride;
-        static_assert(gap == 1, "a polynomial with a gap wants the powers between");
+        static_assert(gap == 1, "a polynomial with a gap needs the powers between");
         if constexpr (last > 1) {
             return multiply_add(horner<last - 1>(x), x.template at<stride>(), coefficient[last]);
         } else if constexpr (contains(Powers<set>::set, stride)) {

@@ -10,8 +10,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "solver/batch/lanes/equation-inl.hpp"
 #include "solver/batch/lanes/extrapolation.hpp"
-#include "solver/batch/lanes/groups-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {

@@ -7,10 +7,50 @@
 #define ASHIMPACT_SOLVER_BATCH_NUMBER_INL_HPP
 #endif
 
-#include "solver/batch/lanes/roots-inl.hpp"
+#include "solver/batch/lanes/lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
+
+/// Binary logarithm, linear between the powers of two: off by at most 0.086, and inverted exactly by
+/// rough_exp2(); for finite x > 0.
+HWY_INLINE Lanes rough_log2(Lanes x) {
+    const hn::RebindToSigned<Tag> integers;
+    const Lanes bits(hn::ConvertTo(Tag(), hn::BitCast(integers, x.v)));
+    return multiply_add(bits, 0x1p-52, -1023.0);
+}
+/// Inverse of rough_log2(), for -1022 < x < 1024.
+HWY_INLINE Lanes rough_exp2(Lanes x) {
+    const hn::RebindToSigned<Tag> integers;
+    const Lanes bits = (x + Lanes(1023.0)) * Lanes(0x1p52);
+    return Lanes(hn::BitCast(Tag(), hn::ConvertTo(integers, bits.v)));
+}
+
+/// x^(-1/degree) of a normal x > 0 by Newton's iteration, which needs no division; to rounding.
+template <int degree>
+HWY_INLINE Lanes inverse_root(Lanes x) {
+    Lanes y = rough_exp2((rough_log2(x) + Lanes(0.043)) * Lanes(-1.0 / degree));
+    const Lanes scaled = x * Lanes(1.0 / degree);
+    for (int i = 0; i < 5; ++i) {
+        Lanes power = y;
+        for (int k = 1; k < degree; ++k) power = power * y;
+        // y (1 + (1 - x y^degree)/degree)
+        y = multiply_add(y, subtract_product(Lanes(1.0 / degree), scaled, power), y);
+    }
+    return y;
+}
+
+/// Cube root of x >= 0, to rounding; 0 for x below the normal numbers.
+HWY_INLINE Lanes cbrt(Lanes x) {
+    const Lanes y = inverse_root<3>(max(x, 1e-300));
+    return x * y * y;
+}
+
+/// x^(2/5) of x > 0, to rounding.
+HWY_INLINE Lanes two_fifths_power(Lanes x) {
+    const Lanes y = inverse_root<5>(x);
+    return x * y * y * y;
+}
 
 /// Lanes in memory: the number type with which a contact law is evaluated outside the integration. The
 /// functions of a law are compiled for the baseline, so wider registers cannot be passed to them; memory can.

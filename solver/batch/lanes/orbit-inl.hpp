@@ -7,9 +7,7 @@
 #define ASHIMPACT_SOLVER_BATCH_ORBIT_INL_HPP
 #endif
 
-#include "solver/batch/lanes/arrivals-inl.hpp"
 #include "solver/batch/lanes/findings-inl.hpp"
-#include "solver/batch/lanes/groups-inl.hpp"
 #include "solver/batch/lanes/pilot-inl.hpp"
 #include "solver/batch/lanes/turn-inl.hpp"
 

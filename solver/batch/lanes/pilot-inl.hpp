@@ -10,7 +10,6 @@
 #include <cmath>
 
 #include "solver/batch/lanes/capture-inl.hpp"
-#include "solver/batch/lanes/roots-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
@@ -73,7 +72,7 @@ class Pilot {
             min(ideal + select(left, trend, first_trend), log_taken + select(left, Lanes(0.45), Lanes(0.25)));
         const Lanes steady = log_taken + min(max(gain - Lanes(0.35), 0.0), 0.3) * touched_;
         const Lanes next = select(good, select(inward, steady, outward), ideal - Lanes(0.1));
-        // An accurate step that was shortened for an event says nothing about the next one.
+        // An accurate step that was shortened for an event does not determine the next one.
         const Mask telling = without(active, both(good, log_taken < log_step_ - Lanes(0.2)));
         log_step_ = select(telling, next, log_step_);
         last_ideal_ = select(telling, ideal, last_ideal_);

@@ -75,7 +75,7 @@ struct Sparse {
     static constexpr double leading = symbol.at(terms.at(0), 0);
     static_assert(leading != 0.0);
 
-    /// Powers of the state that evaluate() wants.
+    /// Powers of the state that evaluate() needs.
     static constexpr PowerSet powers = [] {
         if (terms.count == 1) {
             const int power = terms.at(0);

@@ -7,8 +7,8 @@
 namespace ashimpact {
 
 /// A polynomial in the state and in the adhesion number A, with plain coefficients: what a contact law turns
-/// into when it is evaluated at compile time. It says which powers occur, so that the vector code of a law
-/// holds its products and no others, and is still the law's own line.
+/// into when it is evaluated at compile time. It lists the powers that occur, so that the vector code of a
+/// law holds its products and no others, and is still the law's own line.
 struct Symbol {
     static constexpr int states = 24;
     static constexpr int adhesions = 6;

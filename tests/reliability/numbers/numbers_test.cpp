@@ -9,7 +9,7 @@
 
 #include <doctest/doctest.h>
 
-#include "solver/batch/kernel.hpp"
+#include "solver/batch/kernels/kernel.hpp"
 #include "tests/reliability/numbers/random_sets.hpp"
 
 using namespace ashimpact;

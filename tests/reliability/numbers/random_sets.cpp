@@ -14,7 +14,7 @@
 
 #include "core/error.hpp"
 #include "solver/batch/impact_batch.hpp"
-#include "solver/batch/kernel.hpp"
+#include "solver/batch/kernels/kernel.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/motion/scale.hpp"

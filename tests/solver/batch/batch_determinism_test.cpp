@@ -13,8 +13,9 @@
 
 #include "core/error.hpp"
 #include "solver/batch/impact_batch.hpp"
-#include "solver/batch/instruction_set.hpp"
-#include "solver/surrogate/batch/restitution_table.hpp"
+#include "solver/batch/kernels/instruction_set.hpp"
+#include "solver/batch/kernels/kernel.hpp"
+#include "solver/batch/tables/restitution_table.hpp"
 #include "tests/solver/batch/batch_sample.hpp"
 
 using namespace ashimpact;
@@ -120,7 +121,7 @@ TEST_CASE("an impact's result does not depend, in any bit, on order, number and 
 
 TEST_CASE("a piece of a table is the same, in every bit, whoever asked for it first, and when") {
     const auto table = [] {
-        return std::make_unique<batch::RestitutionTable>(batch::kernels_of(Law::of<Dmt>()),
+        return std::make_unique<batch::RestitutionTable>(batch::kernels_of(Law::of<Dmt>()).numbers,
                                                          Detachment::zero_overlap, DampingLaw::constant);
     };
     const auto ask = [](batch::RestitutionTable& of, unsigned seed) {
@@ -150,17 +151,17 @@ TEST_CASE("a piece of a table is the same, in every bit, whoever asked for it fi
         for (const auto* table_asked : {&other, &shared}) {
             const batch::RestitutionPiece& b = *(*table_asked)->at(x, y);
             REQUIRE(a.state() == b.state());
-            REQUIRE(a.t(x) == b.t(x));
-            REQUIRE(a.u(y) == b.u(y));
-            if (a.state() != batch::RestitutionPiece::State::rebound) continue;
-            REQUIRE(a.polynomials().restitution_squared.low == b.polynomials().restitution_squared.low);
-            REQUIRE(a.polynomials().restitution_squared.high == b.polynomials().restitution_squared.high);
-            REQUIRE(a.polynomials().contact_time.low == b.polynomials().contact_time.low);
-            REQUIRE(a.polynomials().contact_time.high == b.polynomials().contact_time.high);
+            REQUIRE(a.local(0, x) == b.local(0, x));
+            REQUIRE(a.local(1, y) == b.local(1, y));
+            if (a.state() != batch::PieceState::tabulated) continue;
+            REQUIRE(a.content()->restitution_squared.low == b.content()->restitution_squared.low);
+            REQUIRE(a.content()->restitution_squared.high == b.content()->restitution_squared.high);
+            REQUIRE(a.content()->contact_time.low == b.content()->contact_time.low);
+            REQUIRE(a.content()->contact_time.high == b.content()->contact_time.high);
         }
-        rebounds += a.state() == batch::RestitutionPiece::State::rebound ? 1 : 0;
-        captures += a.state() == batch::RestitutionPiece::State::capture ? 1 : 0;
-        undecided += a.state() == batch::RestitutionPiece::State::undecided ? 1 : 0;
+        rebounds += a.state() == batch::PieceState::tabulated ? 1 : 0;
+        captures += a.state() == batch::PieceState::captured ? 1 : 0;
+        undecided += a.state() == batch::PieceState::undecided ? 1 : 0;
     }
     CHECK(rebounds > places_asked / 2);
     CHECK(captures > places_asked / 2);

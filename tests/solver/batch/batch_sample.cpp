@@ -8,7 +8,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "solver/batch/kernel.hpp"
+#include "solver/batch/kernels/kernel.hpp"
 #include "solver/motion/scale.hpp"
 #include "tests/support/contact_cases.hpp"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "pipeline/app/sweep/spec/impacts.hpp"
-#include "solver/batch/method.hpp"
+#include "solver/batch/columns.hpp"
 
 namespace ashimpact {
 

@@ -9,8 +9,8 @@
 #include "core/error.hpp"
 #include "pipeline/present/report/data/impact_search.hpp"
 #include "solver/motion/scaled_impact.hpp"
+#include "solver/numeric/gsl/spline.hpp"
 #include "solver/statistics/intervals/interval.hpp"
-#include "solver/surrogate/interpolation.hpp"
 
 namespace ashimpact::report {
 

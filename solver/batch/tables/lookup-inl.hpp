@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Included once for each instruction set, so with no include guard but this.
-#if defined(ASHIMPACT_SOLVER_BATCH_LOOKUP_INL_HPP) == defined(HWY_TARGET_TOGGLE)
-#ifdef ASHIMPACT_SOLVER_BATCH_LOOKUP_INL_HPP
-#undef ASHIMPACT_SOLVER_BATCH_LOOKUP_INL_HPP
+#if defined(ASHIMPACT_SOLVER_BATCH_TABLES_LOOKUP_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef ASHIMPACT_SOLVER_BATCH_TABLES_LOOKUP_INL_HPP
+#undef ASHIMPACT_SOLVER_BATCH_TABLES_LOOKUP_INL_HPP
 #else
-#define ASHIMPACT_SOLVER_BATCH_LOOKUP_INL_HPP
+#define ASHIMPACT_SOLVER_BATCH_TABLES_LOOKUP_INL_HPP
 #endif
 
 #include <algorithm>
@@ -12,13 +12,39 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/batch/lanes/lanes-inl.hpp"
+#include "solver/batch/tables/critical_table.hpp"
+#include "solver/batch/tables/restitution_table.hpp"
 #include "solver/numeric/power.hpp"
-#include "solver/surrogate/batch/power_row-inl.hpp"
-#include "solver/surrogate/batch/restitution_table.hpp"
-#include "solver/surrogate/batch/scaled_task-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
+
+/// The powers of one number, consecutive ones in the lanes of a register.
+class PowerRow {
+  public:
+    HWY_INLINE explicit PowerRow(double u) : powers_(1.0), next_(u) {
+        const hn::RebindToUnsigned<Tag> integers;
+        const auto lane = hn::Iota(integers, 0);
+        for (std::size_t bit = 1; bit < lane_count; bit *= 2) {
+            const Mask has_bit = hn::RebindMask(Tag(), hn::TestBit(lane, hn::Set(integers, bit)));
+            powers_ = select(has_bit, powers_ * next_, powers_);
+            next_ = next_ * next_;
+        }
+    }
+
+    /// The sum of coefficients times powers.
+    template <std::size_t registers>
+    [[nodiscard]] HWY_INLINE double sum(const std::array<Lanes, registers>& coefficients) const {
+        Lanes sum = coefficients[registers - 1];
+        for (std::size_t k = registers - 1; k-- > 0;) sum = multiply_add(sum, next_, coefficients[k]);
+        return hn::GetLane(hn::SumOfLanes(Tag(), (sum * powers_).v));
+    }
+
+  private:
+    Lanes powers_;  ///< 1, u, u^2, ...
+    Lanes next_;    ///< u to the number of lanes
+};
 
 /// Coordinate x or y of an adhesion or damping number n in a table: n/(1 + n).
 [[nodiscard]] HWY_INLINE Lanes place_of(Lanes number) {
@@ -82,44 +108,38 @@ struct TableEntry {
 /// The entry at a place of a piece; undecided if @p piece is null, as it is where the place is not a number.
 template <bool with_time>
 [[nodiscard]] HWY_INLINE TableEntry entry_at(const batch::RestitutionPiece* piece, double x, double y) {
-    using State = batch::RestitutionPiece::State;
+    using State = batch::PieceState;
     constexpr double least_square = 1e-6;  // of e^2; below it the error of the table is relatively too large
     constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
     const State state = piece == nullptr ? State::undecided : piece->state();
-    if (state == State::capture) return {batch::LaneEnd::capture, 0.0, nothing};
-    if (state != State::rebound) return {batch::LaneEnd::undecided, 0.0, nothing};
-    const PlaceInPiece place(piece->t(x), piece->u(y));
-    const double square = place.value(piece->polynomials().restitution_squared);
+    if (state == State::captured) return {batch::LaneEnd::capture, 0.0, nothing};
+    if (state != State::tabulated) return {batch::LaneEnd::undecided, 0.0, nothing};
+    const PlaceInPiece place(piece->local(0, x), piece->local(1, y));
+    const double square = place.value(piece->content()->restitution_squared);
     if (square < least_square) return {batch::LaneEnd::undecided, 0.0, nothing};
-    const double time = with_time ? place.value(piece->polynomials().contact_time) : nothing;
+    const double time = with_time ? place.value(piece->content()->contact_time) : nothing;
     return {batch::LaneEnd::rebound, std::sqrt(std::min(square, 1.0)), time};
 }
 
-/// Coordinates in a table for a column of numbers.
-inline void place_all(const double* numbers, std::size_t count, double* places) {
-    for (std::size_t i = 0; i < count; i += lane_count) {
-        place_of(Lanes::load(numbers + i)).store(places + i);
-    }
-}
-
-/// Reads the results of a task from its table. @return impacts that have to be integrated
-template <bool with_time>
-HWY_NOINLINE PlaceList look_up(const batch::ImpactTask& task, const ScaledTask& scaled) {
-    HWY_ALIGN double x[ScaledTask::capacity];
-    HWY_ALIGN double y[ScaledTask::capacity];
-    place_all(scaled.adhesion, task.count, x);
-    place_all(scaled.damping, task.count, y);
-    const batch::RestitutionPiece* pieces[batch::most_impacts];
-    for (std::size_t i = 0; i < task.count; ++i) pieces[i] = task.table->at(x[i], y[i]);
-    PlaceList open;
-    for (std::size_t i = 0; i < task.count; ++i) {
-        const TableEntry impact = entry_at<with_time>(pieces[i], x[i], y[i]);
-        if (impact.end == batch::LaneEnd::undecided) open.add(i);
-        task.end[i] = impact.end;
-        task.restitution[i] = impact.speed;
-        task.contact_time[i] = impact.time * scaled.time[i];
-    }
-    return open;
+/// Looks up one critical velocity.
+/// @param log_work ln(work of damping/(beta m V_a^2)), @param energy of the detachment [m V_a^2]; 0 unless
+/// tabulated
+[[nodiscard]] HWY_INLINE batch::PieceState critical_entry_at(batch::CriticalTable& table, double beta,
+                                                             double& log_work, double& energy) {
+    constexpr std::size_t registers = batch::CriticalPolynomial::terms / lane_count;
+    log_work = energy = 0.0;
+    if (!(beta > 0.0)) return batch::PieceState::undecided;
+    const double inside = batch::CriticalTable::inside(beta);
+    const batch::CriticalPiece* piece = table.at(inside);
+    const batch::PieceState state = piece == nullptr ? batch::PieceState::undecided : piece->state();
+    if (state != batch::PieceState::tabulated) return state;
+    const batch::CriticalPolynomial& polynomial = piece->content();
+    std::array<Lanes, registers> coefficients;
+    for (std::size_t k = 0; k < registers; ++k)
+        coefficients[k] = Lanes::load(polynomial.coefficients.data() + k * lane_count);
+    log_work = PowerRow(piece->local(0, inside)).sum(coefficients);
+    energy = polynomial.detachment_energy;
+    return state;
 }
 
 }  // namespace ashimpact::HWY_NAMESPACE

@@ -14,8 +14,4 @@ namespace ashimpact {
 /// batch meanwhile. @param name empty: the best one again @throws InputError naming the available ones
 void use_instruction_set(std::string_view name);
 
-/// Chooses the best instruction set if none has been chosen yet. Afterwards kernels_of() returns the same
-/// functions every time.
-void settle_instruction_set();
-
 }  // namespace ashimpact

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "solver/batch/kernel.hpp"
+#include "solver/batch/lanes/number_task.hpp"
 
 namespace ashimpact::batch {
 

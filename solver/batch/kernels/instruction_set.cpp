@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/batch/instruction_set.hpp"
+#include "solver/batch/kernels/instruction_set.hpp"
 
 #include <array>
 #include <cstdint>
@@ -49,10 +49,6 @@ void use_instruction_set(std::string_view name) {
     }
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
     if (!name.empty()) throw unknown_name("instruction set", name, names);
-}
-
-void settle_instruction_set() {
-    if (!hwy::GetChosenTarget().IsInitialized()) hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
 }  // namespace ashimpact

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/batch/damping_search.hpp"
+#include "solver/batch/kernels/damping_search.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/surrogate/interpolation.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "core/error.hpp"
+#include "solver/numeric/gsl/spline.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/random.hpp"

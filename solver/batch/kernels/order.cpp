@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/batch/order.hpp"
+#include "solver/batch/kernels/order.hpp"
 
 #include <algorithm>
 #include <bit>

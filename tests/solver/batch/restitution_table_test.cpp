@@ -1,29 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/surrogate/batch/restitution_table.hpp"
+#include "solver/batch/tables/restitution_table.hpp"
 
 #include <cmath>
 
 #include <doctest/doctest.h>
 
-#include "solver/contact/dmt.hpp"
+#include "solver/batch/kernels/kernel.hpp"
+#include "solver/contact/law.hpp"
+#include "solver/damping/damping.hpp"
 
 using namespace ashimpact;
 using namespace ashimpact::batch;
 
 TEST_CASE("the square that a table gives for a place holds it, at the edges of the table as well") {
     RestitutionTable& table =
-        RestitutionTable::of(Law::of<Dmt>(), Detachment::zero_overlap, DampingLaw::constant);
+        restitution_table(Law::of<Dmt>(), Detachment::zero_overlap, DampingLaw::constant);
     const auto check = [&](double x, double y) {
         const RestitutionPiece* piece = table.at(x, y);
         CAPTURE(x);
         CAPTURE(y);
         REQUIRE(piece != nullptr);
-        CHECK(x >= piece->lower_x());
-        CHECK(x <= piece->upper_x());
-        CHECK(y >= piece->lower_y());
-        CHECK(y <= piece->upper_y());
-        CHECK(piece->state() != RestitutionState::unknown);
-        CHECK(piece->state() != RestitutionState::quartered);
+        CHECK(x >= piece->lower(0));
+        CHECK(x <= piece->upper(0));
+        CHECK(y >= piece->lower(1));
+        CHECK(y <= piece->upper(1));
+        CHECK(piece->state() != PieceState::unknown);
+        CHECK(piece->state() != PieceState::divided);
     };
     // The edges first: a place that was entered wrongly is found again by those after it.
     for (const double edge : {1.0, 0.0})

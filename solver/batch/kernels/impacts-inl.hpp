@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Included once for each instruction set, so with no include guard but this.
-#if defined(ASHIMPACT_SOLVER_BATCH_IMPACTS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
-#ifdef ASHIMPACT_SOLVER_BATCH_IMPACTS_INL_HPP
-#undef ASHIMPACT_SOLVER_BATCH_IMPACTS_INL_HPP
+#if defined(ASHIMPACT_SOLVER_BATCH_KERNELS_IMPACTS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef ASHIMPACT_SOLVER_BATCH_KERNELS_IMPACTS_INL_HPP
+#undef ASHIMPACT_SOLVER_BATCH_KERNELS_IMPACTS_INL_HPP
 #else
-#define ASHIMPACT_SOLVER_BATCH_IMPACTS_INL_HPP
+#define ASHIMPACT_SOLVER_BATCH_KERNELS_IMPACTS_INL_HPP
 #endif
 
 #include <algorithm>
 #include <limits>
 #include <span>
 
+#include "solver/batch/kernels/order.hpp"
+#include "solver/batch/kernels/scaling-inl.hpp"
 #include "solver/batch/lanes/block-inl.hpp"
-#include "solver/batch/order.hpp"
-#include "solver/surrogate/batch/lookup-inl.hpp"
+#include "solver/batch/tables/lookup-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
@@ -34,6 +35,33 @@ inline void write_turn(const batch::ImpactTask& task, const ScaledTask& scaled, 
     constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
     task.approach_time[i] = block.turn_time[lane] * scaled.time[i];
     task.maximum_overlap[i] = block.turns(lane) ? block.turn_overlap[lane] * scaled.length[i] : nothing;
+}
+
+/// Coordinates in a table for a column of numbers.
+inline void place_all(const double* numbers, std::size_t count, double* places) {
+    for (std::size_t i = 0; i < count; i += lane_count) {
+        place_of(Lanes::load(numbers + i)).store(places + i);
+    }
+}
+
+/// Reads the results of a task from its table. @return impacts that have to be integrated
+template <bool with_time>
+HWY_NOINLINE PlaceList look_up(const batch::ImpactTask& task, const ScaledTask& scaled) {
+    HWY_ALIGN double x[ScaledTask::capacity];
+    HWY_ALIGN double y[ScaledTask::capacity];
+    place_all(scaled.adhesion, task.count, x);
+    place_all(scaled.damping, task.count, y);
+    const batch::RestitutionPiece* pieces[batch::most_impacts];
+    for (std::size_t i = 0; i < task.count; ++i) pieces[i] = task.table->at(x[i], y[i]);
+    PlaceList open;
+    for (std::size_t i = 0; i < task.count; ++i) {
+        const TableEntry impact = entry_at<with_time>(pieces[i], x[i], y[i]);
+        if (impact.end == batch::LaneEnd::undecided) open.add(i);
+        task.end[i] = impact.end;
+        task.restitution[i] = impact.speed;
+        task.contact_time[i] = impact.time * scaled.time[i];
+    }
+    return open;
 }
 
 /// Integrates impacts, given by their numbers, in blocks of similar ones, so that the lanes of a block end
@@ -58,7 +86,7 @@ HWY_INLINE void follow_all(const batch::NumberColumns& numbers, std::span<const 
 }
 
 /// Solves the impacts of a task: scales them, reads results from the table if there is one, and integrates
-/// the others. A table knows no turning points, so that with one these are found in a pass of their own.
+/// the others. A table has no turning points: they are integrated in a second pass.
 template <class F>
 HWY_NOINLINE void solve_task(const batch::ImpactTask& task) {
     ScaledTask scaled;

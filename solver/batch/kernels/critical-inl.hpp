@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Included once for each instruction set, so with no include guard but this.
-#if defined(ASHIMPACT_SOLVER_BATCH_CRITICAL_INL_HPP) == defined(HWY_TARGET_TOGGLE)
-#ifdef ASHIMPACT_SOLVER_BATCH_CRITICAL_INL_HPP
-#undef ASHIMPACT_SOLVER_BATCH_CRITICAL_INL_HPP
+#if defined(ASHIMPACT_SOLVER_BATCH_KERNELS_CRITICAL_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef ASHIMPACT_SOLVER_BATCH_KERNELS_CRITICAL_INL_HPP
+#undef ASHIMPACT_SOLVER_BATCH_KERNELS_CRITICAL_INL_HPP
 #else
-#define ASHIMPACT_SOLVER_BATCH_CRITICAL_INL_HPP
+#define ASHIMPACT_SOLVER_BATCH_KERNELS_CRITICAL_INL_HPP
 #endif
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 
 #include <hwy/contrib/math/math-inl.h>
 
+#include "solver/batch/kernels/scaling-inl.hpp"
 #include "solver/batch/lanes/form.hpp"
-#include "solver/surrogate/batch/critical_table.hpp"
-#include "solver/surrogate/batch/power_row-inl.hpp"
-#include "solver/surrogate/batch/scaling-inl.hpp"
+#include "solver/batch/tables/lookup-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
@@ -57,25 +55,6 @@ HWY_FLATTEN inline void scale_block(const batch::CriticalTask& task, std::size_t
     }
 }
 
-/// Looks up one problem of a block.
-[[nodiscard]] HWY_INLINE batch::TableVerdict look_up_critical(batch::CriticalTable& table, double beta,
-                                                              double& log_work, double& energy) {
-    using State = batch::CriticalPiece::State;
-    constexpr std::size_t registers = batch::CriticalPiece::terms / lane_count;
-    log_work = energy = 0.0;
-    if (!(beta > 0.0)) return batch::TableVerdict::undecided;
-    const double inside = batch::CriticalTable::inside(beta);
-    const batch::CriticalPiece* piece = table.at(inside);
-    if (piece == nullptr || piece->state() == State::undecided) return batch::TableVerdict::undecided;
-    if (piece->state() == State::always_captured) return batch::TableVerdict::always_captured;
-    std::array<Lanes, registers> coefficients;
-    for (std::size_t k = 0; k < registers; ++k)
-        coefficients[k] = Lanes::load(piece->polynomial().data() + k * lane_count);
-    log_work = PowerRow(piece->t(inside)).sum(coefficients);
-    energy = piece->detachment_energy();
-    return batch::TableVerdict::finite;
-}
-
 /// Reads critical velocities from their table.
 template <class F>
 HWY_NOINLINE void read_critical(const batch::CriticalTask& task) {
@@ -84,8 +63,8 @@ HWY_NOINLINE void read_critical(const batch::CriticalTask& task) {
         const std::size_t count = std::min(CriticalBlock::size, task.count - first);
         scale_block<F>(task, first, count, block);
         for (std::size_t i = 0; i < count; ++i)
-            task.verdict[first + i] =
-                look_up_critical(*task.table, block.number[i], block.log_work[i], block.energy[i]);
+            task.state[first + i] =
+                critical_entry_at(*task.table, block.number[i], block.log_work[i], block.energy[i]);
         for (std::size_t i = 0; i < count; i += lane_count) {
             const Lanes work =
                 Lanes::load(block.number + i) * Lanes(hn::Exp(Tag(), Lanes::load(block.log_work + i).v));

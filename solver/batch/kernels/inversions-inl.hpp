@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Included once for each instruction set, so with no include guard but this.
-#if defined(ASHIMPACT_SOLVER_BATCH_INVERSIONS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
-#ifdef ASHIMPACT_SOLVER_BATCH_INVERSIONS_INL_HPP
-#undef ASHIMPACT_SOLVER_BATCH_INVERSIONS_INL_HPP
+#if defined(ASHIMPACT_SOLVER_BATCH_KERNELS_INVERSIONS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef ASHIMPACT_SOLVER_BATCH_KERNELS_INVERSIONS_INL_HPP
+#undef ASHIMPACT_SOLVER_BATCH_KERNELS_INVERSIONS_INL_HPP
 #else
-#define ASHIMPACT_SOLVER_BATCH_INVERSIONS_INL_HPP
+#define ASHIMPACT_SOLVER_BATCH_KERNELS_INVERSIONS_INL_HPP
 #endif
 
-#include "solver/batch/damping_search.hpp"
-#include "solver/batch/lanes/impacts-inl.hpp"
+#include "solver/batch/kernels/damping_search.hpp"
+#include "solver/batch/kernels/impacts-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {

@@ -5,10 +5,14 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "solver/contact/law.hpp"
-#include "solver/damping/damping.hpp"
+#include "solver/batch/lanes/number_task.hpp"
+#include "solver/contact/parameter.hpp"
 
-namespace ashimpact::batch {
+namespace ashimpact {
+
+class Law;
+
+namespace batch {
 
 /// One column as the kernels read it.
 struct Input {
@@ -59,18 +63,9 @@ struct Inputs {
     }
 };
 
-/// How the impact of one lane ended.
-enum class LaneEnd : std::uint8_t {
-    rebound,
-    capture,
-    undecided,  ///< left to the scalar solver
-};
-
-/// What a table knows of a critical velocity; what is undecided is left to the scalar solver.
-enum class TableVerdict : std::uint8_t { finite, always_captured, undecided };
-
 class CriticalTable;
 class RestitutionTable;
+enum class PieceState : std::uint8_t;
 
 /// A chunk of impacts for one thread.
 struct ImpactTask {
@@ -86,18 +81,6 @@ struct ImpactTask {
     double* contact_time;     ///< NaN where it is not a rebound; undefined without with_contact_time [s]
     double* approach_time;    ///< NaN where it never turns; untouched without turning_point [s]
     double* maximum_overlap;  ///< NaN where the turn is in doubt; untouched without turning_point [m]
-};
-
-/// A chunk of scaled impacts for one thread, given by adhesion and damping number; results are scaled.
-struct NumberTask {
-    DampingLaw damping_law;
-    Detachment detachment;
-    std::size_t count;
-    const double* adhesion;
-    const double* damping;
-    LaneEnd* end;
-    double* speed;  ///< at the end of contact, where it is a rebound
-    double* time;   ///< of contact, where it is a rebound
 };
 
 /// A chunk of impacts for one thread: searches the dampings that give their restitutions.
@@ -120,15 +103,11 @@ struct CriticalTask {
     CriticalTable* table;
     std::size_t count;
     Inputs inputs;
-    TableVerdict* verdict;
-    double* value;  ///< v_c, where finite [m/s]
+    PieceState* state;  ///< of the piece of the table
+    double* value;      ///< v_c, where tabulated [m/s]
 };
 
-/// Greatest number of problems in a task.
-inline constexpr std::size_t most_impacts = 2048;
-
 using ImpactKernel = void (*)(const ImpactTask&);
-using NumberKernel = void (*)(const NumberTask&);
 using InversionKernel = void (*)(const InversionTask&);
 using CriticalKernel = void (*)(const CriticalTask&);
 
@@ -140,10 +119,18 @@ struct Kernels {
     CriticalKernel critical_velocities;
 };
 
+/// The kernels of a contact law; CMake makes their sources from kernel.cpp.in.
+template <template <class> class L>
+[[nodiscard]] Kernels law_kernels();
+
 /// The kernels of a law; those of a law without any leave every problem to the scalar solver.
 [[nodiscard]] Kernels kernels_of(Law law);
 
 /// Whether the law has kernels: it is in the list of solver/CMakeLists.txt.
 [[nodiscard]] bool has_kernels(Law law);
 
-}  // namespace ashimpact::batch
+/// The table of a law's impacts for the chosen instruction set.
+[[nodiscard]] RestitutionTable& restitution_table(Law law, Detachment detachment, DampingLaw damping_law);
+
+}  // namespace batch
+}  // namespace ashimpact

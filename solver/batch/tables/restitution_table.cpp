@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/surrogate/batch/restitution_table.hpp"
+#include "solver/batch/tables/restitution_table.hpp"
 
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <tuple>
 #include <vector>
 
-#include "solver/batch/instruction_set.hpp"
+#include "solver/batch/tables/table_of.hpp"
 #include "solver/numeric/chebyshev.hpp"
 
 namespace ashimpact::batch {
@@ -36,19 +34,19 @@ struct NumberedImpacts {
         adhesion.push_back(number_at(x));
         damping.push_back(number_at(y));
     }
-    void solve(const Kernels& kernels, Detachment detachment, DampingLaw damping_law) {
+    void solve(NumberKernel kernel, Detachment detachment, DampingLaw damping_law) {
         const std::size_t count = adhesion.size();
         end.resize(count);
         speed.resize(count);
         time.resize(count);
-        kernels.numbers({.damping_law = damping_law,
-                         .detachment = detachment,
-                         .count = count,
-                         .adhesion = adhesion.data(),
-                         .damping = damping.data(),
-                         .end = end.data(),
-                         .speed = speed.data(),
-                         .time = time.data()});
+        kernel({.damping_law = damping_law,
+                .detachment = detachment,
+                .count = count,
+                .adhesion = adhesion.data(),
+                .damping = damping.data(),
+                .end = end.data(),
+                .speed = speed.data(),
+                .time = time.data()});
     }
 };
 
@@ -106,81 +104,53 @@ bool fit(const Values& values, double allowed, SquarePolynomial& out) {
 
 }  // namespace
 
-RestitutionTable& RestitutionTable::of(Law law, Detachment detachment, DampingLaw damping_law) {
-    // The kernel stands for the law and the instruction set: no two of them share one.
-    using Key = std::tuple<NumberKernel, Detachment, DampingLaw>;
-    static std::mutex access;
-    static std::map<Key, RestitutionTable> tables;
-    // Each thread remembers the last table, so that threads that solve single impacts need no lock.
-    thread_local Key last{nullptr, detachment, damping_law};
-    thread_local RestitutionTable* found = nullptr;
-    settle_instruction_set();
-    const Kernels kernels = kernels_of(law);
-    const Key key{kernels.numbers, detachment, damping_law};
-    if (found != nullptr && key == last) return *found;
-    const std::scoped_lock lock(access);
-    found = &tables.try_emplace(key, kernels, detachment, damping_law).first->second;
-    last = key;
-    return *found;
+template class PieceTree<RestitutionPiece, 1, 6, 9>;
+
+RestitutionTable& RestitutionTable::of(NumberKernel kernel, Detachment detachment, DampingLaw damping_law) {
+    return table_of<RestitutionTable>(std::tuple(kernel, detachment, damping_law), kernel, detachment,
+                                      damping_law);
 }
 
-RestitutionPiece& RestitutionTable::entered(double x, double y, std::size_t place) {
-    RestitutionPiece* piece = &root_;
-    for (int depth = 0; depth < index_depth; ++depth) {
-        if (piece->state() == State::unknown) compute(*piece, depth);
-        if (piece->state() != State::quartered) break;
-        piece = &piece->quarter(x, y);
-    }
-    index_[place].store(piece, std::memory_order_release);
-    return *piece;
+RestitutionTable::RestitutionTable(NumberKernel kernel, Detachment detachment, DampingLaw damping_law)
+    : kernel_(kernel), detachment_(detachment), damping_law_(damping_law) {
+    roots_[0].span({0.5, 0.5}, 0.5);
 }
 
-void RestitutionTable::compute(RestitutionPiece& piece, int depth) const {
-    piece.settle([&] {
-        const State state = judged(piece, depth);
-        if (state != State::unknown) return state;
-        if (depth == most_depth) return State::undecided;
-        piece.quarter();
-        return State::quartered;
-    });
-}
-
-RestitutionTable::State RestitutionTable::judged(RestitutionPiece& piece, int depth) const {
+PieceState RestitutionTable::judge(const RestitutionPiece& piece, int depth,
+                                   std::unique_ptr<RestitutionPolynomials>& content) const {
     NumberedImpacts corners;
-    corners.add(piece.lower_x(), piece.lower_y());
-    const bool bounded = piece.upper_x() < 1.0 && piece.upper_y() < 1.0;
-    if (bounded) corners.add(piece.upper_x(), piece.upper_y());
-    corners.solve(kernels_, detachment_, damping_law_);
-    if (corners.end.front() == LaneEnd::capture) return State::capture;
-    if (!bounded || corners.end.back() != LaneEnd::rebound || depth < least_depth) return State::unknown;
-    return fitted(piece) ? State::rebound : State::unknown;
+    corners.add(piece.lower(0), piece.lower(1));
+    const bool bounded = piece.upper(0) < 1.0 && piece.upper(1) < 1.0;
+    if (bounded) corners.add(piece.upper(0), piece.upper(1));
+    corners.solve(kernel_, detachment_, damping_law_);
+    if (corners.end.front() == LaneEnd::capture) return PieceState::captured;
+    if (!bounded || corners.end.back() != LaneEnd::rebound || depth < least_depth) return PieceState::unknown;
+    content = fitted(piece);
+    return content ? PieceState::tabulated : PieceState::unknown;
 }
 
-bool RestitutionTable::fitted(RestitutionPiece& piece) const {
-    const ChebyshevAxis x{piece.lower_x(), piece.upper_x(), rows - 1};
-    const ChebyshevAxis y{piece.lower_y(), piece.upper_y(), columns - 1};
+std::unique_ptr<RestitutionPolynomials> RestitutionTable::fitted(const RestitutionPiece& piece) const {
+    const ChebyshevAxis x{piece.lower(0), piece.upper(0), rows - 1};
+    const ChebyshevAxis y{piece.lower(1), piece.upper(1), columns - 1};
     NumberedImpacts nodes;
     for (int i = 0; i < rows; ++i) {
         for (int j = 0; j < columns; ++j) nodes.add(x.node(i), y.node(j));
     }
-    nodes.solve(kernels_, detachment_, damping_law_);
+    nodes.solve(kernel_, detachment_, damping_law_);
     Values squared;
     Values time;
     std::size_t k = 0;
     for (int i = 0; i < rows; ++i) {
         for (int j = 0; j < columns; ++j, ++k) {
-            if (nodes.end[k] != LaneEnd::rebound) return false;
+            if (nodes.end[k] != LaneEnd::rebound) return nullptr;
             squared(i, j) = nodes.speed[k] * nodes.speed[k];
             time(i, j) = nodes.time[k];
         }
     }
     auto polynomials = std::make_unique<RestitutionPolynomials>();
-    if (!fit(squared, square_tolerance, polynomials->restitution_squared) ||
-        !fit(time, time_tolerance * time.maxCoeff(), polynomials->contact_time)) {
-        return false;
-    }
-    piece.set(std::move(polynomials));
-    return true;
+    const bool accurate = fit(squared, square_tolerance, polynomials->restitution_squared) &&
+                          fit(time, time_tolerance * time.maxCoeff(), polynomials->contact_time);
+    return accurate ? std::move(polynomials) : nullptr;
 }
 
 }  // namespace ashimpact::batch
