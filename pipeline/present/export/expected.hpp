@@ -9,7 +9,7 @@
 
 namespace ashimpact {
 
-/// An impact that the other code must give back.
+/// An impact that the other code has to reproduce.
 struct ExpectedImpact {
     double diameter;  ///< [m]
     double velocity;  ///< [m/s]

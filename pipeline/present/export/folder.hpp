@@ -19,12 +19,12 @@ struct ExportFile {
 };
 using ExportFolder = std::vector<ExportFile>;
 
-/// What stands for each @key@ of a template.
+/// The text for each @key@ of a template.
 using TemplateValues = std::map<std::string, std::string, std::less<>>;
 
-/// The template templates/<path> with every @key@ replaced; the values come from numbers and names of ours,
-/// never from the user's words, which another program would take for its own syntax.
-/// @throws std::logic_error for a key without value, a defect of ours
+/// The template templates/<path> with every @key@ replaced. Values are numbers and names of this
+/// program, never texts of the user, which the other program might read as its own syntax.
+/// @throws std::logic_error for a key without a value, a programming error
 [[nodiscard]] std::string filled(std::string_view path, const TemplateValues& values);
 
 /// The file templates/<path> as it is.
@@ -36,7 +36,7 @@ using TemplateValues = std::map<std::string, std::string, std::less<>>;
 /// Values that every template may use: law, detachment, damping, E*, w, sizes, version.
 [[nodiscard]] TemplateValues common_values(const ExportSubject& subject);
 
-/// assumptions.md: where the numbers come from, what they became, what the model holds for.
+/// assumptions.md: sources of the numbers, their conversions, limits of the model.
 /// @param conversions a line each
 [[nodiscard]] ExportFile assumptions(const ExportSubject& subject,
                                      const std::vector<std::string>& conversions);

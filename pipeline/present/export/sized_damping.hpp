@@ -28,7 +28,7 @@ struct SizedDamping {
     [[nodiscard]] double coefficient(double diameter, double velocity) const;
     /// (d/d_0)^n [1]
     [[nodiscard]] double size_factor(double diameter) const;
-    /// No damping at any velocity.
+    /// Whether there is no damping at any velocity.
     [[nodiscard]] bool is_zero() const;
 };
 

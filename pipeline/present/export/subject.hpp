@@ -16,8 +16,8 @@ struct PartnerBody {
     double mass;    ///< [kg]
 };
 
-/// What is exported: one kind of particle on one flat wall, or on one other sphere, over a range of sizes and
-/// velocities. E*, w and density are the same for every size; on a wall R* = d/2.
+/// Subject of an export: one kind of particle on one flat wall, or on one other sphere, over a range of sizes
+/// and velocities. E*, w and density are the same for every size; on a wall R* = d/2.
 struct ExportSubject {
     Law law;
     Detachment detachment;
@@ -28,8 +28,8 @@ struct ExportSubject {
     double to_diameter;                    ///< not below from_diameter [m]
     std::optional<PartnerBody> partner{};  ///< the other body is this sphere; none: it is a flat wall
     std::optional<double> to_velocity{};   ///< largest v_in; none: ten times the largest v_c, at least 10 m/s
-    std::optional<double> velocity{};      ///< one more impact that the folder is to hold [m/s]
-    std::vector<std::string> origins{};    ///< whose E, whose w, whose damping: a line each
+    std::optional<double> velocity{};      ///< of one more impact to check [m/s]
+    std::vector<std::string> origins{};    ///< sources of E, w and damping, a line each
 
     [[nodiscard]] double reference_diameter() const { return damping.reference_diameter; }
     [[nodiscard]] bool one_size() const { return from_diameter == to_diameter; }
@@ -50,8 +50,8 @@ void require_wall(const ExportSubject& subject, const std::string& reason);
 
 /// The verdict of a size, its v_c where that is finite. Damping that depends on velocity: the velocity at
 /// which v_in = v_c(damping(v_in)).
-/// @throws InputError where capture and rebound change places more than once: no table and no code that asks
-/// for one velocity can tell that
+/// @throws InputError if capture and rebound change places more than once, which a table or a code with one
+/// critical velocity cannot represent
 [[nodiscard]] CriticalVelocity threshold_at(const ExportSubject& subject, double diameter);
 
 }  // namespace ashimpact

@@ -20,12 +20,12 @@ struct NumberTable {
     int shown_every = 1;  ///< row in the page; the CSV has all
 };
 
-/// A figure of a report: what is drawn, what is said of it, and the numbers.
+/// A figure of a report: panels, title, caption and numbers.
 struct Figure {
     std::string id;           ///< "restitution": link target and name for `ashimpact figure`
     std::string title;        ///< a heading
     std::string counterpart;  ///< "Figure 5 of Dong et al. 2013"; empty: none
-    std::string caption;      ///< says what is seen
+    std::string caption;      ///< explains what is drawn
     std::vector<Panel> panels;
     NumberTable numbers;
     int columns = 3;            ///< of panels, in the wide form

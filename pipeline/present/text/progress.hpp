@@ -6,10 +6,10 @@
 
 namespace ashimpact {
 
-/// One line on standard error that tells how far a computation is, at which rate, and how long it will take.
+/// Progress of a computation as one line on standard error: the share done, the rate, the time left.
 class Progress {
   public:
-    /// @param done what was there when it began; of the rest the rate is taken
+    /// @param done at the start; it does not count for the rate
     /// @param noun what is counted, such as "impacts"
     Progress(std::uint64_t total, std::uint64_t done, bool shown, const char* noun = "impacts");
     ~Progress();
@@ -18,7 +18,7 @@ class Progress {
     Progress(Progress&&) = delete;
     Progress& operator=(Progress&&) = delete;
 
-    /// Shows that @p done of the total are done, a few times a second.
+    /// Shows that @p done of the total are done; called often, it prints a few times a second.
     void update(std::uint64_t done);
 
   private:

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t indent_width = 2;
 constexpr std::size_t most_rows = 12;
 constexpr std::size_t deepest = 2;        ///< parts of what a law has: shown with everything only
-constexpr std::size_t longest_cell = 28;  ///< beyond, a text stands in a line of its own
+constexpr std::size_t longest_cell = 28;  ///< a longer text gets a line of its own
 
 /// A key with its unit behind it, where there is one.
 std::string with_unit(const std::string& key, const std::string& unit) {

@@ -8,9 +8,9 @@
 
 namespace ashimpact {
 
-/// How much of a result a reader wants to see.
+/// How much of a result is shown.
 struct ResultView {
-    bool all = false;                    ///< every row and every part; else long ones shortened, and said so
+    bool all = false;  ///< every row and every part; else long ones are shortened, with a note
     std::size_t width = output_width();  ///< characters of a line
 };
 

@@ -65,8 +65,8 @@ std::string velocity_curve(const std::vector<DampingNode>& nodes) {
     return lines + fmt::format("variable         ash_curve atom \"{}\"\n", sum);
 }
 
-/// Remembers the velocity of approach of each particle for as long as its contact lasts: f_ash_memory, which
-/// costs a fraction of a variable, since that is parsed again for each of its uses.
+/// Keeps the velocity of approach of each particle during its contact, as f_ash_memory. A variable would be
+/// parsed again at each use.
 std::string impact_memory() {
     return "variable         ash_impact atom \"-vz\"\n"
            "run              0\n"

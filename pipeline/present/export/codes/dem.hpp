@@ -15,9 +15,9 @@ namespace ashimpact {
 /// Values of the decks: box, skin, time step of the cloud.
 [[nodiscard]] TemplateValues dem_values(const ExportSubject& subject);
 
-/// Commands of ash_wall.in that add what the wall of the code does not have, as forces of atom-style
-/// variables: attraction if @p attraction, damping if @p damping. With damping, whosever it is, a last force
-/// makes it second order in the time step.
+/// Commands of ash_wall.in that add forces which the wall of the code lacks, by atom-style variables:
+/// attraction if @p attraction, damping if @p damping. If the subject has damping, by whichever force, a last
+/// force makes it second order in the time step.
 [[nodiscard]] std::string added_forces(const ExportSubject& subject, bool attraction, bool damping);
 
 /// Whether the law attracts: by a work of adhesion or by a parameter of its own.

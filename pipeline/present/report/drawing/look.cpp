@@ -15,7 +15,7 @@ struct Colour {
     std::string_view dark;
 };
 
-/// Told apart by people who see no red or no green, each at least 3:1 against its page.
+/// They differ for people who see no red or no green; each has a contrast of at least 3:1 on its page.
 constexpr std::array colours{
     Colour{"#1259a7", "#79b8ff"}, Colour{"#c24a00", "#ff9d5c"}, Colour{"#00775c", "#3fd8b0"},
     Colour{"#a23685", "#f09ad8"}, Colour{"#7d6100", "#e2c044"}, Colour{"#c2185b", "#ff8fab"},

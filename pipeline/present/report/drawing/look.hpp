@@ -6,7 +6,7 @@
 
 namespace ashimpact::report {
 
-/// How a series is told apart: by colour, dash and marker at once, so that it is told apart in grey too.
+/// Look of a series: colour, dash and marker together, so that series differ in grey as well.
 struct Look {
     std::size_t colour = 0;
     std::size_t dash = 0;

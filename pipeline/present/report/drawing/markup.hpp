@@ -22,7 +22,7 @@ namespace ashimpact::report {
 /// The text, cut with an ellipsis where it would be wider than @p most [px].
 [[nodiscard]] std::string fitted(std::string_view text, double font_size, double most);
 
-/// A user's name in SVG text, set apart so that right-to-left script does not reorder what stands around it.
+/// A user's name in SVG text, isolated so that right-to-left script does not reorder the text around it.
 [[nodiscard]] std::string isolated(std::string_view name);
 
 /// Bytes in base64.

@@ -34,7 +34,7 @@ struct Mark {
     double y_error = 0;
 };
 
-/// Line, marks and band of one thing, told apart from others by its look.
+/// Line, marks and band of one thing.
 struct Series {
     std::string name;    ///< for the readout
     std::string legend;  ///< of the legend; one entry for all series of the same; empty: none
@@ -74,7 +74,7 @@ struct RowItem {
     enum class Kind { bar, interval, mark };
     Kind kind;
     double from;  ///< of bars and intervals
-    double to;    ///< of bars and intervals; where a mark stands
+    double to;    ///< of bars and intervals; the place of a mark
     Look look{};
     std::string name;      ///< for the readout and, in a bar with room, written inside
     std::string legend{};  ///< as in Series

@@ -34,7 +34,7 @@ std::string policy_hash(const std::string& text) {
     return "'sha256-" + base64(bytes) + "'";
 }
 
-/// @param in_text whether the whole column is text, which the table's class says once
+/// @param in_text whether the whole column is text; the class of the table has that
 std::string cell_html(const Cell& cell, bool head, bool in_text) {
     if (const auto* number = std::get_if<double>(&cell))
         return "<td>" + (std::isfinite(*number) ? fmt::format("{:.5g}", *number) : std::string());
@@ -42,7 +42,7 @@ std::string cell_html(const Cell& cell, bool head, bool in_text) {
     return (head ? "<th scope=row>" : in_text ? "<td>" : "<td class=text>") + text;
 }
 
-/// How many columns from the left hold nothing but text, at most those that page.css knows.
+/// Number of columns from the left that hold text only, at most those with a class in page.css.
 std::size_t text_columns(const NumberTable& table) {
     std::size_t count = std::min<std::size_t>(3, table.columns.size());
     for (const auto& row : table.rows)

@@ -8,8 +8,8 @@
 
 namespace ashimpact::report {
 
-/// The report of one run, or of several side by side, as one self-contained HTML file. The same artifacts
-/// give the same bytes.
+/// The report of one run, or of several side by side, as one self-contained HTML file. The same runs give
+/// the same bytes.
 [[nodiscard]] std::string run_page(const std::vector<RunData>& runs);
 
 /// The answer of a run, a sentence for each sample, and the table of critical velocities.
@@ -24,14 +24,13 @@ namespace ashimpact::report {
 /// Program, inputs and artifacts with their hashes, citations.
 [[nodiscard]] std::string provenance_html(const RunData& run);
 
-/// The label of a part of a run's page, escaped; with the run's own where several stand side by side.
+/// The label of a part of a run's page, escaped; with the label of the run if the page shows several.
 [[nodiscard]] std::string region_label(const std::string& label, const RunData& run);
 
 /// Where the inputs of several runs differ.
 [[nodiscard]] std::string differences_html(const std::vector<RunData>& runs);
 
-/// What an impact is and what its quantities are called: the drawing that stands for the paper's Figures 1
-/// and 2.
+/// Sketch of an impact with the names of its quantities, in place of the paper's Figures 1 and 2.
 [[nodiscard]] std::string sketch_html(const std::string& id);
 
 }  // namespace ashimpact::report
