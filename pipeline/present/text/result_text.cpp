@@ -115,33 +115,30 @@ class ResultText {
         return table.text(indent(depth), view_.width) + shortened_note(stride, length, indent(depth));
     }
 
+    /// Whether two objects have at least half of their keys in common, and @p least of them.
+    [[nodiscard]] static bool are_alike(const Json& one, const Json& other, std::size_t least) {
+        std::size_t shared = 0;
+        for (const auto& [key, _] : other.items()) shared += one.contains(key) ? 1 : 0;
+        return shared >= least && 2 * shared >= std::max(one.size(), other.size());
+    }
+
     /// Members that are objects of one kind, such as those of contact laws: they share most of their keys.
+    /// The kind begins with the first object that another one resembles.
     [[nodiscard]] static std::vector<std::string> entries_of_one_kind(const Json& object) {
         std::vector<std::string> keys;
         const Json* first = nullptr;
         for (const auto& entry : object.items()) {
-            const std::string& key = entry.key();
             const Json& member = entry.value();
             if (!member.is_object() || short_text(member) || is_column(member) || is_histogram(member))
                 continue;
-            const auto shared = [&] {
-                std::size_t count = 0;
-                for (const auto& [name, _] : member.items()) count += first->contains(name) ? 1 : 0;
-                return count;
+            const auto resembles = [&](const Json& other) {
+                return other.is_object() && &other != &member && are_alike(member, other, 2);
             };
-            if (first != nullptr && 2 * shared() < std::max(first->size(), member.size())) continue;
-            if (first == nullptr) {
-                // The kind begins with the first object that another one resembles.
-                const bool resembled = std::any_of(object.begin(), object.end(), [&](const Json& other) {
-                    if (!other.is_object() || &other == &member) return false;
-                    std::size_t count = 0;
-                    for (const auto& [name, _] : other.items()) count += member.contains(name) ? 1 : 0;
-                    return count > 1 && 2 * count >= std::max(member.size(), other.size());
-                });
-                if (!resembled) continue;
-                first = &member;
-            }
-            keys.push_back(key);
+            const bool belongs = first != nullptr ? are_alike(*first, member, 0)
+                                                  : std::any_of(object.begin(), object.end(), resembles);
+            if (!belongs) continue;
+            if (first == nullptr) first = &member;
+            keys.push_back(entry.key());
         }
         return keys.size() > 1 ? keys : std::vector<std::string>{};
     }
@@ -178,18 +175,16 @@ class ResultText {
             const std::string unit = common_unit(object, entries, key);
             std::vector<std::string> row{with_unit(key, unit)};
             bool is_short = true;
+            bool any_column = false;
             for (const std::string& entry : entries) {
                 const Json& of = object.at(entry);
                 const auto text = of.contains(key) ? short_text(of.at(key)) : std::string("-");
-                is_short = is_short && text && !(of.contains(key) && is_column(of.at(key)));
+                is_short = is_short && text;
+                any_column = any_column || (of.contains(key) && is_column(of.at(key)));
                 std::string cell = text.value_or("");
                 if (!unit.empty() && cell.ends_with(" " + unit)) cell.resize(cell.size() - unit.size() - 1);
                 row.push_back(std::move(cell));
             }
-            const bool any_column =
-                std::any_of(entries.begin(), entries.end(), [&](const std::string& entry) {
-                    return object.at(entry).contains(key) && is_column(object.at(entry).at(key));
-                });
             if (any_column) continue;
             if (!is_short) {
                 if (depth + 1 >= deepest && !view_.all)
