@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "pipeline/app/commands/contact_options.hpp"
-#include "pipeline/app/commands/impact.hpp"
+#include "pipeline/app/contact_options.hpp"
+#include "pipeline/app/impact_text.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/impact.hpp"

@@ -6,13 +6,12 @@
 #include <unistd.h>
 
 #include "core/error.hpp"
-#include "pipeline/app/cli/program.hpp"
+#include "pipeline/app/program.hpp"
 
 namespace {
 
-/// Becomes the program beside this one that computes sweeps and writes tables: loading the libraries of MPI
-/// and HDF5 takes longer than the other commands take to run. Process, arguments and environment stay, so
-/// that mpirun finds what it started.
+/// Replaces this process by ashimpact-sweep, which links MPI and HDF5: loading them takes longer than the
+/// other commands take to run. Process, arguments and environment stay the same for mpirun.
 void hand_over(char** argv) {
     const auto program = std::filesystem::read_symlink("/proc/self/exe").replace_filename("ashimpact-sweep");
     execv(program.c_str(), argv);

@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "pipeline/app/cli/colors.hpp"
+#include "pipeline/app/terminal/messages.hpp"
 #include "pipeline/present/text/artifact_text.hpp"
 #include "pipeline/present/text/comparison_table.hpp"
 #include "pipeline/present/text/readable.hpp"

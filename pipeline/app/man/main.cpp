@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "pipeline/app/cli/commands.hpp"
+#include "pipeline/app/command.hpp"
 #include "pipeline/app/man/writers.hpp"
 
 namespace {

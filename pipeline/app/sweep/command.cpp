@@ -10,7 +10,7 @@
 #include "core/error.hpp"
 #include "core/json/writer.hpp"
 #include "core/text.hpp"
-#include "pipeline/app/program_word.hpp"
+#include "pipeline/app/terminal/help.hpp"
 #include "pipeline/app/sweep/crew/crew.hpp"
 #include "pipeline/app/sweep/mpi/mpi_team.hpp"
 #include "pipeline/app/sweep/result_json.hpp"

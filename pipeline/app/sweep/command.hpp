@@ -3,7 +3,7 @@
 
 #include <iosfwd>
 
-#include "pipeline/app/commands/sweep.hpp"
+#include "pipeline/app/sweep_options.hpp"
 #include "pipeline/app/sweep/table/impact_columns.hpp"
 
 namespace ashimpact {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <malloc.h>
 
-#include "pipeline/app/cli/program.hpp"
+#include "pipeline/app/program.hpp"
 #include "pipeline/app/sweep/command.hpp"
 #include "pipeline/app/sweep/mpi/session.hpp"
 #include "pipeline/app/sweep/table/impact_table_file.hpp"

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "core/error.hpp"
-#include "pipeline/app/cli/program.hpp"
+#include "pipeline/app/program.hpp"
 #include "pipeline/app/sweep/command.hpp"
 #include "pipeline/app/sweep/mpi/session.hpp"
 

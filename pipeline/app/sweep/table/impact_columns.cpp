@@ -5,7 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "pipeline/app/commands/contact_options.hpp"
+#include "pipeline/app/contact_options.hpp"
 #include "solver/batch/impact_batch.hpp"
 
 namespace ashimpact {

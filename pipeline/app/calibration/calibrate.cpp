@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include "core/json/writer.hpp"
+#include "core/text.hpp"
+#include "pipeline/app/calibration/hypotheses.hpp"
+#include "pipeline/app/command.hpp"
+#include "pipeline/document/quantity_json.hpp"
+#include "pipeline/document/statistics_json.hpp"
+#include "pipeline/present/text/progress.hpp"
+#include "pipeline/present/text/readable.hpp"
+#include "pipeline/present/text/table.hpp"
+#include "pipeline/run/read_case_artifact.hpp"
+#include "pipeline/run/run.hpp"
+#include "pipeline/run/uncertainty/calibration_problem.hpp"
+#include "solver/inference/calibration/calibration_profile.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+struct CalibrateOptions {
+    std::string case_file;          ///< empty: the built-in case
+    std::vector<std::string> free;  ///< "density" or "density:each"; empty: what the case says
+    bool compare = false;           ///< hypotheses beside one another instead of one calibration
+    bool allow_outside = false;     ///< the case may name files outside of its folder
+    bool json = false;
+};
+
+/// "density" or "density:each".
+FreeConstant read_free(const std::string& text) {
+    const auto colon = text.find(':');
+    const bool each = colon != std::string::npos;
+    return at_place("--free", [&]() -> FreeConstant {
+        if (each && text.substr(colon) != ":each")
+            throw InputError("the constant " + in_quotes(text) + " ends in " + in_quotes(text.substr(colon)),
+                             ":each, for one value a sample");
+        return {named<CalibrationQuantity>(text.substr(0, colon)), each};
+    });
+}
+
+/// One observation beside what the calibrated model says.
+struct Row {
+    std::string sample;
+    std::string law;
+    std::string unit;
+    CalibrationResidual residual;
+};
+
+template <class Observations>
+std::vector<Row> rows_of(const Case& data, const Observations& observations,
+                         const std::vector<CalibrationResidual>& residuals, Dimension dimension) {
+    std::vector<Row> rows;
+    for (std::size_t i = 0; i < observations.size(); ++i)
+        rows.push_back({data.samples[observations[i].sample].name, std::string(observations[i].law.name()),
+                        std::string(si_unit(dimension)), residuals[i]});
+    return rows;
+}
+
+Json rows_json(const std::vector<Row>& rows) {
+    Json list = Json::array();
+    for (const Row& row : rows)
+        list.push_back({{"sample", row.sample},
+                        {"law", row.law},
+                        {"published", quantity_json(row.residual.observed, row.unit)},
+                        {"calibrated", quantity_json(row.residual.predicted, row.unit)},
+                        {"relative_difference", row.residual.relative_difference()},
+                        {"relative_standard_uncertainty", row.residual.relative_uncertainty}});
+    return list;
+}
+
+/// "density of 88 um", "work_of_adhesion".
+std::string title_of(const Case& data, const CalibratedConstant& constant) {
+    const std::string name(name_of(constant.quantity));
+    return constant.sample ? fmt::format("{} of {}", name, data.samples[*constant.sample].name) : name;
+}
+
+Json profile_json(const Case& data, const CalibrationSummary& summary, const ConstantProfile& profile,
+                  std::string_view unit) {
+    Json traded = Json::array();
+    for (const std::size_t other : profile.traded_with)
+        traded.push_back(title_of(data, summary.constants[other]));
+    return {{"interval", interval_json(profile.interval, unit)},
+            {"identifiable", profile.identifiable},
+            {"traded_with", traded},
+            {"statement", profile.statement}};
+}
+
+Json constants_json(const Case& data, const CalibrationSummary& summary,
+                    const std::vector<ConstantProfile>& profiles) {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < summary.constants.size(); ++i) {
+        const CalibratedConstant& constant = summary.constants[i];
+        const std::string_view unit = si_unit(dimension_of(constant.quantity));
+        Json value = quantity_json(constant.value, unit);
+        value["standard_uncertainty"] = constant.standard_uncertainty;
+        list.push_back(
+            {{"quantity", name_of(constant.quantity)},
+             {"sample", constant.sample ? Json(data.samples[*constant.sample].name) : Json(nullptr)},
+             {"value", value},
+             {"interval_95", {quantity_json(constant.lower, unit), quantity_json(constant.upper, unit)}},
+             {"profile", profile_json(data, summary, profiles[i], unit)}});
+    }
+    return list;
+}
+
+std::string profile_text(const Interval& interval, std::string_view unit) {
+    const auto end = [&](const std::optional<double>& value) {
+        return value ? readable(*value, unit) : std::string("open");
+    };
+    if (!interval.lower && !interval.upper) return "not identifiable";
+    return fmt::format("{} to {}", end(interval.lower), end(interval.upper));
+}
+
+std::string curvature_text(const CalibratedConstant& constant, std::string_view unit) {
+    if (!std::isfinite(constant.lower) || !std::isfinite(constant.upper)) return "not identifiable";
+    return fmt::format("{} to {}", readable(constant.lower, unit), readable(constant.upper, unit));
+}
+
+/// Correlations of the constants with those before them, and what the data do not fix.
+std::string identification_text(const Case& data, const CalibrationSummary& summary,
+                                const std::vector<ConstantProfile>& profiles) {
+    std::string text;
+    for (std::size_t i = 0; i < profiles.size(); ++i) {
+        const std::string name = title_of(data, summary.constants[i]);
+        for (std::size_t j = 0; j < i; ++j)
+            text += fmt::format(
+                "correlation of {} with {}: {:+.3f}\n", name, title_of(data, summary.constants[j]),
+                summary.correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+        if (!profiles[i].statement.empty()) text += fmt::format("{}: {}\n", name, profiles[i].statement);
+    }
+    return text;
+}
+
+std::string calibration_text(const Case& data, const CalibrationSummary& summary,
+                             const std::vector<ConstantProfile>& profiles, const std::vector<Row>& velocities,
+                             const std::vector<Row>& times) {
+    TextTable constants({"constant", "sample", "value", "95 % interval", "by profile likelihood"});
+    for (std::size_t i = 0; i < summary.constants.size(); ++i) {
+        const CalibratedConstant& constant = summary.constants[i];
+        const std::string_view unit = si_unit(dimension_of(constant.quantity));
+        constants.add({std::string(name_of(constant.quantity)),
+                       constant.sample ? data.samples[*constant.sample].name : "all",
+                       readable(constant.value, unit), curvature_text(constant, unit),
+                       profile_text(profiles[i].interval, unit)});
+    }
+    TextTable residuals({"sample", "law", "published", "calibrated", "difference", "in u"});
+    for (const auto* rows : {&velocities, &times})
+        for (const Row& row : *rows)
+            residuals.add({row.sample, row.law, readable(row.residual.observed, row.unit),
+                           readable(row.residual.predicted, row.unit),
+                           fmt::format("{:+.2f} %", 100 * row.residual.relative_difference()),
+                           fmt::format("{:+.1f}", row.residual.relative_difference() /
+                                                      row.residual.relative_uncertainty)});
+    return constants.text() + "\n" + identification_text(data, summary, profiles) + "\n" + residuals.text() +
+           fmt::format("\nchi^2 {} with {} degrees of freedom, probability {}; AIC {}\n",
+                       readable_number(summary.chi_squared), summary.degrees_of_freedom,
+                       readable_number(summary.probability, 2), readable_number(summary.akaike));
+}
+
+/// A person who waits is told that the seconds it takes are nothing amiss.
+void tell_that_it_takes_time() {
+    if (on_terminal()) spdlog::info("calibrating: this takes some seconds");
+}
+
+void run_calibrate_command(const CalibrateOptions& options, std::ostream& out) {
+    const auto file = options.case_file.empty() ? std::nullopt : std::optional(options.case_file);
+    const Artifacts artifacts = compute_artifacts(file, "contact", options.allow_outside);
+    Case data = read_case_artifact(artifacts);
+    if (!options.free.empty()) data.calibration.clear();
+    for (const std::string& text : options.free) {
+        const FreeConstant free = read_free(text);
+        for (const FreeConstant& other : data.calibration)
+            if (other.quantity == free.quantity)
+                throw InputError(in_quotes(text.substr(0, text.find(':'))) + " is given twice",
+                                 "each constant once")
+                    .at("--free");
+        data.calibration.push_back(free);
+    }
+
+    at_place(FileName{options.case_file.empty() ? "built-in case" : options.case_file}, [&] {
+        tell_that_it_takes_time();
+        if (options.compare) {
+            const bool elastic = data.wall && std::holds_alternative<ElasticWall>(*data.wall);
+            data.calibration.clear();
+            const CalibrationProblem problem = calibration_problem(data, artifacts);
+            if (problem.critical_velocities.empty() && problem.contact_times.empty())
+                throw InputError("nothing is published for these samples that constants could be found from",
+                                 "critical velocities with their damping, contact times")
+                    .at("/samples");
+            const auto hypotheses = compare_hypotheses(problem, elastic, on_terminal());
+            ComparedObservations observations{problem, {}};
+            for (const Sample& sample : data.samples) observations.samples.push_back(sample.name);
+            out << (options.json ? write_json(hypotheses_json(hypotheses, observations), Digits::seventeen)
+                                 : hypotheses_text(hypotheses, observations));
+            return;
+        }
+        if (data.calibration.empty())
+            throw InputError("nothing is free", "calibration.free in the case, or --free").at("/calibration");
+        const auto problem = calibration_problem(data, artifacts);
+        const CalibrationSummary summary = calibrate(problem);
+        const auto profiles = [&] {  // what takes most of the time
+            Progress progress(summary.constants.size(), 0, on_terminal(), "constants");
+            return profile_constants(problem, summary, [&](std::size_t done) { progress.update(done); });
+        }();
+        const auto velocities =
+            rows_of(data, problem.critical_velocities, summary.critical_velocities, Dimension::velocity);
+        const auto times = rows_of(data, problem.contact_times, summary.contact_times, Dimension::time);
+        if (!options.json) {
+            out << calibration_text(data, summary, profiles, velocities, times);
+            return;
+        }
+        out << write_json({{"constants", constants_json(data, summary, profiles)},
+                           {"correlation", matrix_json(summary.correlation)},
+                           {"critical_velocities", rows_json(velocities)},
+                           {"contact_times", rows_json(times)},
+                           {"chi_squared", summary.chi_squared},
+                           {"degrees_of_freedom", summary.degrees_of_freedom},
+                           {"probability", summary.probability},
+                           {"akaike", summary.akaike},
+                           {"iterations", summary.iterations}},
+                          Digits::seventeen);
+    });
+}
+
+}  // namespace
+
+void add_calibrate(const CommandLine& line) {
+    auto [command, options] = line.add<CalibrateOptions>(
+        "calibrate", "Unknown constants of a case, from published critical velocities and contact times",
+        "ashimpact calibrate --free density:each --free work_of_adhesion", run_calibrate_command);
+    add_case_argument(*command, options->case_file);
+    command
+        ->add_option(
+            "--free", options->free,
+            "a constant to find: density, work_of_adhesion, contact_modulus, wall_young_modulus; with :each "
+            "one value a sample; default: what the case says")
+        ->type_name("NAME[:each]")
+        ->allow_extra_args(false);
+    command
+        ->add_flag("--compare", options->compare,
+                   "hypotheses beside one another: one modulus or those from XRD, one density or one a size, "
+                   "wall known or free")
+        ->excludes("--free");
+    add_allow_outside_flag(*command, options->allow_outside);
+    add_json_flag(*command, options->json);
+}
+
+}  // namespace ashimpact

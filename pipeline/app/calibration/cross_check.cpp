@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/json/writer.hpp"
+#include "pipeline/app/command.hpp"
+#include "pipeline/document/case_json.hpp"
+#include "pipeline/document/quantity_json.hpp"
+#include "pipeline/present/text/readable.hpp"
+#include "pipeline/present/text/table.hpp"
+#include "pipeline/run/contact.hpp"
+#include "pipeline/run/read_case_artifact.hpp"
+#include "pipeline/run/run.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/inference/calibration/reconstruction.hpp"
+#include "solver/motion/damping_inversion.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+struct CrossCheckOptions {
+    std::string case_file;       ///< empty: the built-in case
+    bool allow_outside = false;  ///< the case may name files outside of its folder
+    bool json = false;
+};
+
+/// One point of the reference curve and what the other fits say at its velocity.
+struct CurvePoint {
+    double velocity;     ///< [m/s]
+    double restitution;  ///< of the reference law
+    std::vector<double> others;
+};
+
+/// A law's published fit beside the one that the reference curve predicts for it.
+struct Prediction {
+    Law law;
+    DampingPolynomial published;
+    std::optional<DampingFit> predicted;
+    std::optional<double> velocity;  ///< v_c at the predicted eta_c [m/s]
+    std::optional<double> printed;   ///< published v_c [m/s]
+    double greatest_difference = 0;  ///< of e_n from the reference curve, at one velocity [1]
+};
+
+struct SampleCheck {
+    std::string name;
+    Law reference;
+    std::vector<CurvePoint> points{};
+    std::vector<Prediction> others{};
+};
+
+Detachment detachment_of(const Case& data, Law law) {
+    for (const LawChoice& choice : data.laws)
+        if (choice.law == law) return choice.detachment;
+    return law.default_detachment();
+}
+
+PublishedDamping curve_of(const Case& data, const ContactPair& contact, Law law,
+                          const DampingPolynomial& fit) {
+    return {law, detachment_of(data, law), contact, fit};
+}
+
+std::vector<CurvePoint> reference_points(const PublishedDamping& reference, const Reconstruction& plan) {
+    std::vector<CurvePoint> points;
+    for (int i = 0; i < plan.points; ++i) {
+        const double e = plan.from + (plan.to - plan.from) * i / (plan.points - 1);
+        try {
+            points.push_back({reconstructed_velocity(reference, e), e, {}});
+        } catch (const InputError&) {  // the fit has no impact with this restitution: no point of the curve
+            continue;
+        }
+    }
+    return points;
+}
+
+/// The fit that a law would have published, had it been given the reference curve.
+Prediction prediction_of(const PublishedDamping& law, const std::vector<CurvePoint>& points) {
+    Prediction prediction{
+        .law = law.law, .published = law.damping, .predicted = {}, .velocity = {}, .printed = {}};
+    std::vector<DampingPoint> inverted;
+    for (const CurvePoint& point : points) {
+        try {
+            const auto damping = damping_from_restitution({.law = law.law,
+                                                           .detachment = law.detachment,
+                                                           .damping_law = DampingLaw::constant,
+                                                           .contact = law.contact,
+                                                           .velocity = point.velocity,
+                                                           .restitution = point.restitution});
+            inverted.push_back({point.restitution, damping.damping.coefficient, 0});
+        } catch (const InputError&) {  // beyond the reach of this law: it has no such impact
+            continue;
+        }
+    }
+    if (inverted.size() < 3) return prediction;
+    prediction.predicted = fit_damping(inverted);
+    const double critical = prediction.predicted->damping.critical_damping();
+    if (critical > 0)
+        prediction.velocity =
+            critical_velocity({law.law, law.detachment, {DampingLaw::constant, critical}, law.contact}).value;
+    return prediction;
+}
+
+SampleCheck check_sample(const Case& data, const Sample& sample, const Reconstruction& plan,
+                         const ContactPair& contact) {
+    const Law reference = Law::named(plan.reference);
+    SampleCheck check{.name = sample.name, .reference = reference};
+    check.points =
+        reference_points(curve_of(data, contact, reference, *plan.damping_fits.find(reference)), plan);
+    for (const auto& [law, fit] : plan.damping_fits) {
+        if (law == reference) continue;
+        const PublishedDamping curve = curve_of(data, contact, law, fit);
+        Prediction prediction = prediction_of(curve, check.points);
+        for (CurvePoint& point : check.points) {
+            point.others.push_back(reconstructed_restitution(curve, point.velocity));
+            prediction.greatest_difference =
+                std::max(prediction.greatest_difference, std::abs(point.others.back() - point.restitution));
+        }
+        const Quantity* printed = sample.published ? sample.published->critical_velocity.find(law) : nullptr;
+        if (printed != nullptr) prediction.printed = printed->value;
+        check.others.push_back(prediction);
+    }
+    return check;
+}
+
+Json check_json(const SampleCheck& check) {
+    std::vector<double> velocity;
+    std::vector<double> restitution;
+    for (const CurvePoint& point : check.points) {
+        velocity.push_back(point.velocity);
+        restitution.push_back(point.restitution);
+    }
+    Json json{{"name", check.name},
+              {"reference_law", check.reference.name()},
+              {"velocity", column_json(velocity, Dimension::velocity)},
+              {"restitution",
+               {{std::string(check.reference.name()), column_json(restitution, Dimension::fraction)}}},
+              {"predictions", Json::object()}};
+    for (std::size_t i = 0; i < check.others.size(); ++i) {
+        const Prediction& other = check.others[i];
+        const std::string name(other.law.name());
+        std::vector<double> values;
+        for (const CurvePoint& point : check.points) values.push_back(point.others[i]);
+        json["restitution"][name] = column_json(values, Dimension::fraction);
+        Json entry{{"greatest_difference_in_restitution", other.greatest_difference},
+                   {"published", quadratic_json(other.published)},
+                   {"predicted", nullptr}};
+        if (other.predicted) entry["predicted"] = quadratic_json(other.predicted->damping);
+        entry["predicted_critical_velocity"] = quantity_json(other.velocity, Dimension::velocity);
+        entry["published_critical_velocity"] = quantity_json(other.printed, Dimension::velocity);
+        json["predictions"][name] = entry;
+    }
+    return json;
+}
+
+/// a, b and c of a fit, each with four digits.
+std::vector<std::string> coefficients(const DampingPolynomial& fit) {
+    std::vector<std::string> texts;
+    for (const double value : fit.coefficients.reverse()) texts.push_back(fmt::format("{:.4f}", value));
+    return texts;
+}
+
+std::string check_text(const SampleCheck& check) {
+    std::vector<std::string> heading{"v_in [m/s]", std::string(check.reference.name())};
+    for (const Prediction& other : check.others) heading.emplace_back(other.law.name());
+    TextTable curves(std::move(heading));
+    for (const CurvePoint& point : check.points) {
+        std::vector<std::string> row{fmt::format("{:.3f}", point.velocity),
+                                     fmt::format("{:.3f}", point.restitution)};
+        for (const double e : point.others) row.push_back(e > 0 ? fmt::format("{:.3f}", e) : "captured");
+        curves.add(std::move(row));
+    }
+    TextTable fits({"fit of", "", "a [kg/s]", "b [kg/s]", "c [kg/s]", "v_c [m/s]", "e_n apart by"});
+    const auto velocity = [](const std::optional<double>& value) {
+        return value ? fmt::format("{:#.3g}", *value) : std::string("-");
+    };
+    const auto add = [&](std::vector<std::string> row, const DampingPolynomial& fit,
+                         const std::optional<double>& critical, std::string apart) {
+        for (std::string& text : coefficients(fit)) row.push_back(std::move(text));
+        row.push_back(velocity(critical));
+        row.push_back(std::move(apart));
+        fits.add(std::move(row));
+    };
+    for (const Prediction& other : check.others) {
+        add({std::string(other.law.name()), "published"}, other.published, other.printed,
+            fmt::format("at most {:.3f}", other.greatest_difference));
+        if (other.predicted) add({"", "predicted"}, other.predicted->damping, other.velocity, "");
+    }
+    return fmt::format("{}: restitution that each published fit implies\n{}\n{}", check.name, curves.text(2),
+                       fits.text(2));
+}
+
+void run_cross_check_command(const CrossCheckOptions& options, std::ostream& out) {
+    const auto file = options.case_file.empty() ? std::nullopt : std::optional(options.case_file);
+    const Artifacts artifacts = compute_artifacts(file, "contact", options.allow_outside);
+    const Case data = read_case_artifact(artifacts);
+    const auto contacts = artifacts.read(contact_artifact, read_contacts);
+    std::vector<SampleCheck> checks;
+    for (const Sample& sample : data.samples) {
+        const auto* plan = sample.restitution ? std::get_if<Reconstruction>(&*sample.restitution) : nullptr;
+        if (plan == nullptr) continue;
+        const ContactPair& contact = entry_named(contacts, sample.name, artifacts, contact_artifact).pair;
+        checks.push_back(check_sample(data, sample, *plan, contact));
+    }
+    if (checks.empty())
+        throw InputError("no sample has published fits to be checked against one another",
+                         "restitution by \"reconstruct\"")
+            .at("/samples")
+            .at(FileName{options.case_file});
+    if (options.json) {
+        Json json{{"samples", Json::array()}};
+        for (const SampleCheck& check : checks) json["samples"].push_back(check_json(check));
+        out << write_json(json, Digits::seventeen);
+        return;
+    }
+    for (const SampleCheck& check : checks)
+        out << (&check == &checks.front() ? "" : "\n") << check_text(check);
+    out << "\nPredicted: the impacts that the reference law's fit implies, inverted by the other law and "
+           "fitted.\n";
+}
+
+}  // namespace
+
+void add_cross_check(const CommandLine& line) {
+    auto [command, options] = line.add<CrossCheckOptions>(
+        "cross-check", "Whether published damping fits of several laws describe the same impacts",
+        "ashimpact cross-check", run_cross_check_command);
+    add_case_argument(*command, options->case_file);
+    add_allow_outside_flag(*command, options->allow_outside);
+    add_json_flag(*command, options->json);
+}
+
+}  // namespace ashimpact

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <ostream>
+#include <string>
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include "core/embedded.hpp"
+#include "core/json/view.hpp"
+#include "core/json/writer.hpp"
+#include "core/text.hpp"
+#include "pipeline/app/command.hpp"
+#include "pipeline/app/terminal/help.hpp"
+#include "pipeline/case/case_reader.hpp"
+#include "pipeline/document/files/file.hpp"
+#include "pipeline/document/run_identity.hpp"
+#include "pipeline/document/schema.hpp"
+#include "pipeline/present/text/artifact_text.hpp"
+#include "pipeline/present/text/readable.hpp"
+#include "pipeline/present/text/table.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+struct InspectOptions {
+    std::string file;
+    bool all = false;  ///< every row and every part
+};
+
+constexpr std::string_view example = "cases/example/";
+
+std::string schema_of_artifact(const Json& document) {
+    const auto names = schema_names();
+    if (document.is_object() && document.contains("schema") && document["schema"].is_string())
+        for (const std::string& name : names)
+            if (document["schema"] == name && name != "case" && name != "published") return name;
+    throw InputError("this is not an artifact of ashimpact",
+                     "a file of a run's folder, such as comparison.json")
+        .at("/schema");
+}
+
+/// Whether a member that stands beside a number, or a list of numbers, is what a reader expects of it.
+void require_beside_number(const std::string& key, const View& member) {
+    if (key == "unit" || key == "origin") {
+        if (!member.json().is_string()) member.fail("is " + member.json().dump(), "a string");
+    } else if (key == "standard_uncertainty" && !member.json().is_number()) {
+        member.fail("is " + member.json().dump(), "a number");
+    }
+}
+
+/// Refuses a quantity without a readable unit also where the schemas leave open what stands there.
+void require_quantities(const View& node) {
+    if (node.json().is_array())
+        for (const View& element : node.elements()) require_quantities(element);
+    if (!node.is_object()) return;
+    const bool quantity =
+        node.json().contains("unit") && (node.json().contains("value") || node.json().contains("values"));
+    for (const auto& [key, member] : node.members()) {
+        if (quantity) require_beside_number(key, member);
+        require_quantities(member);
+    }
+}
+
+std::string property_text(const PhaseProperty& property, std::string_view unit) {
+    const auto number = [&](double value) {
+        return unit == "1" ? readable_number(value) : readable(value, unit);
+    };
+    std::string text = readable(Quantity{
+        .value = property.value, .unit = std::string(unit), .standard_uncertainty = property.uncertainty()});
+    if (property.range)
+        text += fmt::format(", {} to {}", number(property.range->first), number(property.range->second));
+    if (property.assumed) text += ", assumed";
+    if (!property.citations.empty()) text += " [" + joined(property.citations) + "]";
+    return text;
+}
+
+std::string phase_text(const ResolvedPhase& resolved) {
+    const Phase& phase = resolved.phase;
+    TextList list;
+    list.add("phase", phase.name + (phase.amorphous ? " (amorphous)" : ""));
+    if (!phase.formula.empty()) list.add("formula", phase.formula);
+    list.add("density", property_text(phase.density, "kg/m3"));
+    list.add("Young's modulus", property_text(phase.young_modulus, "Pa"));
+    if (phase.poisson_ratio) list.add("Poisson's ratio", property_text(*phase.poisson_ratio, "1"));
+    std::vector<std::string> names = phase.synonyms;
+    names.insert(names.end(), phase.bgmn.begin(), phase.bgmn.end());
+    if (!names.empty()) list.add("other names", joined(names));
+    std::string text = list.text(0);
+    text += uncertainty_legend(text);
+    for (const std::string& note : {phase.remark, resolved.note})
+        if (!note.empty()) text += note + "\n";
+    return text;
+}
+
+std::string set_text(const PhaseSet& set) {
+    TextTable table({set.name, "formula", "density", "E", "nu"});
+    for (const Phase& phase : set.phases)
+        table.add({phase.name, phase.formula.empty() ? "-" : phase.formula,
+                   readable(phase.density.value, "kg/m3"), readable(phase.young_modulus.value, "Pa"),
+                   phase.poisson_ratio ? readable_number(phase.poisson_ratio->value) : "unknown"});
+    return table.text();
+}
+
+void run_inspect_command(const InspectOptions& options, std::ostream& out) {
+    const std::string& file = options.file;
+    const std::string bytes = read_file(file);
+    at_place(FileName{file}, [&] {
+        const Json document = parse_json(bytes);
+        validate_document(document, schema_of_artifact(document));
+        require_quantities(View(document));
+        if (document.at("provenance").contains("result_sha256") && is_edited(document))
+            spdlog::warn("warning: {}: was edited after ashimpact wrote it", file);
+        out << artifact_text(document, {.result = {.all = options.all},
+                                        .provenance = spdlog::should_log(spdlog::level::debug)});
+    });
+}
+
+void run_init_command(const std::string& folder, std::ostream& out) {
+    std::vector<FileContent> files;
+    for (const std::string_view path : embedded_files(example)) {
+        const auto place = std::filesystem::path(folder) / path.substr(example.size());
+        if (std::filesystem::exists(place))
+            throw InputError("is there already", "a folder without a case").at(FileName{place.string()});
+        files.push_back({place, std::string(embedded_file(path).value())});
+    }
+    write_files(files);
+    for (const FileContent& file : files) out << file.path.string() << '\n';
+    const auto typed = [&](const char* name) {
+        return shell_word((std::filesystem::path(folder) / name).string());
+    };
+    out << "An example that runs as it is; your own numbers can replace it later:\n  " << program_word()
+        << " run " << typed("case.json") << " -o " << typed("results") << '\n';
+}
+
+void run_schema_command(const std::string& name, std::ostream& out) {
+    if (!name.empty()) {
+        out << write_json(name == "case" ? schema_with_comments(name) : schema_named(name));
+        return;
+    }
+    for (const std::string& each : schema_names()) out << each << '\n';
+}
+
+void run_phases_command(const std::string& name, std::ostream& out) {
+    const PhaseCatalogue catalogue = built_in_phases();
+    if (!name.empty()) {
+        out << phase_text(catalogue.resolve_all({PlacedName{.name = name}}).front());
+        return;
+    }
+    for (const PhaseSet& set : catalogue.sets()) out << set_text(set) << '\n';
+    out << "One of them with its sources and other names, such as\n  " << program_word()
+        << " phases mullite\n"
+        << "Phases of your own: `modulus --phases FILE`, or \"phases\" in a case.\n";
+}
+
+}  // namespace
+
+void add_inspect(const CommandLine& line) {
+    auto [command, options] =
+        line.add<InspectOptions>("inspect", "An artifact as tables; -v: inputs and options too",
+                                 "ashimpact inspect results/comparison.json", run_inspect_command);
+    add_text(*command, "artifact", options->file, "ARTIFACT.json", "file of a run's folder")->required();
+    command->add_flag("--all", options->all, "every row and every part, nothing shortened");
+}
+
+void add_init(const CommandLine& line) {
+    auto [command, folder] = line.add<std::string>("init", "Write a commented case to start from",
+                                                   "ashimpact init my-case", run_init_command);
+    add_text(*command, "folder", *folder, "DIR", "where to write it")->required();
+}
+
+void add_phases(const CommandLine& line) {
+    auto [command, name] =
+        line.add<std::string>("phases", "The phase catalogue, or one phase with its sources",
+                              "ashimpact phases mullite", run_phases_command);
+    add_text(*command, "name", *name, "NAME", "of a phase, under any of its names; without it, all phases");
+}
+
+void add_schema(const CommandLine& line) {
+    auto [command, name] = line.add<std::string>("schema", "The JSON Schema of a case or an artifact",
+                                                 "ashimpact schema case", run_schema_command);
+    add_text(*command, "name", *name, "NAME", "of the schema; without it, the names");
+}
+
+}  // namespace ashimpact

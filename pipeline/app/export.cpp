@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/app/export.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <ostream>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/json/document.hpp"
+#include "core/text.hpp"
+#include "materials/contact_properties.hpp"
+#include "pipeline/app/command.hpp"
+#include "pipeline/case/laws.hpp"
+#include "pipeline/document/files/file.hpp"
+#include "pipeline/present/export/codes/codes.hpp"
+#include "pipeline/present/export/from_run.hpp"
+#include "pipeline/present/text/readable.hpp"
+#include "solver/contact/law_parameters.hpp"
+#include "solver/contact/maugis_dugdale.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+constexpr auto mark_of_export = "expected.json";  // every exported folder has one
+
+/// The subject of the options of an impact.
+ExportSubject subject_of_options(const ExportOptions& options) {
+    const ContactChoice choice = read_contact(options.contact);
+    const Damping damping = read_damping(options.contact);
+    const double diameter = 2 * choice.sphere.radius;
+    ExportSubject subject{
+        .law = choice.law,
+        .detachment = choice.detachment,
+        .contact = choice.contact,
+        .density = sphere_density(choice.sphere.radius, choice.sphere.mass),
+        .damping = {.law = damping.law, .nodes = {{0, damping.coefficient}}, .reference_diameter = diameter},
+        .from_diameter = diameter,
+        .to_diameter = diameter};
+    subject.origins = {
+        fmt::format("radius of the sphere {}, density {}, from the command line",
+                    readable(choice.sphere.radius, "m"), readable(subject.density, "kg/m3")),
+        fmt::format("E* = {}, contact modulus of {} together, from the command line",
+                    readable(choice.contact.contact_modulus, "Pa"),
+                    choice.partner ? "both spheres" : "particle and wall"),
+        fmt::format("w = {}, work of adhesion of the pair of surfaces (not a surface energy), from the "
+                    "command line{}",
+                    readable(choice.contact.work_of_adhesion, "J/m2"),
+                    options.contact.roughness.empty() ? "" : ", lowered by --roughness")};
+    if (choice.partner) subject.partner = {choice.partner->radius, choice.partner->mass};
+    for (const LawParameter& parameter : choice.law.parameters())
+        if (choice.contact.parameters.has(parameter))
+            subject.origins.push_back(
+                fmt::format("{}: {}, from the command line", parameter.description,
+                            readable(choice.contact.parameters[parameter], si_unit(parameter.dimension))));
+    return subject;
+}
+
+/// What belongs to one size alone: a folder takes w and the law's parameters for every size.
+void require_same_at_every_size(const ExportOptions& options, const ExportSubject& subject) {
+    if (subject.one_size()) return;
+    if (subject.contact.parameters.has(stated_tabor) && subject.law.takes(stated_tabor))
+        throw InputError("goes with the size, and several sizes are asked for",
+                         "--cohesion-range or --cohesive-stress, which every size shares")
+            .at("--tabor");
+    if (!options.contact.roughness.empty())
+        throw InputError("lowers w by a share that goes with the size, and several sizes are asked for",
+                         "one size, or the w of rough surfaces by --work-of-adhesion")
+            .at("--roughness");
+}
+
+/// A range given by the user.
+void read_ranges(const ExportOptions& options, ExportSubject& subject) {
+    if (!options.velocity.empty())
+        subject.velocity = read_positive_option("--velocity", options.velocity, Dimension::velocity);
+    if (!options.from_diameter.empty())
+        subject.from_diameter =
+            read_positive_option("--from-diameter", options.from_diameter, Dimension::length);
+    if (!options.to_diameter.empty())
+        subject.to_diameter = read_positive_option("--to-diameter", options.to_diameter, Dimension::length);
+    if (subject.from_diameter > subject.to_diameter)
+        throw InputError(
+            fmt::format("the range goes from {} down to {}", readable(subject.from_diameter, "m"),
+                        readable(subject.to_diameter, "m")),
+            "a range that rises")
+            .at("--from-diameter, --to-diameter");
+    require_same_at_every_size(options, subject);
+    if (!subject.one_size() && !subject.damping.is_zero() && options.damping_exponent.empty())
+        throw InputError("several sizes are asked for, but not how the damping goes with the size",
+                         "0 for the same damping at every size, 2 for the same e of Hertz spheres, ...")
+            .at("--damping-exponent");
+    if (!options.damping_exponent.empty()) {
+        subject.damping.exponent =
+            read_option("--damping-exponent", options.damping_exponent, Dimension::fraction);
+        if (std::abs(subject.damping.exponent) > 10)
+            throw InputError("is " + shortest(subject.damping.exponent),
+                             "-10 to 10; 2 keeps e of Hertz spheres")
+                .at("--damping-exponent");
+    }
+    if (!options.to_velocity.empty()) {
+        const double to = read_positive_option("--to-velocity", options.to_velocity, Dimension::velocity);
+        if (subject.damping.depends_on_velocity() && to > *subject.to_velocity)
+            throw InputError(fmt::format("the damping of the run is known up to {}",
+                                         readable(*subject.to_velocity, "m/s")),
+                             "a velocity up to that")
+                .at("--to-velocity");
+        subject.to_velocity = to;
+    }
+    if (subject.velocity && subject.to_velocity && *subject.velocity > *subject.to_velocity)
+        throw InputError("lies beyond --to-velocity", "up to " + readable(*subject.to_velocity, "m/s"))
+            .at("--velocity");
+}
+
+/// Options of an impact beside a run: a run has them all but the law.
+void refuse_contact_options(const ExportOptions& options) {
+    const ContactOptions& contact = options.contact;
+    const std::array<std::pair<const char*, const std::string*>, 14> given{
+        {{"--radius", &contact.radius},
+         {"--diameter", &contact.diameter},
+         {"--density", &contact.density},
+         {"--mass", &contact.mass},
+         {"--partner-radius", &contact.partner_radius},
+         {"--partner-diameter", &contact.partner_diameter},
+         {"--partner-density", &contact.partner_density},
+         {"--partner-mass", &contact.partner_mass},
+         {"--roughness", &contact.roughness},
+         {"--contact-modulus", &contact.contact_modulus},
+         {"--work-of-adhesion", &contact.work_of_adhesion},
+         {"--yield-pressure", &contact.yield_pressure},
+         {"--damping", &contact.damping},
+         {"--detachment", &contact.detachment}}};
+    for (const auto& [name, text] : given)
+        if (!text->empty()) throw InputError("the run has it", "a run, or the options of an impact").at(name);
+    for (std::size_t i = 0; i < contact.parameters.size(); ++i)
+        if (!contact.parameters[i].empty())
+            throw InputError("the run has it", "a run, or the options of an impact")
+                .at(option_of(law_parameters()[i]));
+    if (contact.damping_law != ContactOptions{}.damping_law)
+        throw InputError("the run has it", "a run, or the options of an impact").at("--damping-law");
+}
+
+ExportSubject subject_of(const ExportOptions& options) {
+    if (options.run.empty()) {
+        if (!options.sample.empty())
+            throw InputError("there is no run", "the folder of a run before it").at("--sample");
+        if (options.follow_velocity)
+            throw InputError("there is no run", "the folder of a run").at("--follow-velocity");
+        if (options.contact.law.empty())
+            throw InputError("neither a run nor an impact is given",
+                             "RUN_DIR --sample S, or --law, --radius and the other options of an impact")
+                .at("export " + options.code);
+        return subject_of_options(options);
+    }
+    refuse_contact_options(options);
+    return subject_of_run({.folder = options.run,
+                           .sample = options.sample,
+                           .law = options.contact.law,
+                           .follow_velocity = options.follow_velocity});
+}
+
+/// Refuses to write over files that no export left there.
+void require_free(const std::filesystem::path& folder, const ExportFolder& files) {
+    require_writable_folder(folder);
+    if (std::filesystem::exists(folder / mark_of_export)) return;
+    for (const ExportFile& file : files)
+        if (std::filesystem::exists(folder / file.name))
+            throw InputError("is there already, and not from an export", "an empty folder; -o")
+                .at(FileName{(folder / file.name).string()});
+}
+
+void add_subject_options(CLI::App& command, ExportOptions& options) {
+    add_text(command, "--sample", options.sample, "NAME", "of the run");
+    command.add_flag("--follow-velocity", options.follow_velocity,
+                     "of a run: damping along the measured e(v_in) instead of the critical one");
+    add_contact_options(command, options.contact, ContactNeeds::optional);
+    add_damping_option(command, options.contact);
+    add_text(command, "--velocity", options.velocity, "Q", "one more impact to check");
+    add_text(command, "--from-diameter", options.from_diameter, "Q",
+             "smallest size; default: that of the sphere or sample");
+    add_text(command, "--to-diameter", options.to_diameter, "Q",
+             "largest size; default: that of the sphere or sample");
+    add_text(command, "--to-velocity", options.to_velocity, "Q",
+             "largest velocity; default: 10 v_c, at least 10 m/s");
+    add_text(command, "--damping-exponent", options.damping_exponent, "N",
+             "for several sizes: damping goes with (diameter/that of the sphere)^N; 0: the same for all");
+}
+
+}  // namespace
+
+void run_export_command(const ExportOptions& options, const TableImage& image, std::ostream& out) {
+    const ExportCode& code = export_code(options.code);
+    ExportSubject subject = subject_of(options);
+    read_ranges(options, subject);
+    const ExportFolder files = code.folder(subject, image);
+    const std::filesystem::path folder(options.folder);
+    require_free(folder, files);
+    std::vector<FileContent> contents;
+    contents.reserve(files.size());
+    for (const ExportFile& file : files) contents.push_back({folder / file.name, file.content});
+    write_files(contents);
+    for (const FileContent& each : contents) out << each.path.string() << '\n';
+    std::string script = (folder / code.script).string();
+    if (script.starts_with('-')) script.insert(0, "./");
+    out << "README.md says how to use it. To run and compare:\n  "
+        << (code.script.ends_with(".py") ? "python3 " : "sh ") << shell_word(script) << '\n';
+}
+
+void add_export(const CommandLine& line, const ExportRunner& runner) {
+    auto [command, options] = line.add<ExportOptions>(
+        "export", "Runnable inputs for DEM and CFD codes",
+        "ashimpact export lammps results --sample \"88 um\" --law brach-dunn -o ash-in-lammps\n"
+        "  ashimpact export openfoam --law dmt --radius \"5 um\" --density \"2300 kg/m3\" --contact-modulus "
+        "\"60 GPa\"\n    --work-of-adhesion \"0.2 J/m2\" --damping \"1e-5 kg/s\" --from-diameter \"1 um\" "
+        "--to-diameter "
+        "\"50 um\"\n    --damping-exponent 2 -o ash-in-openfoam\n"
+        "The folder holds inputs, a README, the assumptions, expected.json and a script that compares.",
+        runner);
+    std::vector<std::string> codes;
+    for (const ExportCode& code : export_codes()) codes.emplace_back(code.name);
+    add_text(*command, "code", options->code, "CODE", joined(codes))->required();
+    add_text(*command, "run", options->run, "RUN_DIR", "folder of a run; else give the options of an impact");
+    add_subject_options(*command, *options);
+    add_text(*command, "-o,--output", options->folder, "DIR", "folder to write")->required();
+}
+
+}  // namespace ashimpact

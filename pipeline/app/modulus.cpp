@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/run/modulus.hpp"
+
+#include <ostream>
+#include <string>
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include "core/checks.hpp"
+#include "core/json/writer.hpp"
+#include "core/text.hpp"
+#include "materials/xrd/xrd.hpp"
+#include "pipeline/app/command.hpp"
+#include "pipeline/app/contact_options.hpp"
+#include "pipeline/case/case_reader.hpp"
+#include "pipeline/document/files/file.hpp"
+#include "pipeline/document/quantity_json.hpp"
+#include "pipeline/present/text/readable.hpp"
+#include "pipeline/present/text/table.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+/// What the user typed; empty where an option was not given.
+struct ModulusCommandOptions {
+    std::string file;                ///< an XRD result
+    std::string amorphous_fraction;  ///< of the whole; "none", "remainder"
+    std::string crystalline_total;   ///< of the whole
+    std::string internal_standard;   ///< its phase
+    std::string added_fraction;      ///< its weight over that of the mixture
+    std::string sample;              ///< of a file with several; empty: all
+    std::string sheet;               ///< of a spreadsheet; empty: the only one with a table
+    std::string phase_set;           ///< looked in first
+    std::string phases;              ///< a case file whose own phases come first
+    std::string rule = "parallel";
+    std::string porosity_law;
+    std::string porosity;              ///< empty: from the particle density
+    std::string porosity_coefficient;  ///< b of spriggs
+    std::string particle_density;      ///< measured, pores included
+    bool json = false;
+};
+
+/// "0.42", "42 %", "42(2) %" or "42 +- 2 %", as in a case.
+Quantity read_fraction(const char* option, const std::string& text) {
+    return at_place(option, [&] {
+        Quantity fraction = quantity_of_text(text, Dimension::fraction);
+        require_fraction("the fraction", fraction.value);
+        return fraction;
+    });
+}
+
+Amorphous read_amorphous(const std::string& text, FractionBasis basis) {
+    if (text == "none") return AmorphousNone{};
+    if (text == "remainder") return AmorphousRemainder{};
+    const Quantity fraction = [&] {
+        try {
+            return read_fraction("--amorphous-fraction", text);
+        } catch (const InputError& error) {
+            throw InputError(error.problem(),
+                             "a fraction of the whole (0.42, \"42 %\", \"42 +- 2 %\"), none, remainder")
+                .at(error.place());
+        }
+    }();
+    if (fraction.value == 0) return AmorphousNone{};
+    return AmorphousFraction{fraction.value, fraction.standard_uncertainty, basis};
+}
+
+void refuse_contradictions(const ModulusCommandOptions& options) {
+    const int ways = (options.amorphous_fraction.empty() ? 0 : 1) +
+                     (options.crystalline_total.empty() ? 0 : 1) +
+                     (options.internal_standard.empty() ? 0 : 1);
+    if (ways > 1)
+        throw InputError("the amorphous part is given in " + std::to_string(ways) + " ways", "one of them")
+            .at("--amorphous-fraction, --crystalline-total, --internal-standard");
+    if (options.internal_standard.empty() != options.added_fraction.empty())
+        throw InputError("one is given without the other",
+                         "the phase of the standard, and its weight over that of the mixture")
+            .at("--internal-standard, --added-fraction");
+}
+
+PhaseCatalogue catalogue_of(const ModulusCommandOptions& options) {
+    PhaseCatalogue catalogue = built_in_phases();
+    if (!options.phase_set.empty())
+        catalogue = at_place("--phase-set", [&] { return catalogue.preferring(options.phase_set); });
+    if (options.phases.empty()) return catalogue;
+    return at_place(FileName{options.phases}, [&] {
+        const Json document = parse_json(read_file(options.phases));
+        const View root(document);
+        return catalogue.overridden_by(read_user_phases(document.is_array() ? root : root.at("phases")));
+    });
+}
+
+XrdSample completed(const XrdSample& sample, const ModulusCommandOptions& options) {
+    refuse_contradictions(options);
+    XrdSample result = sample;
+    Analysis& analysis = result.analysis;
+    if (!options.amorphous_fraction.empty())
+        analysis.amorphous = read_amorphous(options.amorphous_fraction, analysis.basis);
+    if (!options.crystalline_total.empty()) {
+        const Quantity total = read_fraction("--crystalline-total", options.crystalline_total);
+        analysis.amorphous = CrystallineTotal{total.value, total.standard_uncertainty};
+    }
+    if (options.internal_standard.empty()) return result;
+    const Quantity added = read_fraction("--added-fraction", options.added_fraction);
+    return at_place("--internal-standard", [&] {
+        return with_internal_standard(sample, options.internal_standard, added.value,
+                                      added.standard_uncertainty);
+    });
+}
+
+Composition composed(const XrdSample& sample, const PhaseCatalogue& catalogue) {
+    return compose(sample.analysis, catalogue,
+                   "--amorphous-fraction X (of the whole; none; remainder: what is missing to 100 %), "
+                   "--crystalline-total X, or --internal-standard PHASE with --added-fraction X");
+}
+
+std::optional<double> measured_density(const ModulusCommandOptions& options) {
+    if (options.particle_density.empty()) return std::nullopt;
+    const double density = read_option("--particle-density", options.particle_density, Dimension::density);
+    at_place("--particle-density", [&] { require_positive("density", density, Dimension::density); });
+    return density;
+}
+
+std::optional<Porosity> porosity_of(const ModulusCommandOptions& options, double true_density,
+                                    std::string& note) {
+    if (options.porosity_law.empty()) {
+        if (!options.porosity.empty() || !options.porosity_coefficient.empty())
+            throw InputError("is missing", "the law by which pores soften, see docs/materials.md")
+                .at("--porosity-law");
+        return std::nullopt;
+    }
+    Porosity porosity{
+        .law = at_place("--porosity-law", [&] { return named<PorosityLaw>(options.porosity_law); })};
+    if (!options.porosity_coefficient.empty())
+        porosity.coefficient =
+            read_option("--porosity-coefficient", options.porosity_coefficient, Dimension::fraction);
+    if (!options.porosity.empty()) {
+        const Quantity value = read_fraction("--porosity", options.porosity);
+        porosity.value = value.value;
+        porosity.standard_uncertainty = value.standard_uncertainty;
+    } else if (const auto measured = measured_density(options)) {
+        const auto found = at_place("--particle-density", [&] {
+            return porosity_from_density(porosity, make_quantity(*measured, Dimension::density),
+                                         true_density);
+        });
+        porosity = found.porosity;
+        note = found.note;
+    } else {
+        throw InputError("neither is given", "the porosity, or the density from which it follows")
+            .at("--porosity, --particle-density");
+    }
+    at_place("--porosity", [&] { require_valid(porosity); });
+    return porosity;
+}
+
+struct SampleEstimate {
+    std::string name;
+    Composition composition;
+    ModulusEstimate estimate;
+    std::optional<Porosity> porosity;
+    ParticleDensity density;
+    std::vector<std::string> warnings;  ///< of the reader, the composition and the estimate
+};
+
+std::vector<XrdSample> chosen(const XrdResult& result, const std::string& name) {
+    std::vector<XrdSample> samples;
+    std::vector<std::string> names;
+    for (const XrdSample& sample : result.samples) {
+        names.push_back(sample.name);
+        if (name.empty() || sample.name == name) samples.push_back(sample);
+    }
+    if (samples.empty())
+        throw InputError("the file has no sample " + in_quotes(name), joined(names)).at("--sample");
+    return samples;
+}
+
+std::string percent(double fraction) {
+    return fmt::format("{:.2f}", 100 * fraction);
+}
+
+std::string phases_text(const Composition& composition) {
+    TextTable phases({"phase", "weight %", "volume %", "density", "E"});
+    for (const Component& c : composition.components)
+        phases.add({c.name, percent(c.weight_fraction), percent(c.volume_fraction),
+                    readable(c.phase.density.value, "kg/m3"), readable(c.phase.young_modulus.value, "Pa")});
+    return phases.text();
+}
+
+std::string with_uncertainty(double value, double uncertainty, Dimension dimension) {
+    if (uncertainty == 0) return readable(value, si_unit(dimension));
+    return readable(make_quantity(value, dimension, uncertainty));
+}
+
+/// What a rule is, beside its value.
+std::string_view standing_of(MixtureRule rule) {
+    switch (rule) {
+        case MixtureRule::parallel:
+            return "  Eq. 1, no bound";
+        case MixtureRule::voigt:
+            return "  upper bound";
+        case MixtureRule::reuss:
+        case MixtureRule::series:
+            return "  lower bound";
+        case MixtureRule::hashin_shtrikman_lower:
+            return "  lower bound, isotropic";
+        case MixtureRule::hashin_shtrikman_upper:
+            return "  upper bound, isotropic";
+        case MixtureRule::hill:
+        case MixtureRule::voigt_reuss_hill:
+            return "";
+    }
+    return "";
+}
+
+void list_density(const SampleEstimate& sample, const ModulusCommandOptions& options, TextList& list) {
+    const ParticleDensity& density = sample.density;
+    list.add(
+        "density of the phases",
+        with_uncertainty(sample.estimate.density, sample.estimate.density_uncertainty, Dimension::density));
+    if (density.porosity == 0) return;
+    list.add("density of the particle", readable(density.apparent_density, "kg/m3") +
+                                            (options.particle_density.empty() ? "" : " (measured)"));
+    list.add("porosity", readable_number(density.porosity));
+}
+
+std::string estimate_text(const SampleEstimate& sample, const ModulusCommandOptions& options) {
+    const ModulusEstimate& estimate = sample.estimate;
+    const std::string pores = sample.porosity ? "  pores by " + options.porosity_law : "";
+    TextList list;
+    list.add(
+        fmt::format("Young's modulus ({})", options.rule),
+        with_uncertainty(estimate.young_modulus, estimate.standard_uncertainty, Dimension::pressure) + pores);
+    for (const RuleResult& rule : estimate.rules)
+        list.add("  " + std::string(name_of(rule.rule)) + (sample.porosity ? ", dense" : ""),
+                 with_uncertainty(rule.young_modulus, rule.standard_uncertainty, Dimension::pressure) +
+                     std::string(standing_of(rule.rule)));
+    if (estimate.poisson_ratio)
+        list.add("Poisson's ratio", readable_number(*estimate.poisson_ratio) +
+                                        (estimate.poisson_ratio_assumed ? " (of some phases assumed)" : ""));
+    list_density(sample, options, list);
+    const std::string title = sample.name.empty() ? "" : sample.name + "\n";
+    const std::string text = list.text(0);
+    return title + phases_text(sample.composition) + "\n" + text + uncertainty_legend(text);
+}
+
+Json sample_json(const SampleEstimate& sample, MixtureRule rule) {
+    Json json{{"name", sample.name}};
+    json.update(modulus_json(sample.composition, sample.estimate, rule));
+    json["particle_density"] = quantity_json(sample.density.apparent_density, Dimension::density);
+    json["porosity"] = sample.density.porosity;
+    if (sample.porosity) json["porosity_law"] = name_of(sample.porosity->law);
+    json["warnings"] = sample.warnings;
+    return json;
+}
+
+SampleEstimate estimated(const XrdSample& sample, const PhaseCatalogue& catalogue,
+                         const ModulusCommandOptions& options, MixtureRule rule) {
+    SampleEstimate result{.name = sample.name,
+                          .composition = composed(sample, catalogue),
+                          .estimate = {},
+                          .porosity = {},
+                          .density = {},
+                          .warnings = sample.warnings};
+    std::string note;
+    result.porosity = porosity_of(options, result.composition.density, note);
+    result.estimate = estimate_modulus(result.composition, {.rule = rule, .porosity = result.porosity});
+    const auto stated =
+        options.porosity.empty() ? std::nullopt : std::optional(result.porosity.value().value);
+    result.density = at_place("--particle-density", [&] {
+        return particle_density(result.composition.density, stated, measured_density(options));
+    });
+    for (const auto& notes : {result.composition.notes, result.estimate.notes, result.density.notes})
+        result.warnings.insert(result.warnings.end(), notes.begin(), notes.end());
+    if (!note.empty()) result.warnings.push_back(note);
+    return result;
+}
+
+void run_modulus_command(const ModulusCommandOptions& options, std::ostream& out) {
+    const MixtureRule rule = at_place("--rule", [&] { return named<MixtureRule>(options.rule); });
+    const PhaseCatalogue catalogue = catalogue_of(options);
+    const XrdResult result =
+        read_xrd(read_start(options.file, longest_xrd_file + 1), options.file, options.sheet);
+    for (const std::string& warning : result.warnings) spdlog::warn("warning: {}: {}", options.file, warning);
+
+    std::vector<SampleEstimate> estimates;
+    for (const XrdSample& sample : chosen(result, options.sample)) {
+        const XrdSample whole = completed(sample, options);
+        SampleEstimate estimate =
+            at_place(FileName{options.file}, [&] { return estimated(whole, catalogue, options, rule); });
+        for (const std::string& warning : estimate.warnings)
+            spdlog::warn("warning: {}: {}", options.file, warning);
+        estimate.warnings.insert(estimate.warnings.begin(), result.warnings.begin(), result.warnings.end());
+        estimates.push_back(std::move(estimate));
+    }
+
+    if (!options.json) {
+        for (const SampleEstimate& estimate : estimates)
+            out << (&estimate == &estimates.front() ? "" : "\n") << estimate_text(estimate, options);
+        return;
+    }
+    Json json = Json::array();
+    for (const SampleEstimate& estimate : estimates) json.push_back(sample_json(estimate, rule));
+    out << write_json(json.size() == 1 ? json.front() : Json{{"samples", json}}, Digits::seventeen);
+}
+
+}  // namespace
+
+void add_modulus(const CommandLine& line) {
+    auto [command, options] = line.add<ModulusCommandOptions>(
+        "modulus", "XRD result -> phase volumes -> Young's modulus with bounds",
+        "ashimpact modulus my-case/ash.csv --amorphous-fraction '42 +- 2 %'\n"
+        "  (ash.csv is among what `ashimpact init my-case` writes)",
+        run_modulus_command);
+    command
+        ->add_option(
+            "file", options->file,
+            "XRD result: BGMN/Profex or GSAS-II .lst, FullProf .sum, TOPAS .out, CSV, .xlsx, .ods or JSON")
+        ->required()
+        ->type_name("FILE");
+    add_text(*command, "--amorphous-fraction", options->amorphous_fraction, "X",
+             "amorphous part of the whole, by weight (by volume where the file is); none; remainder: what is "
+             "missing to 100 %");
+    add_text(*command, "--crystalline-total", options->crystalline_total, "X",
+             "the rest of the whole is amorphous");
+    add_text(*command, "--internal-standard", options->internal_standard, "PHASE",
+             "standard that was added and refined; the amorphous part follows");
+    add_text(*command, "--added-fraction", options->added_fraction, "X",
+             "its weight over that of the mixture");
+    add_text(*command, "--sample", options->sample, "NAME", "of a file with several; default: all");
+    add_text(*command, "--sheet", options->sheet, "NAME", "of a spreadsheet with several tables");
+    add_text(*command, "--phase-set", options->phase_set, "NAME",
+             "phase set to look in first: literature, dong2013");
+    add_text(*command, "--phases", options->phases, "CASE.json",
+             "case file whose own phases come before all others");
+    add_text(*command, "--rule", options->rule, "NAME", "mixture rule of the modulus")->capture_default_str();
+    add_text(*command, "--porosity-law", options->porosity_law, "NAME",
+             "law by which pores soften; default: no pores");
+    add_text(*command, "--porosity", options->porosity, "X",
+             "default: from --particle-density and the phases");
+    add_text(*command, "--porosity-coefficient", options->porosity_coefficient, "B", "b of the law spriggs");
+    add_text(*command, "--particle-density", options->particle_density, "RHO", "as measured, pores included");
+    add_json_flag(*command, options->json);
+}
+
+}  // namespace ashimpact

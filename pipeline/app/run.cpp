@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/run/run.hpp"
+
+#include <algorithm>
+#include <ostream>
+#include <string>
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include "core/counting.hpp"
+#include "core/text.hpp"
+#include "pipeline/app/command.hpp"
+#include "pipeline/app/terminal/help.hpp"
+#include "pipeline/present/text/comparison_table.hpp"
+#include "pipeline/present/text/remarks.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+struct RunOptions {
+    std::string case_file;  ///< empty: the built-in case
+    std::string folder = "results";
+    std::string from;
+    std::string only;
+    bool no_report = false;
+    bool figures = false;
+    bool allow_outside = false;
+};
+
+/// The remarks on the results: whole with -v, else a line for each kind that may change what to report.
+void tell(const RunSummary& summary) {
+    if (spdlog::should_log(spdlog::level::debug)) {
+        for (const Remark& remark : summary.remarks)
+            spdlog::debug("warning: {}: {}", remark.file, remark.text);
+        return;
+    }
+    if (summary.remarks.empty()) return;
+    const auto lines = remark_lines(summary.remarks, summary.samples);
+    const auto deciding =
+        std::count_if(lines.begin(), lines.end(), [](const RemarkLine& line) { return line.decides; });
+    const bool all = static_cast<std::size_t>(deciding) == lines.size();
+    spdlog::warn("warning: {} on these results, {}; {}-v shows each of them whole",
+                 counted(summary.remarks.size(), "remark"), counted(lines.size(), "kind"),
+                 all             ? ""
+                 : deciding == 0 ? "none of them changes what to report, "
+                                 : fmt::format("{} of them may change what to report, ", deciding));
+    for (const RemarkLine& line : lines)
+        if (line.decides) spdlog::warn("  {}", line.text);
+}
+
+void run_run_command(const RunOptions& options, std::ostream& out) {
+    RunPlan plan{.case_file = std::nullopt,
+                 .folder = options.folder,
+                 .from = options.from,
+                 .only = options.only,
+                 .report = !options.no_report,
+                 .figures = options.figures,
+                 .allow_outside = options.allow_outside};
+    if (!options.case_file.empty()) plan.case_file = options.case_file;
+    const RunSummary summary = run_stages(plan);
+    tell(summary);
+    for (const Artifact& artifact : summary.written)
+        if (artifact.file == comparison_artifact)
+            out << comparison_text(View(artifact.document).at("result")) << '\n';
+    const auto is_answer = [](const Artifact& artifact) {
+        return artifact.file == critical_velocity_artifact;
+    };
+    const auto answer = std::find_if(summary.written.begin(), summary.written.end(), is_answer);
+    const Artifact& shown = answer == summary.written.end() ? summary.written.front() : *answer;
+    out << fmt::format("{} artifacts in {}. One of them as tables:\n  {} inspect {}\n",
+                       summary.written.size(), plan.folder.string(), program_word(),
+                       shell_word((plan.folder / shown.file).string()));
+    if (summary.figures > 0)
+        out << fmt::format("{} files of figures in {}.\n", summary.figures,
+                           (plan.folder / "figures").string());
+    if (!summary.report.empty()) out << fmt::format("Report: {}\n", summary.report.string());
+}
+
+}  // namespace
+
+void add_run(const CommandLine& line) {
+    auto [command, options] = line.add<RunOptions>(
+        "run", "Every stage of a case, from XRD to the critical velocity",
+        "ashimpact run my-case/case.json -o my-case/results\n"
+        "  ashimpact run -o my-case/results --from fit    # after editing an artifact there",
+        run_run_command);
+    add_case_argument(*command, options->case_file);
+    command->add_option("-o,--output", options->folder, "folder of the artifacts")
+        ->capture_default_str()
+        ->type_name("DIR");
+    auto* from =
+        add_text(*command, "--from", options->from, "STAGE",
+                 "start at this stage, from the artifacts in the folder: modulus, contact, analytic, "
+                 "restitution, damping, fit, critical-velocity, histories, comparison");
+    add_text(*command, "--only", options->only, "STAGE", "run this stage alone")->excludes(from);
+    command->add_flag("--no-report", options->no_report, "leave report.html out");
+    command->add_flag("--figures", options->figures,
+                      "every figure as SVG and PDF too, for one column and for two (PDF: librsvg2-bin)");
+    add_allow_outside_flag(*command, options->allow_outside);
+}
+
+}  // namespace ashimpact
