@@ -3,7 +3,7 @@
 
 #include "core/error.hpp"
 #include "core/version.hpp"
-#include "pipeline/app/sweep/bytes.hpp"
+#include "pipeline/app/sweep/workers/bytes.hpp"
 #include "pipeline/document/files/file.hpp"
 #include "pipeline/document/files/sha256.hpp"
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string_view>
 
-#include "pipeline/app/sweep/crew/tally.hpp"
 #include "pipeline/app/sweep/spec/plan.hpp"
+#include "pipeline/app/sweep/workers/sweep_progress.hpp"
 
 namespace ashimpact {
 
@@ -15,12 +15,12 @@ inline constexpr std::string_view checkpoint_mark = "ashimpact sweep checkpoint"
 
 /// The finished part of a sweep.
 struct Checkpoint {
-    Tally tally;
+    SweepProgress progress;
     std::uint64_t row_bytes = 0;  ///< of the packed rows
 
     template <class Archive>
     void transfer(Archive& archive) {
-        archive(tally, row_bytes);
+        archive(progress, row_bytes);
     }
 };
 

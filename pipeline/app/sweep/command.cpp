@@ -10,14 +10,14 @@
 #include "core/error.hpp"
 #include "core/json/writer.hpp"
 #include "core/text.hpp"
-#include "pipeline/app/terminal/help.hpp"
-#include "pipeline/app/sweep/crew/crew.hpp"
-#include "pipeline/app/sweep/mpi/mpi_team.hpp"
+#include "pipeline/app/sweep/outputs.hpp"
 #include "pipeline/app/sweep/result_json.hpp"
 #include "pipeline/app/sweep/spec/capture_fraction.hpp"
 #include "pipeline/app/sweep/sweep.hpp"
-#include "pipeline/app/sweep/table/outputs.hpp"
 #include "pipeline/app/sweep/table/table_file.hpp"
+#include "pipeline/app/sweep/workers/rank_workers.hpp"
+#include "pipeline/app/sweep/workers/thread_workers.hpp"
+#include "pipeline/app/terminal/help.hpp"
 #include "pipeline/document/files/file.hpp"
 #include "pipeline/document/files/sha256.hpp"
 #include "pipeline/present/report/page/html.hpp"
@@ -32,7 +32,7 @@ namespace {
 volatile std::sig_atomic_t interrupting_signal = 0;
 
 /// Makes SIGINT and SIGTERM request a stop, so that finished work is saved; a second signal ends the program.
-void heed_interruptions() {
+void stop_on_signals() {
     struct sigaction action {};
     action.sa_handler = [](int signal) { interrupting_signal = signal; };
     action.sa_flags = static_cast<int>(SA_RESETHAND);
@@ -94,7 +94,7 @@ bool write_report(const SweepOptions& options, const Json& artifact, const Sweep
 }
 
 /// Rank 0: everything but the blocks other ranks compute. @returns whether all is done
-bool lead(const SweepOptions& options, const SweepPlan& plan, const SpecFile& spec, Team& team,
+bool lead(const SweepOptions& options, const SweepPlan& plan, const SpecFile& spec, Workers& workers,
           std::ostream& out) {
     const SweepFiles files = SweepFiles::beside(options.output);
     make_folder(files.result.parent_path());
@@ -107,9 +107,9 @@ bool lead(const SweepOptions& options, const SweepPlan& plan, const SpecFile& sp
     const SweepCare care{.checkpoint_interval = options.checkpoint_interval,
                          .show_progress = options.progress || on_terminal(),
                          .interrupted = [] { return interrupting_signal != 0; }};
-    if (!complete(state, plan, files, rows, team, care)) return false;
+    if (!complete(state, plan, files, rows, workers, care)) return false;
     if (!plan.spec().table.empty()) write_table(files.table, plan, files.rows);
-    const Json artifact = sweep_artifact(plan, state.tally, spec);
+    const Json artifact = sweep_artifact(plan, state.progress, spec);
     write_file(files.result, write_json(artifact));
     remove_leftovers(files);
     rows.clear();
@@ -137,16 +137,16 @@ void run_sweep_command(const SweepOptions& options, MpiSession& session, const I
                              const WantedResults& wanted) {
         return at_place(FileName{options.spec}, [&] { return solver(model, impacts, wanted); });
     };
-    Crew crew(threads, work_of(plan, of_spec));
+    ThreadWorkers own(threads, work_of(plan, of_spec));
     if (session.rank() != 0) {
-        serve(crew, session);
+        serve(own, session);
         return;
     }
-    heed_interruptions();
+    stop_on_signals();
     const SpecFile spec{options.spec, sha256(text)};
-    MpiTeam team(crew, session);
-    const bool done = lead(options, plan, spec, team, out);
-    team.dismiss();
+    RankWorkers workers(own, session);
+    const bool done = lead(options, plan, spec, workers, out);
+    workers.dismiss();
     if (done) return;
     spdlog::info("interrupted; the same command goes on from here");
     session.leave(128 + interrupting_signal);

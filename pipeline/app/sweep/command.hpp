@@ -3,8 +3,8 @@
 
 #include <iosfwd>
 
+#include "pipeline/app/sweep/spec/impact_columns.hpp"
 #include "pipeline/app/sweep_options.hpp"
-#include "pipeline/app/sweep/table/impact_columns.hpp"
 
 namespace ashimpact {
 

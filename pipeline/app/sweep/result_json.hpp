@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/json/document.hpp"
-#include "pipeline/app/sweep/crew/tally.hpp"
 #include "pipeline/app/sweep/spec/plan.hpp"
+#include "pipeline/app/sweep/workers/sweep_progress.hpp"
 
 namespace ashimpact {
 
@@ -15,6 +15,6 @@ struct SpecFile {
 
 /// The artifact of a finished sweep. It does not depend on the number of processes and threads, on time, or
 /// on interruptions.
-[[nodiscard]] Json sweep_artifact(const SweepPlan& plan, const Tally& tally, const SpecFile& spec);
+[[nodiscard]] Json sweep_artifact(const SweepPlan& plan, const SweepProgress& progress, const SpecFile& spec);
 
 }  // namespace ashimpact

@@ -9,7 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "pipeline/app/sweep/bytes.hpp"
+#include "pipeline/app/sweep/workers/bytes.hpp"
 #include "pipeline/present/text/progress.hpp"
 
 namespace ashimpact {
@@ -27,26 +27,26 @@ constexpr std::chrono::milliseconds patience{50};
 /// Share of the impacts that may fail to converge before the sweep does.
 constexpr double tolerated_failures = 0.01;
 
-/// The way of a sweep from its first chunk to its last.
-class Course {
+/// Hands out the blocks of a sweep, merges and saves their results.
+class SweepDriver {
   public:
-    Course(Checkpoint& state, const SweepPlan& plan, const SweepFiles& files, RowLog& rows, Team& team,
-           const SweepCare& care)
+    SweepDriver(Checkpoint& state, const SweepPlan& plan, const SweepFiles& files, RowLog& rows,
+                Workers& workers, const SweepCare& care)
         : state_(state),
           plan_(plan),
           files_(files),
           rows_(plan.spec().table.empty() ? nullptr : &rows),
-          team_(team),
+          workers_(workers),
           care_(care),
           progress_(plan.impacts(), impacts_done(), care.show_progress),
-          next_(state.tally.chunks()) {
+          next_(state.progress.chunks()) {
         if (rows_ != nullptr) rows_->resume(state.row_bytes);
         if (next_ > 0)
             spdlog::info("{}: going on from chunk {} of {}", files.checkpoint.string(), next_, plan.chunks());
     }
 
     [[nodiscard]] bool run() {
-        while (state_.tally.chunks() < plan_.chunks()) {
+        while (state_.progress.chunks() < plan_.chunks()) {
             hand_out();
             collect();
             merge();
@@ -65,7 +65,7 @@ class Course {
         if (rows_ != nullptr) rows_->sync();
         save_checkpoint(files_.checkpoint, plan_, state_);
         saved_ = Clock::now();
-        saved_chunks_ = state_.tally.chunks();
+        saved_chunks_ = state_.progress.chunks();
     }
 
     /// Leaves nothing behind where nothing was finished.
@@ -76,25 +76,25 @@ class Course {
 
   private:
     [[nodiscard]] std::uint64_t impacts_done() const {
-        const std::uint64_t chunks = state_.tally.chunks();
+        const std::uint64_t chunks = state_.progress.chunks();
         const std::uint64_t points =
             chunks == plan_.chunks() ? plan_.design().points() : plan_.first_point(chunks);
         return points * plan_.impacts_a_point() * plan_.spec().laws.size();
     }
 
     [[nodiscard]] bool is_due() const {
-        return state_.tally.chunks() > saved_chunks_ &&
+        return state_.progress.chunks() > saved_chunks_ &&
                std::chrono::duration<double>(Clock::now() - saved_).count() >= care_.checkpoint_interval;
     }
 
     /// Assigns blocks while someone has nothing to do, but never far ahead of what is merged: results that
     /// wait for one before them take memory.
     void hand_out() {
-        const std::size_t most_waiting = 4 * team_.capacity();
-        while (next_ < plan_.chunks() && team_.vacancies() > 0 &&
+        const std::size_t most_waiting = 4 * workers_.capacity();
+        while (next_ < plan_.chunks() && workers_.vacancies() > 0 &&
                in_flight_ + waiting_.size() < most_waiting) {
             const Block block{next_, level()};
-            team_.assign(block);
+            workers_.assign(block);
             next_ += block.chunks();
             ++in_flight_;
         }
@@ -107,7 +107,7 @@ class Course {
         const auto log2 = [](std::uint64_t number) {
             return static_cast<unsigned>(std::bit_width(number)) - 1;
         };
-        const std::uint64_t share = std::max<std::uint64_t>(1, left / (2 * team_.capacity()));
+        const std::uint64_t share = std::max<std::uint64_t>(1, left / (2 * workers_.capacity()));
         const std::uint64_t wanted =
             seconds_a_chunk_ > 0 ? static_cast<std::uint64_t>(block_seconds / seconds_a_chunk_) : 1;
         const unsigned aligned = next_ == 0 ? highest_level : static_cast<unsigned>(std::countr_zero(next_));
@@ -117,7 +117,7 @@ class Course {
     }
 
     void collect() {
-        auto done = team_.finished(patience);
+        auto done = workers_.finished(patience);
         if (!done) return;
         --in_flight_;
         const std::uint64_t first = done->block.first;
@@ -125,7 +125,8 @@ class Course {
     }
 
     void merge() {
-        for (auto first = waiting_.begin(); first != waiting_.end() && first->first == state_.tally.chunks();
+        for (auto first = waiting_.begin();
+             first != waiting_.end() && first->first == state_.progress.chunks();
              first = waiting_.erase(first)) {
             const FinishedBlock& done = first->second;
             BlockResult result;
@@ -134,7 +135,7 @@ class Course {
             reader.finish();
             if (rows_ != nullptr) rows_->append(result.rows);
             if (rows_ != nullptr) state_.row_bytes = rows_->size();
-            state_.tally.add(done.block, std::move(result));
+            state_.progress.add(done.block, std::move(result));
             require_few_failures();
             seconds_a_chunk_ = done.seconds / static_cast<double>(done.block.chunks());
         }
@@ -142,7 +143,7 @@ class Course {
 
     /// @throws ConvergenceError with the first of them where too many impacts did not converge
     void require_few_failures() const {
-        const FailedImpacts& failed = state_.tally.failed();
+        const FailedImpacts& failed = state_.progress.failed();
         const auto impacts = static_cast<double>(plan_.impacts());
         if (static_cast<double>(failed.total()) <= tolerated_failures * impacts) return;
         const FailedImpacts::Listed& first = failed.listed.front();
@@ -155,7 +156,7 @@ class Course {
     const SweepPlan& plan_;
     const SweepFiles& files_;
     RowLog* rows_;  ///< of the table; nullptr without one
-    Team& team_;
+    Workers& workers_;
     const SweepCare& care_;
     Progress progress_;
     std::uint64_t next_;  ///< chunk to hand out
@@ -186,16 +187,16 @@ Work work_of(const SweepPlan& plan, ImpactSolver solver) {
     };
 }
 
-bool complete(Checkpoint& state, const SweepPlan& plan, const SweepFiles& files, RowLog& rows, Team& team,
-              const SweepCare& care) {
-    Course course(state, plan, files, rows, team, care);
+bool complete(Checkpoint& state, const SweepPlan& plan, const SweepFiles& files, RowLog& rows,
+              Workers& workers, const SweepCare& care) {
+    SweepDriver driver(state, plan, files, rows, workers, care);
     try {
-        return course.run();
+        return driver.run();
     } catch (const ConvergenceError&) {
-        course.save();
+        driver.save();
         throw;
     } catch (const InputError&) {
-        if (state.tally.chunks() == 0) course.forget();
+        if (state.progress.chunks() == 0) driver.forget();
         throw;
     }
 }

@@ -5,9 +5,9 @@
 #include <functional>
 
 #include "pipeline/app/sweep/checkpoint.hpp"
-#include "pipeline/app/sweep/crew/team.hpp"
 #include "pipeline/app/sweep/spec/plan.hpp"
 #include "pipeline/app/sweep/table/row_log.hpp"
+#include "pipeline/app/sweep/workers/workers.hpp"
 
 namespace ashimpact {
 
@@ -29,15 +29,15 @@ struct SweepCare {
     std::function<bool()> interrupted = [] { return false; };
 };
 
-/// The work of one block, as a team does it.
+/// The work of one block.
 [[nodiscard]] Work work_of(const SweepPlan& plan, ImpactSolver solver);
 
-/// Makes the team compute every chunk that the checkpoint lacks, and merges the results in the order of the
+/// Has the workers compute every chunk that the checkpoint lacks, and merges the results in the order of the
 /// chunks. The finished part is saved regularly, and also if an error or an interruption ends the work.
 /// @param rows the lock of the sweep, and the rows of its table
 /// @returns whether all is done; false if it was interrupted
 /// @throws InputError if a file cannot be written; whatever the work throws
 [[nodiscard]] bool complete(Checkpoint& state, const SweepPlan& plan, const SweepFiles& files, RowLog& rows,
-                            Team& team, const SweepCare& care);
+                            Workers& workers, const SweepCare& care);
 
 }  // namespace ashimpact

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <doctest/doctest.h>
 
-#include "pipeline/app/sweep/bytes.hpp"
-#include "pipeline/app/sweep/crew/chunk.hpp"
-#include "pipeline/app/sweep/crew/tally.hpp"
+#include "pipeline/app/sweep/workers/bytes.hpp"
+#include "pipeline/app/sweep/workers/chunk.hpp"
+#include "pipeline/app/sweep/workers/sweep_progress.hpp"
 #include "tests/pipeline/sweep/specs.hpp"
 
 using namespace ashimpact;
@@ -24,17 +24,17 @@ ResultColumns formula(const ImpactModel& model, const ImpactColumns& impacts, co
 }
 
 std::string tallied(const SweepPlan& plan, const std::vector<unsigned>& levels) {
-    Tally tally;
+    SweepProgress progress;
     std::string rows;
     for (const unsigned level : levels) {
-        const Block block{tally.chunks(), level};
+        const Block block{progress.chunks(), level};
         BlockResult result = compute_block(plan, formula, block);
         rows += result.rows;
-        tally.add(block, std::move(result));
+        progress.add(block, std::move(result));
     }
-    CHECK(tally.chunks() == plan.chunks());
+    CHECK(progress.chunks() == plan.chunks());
     ByteWriter writer;
-    writer(tally);
+    writer(progress);
     return std::move(writer).take() + rows;
 }
 
@@ -52,17 +52,19 @@ TEST_CASE("blocks of any level give the same bytes as chunk by chunk") {
     }
 }
 
-TEST_CASE("a tally does not grow with the number of chunks, but for one node each time it doubles") {
+TEST_CASE(
+    "the progress of a sweep does not grow with the number of chunks, but for one node each time it "
+    "doubles") {
     Json spec = test::full_spec(600'000);
     spec.erase("table");
     const SweepPlan plan(spec.dump());
-    Tally tally;
+    SweepProgress progress;
     std::size_t at_sixteen = 0;
-    while (tally.chunks() < 256) {
-        const Block block{tally.chunks(), 4};
-        tally.add(block, compute_block(plan, formula, block));
+    while (progress.chunks() < 256) {
+        const Block block{progress.chunks(), 4};
+        progress.add(block, compute_block(plan, formula, block));
         ByteWriter writer;
-        writer(tally);
+        writer(progress);
         const std::size_t size = std::move(writer).take().size();
         if (at_sixteen == 0) at_sixteen = size;
         CHECK(size < 5 * at_sixteen);

@@ -17,12 +17,12 @@ namespace {
 
 Json artifact_of(const Json& spec, const ImpactSolver& solver) {
     const SweepPlan plan(spec.dump());
-    Tally tally;
-    while (tally.chunks() < plan.chunks()) {
-        const Block block{tally.chunks(), 0};
-        tally.add(block, compute_block(plan, solver, block));
+    SweepProgress progress;
+    while (progress.chunks() < plan.chunks()) {
+        const Block block{progress.chunks(), 0};
+        progress.add(block, compute_block(plan, solver, block));
     }
-    Json artifact = sweep_artifact(plan, tally, {"spec.json", std::string(64, '0')});
+    Json artifact = sweep_artifact(plan, progress, {"spec.json", std::string(64, '0')});
     CHECK_NOTHROW(validate_document(Json::parse(write_json(artifact)), "sweep-result"));
     return artifact;
 }

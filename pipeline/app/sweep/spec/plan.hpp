@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/app/sweep/spec/impact_columns.hpp"
 #include "pipeline/app/sweep/spec/spec.hpp"
-#include "pipeline/app/sweep/table/impact_columns.hpp"
 
 namespace ashimpact {
 

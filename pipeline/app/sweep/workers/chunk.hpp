@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "pipeline/app/sweep/crew/sums.hpp"
 #include "pipeline/app/sweep/spec/plan.hpp"
+#include "pipeline/app/sweep/workers/sums.hpp"
 #include "solver/statistics/pairwise_merge.hpp"
 
 namespace ashimpact {

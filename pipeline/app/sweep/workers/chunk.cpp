@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/app/sweep/crew/chunk.hpp"
+#include "pipeline/app/sweep/workers/chunk.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "pipeline/app/sweep/crew/chunk.hpp"
+#include "pipeline/app/sweep/workers/chunk.hpp"
 
 namespace ashimpact {
 
@@ -27,14 +27,14 @@ struct FinishedBlock {
 using Work = std::function<std::string(const Block&)>;
 
 /// The workers of a sweep: threads of this process, or those of all processes of an MPI job.
-class Team {
+class Workers {
   public:
-    Team() = default;
-    virtual ~Team() = default;
-    Team(const Team&) = delete;
-    Team& operator=(const Team&) = delete;
-    Team(Team&&) = delete;
-    Team& operator=(Team&&) = delete;
+    Workers() = default;
+    virtual ~Workers() = default;
+    Workers(const Workers&) = delete;
+    Workers& operator=(const Workers&) = delete;
+    Workers(Workers&&) = delete;
+    Workers& operator=(Workers&&) = delete;
 
     /// Number of blocks that keep all workers busy.
     [[nodiscard]] virtual std::size_t capacity() const = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/app/sweep/crew/crew.hpp"
+#include "pipeline/app/sweep/workers/thread_workers.hpp"
 
 #include <atomic>
 #include <set>
@@ -12,42 +12,42 @@
 using namespace ashimpact;
 
 TEST_CASE("every block that is assigned comes back once") {
-    Crew crew(2, [](const Block& block) { return std::to_string(block.first); });
-    CHECK(crew.capacity() == 4);
+    ThreadWorkers threads(2, [](const Block& block) { return std::to_string(block.first); });
+    CHECK(threads.capacity() == 4);
     std::set<std::string> seen;
     std::uint64_t next = 0;
     while (seen.size() < 100) {
-        while (next < 100 && crew.vacancies() > 0) crew.assign({next++, 0});
-        if (const auto done = crew.finished(std::chrono::seconds(10))) {
+        while (next < 100 && threads.vacancies() > 0) threads.assign({next++, 0});
+        if (const auto done = threads.finished(std::chrono::seconds(10))) {
             CHECK(done->bytes == std::to_string(done->block.first));
             CHECK(seen.insert(done->bytes).second);
         }
     }
-    CHECK(crew.vacancies() == crew.capacity());
+    CHECK(threads.vacancies() == threads.capacity());
 }
 
 TEST_CASE("as many threads work at once as asked for, whatever the number of cores") {
     std::atomic<int> working = 0;
     std::atomic<int> most = 0;
-    Crew crew(3, [&](const Block&) {
+    ThreadWorkers threads(3, [&](const Block&) {
         most = std::max(most.load(), ++working);
         for (int i = 0; i < 2000 && most < 3; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
         --working;
         return std::string();
     });
-    for (std::uint64_t i = 0; i < 3; ++i) crew.assign({i, 0});
-    for (int i = 0; i < 3; ++i) CHECK(crew.finished(std::chrono::seconds(20)).has_value());
+    for (std::uint64_t i = 0; i < 3; ++i) threads.assign({i, 0});
+    for (int i = 0; i < 3; ++i) CHECK(threads.finished(std::chrono::seconds(20)).has_value());
     CHECK(most == 3);
 }
 
 TEST_CASE("what the work throws comes out; patience ends") {
-    Crew crew(1, [](const Block& block) -> std::string {
+    ThreadWorkers threads(1, [](const Block& block) -> std::string {
         if (block.first == 1) throw ConvergenceError("block 1");
         return {};
     });
-    CHECK_FALSE(crew.finished(std::chrono::milliseconds(1)).has_value());
-    crew.assign({1, 0});
-    CHECK_THROWS_WITH_AS(static_cast<void>(crew.finished(std::chrono::seconds(10))), "block 1",
+    CHECK_FALSE(threads.finished(std::chrono::milliseconds(1)).has_value());
+    threads.assign({1, 0});
+    CHECK_THROWS_WITH_AS(static_cast<void>(threads.finished(std::chrono::seconds(10))), "block 1",
                          ConvergenceError);
 }
 

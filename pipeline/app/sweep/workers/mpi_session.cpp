@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/app/sweep/mpi/session.hpp"
+#include "pipeline/app/sweep/workers/mpi_session.hpp"
 
 #include <array>
 #include <cstdint>

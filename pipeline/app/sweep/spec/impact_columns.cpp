@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/app/sweep/table/impact_columns.hpp"
+#include "pipeline/app/sweep/spec/impact_columns.hpp"
 
 #include <Eigen/Core>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/app/sweep/table/outputs.hpp"
+#include "pipeline/app/sweep/outputs.hpp"
 
 #include <cmath>
 #include <variant>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/app/sweep/mpi/mpi_team.hpp"
+#include "pipeline/app/sweep/workers/rank_workers.hpp"
 
 #include <algorithm>
 #include <thread>
 
-#include "pipeline/app/sweep/bytes.hpp"
+#include "pipeline/app/sweep/workers/bytes.hpp"
 
 namespace ashimpact {
 
@@ -34,23 +34,23 @@ Value unpacked(const std::string& bytes) {
 
 }  // namespace
 
-MpiTeam::MpiTeam(Team& own, const MpiSession& session)
+RankWorkers::RankWorkers(Workers& own, const MpiSession& session)
     : own_(own), session_(session), others_(static_cast<std::size_t>(session.size())) {}
 
-std::size_t MpiTeam::capacity() const {
+std::size_t RankWorkers::capacity() const {
     std::size_t capacity = own_.capacity();
-    for (const Member& other : others_) capacity += other.capacity;
+    for (const Rank& other : others_) capacity += other.capacity;
     return capacity;
 }
 
-std::size_t MpiTeam::vacancies() const {
+std::size_t RankWorkers::vacancies() const {
     std::size_t vacancies = own_.vacancies();
-    for (const Member& other : others_) vacancies += other.capacity - other.assigned;
+    for (const Rank& other : others_) vacancies += other.capacity - other.assigned;
     return vacancies;
 }
 
-void MpiTeam::assign(const Block& block) {
-    const auto idle = std::max_element(others_.begin(), others_.end(), [](const Member& a, const Member& b) {
+void RankWorkers::assign(const Block& block) {
+    const auto idle = std::max_element(others_.begin(), others_.end(), [](const Rank& a, const Rank& b) {
         return a.capacity - a.assigned < b.capacity - b.assigned;
     });
     if (own_.vacancies() >= idle->capacity - idle->assigned) {
@@ -61,7 +61,7 @@ void MpiTeam::assign(const Block& block) {
     session_.send(static_cast<int>(idle - others_.begin()), assignment, packed(block));
 }
 
-std::optional<FinishedBlock> MpiTeam::finished(std::chrono::microseconds patience) {
+std::optional<FinishedBlock> RankWorkers::finished(std::chrono::microseconds patience) {
     if (session_.size() == 1) return own_.finished(patience);
     const auto end = std::chrono::steady_clock::now() + patience;
     do {
@@ -71,9 +71,9 @@ std::optional<FinishedBlock> MpiTeam::finished(std::chrono::microseconds patienc
     return std::nullopt;
 }
 
-std::optional<FinishedBlock> MpiTeam::received() {
+std::optional<FinishedBlock> RankWorkers::received() {
     while (auto message = session_.receive()) {
-        Member& sender = others_[static_cast<std::size_t>(message->rank)];
+        Rank& sender = others_[static_cast<std::size_t>(message->rank)];
         if (message->tag == result) {
             --sender.assigned;
             return unpacked<FinishedBlock>(message->bytes);
@@ -83,11 +83,11 @@ std::optional<FinishedBlock> MpiTeam::received() {
     return std::nullopt;
 }
 
-void MpiTeam::dismiss() const {
+void RankWorkers::dismiss() const {
     for (int rank = 1; rank < session_.size(); ++rank) session_.send(rank, dismissal, {});
 }
 
-void serve(Team& own, const MpiSession& session) {
+void serve(Workers& own, const MpiSession& session) {
     session.send(0, greeting, packed(std::uint64_t{own.capacity()}));
     for (;;) {
         while (const auto message = session.receive()) {

@@ -3,16 +3,16 @@
 
 #include <vector>
 
-#include "pipeline/app/sweep/crew/team.hpp"
-#include "pipeline/app/sweep/mpi/session.hpp"
+#include "pipeline/app/sweep/workers/mpi_session.hpp"
+#include "pipeline/app/sweep/workers/workers.hpp"
 
 namespace ashimpact {
 
 /// The threads of all processes of an MPI job, as rank 0 sees them.
-class MpiTeam : public Team {
+class RankWorkers : public Workers {
   public:
     /// @param own the threads of rank 0. Every other rank must call serve().
-    MpiTeam(Team& own, const MpiSession& session);
+    RankWorkers(Workers& own, const MpiSession& session);
 
     [[nodiscard]] std::size_t capacity() const override;
     [[nodiscard]] std::size_t vacancies() const override;
@@ -23,18 +23,18 @@ class MpiTeam : public Team {
     void dismiss() const;
 
   private:
-    struct Member {
+    struct Rank {
         std::size_t capacity = 0;
         std::size_t assigned = 0;
     };
     [[nodiscard]] std::optional<FinishedBlock> received();
 
-    Team& own_;
+    Workers& own_;
     const MpiSession& session_;
-    std::vector<Member> others_;  ///< by rank; the entry of rank 0 is unused
+    std::vector<Rank> others_;  ///< by rank; the entry of rank 0 is unused
 };
 
 /// Work of every rank other than 0: computes blocks until it is dismissed.
-void serve(Team& own, const MpiSession& session);
+void serve(Workers& own, const MpiSession& session);
 
 }  // namespace ashimpact

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/app/sweep/crew/sums.hpp"
+#include "pipeline/app/sweep/workers/sums.hpp"
 
 #include <numeric>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "pipeline/app/sweep/crew/chunk.hpp"
+#include "pipeline/app/sweep/workers/chunk.hpp"
 
 namespace ashimpact {
 
 /// Merged results of all chunks before some chunk. Its size does not depend on their number.
-class Tally {
+class SweepProgress {
   public:
     /// Adds the next block, which begins at chunk chunks().
     void add(const Block& block, BlockResult result) {
