@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <doctest/doctest.h>
 #include <sys/wait.h>
 
 #include "core/embedded.hpp"
@@ -77,6 +78,18 @@ Finished ashimpact_program(const Sandbox& sandbox, const std::string& arguments)
     const int result = std::system(command.c_str());
     const std::string printed = outputs.read("err");
     return {WIFEXITED(result) ? WEXITSTATUS(result) : -1, outputs.read("out"), unbroken(printed), printed};
+}
+
+std::string check_refused(const Sandbox& sandbox, const std::string& arguments, const std::string& says) {
+    CAPTURE(arguments);
+    const auto before = sandbox.everything();
+    const Finished finished = ashimpact_program(sandbox, arguments);
+    CHECK(finished.status == 2);
+    CHECK(finished.out.empty());
+    CHECK(finished.err == containing(says));
+    CHECK(lines_of(finished.err).size() == 1);
+    CHECK(sandbox.everything() == before);
+    return finished.err;
 }
 
 std::vector<std::string> lines_of(const std::string& text) {

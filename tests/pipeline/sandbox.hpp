@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/json/document.hpp"
@@ -44,6 +46,25 @@ struct Finished {
 
 /// Runs the built program in the sandbox, as a newcomer would type it.
 [[nodiscard]] Finished ashimpact_program(const Sandbox& sandbox, const std::string& arguments);
+
+/// Checks that a command is refused: exit status 2, no output, one line on standard error that contains
+/// @p says, every file as it was. @return that line
+std::string check_refused(const Sandbox& sandbox, const std::string& arguments, const std::string& says);
+
+/// A piece of a text: CHECK(text == containing("piece")) prints both.
+struct Containing {
+    std::string piece;
+
+    friend bool operator==(const std::string& text, const Containing& wanted) {
+        return text.find(wanted.piece) != std::string::npos;
+    }
+    friend std::ostream& operator<<(std::ostream& out, const Containing& wanted) {
+        return out << "containing " << wanted.piece;
+    }
+};
+[[nodiscard]] inline Containing containing(std::string piece) {
+    return {std::move(piece)};
+}
 
 /// Lines of a text, without their ends.
 [[nodiscard]] std::vector<std::string> lines_of(const std::string& text);

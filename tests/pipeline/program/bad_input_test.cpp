@@ -7,6 +7,7 @@
 
 using namespace ashimpact;
 using test::ashimpact_program;
+using test::check_refused;
 using test::example_case;
 using test::Sandbox;
 
@@ -255,16 +256,10 @@ const Spoiled spoiled_cases[]{
      "cannot be read"},
 };
 
-/// Exit status 2, one line with file and pointer on standard error, nothing else, nothing written.
-void check_refused(const Sandbox& sandbox, const std::string& pointer, const std::string& says) {
-    const auto before = sandbox.everything();
-    const auto finished = ashimpact_program(sandbox, "run case.json -o out");
-    CHECK(finished.status == 2);
-    CHECK(finished.out.empty());
-    REQUIRE(test::lines_of(finished.err).size() == 1);
-    CHECK_MESSAGE(finished.err.starts_with("case.json: " + pointer + ": "), finished.err);
-    CHECK_MESSAGE(finished.err.find(says) != std::string::npos, finished.err);
-    CHECK(sandbox.everything() == before);
+/// Refuses the case with its pointer, and leaves every file as it was.
+void check_case_refused(const Sandbox& sandbox, const std::string& pointer, const std::string& says) {
+    const std::string message = check_refused(sandbox, "run case.json -o out", says);
+    CHECK_MESSAGE(message.starts_with("case.json: " + pointer + ": "), message);
 }
 
 }  // namespace
@@ -276,7 +271,7 @@ TEST_CASE("every kind of wrong case: exit 2, one line with file and pointer, not
         Json document = example_case();
         spoiled.spoil(document);
         test::write_example(sandbox, document);
-        check_refused(sandbox, spoiled.pointer, spoiled.says);
+        check_case_refused(sandbox, spoiled.pointer, spoiled.says);
     }
 }
 
@@ -296,7 +291,7 @@ TEST_CASE("what JSON itself forbids is found by line and column, a duplicate key
         CAPTURE(text.text);
         const Sandbox sandbox;
         sandbox.write("case.json", text.text);
-        check_refused(sandbox, text.place, text.says);
+        check_case_refused(sandbox, text.place, text.says);
     }
 }
 
@@ -307,7 +302,7 @@ TEST_CASE("a bad case leaves the results of the run before it whole") {
     Json document = test::example_under("dmt");
     document["samples"][1]["density"] = -1;
     sandbox.write("case.json", document.dump());
-    check_refused(sandbox, "/samples/1/density", "density is -1 kg/m3");
+    check_case_refused(sandbox, "/samples/1/density", "density is -1 kg/m3");
 }
 
 TEST_CASE("a file given by an absolute path keeps path and pointer apart") {
@@ -440,12 +435,7 @@ TEST_CASE("wrong options: exit 2, one line that names the option") {
              Wrong{"calibrate --free speed",
                    "--free: no constant of a calibration is called \"speed\"; allowed: density"},
          }) {
-        CAPTURE(wrong.arguments);
-        const auto finished = ashimpact_program(sandbox, wrong.arguments);
-        CHECK(finished.status == 2);
-        CHECK(finished.out.empty());
-        CHECK_MESSAGE(test::lines_of(finished.err).size() == 1, finished.err);
-        CHECK_MESSAGE(finished.err.find(wrong.says) != std::string::npos, finished.err);
+        check_refused(sandbox, wrong.arguments, wrong.says);
     }
     CHECK(sandbox.everything().empty());
 }
@@ -494,15 +484,10 @@ TEST_CASE("an artifact edited wrongly is refused with its file and pointer, and 
         Json document = good;
         edit.spoil(document);
         sandbox.write(file, document.dump());
-        const auto before = sandbox.everything();
         const std::string stage = file == "out/6-fit.json"                 ? "critical-velocity"
                                   : file == "out/7-critical-velocity.json" ? "histories"
                                                                            : "restitution";
-        const auto finished = ashimpact_program(sandbox, "run -o out --from " + stage);
-        CHECK(finished.status == 2);
-        CHECK(test::lines_of(finished.err).size() == 1);
-        CHECK_MESSAGE(finished.err.find(edit.says) != std::string::npos, finished.err);
-        CHECK(sandbox.everything() == before);
+        check_refused(sandbox, "run -o out --from " + stage, edit.says);
         sandbox.write(file, good.dump());
     }
 }

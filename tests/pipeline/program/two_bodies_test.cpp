@@ -54,12 +54,10 @@ TEST_CASE("maugis-dugdale takes exactly one of Tabor parameter, cohesive stress 
     for (const std::string given : {"", " --tabor 2 --cohesion-range '0.4 nm'"}) {
         const auto refused = ashimpact_program(sandbox, impact + given);
         CHECK(refused.status == 2);
-        CHECK(refused.err.find("--tabor") != std::string::npos);
-        CHECK(refused.err.find("--cohesion-range") != std::string::npos);
+        CHECK(refused.err == containing("--tabor"));
+        CHECK(refused.err == containing("--cohesion-range"));
     }
-    const auto gains = ashimpact_program(sandbox, impact + " --tabor 0.5 --detachment load-controlled");
-    CHECK(gains.status == 2);
-    CHECK(gains.err.find("would gain energy") != std::string::npos);
+    check_refused(sandbox, impact + " --tabor 0.5 --detachment load-controlled", "would gain energy");
     CHECK(ashimpact_program(sandbox, impact + " --tabor 1e9").status == 2);
 }
 
@@ -88,7 +86,7 @@ TEST_CASE("two spheres: m* and R* of both, the wall as the limit of a large part
     const auto lonely = ashimpact_program(
         sandbox, "critical-velocity --law dmt --radius '40 um' --density 2600 --partner-density 2600" + rest);
     CHECK(lonely.status == 2);
-    CHECK(lonely.err.find("--partner-radius") != std::string::npos);
+    CHECK(lonely.err == containing("--partner-radius"));
 
     // The second sphere by its diameter, wherever it may be given by its radius.
     for (const std::string command : {"critical-velocity --law dmt --damping 0.001", "contact",
@@ -104,7 +102,7 @@ TEST_CASE("two spheres: m* and R* of both, the wall as the limit of a large part
         const auto both =
             ashimpact_program(sandbox, spheres + " --partner-radius '30 um' --partner-diameter '60 um'");
         CHECK(both.status == 2);
-        CHECK(both.err.find("--partner-diameter, --partner-radius: both are given") != std::string::npos);
+        CHECK(both.err == containing("--partner-diameter, --partner-radius: both are given"));
     }
 }
 
@@ -173,8 +171,7 @@ TEST_CASE(
     write_example(sandbox, coarse);
     const auto warned = ashimpact_program(sandbox, "run case.json -o rough --no-report");
     CHECK(warned.status == 0);
-    CHECK(sandbox.json("rough/2-contact.json")["warnings"].dump().find("meant for an rms") !=
-          std::string::npos);
+    CHECK(sandbox.json("rough/2-contact.json")["warnings"].dump() == containing("meant for an rms"));
     for (const char* wrong : {"-1 nm", "1 kg"}) {
         Json changed = document;
         changed["roughness"] = wrong;
@@ -260,21 +257,18 @@ TEST_CASE("a case with a second sphere: measured impacts, edits of the spheres, 
                      " --work-of-adhesion 0.3 --damping" + digits(velocity["damping"]));
     CHECK(relative_difference(number(direct["critical_velocity"]), number(velocity["critical_velocity"])) <
           1e-6);
-    CHECK(sandbox.read("two/report.html").find("one smooth sphere on another") != std::string::npos);
+    CHECK(sandbox.read("two/report.html") == containing("one smooth sphere on another"));
 
     Json artifact = sandbox.json("two/2-contact.json");
     artifact["result"]["samples"][0]["partner"]["radius"]["value"] = 50e-6;
     sandbox.write("two/2-contact.json", artifact.dump());
-    const auto edited = ashimpact_program(sandbox, "run -o two --from analytic");
-    CHECK(edited.status == 2);
-    CHECK_MESSAGE(edited.err.find("/effective_radius: is not that of the two spheres") != std::string::npos,
-                  edited.err);
+    check_refused(sandbox, "run -o two --from analytic", "/effective_radius: is not that of the two spheres");
 
     const auto refused = [&](const Json& wrong, const char* message) {
         write_example(sandbox, wrong);
         const auto result = ashimpact_program(sandbox, "run case.json -o none");
         CHECK(result.status == 2);
-        CHECK_MESSAGE(result.err.find(message) != std::string::npos, result.err);
+        CHECK(result.err == containing(message));
         CHECK_FALSE(sandbox.has("none"));
     };
     Json both = document;
@@ -312,7 +306,7 @@ TEST_CASE("a sweep over the partner's radius is so many impacts of two spheres")
         sandbox.write("spec.json", spec.dump());
         const auto run = ashimpact_program(sandbox, "sweep spec.json -o out.json");
         REQUIRE_MESSAGE(run.status == 0, run.err);
-        CHECK_MESSAGE(run.err.find("no report") == std::string::npos, run.err);
+        CHECK(run.err != containing("no report"));
         return number(sandbox.json("out.json")["result"]["laws"][0]["observables"][0]["mean"]);
     };
     const std::string alone = "impact --law jkr --radius 44e-6 --density 2600 --velocity 2 --partner-radius ";
@@ -331,7 +325,7 @@ TEST_CASE("a sweep over the partner's radius is so many impacts of two spheres")
         sandbox.write("spec.json", spec.dump());
         const auto run = ashimpact_program(sandbox, "sweep spec.json -o none.json");
         CHECK(run.status == 2);
-        CHECK_MESSAGE(run.err.find(message) != std::string::npos, run.err);
+        CHECK(run.err == containing(message));
     };
     spec["impact"]["partner_density"] = 7800;
     refused("both \"partner_density\" and \"partner_mass\" are given");
@@ -352,7 +346,7 @@ TEST_CASE("the report of a sweep takes the parameters of its law") {
         "variables": {"velocity": {"values": [0.01, 0.02, 2]}}, "sampling": {"method": "grid"}})");
     const auto run = ashimpact_program(sandbox, "sweep spec.json -o out.json");
     REQUIRE_MESSAGE(run.status == 0, run.err);
-    CHECK_MESSAGE(run.err.find("no report") == std::string::npos, run.err);
+    CHECK(run.err != containing("no report"));
     CHECK(sandbox.has("out.html"));
 }
 

@@ -18,6 +18,7 @@
 #include "tests/pipeline/sweep/process.hpp"
 
 using namespace ashimpact;
+using test::containing;
 using test::Ended;
 using test::Process;
 using test::Sandbox;
@@ -140,7 +141,7 @@ TEST_CASE("each system call of the write phase fails once: the folder is the old
             CHECK((ended.status == 0 || ended.status == 2));
             if (ended.status == 0) CHECK(scene.is_new(sandbox));
             if (ended.status == 2) CHECK(scene.is_old(sandbox));
-            if (ended.status == 2) CHECK(test::lines_of(ended.err).back().find("out") != std::string::npos);
+            if (ended.status == 2) CHECK(test::lines_of(ended.err).back() == containing("out"));
             refused += ended.status == 2 ? 1 : 0;
             if (call % 5 == 0) check_goes_on(scene, sandbox);
         }
@@ -154,7 +155,7 @@ TEST_CASE("each system call of the write phase fails once: the folder is the old
 TEST_CASE("new files and their folder are on the disk before they count, and in place before the end") {
     const std::string calls = letters_of(Scene());
     CAPTURE(calls);
-    REQUIRE(calls.find('R') != std::string::npos);
+    REQUIRE(calls == containing("R"));
     CHECK(calls.find('f') < calls.find('F'));
     CHECK(calls.find('F') < calls.find('R'));
     const std::string until_end = calls.substr(0, calls.rfind('R'));  // of the folder that was decided
@@ -234,8 +235,7 @@ TEST_CASE("twenty runs into one folder: one at a time, the others say so, and th
         const Ended ended = run->wait();
         CAPTURE(ended.err);
         CHECK((ended.status == 0 || ended.status == 2));
-        if (ended.status == 2)
-            CHECK(ended.err.find("another run is at work in this folder") != std::string::npos);
+        if (ended.status == 2) CHECK(ended.err == containing("another run is at work in this folder"));
         done += ended.status == 0 ? 1 : 0;
     }
     CHECK(done >= 1);
@@ -272,7 +272,7 @@ TEST_CASE("a flipped bit in an artifact is refused, said to be an edit, or chang
         if (ended.status == 2) {
             ++refused;
             CHECK(test::lines_of(ended.err).size() == 1);
-            CHECK(ended.err.find(file.substr(4)) != std::string::npos);
+            CHECK(ended.err == containing(file.substr(4)));
         } else if (ended.err.find("was edited") != std::string::npos) {
             ++edited;
         } else {
@@ -292,5 +292,5 @@ TEST_CASE("a pipe in the way is refused at once, and an interruption ends a run 
     REQUIRE(mkfifo(sandbox.path("out/manifest.json").c_str(), 0600) == 0);
     const Ended ended = test::run(sandbox, command());
     CHECK(ended.status == 2);
-    CHECK(ended.err.find("manifest.json: cannot be written: it is no plain file") != std::string::npos);
+    CHECK(ended.err == containing("manifest.json: cannot be written: it is no plain file"));
 }
