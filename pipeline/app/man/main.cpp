@@ -7,7 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "pipeline/app/command.hpp"
-#include "pipeline/app/man/writers.hpp"
+#include "pipeline/app/man/man.hpp"
 
 namespace {
 
@@ -32,15 +32,15 @@ int main(int argc, char** argv) {
         CLI::App program;
         Action action;
         set_up_commands(program, action, {}, {});
-        const ProgramPaper paper = paper_of(program);
+        const ProgramEntry entry = entry_of(program);
         const std::filesystem::path folder = argv[1];
-        write(folder / "man/ashimpact.1", man_page(paper));
-        for (const CommandPaper& command : paper.commands) {
-            write(folder / ("man/ashimpact-" + command.name + ".1"), man_page(paper, command));
+        write(folder / "man/ashimpact.1", man_page(entry));
+        for (const CommandEntry& command : entry.commands) {
+            write(folder / ("man/ashimpact-" + command.name + ".1"), man_page(entry, command));
         }
-        write(folder / "bash/ashimpact", bash_completion(paper));
-        write(folder / "zsh/_ashimpact", zsh_completion(paper));
-        write(folder / "reference/commands.md", reference_page(paper));
+        write(folder / "bash/ashimpact", bash_completion(entry));
+        write(folder / "zsh/_ashimpact", zsh_completion(entry));
+        write(folder / "reference/commands.md", reference_page(entry));
         return 0;
     } catch (const std::exception& error) {
         std::cerr << "ashimpact-papers: " << error.what() << '\n';

@@ -19,7 +19,7 @@ struct Values {
 };
 
 /// An option, or an argument if it has no names.
-struct OptionPaper {
+struct OptionEntry {
     std::vector<std::string> names{};  ///< "-o", "--output"
     std::string type{};                ///< as help shows it: "Q", "FILE"
     std::string description{};
@@ -30,25 +30,32 @@ struct OptionPaper {
 };
 
 /// A command as its papers need it.
-struct CommandPaper {
+struct CommandEntry {
     std::string name{};
     std::string purpose{};
     std::string example{};  ///< the footer of its help
-    std::vector<OptionPaper> options{};
-    std::vector<OptionPaper> arguments{};
+    std::vector<OptionEntry> options{};
+    std::vector<OptionEntry> arguments{};
 };
 
 /// The program's own options, and its commands in the order of its help.
-struct ProgramPaper {
-    CommandPaper program{};
-    std::vector<CommandPaper> commands{};
+struct ProgramEntry {
+    CommandEntry program{};
+    std::vector<CommandEntry> commands{};
 };
 
 /// Walks the command line of the program.
-[[nodiscard]] ProgramPaper paper_of(const CLI::App& program);
+[[nodiscard]] ProgramEntry entry_of(const CLI::App& program);
 
-/// What may stand for the value of an option of a command, by the kind that its help shows.
-[[nodiscard]] Values values_of(const std::string& command, const std::string& option,
-                               const std::string& type);
+/// The manual page of the program, section 1, or of one of its commands (roff with the macros of man).
+[[nodiscard]] std::string man_page(const ProgramEntry& entry);
+[[nodiscard]] std::string man_page(const ProgramEntry& entry, const CommandEntry& command);
+
+/// What bash and zsh source to complete commands, options and their values.
+[[nodiscard]] std::string bash_completion(const ProgramEntry& entry);
+[[nodiscard]] std::string zsh_completion(const ProgramEntry& entry);
+
+/// The page of the reference that lists all commands (Markdown).
+[[nodiscard]] std::string reference_page(const ProgramEntry& entry);
 
 }  // namespace ashimpact

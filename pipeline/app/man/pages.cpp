@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <sstream>
-
 #include <fmt/format.h>
 
 #include "core/version.hpp"
-#include "pipeline/app/man/writers.hpp"
+#include "pipeline/app/man/man.hpp"
 
 namespace ashimpact {
 
@@ -33,7 +31,7 @@ std::string heading(const std::string& name, const std::string& purpose) {
                        roff(std::string(program_version())), roff(name), roff(purpose));
 }
 
-std::string option_entry(const OptionPaper& option) {
+std::string option_entry(const OptionEntry& option) {
     std::string names;
     for (const std::string& name : option.names)
         names += (names.empty() ? "" : ", ") + ("\\fB" + roff(name) + "\\fR");
@@ -46,32 +44,32 @@ std::string option_entry(const OptionPaper& option) {
     std::string text = option.description;
     if (option.required) text += " (required)";
     if (!option.default_value.empty()) text += " (default: " + option.default_value + ")";
-    if (option.values.kind == Values::Kind::words) {
-        std::string words;
-        for (const std::string& word : option.values.words) words += (words.empty() ? "" : ", ") + word;
-        text += ". One of: " + words;
-    }
+    if (option.values.kind == Values::Kind::words)
+        text += fmt::format(". One of: {}", fmt::join(option.values.words, ", "));
     return ".TP\n" + names + "\n" + roff(text) + "\n";
 }
 
-std::string synopsis(const CommandPaper& command) {
+std::string synopsis(const CommandEntry& command) {
     std::string line = ".B ashimpact " + roff(command.name) + "\n";
-    for (const OptionPaper& option : command.options) {
+    for (const OptionEntry& option : command.options) {
         if (!option.required) continue;
         line += fmt::format("\\fB{}\\fR \\fI{}\\fR\n", roff(option.names.back()), roff(option.type));
     }
-    for (const OptionPaper& argument : command.arguments) {
+    for (const OptionEntry& argument : command.arguments) {
         const std::string name = fmt::format("\\fI{}\\fR", roff(argument.type));
         line += argument.required ? name + "\n" : "[" + name + "]\n";
     }
     return line + "[\\fIOPTIONS\\fR]\n";
 }
 
-/// Lines as they are, without the word that heads them.
-std::string example_section(const std::string& footer) {
+/// The example in the footer of a command's help.
+std::string example_of(const std::string& footer) {
     const std::string word = "Example:\n";
-    const std::string lines = footer.starts_with(word) ? footer.substr(word.size()) : footer;
-    return ".SH EXAMPLE\n.nf\n" + roff(lines) + "\n.fi\n";
+    return footer.starts_with(word) ? footer.substr(word.size()) : footer;
+}
+
+std::string example_section(const std::string& footer) {
+    return ".SH EXAMPLE\n.nf\n" + roff(example_of(footer)) + "\n.fi\n";
 }
 
 constexpr auto exit_status =
@@ -79,39 +77,86 @@ constexpr auto exit_status =
     "what, and "
     "what is allowed.\n.TP\n3\nA computation did not converge.\n.TP\n1\nA defect of the program.\n";
 
+/// Text inside a cell of a table.
+std::string cell(const std::string& text) {
+    std::string result;
+    for (const char c : text) {
+        if (c == '|') result += '\\';
+        result += c == '\n' ? ' ' : c;
+    }
+    return result;
+}
+
+std::string row(const OptionEntry& option) {
+    std::string name = fmt::format("{}", fmt::join(option.names, "`, `"));
+    if (!option.type.empty()) name += (name.empty() ? "" : " ") + option.type;
+    std::string values;
+    if (option.values.kind == Values::Kind::words)
+        values = fmt::format(" One of `{}`.", fmt::join(option.values.words, "`, `"));
+    const std::string fallback =
+        option.default_value.empty() ? "" : " Default: `" + option.default_value + "`.";
+    return fmt::format("| `{}` | {}{}.{}{} |\n", name, option.required ? "**required**; " : "",
+                       cell(option.description), cell(values), cell(fallback));
+}
+
+std::string table(const std::vector<OptionEntry>& options) {
+    std::string text = "| option | meaning |\n|---|---|\n";
+    for (const OptionEntry& option : options) text += row(option);
+    return text + "\n";
+}
+
 }  // namespace
 
-std::string man_page(const ProgramPaper& paper) {
+std::string man_page(const ProgramEntry& entry) {
     std::string page =
         heading("ashimpact", "from an XRD result of fly ash to the critical velocity of impact");
     page += ".SH SYNOPSIS\n.B ashimpact\n\\fICOMMAND\\fR [\\fIOPTIONS\\fR]\n.SH DESCRIPTION\n" +
-            roff(paper.program.purpose) + "\n.SH COMMANDS\n";
-    for (const CommandPaper& command : paper.commands) {
+            roff(entry.program.purpose) + "\n.SH COMMANDS\n";
+    for (const CommandEntry& command : entry.commands) {
         page += fmt::format(".TP\n\\fB{}\\fR\n{}; see\n.BR ashimpact\\-{} (1).\n", roff(command.name),
                             roff(command.purpose), roff(command.name));
     }
     page += ".SH OPTIONS\n";
-    for (const OptionPaper& option : paper.program.options) page += option_entry(option);
-    page += example_section(paper.program.example) + exit_status;
+    for (const OptionEntry& option : entry.program.options) page += option_entry(option);
+    page += example_section(entry.program.example) + exit_status;
     page +=
         ".SH FILES\n.TP\n\\fIresults/\\fR\nWhere \\fBashimpact run\\fR writes its artifacts, unless told "
         "otherwise.\n";
     return page;
 }
 
-std::string man_page(const ProgramPaper& paper, const CommandPaper& command) {
+std::string man_page(const ProgramEntry& entry, const CommandEntry& command) {
     std::string page = heading("ashimpact-" + command.name, command.purpose);
     page += ".SH SYNOPSIS\n" + synopsis(command) + ".SH DESCRIPTION\n" + roff(command.purpose) +
             ".\n.PP\nQuantities carry their unit in quotes, \"44 um\"; a bare number is SI.\n";
     if (!command.arguments.empty()) page += ".SH ARGUMENTS\n";
-    for (const OptionPaper& argument : command.arguments) page += option_entry(argument);
+    for (const OptionEntry& argument : command.arguments) page += option_entry(argument);
     page += ".SH OPTIONS\n";
-    for (const OptionPaper& option : command.options) page += option_entry(option);
+    for (const OptionEntry& option : command.options) page += option_entry(option);
     page += example_section(command.example) + exit_status + ".SH SEE ALSO\n.BR ashimpact (1)";
-    for (const CommandPaper& other : paper.commands) {
+    for (const CommandEntry& other : entry.commands) {
         if (other.name != command.name) page += fmt::format(",\n.BR ashimpact\\-{} (1)", roff(other.name));
     }
     return page + "\n";
+}
+
+std::string reference_page(const ProgramEntry& entry) {
+    std::string page =
+        "# Commands\n\n"
+        "This page lists every command with its options. It is written by the program that parses them, as "
+        "are the "
+        "manual pages and what bash and zsh complete.\n\n"
+        "Quantities carry their unit in quotes, `\"44 um\"`; a bare number is SI. Results go to standard "
+        "output, "
+        "messages to standard error. Exit status: 0 done; 2 the input is wrong; 3 a computation did not "
+        "converge; 1 a "
+        "defect of the program.\n\n";
+    for (const CommandEntry& command : entry.commands) {
+        page += fmt::format("## ashimpact {}\n\n{}.\n\n", command.name, command.purpose);
+        if (!command.arguments.empty()) page += table(command.arguments);
+        page += table(command.options) + "```text\n" + example_of(command.example) + "\n```\n\n";
+    }
+    return page;
 }
 
 }  // namespace ashimpact

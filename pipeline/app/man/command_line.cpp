@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <map>
 
-#include "pipeline/app/man/command.hpp"
+#include <CLI/CLI.hpp>
+
+#include "pipeline/app/man/man.hpp"
 #include "pipeline/document/schema.hpp"
 #include "pipeline/run/run.hpp"
 #include "solver/contact/law.hpp"
@@ -48,7 +50,7 @@ const std::map<std::string, Words>& names() {
         {"--law", law_words()},
         {"--detachment", names_of<Detachment>()},
         {"--damping-law", names_of<DampingLaw>()},
-        {"--method", {"taylor", "paper-explicit"}},
+        {"--method", {"taylor", "entry-explicit"}},
         {"--from", stage_names()},
         {"--only", stage_names()},
         {"--phase-set", {"literature", "dong2013"}},
@@ -63,8 +65,7 @@ Values of_name(const std::string& command, const std::string& option) {
     return {.kind = Values::Kind::words, .words = listed->second};
 }
 
-}  // namespace
-
+/// What may stand for the value of an option of a command, by the kind that its help shows.
 Values values_of(const std::string& command, const std::string& option, const std::string& type) {
     if (type == "DIR") return {.kind = Values::Kind::folder};
     if (type == "FILE") return {.kind = Values::Kind::file};
@@ -72,6 +73,52 @@ Values values_of(const std::string& command, const std::string& option, const st
     const auto unit = units().find(option);
     if (unit != units().end()) return {.kind = Values::Kind::quantity, .words = unit->second};
     return of_name(command, option);
+}
+
+std::vector<std::string> names_of(const CLI::Option& option) {
+    std::vector<std::string> names;
+    for (const std::string& name : option.get_snames()) names.push_back("-" + name);
+    for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
+    return names;
+}
+
+/// The kind of value without what its checks add to it.
+std::string type_of(const CLI::Option& option) {
+    const std::string type = option.get_type_name();
+    const auto colon = type.find(':');
+    return colon == std::string::npos || type.ends_with("]") ? type : type.substr(0, colon);
+}
+
+OptionEntry entry_of(const std::string& command, const CLI::Option& option) {
+    const bool is_flag = option.get_expected_max() == 0;
+    OptionEntry entry{.names = names_of(option),
+                      .type = is_flag ? "" : type_of(option),
+                      .description = option.get_description(),
+                      .default_value = is_flag ? "" : option.get_default_str(),
+                      .required = option.get_required(),
+                      .repeats = option.get_expected_max() > 1};
+    const std::string& name = entry.names.empty() ? option.get_single_name() : entry.names.back();
+    if (!is_flag) entry.values = values_of(command, name, entry.type);
+    return entry;
+}
+
+CommandEntry command_of(const CLI::App& app) {
+    CommandEntry entry{.name = app.get_name(), .purpose = app.get_description(), .example = app.get_footer()};
+    for (const CLI::Option* option : app.get_options()) {
+        OptionEntry one = entry_of(entry.name, *option);
+        (one.names.empty() ? entry.arguments : entry.options).push_back(std::move(one));
+    }
+    return entry;
+}
+
+}  // namespace
+
+ProgramEntry entry_of(const CLI::App& program) {
+    ProgramEntry entry{.program = command_of(program)};
+    for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+        entry.commands.push_back(command_of(*command));
+    }
+    return entry;
 }
 
 }  // namespace ashimpact
