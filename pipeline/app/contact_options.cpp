@@ -20,29 +20,25 @@ namespace ashimpact {
 
 namespace {
 
-/// The options of one sphere.
+/// The options of one sphere; @p prefix begins the name of each.
 struct SphereOptions {
-    const char* radius_option;
-    const char* density_option;
-    const char* mass_option;
-    double radius;  ///< [m]
+    std::string prefix;
+    const std::string& radius;
+    const std::string& diameter;
     const std::string& density;
     const std::string& mass;
-};
 
-/// A length of a sphere as typed, with its option.
-struct SizeOption {
-    const char* option;
-    const std::string& text;
+    [[nodiscard]] std::string name(const char* option) const { return prefix + option; }
 };
 
 /// The radius by either option [m].
-double read_radius(const SizeOption& radius, const SizeOption& diameter) {
-    if (diameter.text.empty()) return read_positive_option(radius.option, radius.text, Dimension::length);
-    if (!radius.text.empty())
+double read_radius(const SphereOptions& options) {
+    if (options.diameter.empty())
+        return read_positive_option(options.name("radius"), options.radius, Dimension::length);
+    if (!options.radius.empty())
         throw InputError("both are given", "one of the two")
-            .at(std::string(diameter.option) + ", " + radius.option);
-    return 0.5 * read_positive_option(diameter.option, diameter.text, Dimension::length);
+            .at(options.name("diameter") + ", " + options.name("radius"));
+    return 0.5 * read_positive_option(options.name("diameter"), options.diameter, Dimension::length);
 }
 
 /// Warns of what is hardly a particle: a unit may have been forgotten.
@@ -59,16 +55,14 @@ void warn_if_implausible(double radius, double density) {
 }
 
 Sphere read_sphere(const SphereOptions& options) {
-    const double radius = options.radius;
-    if (options.density.empty() == options.mass.empty()) {
-        const std::string problem = options.mass.empty() ? "neither is given" : "both are given";
-        throw InputError(problem, "one of the two")
-            .at(std::string(options.density_option) + ", " + options.mass_option);
-    }
+    const double radius = read_radius(options);
+    if (options.density.empty() == options.mass.empty())
+        throw InputError(options.mass.empty() ? "neither is given" : "both are given", "one of the two")
+            .at(options.name("density") + ", " + options.name("mass"));
     if (!options.mass.empty())
-        return {radius, read_positive_option(options.mass_option, options.mass, Dimension::mass)};
-    const double density = read_positive_option(options.density_option, options.density, Dimension::density);
-    return at_place(std::string(options.radius_option) + ", " + options.density_option, [&] {
+        return {radius, read_positive_option(options.name("mass"), options.mass, Dimension::mass)};
+    const double density = read_positive_option(options.name("density"), options.density, Dimension::density);
+    return at_place(options.name("radius") + ", " + options.name("density"), [&] {
         const double mass = sphere_mass(radius, density);
         require_positive("mass of the sphere", mass, Dimension::mass);
         return Sphere{radius, mass};
@@ -76,24 +70,20 @@ Sphere read_sphere(const SphereOptions& options) {
 }
 
 Sphere read_particle(const ContactOptions& options) {
-    const double radius = read_radius({"--radius", options.radius}, {"--diameter", options.diameter});
     const Sphere sphere =
-        read_sphere({"--radius", "--density", "--mass", radius, options.density, options.mass});
+        read_sphere({"--", options.radius, options.diameter, options.density, options.mass});
     warn_if_implausible(sphere.radius, sphere_density(sphere.radius, sphere.mass));
     return sphere;
 }
 
 std::optional<Sphere> read_partner(const ContactOptions& options) {
-    if (options.partner_radius.empty() && options.partner_diameter.empty()) {
-        if (!options.partner_density.empty() || !options.partner_mass.empty())
-            throw InputError("is missing", "the radius of the second sphere; or its --partner-diameter")
-                .at("--partner-radius");
-        return std::nullopt;
-    }
-    const double radius = read_radius({"--partner-radius", options.partner_radius},
-                                      {"--partner-diameter", options.partner_diameter});
-    return read_sphere({"--partner-radius", "--partner-density", "--partner-mass", radius,
-                        options.partner_density, options.partner_mass});
+    if (!options.partner_radius.empty() || !options.partner_diameter.empty())
+        return read_sphere({"--partner-", options.partner_radius, options.partner_diameter,
+                            options.partner_density, options.partner_mass});
+    if (!options.partner_density.empty() || !options.partner_mass.empty())
+        throw InputError("is missing", "the radius of the second sphere; or its --partner-diameter")
+            .at("--partner-radius");
+    return std::nullopt;
 }
 
 /// R* and m* (Eq. 6 and the text under Eq. 2): of the sphere on a wall, or of both spheres.
