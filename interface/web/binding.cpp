@@ -21,12 +21,12 @@
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/document/files/file.hpp"
 #include "pipeline/document/measurement_json.hpp"
+#include "pipeline/document/results/run_artifacts.hpp"
 #include "pipeline/present/report/figure_file.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/report.hpp"
 #include "pipeline/present/text/comparison_table.hpp"
 #include "pipeline/present/text/remarks.hpp"
-#include "pipeline/run/run.hpp"
 #include "solver/inference/impacts/measurement_reader.hpp"
 
 // Tells the page a line while a computation goes on, if it listens.

@@ -9,6 +9,7 @@
 #include "pipeline/app/command.hpp"
 #include "pipeline/app/contact_options.hpp"
 #include "pipeline/app/impact_text.hpp"
+#include "pipeline/document/results/results_json.hpp"
 #include "pipeline/present/text/readable.hpp"
 #include "pipeline/present/text/table.hpp"
 
@@ -77,8 +78,13 @@ void run_critical_velocity_command(const CriticalVelocityOptions& options, std::
         warn_of_regime(regime_at(problem, result));
         regime = regime_text(regime_at(problem, result));
     }
-    out << (options.json ? write_json(critical_velocity_json(problem, result), Digits::seventeen)
-                         : critical_velocity_text(problem, result) + regime);
+    if (options.json) {
+        Json json{{"law", problem.law.name()}};
+        json.update(critical_velocity_json(law_critical_velocity(problem), problem.damping.law));
+        out << write_json(json, Digits::seventeen);
+        return;
+    }
+    out << critical_velocity_text(problem, result) + regime;
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 #include "core/text.hpp"
 #include "pipeline/document/quantity_json.hpp"
-#include "pipeline/document/regime_json.hpp"
+#include "pipeline/document/results/regime_json.hpp"
 #include "pipeline/present/text/readable.hpp"
 #include "pipeline/present/text/table.hpp"
 

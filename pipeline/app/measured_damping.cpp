@@ -9,13 +9,13 @@
 #include "core/error.hpp"
 #include "core/json/writer.hpp"
 #include "core/text.hpp"
-#include "pipeline/document/damping_fit_json.hpp"
 #include "pipeline/document/files/file.hpp"
-#include "pipeline/document/inversion_json.hpp"
 #include "pipeline/document/measurement_json.hpp"
 #include "pipeline/document/quantity_json.hpp"
+#include "pipeline/document/results/damping_fit_json.hpp"
+#include "pipeline/document/results/inversion_json.hpp"
+#include "pipeline/document/results/uncertainty_json.hpp"
 #include "pipeline/document/statistics_json.hpp"
-#include "pipeline/document/uncertainty_json.hpp"
 #include "pipeline/present/text/readable.hpp"
 #include "pipeline/present/text/table.hpp"
 #include "solver/contact/law_parameters.hpp"
@@ -64,14 +64,6 @@ MeasurementSet read_impacts(const DampingOptions& options) {
     return options.bin > 0 ? binned(set, {.impacts_per_bin = options.bin}) : set;
 }
 
-/// Numbers of the impacts that the fits were given, from 1 on.
-std::vector<std::size_t> numbers_of(const MeasuredDamping& result) {
-    std::vector<std::size_t> numbers;
-    if (result.rising)
-        for (const std::size_t index : result.rising->indices) numbers.push_back(index + 1);
-    return numbers;
-}
-
 /// The critical velocity that the impacts support.
 Json headline_json(const Interval& velocity) {
     Json json = estimate_json(velocity, si_unit(Dimension::velocity));
@@ -80,28 +72,30 @@ Json headline_json(const Interval& velocity) {
     return json;
 }
 
-Json result_json(const MeasuredDamping& result, const MeasurementSet& set) {
+Json measured_damping_json(const MeasuredDamping& result, const MeasurementSet& set) {
+    DampingSeries series = inverted_series(result.impacts);
+    set_parts(result.parts, result.impacts, series);
     Json json{{"law", result.law.name()},
               {"detachment", name_of(result.detachment)},
               {"impacts", set.points.size()},
               {"captures", set.captures()},
-              {"inversion", inversion_json(result.impacts, DampingLaw::constant)}};
-    json.update(parts_json(result.parts, result.impacts));
+              {"inversion", inversion_json(series, DampingLaw::constant)}};
+    json.update(parts_json(series));
     json["rising_branch"] =
         result.rising ? rising_branch_json(result.rising->upper, result.rising->falls_beyond) : Json(nullptr);
-    const auto numbers = numbers_of(result);
     json["critical_velocity"] =
         result.estimate ? headline_json(result.estimate->curve.critical_velocity) : Json(nullptr);
     json["extrapolated"] = nullptr;
     if (result.extrapolated) {
-        json["extrapolated"] = damping_fit_json(*result.extrapolated, numbers_of(result));
+        json["extrapolated"] = damping_fit_json(with_indices(*result.extrapolated, result.rising->indices));
         json["extrapolated"]["check"] =
-            check_json(result.extrapolated->critical_velocity, result.measured, true);
+            check_json(checked(result.extrapolated->critical_velocity, result.measured, true));
     }
     json["direct"] = nullptr;
     if (result.estimate) {
-        json["direct"] = damping_estimate_json(*result.estimate);
-        json["direct"]["check"] = check_json(result.estimate->curve.critical_velocity, result.measured, true);
+        json["direct"] = damping_estimate_json(summary_of(*result.estimate));
+        json["direct"]["check"] =
+            check_json(checked(result.estimate->curve.critical_velocity, result.measured, true));
     }
     json["comparison"] = result.comparison ? comparison_json(*result.comparison) : Json(nullptr);
     json["measured"] = measured_velocity_json(result.measured);
@@ -202,7 +196,7 @@ void run_measured_damping_command(const DampingOptions& options, std::ostream& o
     const MeasuredDamping result = analyse_impacts(choice.law, choice.detachment, choice.contact, set, how);
     for (const Finding& finding : result.findings)
         spdlog::warn("warning: {}: {}", options.impacts, finding.text);
-    out << (options.json ? write_json(result_json(result, set), Digits::seventeen)
+    out << (options.json ? write_json(measured_damping_json(result, set), Digits::seventeen)
                          : result_text(result, set));
 }
 

@@ -16,6 +16,7 @@
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/document/files/file.hpp"
 #include "pipeline/document/quantity_json.hpp"
+#include "pipeline/document/results/results_json.hpp"
 #include "pipeline/present/text/readable.hpp"
 #include "pipeline/present/text/table.hpp"
 
@@ -247,7 +248,7 @@ std::string estimate_text(const SampleEstimate& sample, const ModulusCommandOpti
 
 Json sample_json(const SampleEstimate& sample, MixtureRule rule) {
     Json json{{"name", sample.name}};
-    json.update(modulus_json(sample.composition, sample.estimate, rule));
+    json.update(modulus_json(sample_modulus(sample.composition, sample.estimate, rule)));
     json["particle_density"] = quantity_json(sample.density.apparent_density, Dimension::density);
     json["porosity"] = sample.density.porosity;
     if (sample.porosity) json["porosity_law"] = name_of(sample.porosity->law);

@@ -15,13 +15,13 @@
 #include "pipeline/app/command.hpp"
 #include "pipeline/app/sweep/spec/capture_fraction.hpp"
 #include "pipeline/document/files/file.hpp"
+#include "pipeline/document/results/run_artifacts.hpp"
 #include "pipeline/document/run_identity.hpp"
 #include "pipeline/document/schema.hpp"
 #include "pipeline/present/report/figure_file.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/page/run_page.hpp"
 #include "pipeline/present/report/sweep/sweep_page.hpp"
-#include "pipeline/run/run.hpp"
 
 namespace ashimpact {
 
@@ -132,6 +132,8 @@ void run_figure_command(const FigureOptions& options, std::ostream& out) {
     out << options.output << '\n';
 }
 
+}  // namespace
+
 void add_report(const CommandLine& line) {
     auto [command, options] =
         line.add<ReportOptions>("report", "The report of a run as one HTML file, or of several side by side",
@@ -145,8 +147,6 @@ void add_report(const CommandLine& line) {
     add_text(*command, "-o,--output", options->output, "FILE.html",
              "HTML file; default: report.html in the one folder, or the name of the result with .html");
 }
-
-}  // namespace
 
 void add_figure(const CommandLine& line) {
     auto [command, options] = line.add<FigureOptions>(

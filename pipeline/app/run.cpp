@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/run/run.hpp"
 
 #include <algorithm>
 #include <ostream>
@@ -11,9 +10,11 @@
 #include "core/counting.hpp"
 #include "core/text.hpp"
 #include "pipeline/app/command.hpp"
+#include "pipeline/app/run_stages.hpp"
 #include "pipeline/app/terminal/help.hpp"
 #include "pipeline/present/text/comparison_table.hpp"
 #include "pipeline/present/text/remarks.hpp"
+#include "pipeline/run/stage.hpp"
 
 namespace ashimpact {
 
@@ -33,7 +34,7 @@ struct RunOptions {
 void tell(const RunSummary& summary) {
     if (spdlog::should_log(spdlog::level::debug)) {
         for (const Remark& remark : summary.remarks)
-            spdlog::debug("warning: {}: {}", remark.file, remark.text);
+            spdlog::debug("warning: {}: {}", remark.file, text_of(remark.note));
         return;
     }
     if (summary.remarks.empty()) return;

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/names.hpp"
 #include "core/quantity.hpp"
 #include "materials/composition.hpp"
 #include "materials/contact_properties.hpp"
@@ -22,11 +23,21 @@
 
 namespace ashimpact {
 
+/// Where a value comes from; see docs/case.md.
+enum class Origin { given, measured, inferred, assumed, literature, published, computed, reconstructed };
+
+template <>
+struct Names<Origin> {
+    static constexpr std::string_view kind = "origin";
+    static constexpr std::array<std::string_view, 8> all{
+        "given", "measured", "inferred", "assumed", "literature", "published", "computed", "reconstructed"};
+};
+
 /// A quantity of the case and where it comes from.
 struct Stated {
-    Quantity quantity{};           ///< in SI
-    std::string origin = "given";  ///< "given", "measured", "inferred", ...; see docs/case.md
-    std::string source{};          ///< in words; may be empty
+    Quantity quantity{};  ///< in SI
+    Origin origin = Origin::given;
+    std::string source{};  ///< in words; may be empty
 
     [[nodiscard]] double value() const { return quantity.value; }
 };

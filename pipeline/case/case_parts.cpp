@@ -158,7 +158,7 @@ class Printed {
 Stated read_stated(const View& node, Dimension dimension) {
     Stated stated{.quantity = node.quantity(dimension)};
     if (!node.is_object()) return stated;
-    if (const auto origin = node.find("origin")) stated.origin = origin->text();
+    if (const auto origin = node.find("origin")) stated.origin = named<Origin>(origin->text());
     if (const auto source = node.find("source")) stated.source = source->text();
     return stated;
 }

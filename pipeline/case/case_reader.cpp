@@ -10,6 +10,7 @@
 #include "core/text.hpp"
 #include "pipeline/case/case_parts.hpp"
 #include "pipeline/case/example_remains.hpp"
+#include "pipeline/case/findings_of_texts.hpp"
 #include "pipeline/case/laws.hpp"
 #include "pipeline/case/measurement_parts.hpp"
 #include "pipeline/document/schema.hpp"
@@ -42,6 +43,11 @@ std::optional<Stated> read_optional(const std::optional<View>& node, std::string
                                     Dimension dimension) {
     if (!node) return std::nullopt;
     return read_positive(*node, name, dimension);
+}
+
+void add_findings(std::string_view code, const std::vector<std::string>& texts, const std::string& sample,
+                  std::vector<SampleFinding>& findings) {
+    for (Finding& finding : findings_of(code, texts)) findings.push_back({sample, std::move(finding)});
 }
 
 ParticleValues read_particle(const View& node) {
@@ -79,11 +85,11 @@ void set_particle(Sample& sample, const ParticleValues& own, const ParticleValue
 }
 
 Sample read_sample(const View& node, const Defaults& defaults, InputFiles& files,
-                   std::vector<std::string>& warnings) {
+                   std::vector<SampleFinding>& findings) {
     Sample sample{.name = node.at("name").text(),
                   .diameter = read_positive(node.at("diameter"), "diameter", Dimension::length)};
     auto analysis = read_analysis(node.at("composition"), files);
-    for (const std::string& warning : analysis.warnings) warnings.push_back(sample.name + ": " + warning);
+    add_findings("composition", analysis.warnings, sample.name, findings);
     sample.analysis = std::move(analysis.analysis);
     sample.analysis_source = std::move(analysis.source);
     if (const auto porosity = node.find("porosity")) sample.porosity = read_porosity(*porosity);
@@ -103,8 +109,7 @@ Sample read_sample(const View& node, const Defaults& defaults, InputFiles& files
         sample.restitution = read_restitution(*data, sample.published, files, defaults.camera);
     if (const auto* measured =
             sample.restitution ? std::get_if<MeasuredRestitution>(&*sample.restitution) : nullptr)
-        for (const std::string& warning : measured->impacts.warnings)
-            warnings.push_back(sample.name + ": " + warning);
+        add_findings("impacts", measured->impacts.warnings, sample.name, findings);
     return sample;
 }
 
@@ -142,7 +147,7 @@ class PublishedSets {
     std::vector<std::pair<std::string, PublishedSample>> samples_;
 };
 
-std::vector<LawChoice> read_laws(const View& document) {
+std::vector<LawChoice> read_case_laws(const View& document) {
     std::vector<Law> laws{Law::named("hertz"), Law::named("dmt"), Law::named("brach-dunn"),
                           Law::named("jkr")};
     if (const auto names = document.find("laws")) {
@@ -180,7 +185,7 @@ constexpr auto how_to_state =
 
 /// Every phase the samples need, once. @throws InputError where a composition is impossible
 std::vector<Phase> phases_of(const std::vector<Sample>& samples, const View& document,
-                             const PhaseCatalogue& catalogue, std::vector<std::string>& warnings) {
+                             const PhaseCatalogue& catalogue, std::vector<SampleFinding>& findings) {
     std::vector<Phase> phases;
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const View place = document.at("samples").elements()[i].at("composition");
@@ -188,7 +193,7 @@ std::vector<Phase> phases_of(const std::vector<Sample>& samples, const View& doc
             at_place(place.pointer(), [&] { return compose(samples[i].analysis, catalogue, how_to_state); });
         for (const Component& component : composition.components) {
             const auto [phase, note] = catalogue.resolve(component.name);
-            if (!note.empty()) warnings.push_back(samples[i].name + ": " + note);
+            if (!note.empty()) add_findings("phase", {note}, samples[i].name, findings);
             auto known = std::find_if(phases.begin(), phases.end(),
                                       [&name = phase.name](const Phase& p) { return p.name == name; });
             if (known == phases.end()) known = phases.insert(phases.end(), phase);
@@ -267,7 +272,7 @@ void read_other_body(const View& document, Case& data) {
 }
 
 Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputFiles& files,
-                    std::vector<std::string>& warnings) {
+                    std::vector<SampleFinding>& findings) {
     Case data{.name = document.at("name").text()};
     const PhaseCatalogue catalogue = catalogue_of(document, built_in);
     const PublishedSets published(document, files);
@@ -286,15 +291,15 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
         static_cast<void>(read_camera(*defaults.camera));  // checked even if no sample uses it
     for (const View& node : document.at("samples").elements()) {
         defaults.published = published.of(node.at("name").text());
-        data.samples.push_back(read_sample(node, defaults, files, warnings));
+        data.samples.push_back(read_sample(node, defaults, files, findings));
     }
-    data.laws = read_laws(document);
+    data.laws = read_case_laws(document);
     if (const auto law = document.find("damping_law")) data.damping_law = named<DampingLaw>(law->text());
     data.histories = read_histories(document);
     data.fit = read_fit_choices(document.find("fit"));
     data.uncertainty = read_uncertainty_choices(document.find("uncertainty"));
     data.calibration = read_calibration(document);
-    data.phases = phases_of(data.samples, document, catalogue, warnings);
+    data.phases = phases_of(data.samples, document, catalogue, findings);
     check_whole(data, document);
     return data;
 }
@@ -312,8 +317,8 @@ PhaseCatalogue built_in_phases() {
 }
 
 Case read_case(const View& document, const PhaseCatalogue& catalogue, InputFiles& files) {
-    std::vector<std::string> warnings;
-    return read_case_with(document, catalogue, files, warnings);
+    std::vector<SampleFinding> findings;
+    return read_case_with(document, catalogue, files, findings);
 }
 
 LoadedCase load_case(const std::optional<std::string>& file, bool allow_outside) {
@@ -325,12 +330,14 @@ LoadedCase load_case(const std::optional<std::string>& file, bool allow_outside)
         require_schema_version(document, false);
         validate_document(document, "case");
         LoadedCase loaded;
-        loaded.data = read_case_with(View(document), built_in_phases(), files, loaded.warnings);
+        loaded.data = read_case_with(View(document), built_in_phases(), files, loaded.findings);
         loaded.inputs = files.used();
         if (const auto remains = example_remains(document, text, loaded.inputs); !remains.empty())
-            loaded.warnings.push_back(
-                "still of the example of `ashimpact init`, whose numbers are invented (" + joined(remains) +
-                "), to be replaced or deleted");
+            loaded.findings.push_back(
+                {{},
+                 {"example-remains", Severity::doubt,
+                  "still of the example of `ashimpact init`, whose numbers are invented (" + joined(remains) +
+                      "), to be replaced or deleted"}});
         return loaded;
     });
 }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "core/finding.hpp"
 #include "core/json/view.hpp"
 #include "materials/phase_catalogue.hpp"
 #include "pipeline/case/case.hpp"
@@ -11,11 +12,17 @@
 
 namespace ashimpact {
 
+/// A finding on a sample of the case, or on the whole case (no sample).
+struct SampleFinding {
+    std::string sample;
+    Finding finding;
+};
+
 /// A case with the files it was read from.
 struct LoadedCase {
     Case data;
     std::vector<InputFile> inputs;
-    std::vector<std::string> warnings;
+    std::vector<SampleFinding> findings;
 };
 
 /// Reads and checks a case file and every file it names; the built-in case if no file is given.

@@ -167,7 +167,7 @@ Json calibration_json(const std::vector<FreeConstant>& free) {
 
 Json stated_json(const Stated& stated) {
     Json json = stated.quantity;
-    json["origin"] = stated.origin;
+    json["origin"] = name_of(stated.origin);
     if (!stated.source.empty()) json["source"] = stated.source;
     return json;
 }

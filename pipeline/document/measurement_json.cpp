@@ -82,32 +82,43 @@ std::string place_of(const Measurement& point, std::size_t index) {
 
 }  // namespace
 
-Json measurement_columns(const MeasurementSet& set, bool as_rebound_velocity) {
-    Values velocity, second, incident, rebound, correlation, impacts;
-    for (const Measurement& point : set.points) {
-        velocity.push_back(point.velocity);
-        second.push_back(as_rebound_velocity ? point.rebound : point.restitution());
-        impacts.push_back(static_cast<double>(point.count));
-        if (!point.noise) continue;
-        incident.push_back(std::sqrt(point.noise->incident));
-        rebound.push_back(std::sqrt(point.noise->rebound));
-        correlation.push_back(point.noise->covariance / (incident.back() * rebound.back()));
-    }
-    Json json{{"velocity", column_json(velocity, Dimension::velocity)}};
-    if (as_rebound_velocity)
-        json["rebound_velocity"] = column_json(second, Dimension::velocity);
-    else
-        json["restitution"] = column_json(second, Dimension::fraction);
-    if (!incident.empty()) {
-        json["velocity_uncertainty"] = column_json(incident, Dimension::velocity);
-        json["rebound_uncertainty"] = column_json(rebound, Dimension::velocity);
-    }
-    const auto differs = [](const Values& values, double from) {
-        return std::any_of(values.begin(), values.end(), [&](double value) { return value != from; });
+Json to_json(const ListedImpacts& columns) {
+    Json json{{"velocity", column_json(columns.velocity, Dimension::velocity)},
+              {"restitution", column_json(columns.restitution, Dimension::fraction)}};
+    const auto add = [&](const char* key, const Values& values, Dimension dimension) {
+        if (!values.empty()) json[key] = column_json(values, dimension);
     };
-    if (differs(correlation, 0.0))
-        json["velocity_correlation"] = column_json(correlation, Dimension::fraction);
-    if (differs(impacts, 1.0)) json["impacts"] = column_json(impacts, Dimension::fraction);
+    add("velocity_uncertainty", columns.velocity_uncertainty, Dimension::velocity);
+    add("rebound_uncertainty", columns.rebound_uncertainty, Dimension::velocity);
+    add("velocity_correlation", columns.correlation, Dimension::fraction);
+    add("impacts", columns.counts, Dimension::fraction);
+    return json;
+}
+
+ListedImpacts read_listed_impacts(const View& node) {
+    const auto column = [&](const char* key, Dimension dimension) {
+        const auto member = node.find(key);
+        return member ? member->column(dimension) : Values();
+    };
+    return {.velocity = column("velocity", Dimension::velocity),
+            .restitution = column("restitution", Dimension::fraction),
+            .velocity_uncertainty = column("velocity_uncertainty", Dimension::velocity),
+            .rebound_uncertainty = column("rebound_uncertainty", Dimension::velocity),
+            .correlation = column("velocity_correlation", Dimension::fraction),
+            .counts = column("impacts", Dimension::fraction)};
+}
+
+Json measurement_columns(const MeasurementSet& set, bool as_rebound_velocity) {
+    const Json columns = to_json(columns_of(set));
+    if (!as_rebound_velocity) return columns;
+    Values rebound;
+    for (const Measurement& point : set.points) rebound.push_back(point.rebound);
+    Json json = Json::object();
+    for (const auto& [key, column] : columns.items())
+        if (key == "restitution")
+            json["rebound_velocity"] = column_json(rebound, Dimension::velocity);
+        else
+            json[key] = column;
     return json;
 }
 

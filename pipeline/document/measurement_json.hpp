@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/json/view.hpp"
+#include "pipeline/case/listed_impacts.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 
 namespace ashimpact {
@@ -13,6 +14,10 @@ namespace ashimpact {
 /// v_r), velocity_correlation (of these two errors) and impacts (of which a point is the mean). Restitution 0
 /// is a capture.
 [[nodiscard]] Json measurement_columns(const MeasurementSet& set, bool as_rebound_velocity = false);
+
+/// The same of impacts that are in columns already, and back.
+[[nodiscard]] Json to_json(const ListedImpacts& columns);
+[[nodiscard]] ListedImpacts read_listed_impacts(const View& node);
 
 /// Reads the columns of measurement_columns(). restitution_uncertainty may stand in place of
 /// rebound_uncertainty; the errors of v_in and e_n are then taken as independent.

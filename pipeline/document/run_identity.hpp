@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/run/stage.hpp"
+#include "pipeline/document/artifact.hpp"
 
 namespace ashimpact {
 

@@ -6,33 +6,23 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/document/case_json.hpp"
-#include "pipeline/document/quantity_json.hpp"
 #include "pipeline/present/text/readable.hpp"
-#include "pipeline/run/analytic.hpp"
 #include "pipeline/run/comparison/equal_velocities.hpp"
 #include "pipeline/run/comparison/reported_velocity.hpp"
-#include "pipeline/run/contact.hpp"
-#include "pipeline/run/critical_velocity.hpp"
-#include "pipeline/run/damping.hpp"
-#include "pipeline/run/fit.hpp"
-#include "pipeline/run/histories.hpp"
-#include "pipeline/run/modulus.hpp"
-#include "pipeline/run/read_case_artifact.hpp"
-#include "solver/damping/damping.hpp"
 
 namespace ashimpact {
 
 namespace {
 
-/// Results of one sample from the artifacts.
+/// Results of one sample.
 struct SampleResults {
     const Sample& sample;
     const SampleModulus& modulus;
+    const SampleContact& contact;
+    const SampleAnalytic& analytic;
     const LawMap<LawFit>& fits;
-    const LawMap<LawCriticalVelocity>& velocities;
-    const std::vector<ContactTimeAt>& contact_times;
-    const std::vector<std::pair<std::string, double>>& volume_fractions;
+    const SampleCriticalVelocity& velocities;
+    const SampleHistories& histories;
 };
 
 /// Range of the ratio of dynamic to analytic velocities, over all samples and laws.
@@ -43,8 +33,8 @@ struct Gap {
     double greatest_share = 0;
 
     void take(const LawCriticalVelocity& dynamic, double analytic) {
-        if (!dynamic.value || !(analytic > 0)) return;
-        const double ratio = dynamic.value->value / analytic;
+        if (!dynamic.velocity || !(analytic > 0)) return;
+        const double ratio = dynamic.velocity->value / analytic;
         least_ratio = std::min(least_ratio, ratio);
         greatest_ratio = std::max(greatest_ratio, ratio);
         const double share = dynamic.dissipated / (dynamic.dissipated + dynamic.plastic +
@@ -80,103 +70,78 @@ struct Gap {
     }
 };
 
-Json beside(double ours, const Quantity& published) {
-    return {{"ours", quantity_json(ours, published.unit)},
-            {"published", published},
-            {"relative_difference", ours / published.value - 1}};
+Beside beside(double ours, const Quantity& published) {
+    return {ours, published, ours / published.value - 1};
 }
 
 /// Our values beside the published ones, for every law that has both.
 template <class Ours, class Value>
-Json beside_by_law(const LawMap<Quantity>& published, const LawMap<Ours>& ours, Value&& value) {
-    Json json = Json::object();
+LawMap<Beside> beside_by_law(const LawMap<Quantity>& published, const LawMap<Ours>& ours, Value&& value) {
+    LawMap<Beside> values;
     for (const auto& [law, printed] : published) {
         const Ours* own = ours.find(law);
         if (own == nullptr) continue;
-        const std::optional<double> number = value(*own);
-        if (number) json[std::string(law.name())] = beside(*number, printed);
+        if (const std::optional<double> number = value(*own)) values.set(law, beside(*number, printed));
     }
-    return json;
+    return values;
 }
 
-Json published_beside_json(const PublishedSample& published, const SampleResults& of) {
-    Json json{{"source", published.source}};
+PublishedBeside published_beside(const PublishedSample& published, const SampleResults& of) {
+    PublishedBeside found{.source = published.source};
     if (published.young_modulus)
-        json["young_modulus"] = beside(of.modulus.young_modulus.value, *published.young_modulus);
+        found.young_modulus = beside(of.modulus.young_modulus.value, *published.young_modulus);
     for (const auto& [name, printed] : published.volume_fractions)
-        for (const auto& [own_name, fraction] : of.volume_fractions)
-            if (own_name == name) json["volume_fractions"][name] = beside(fraction, printed);
-    const auto add = [&](const char* key, Json values) {
-        if (!values.empty()) json[key] = std::move(values);
-    };
-    add("critical_damping", beside_by_law(published.critical_damping, of.fits, [](const LawFit& fit) {
-            return std::optional(fit.critical_damping);
-        }));
-    add("critical_velocity",
-        beside_by_law(published.critical_velocity, of.velocities, [](const LawCriticalVelocity& velocity) {
-            return velocity.value ? std::optional(velocity.value->value) : std::nullopt;
-        }));
-    add("critical_contact_times", beside_by_law(published.critical_contact_times, of.velocities,
-                                                [](const LawCriticalVelocity& v) { return v.contact_time; }));
+        for (const PhaseShare& share : of.modulus.phases)
+            if (share.name == name)
+                found.volume_fractions.emplace_back(name, beside(share.volume_fraction, printed));
+    found.critical_damping = beside_by_law(published.critical_damping, of.fits, [](const LawFit& fit) {
+        return std::optional(fit.critical_damping);
+    });
+    const LawMap<LawCriticalVelocity>& velocities = of.velocities.laws;
+    found.critical_velocity =
+        beside_by_law(published.critical_velocity, velocities, [](const LawCriticalVelocity& velocity) {
+            return velocity.velocity ? std::optional(velocity.velocity->value) : std::nullopt;
+        });
+    found.critical_contact_times =
+        beside_by_law(published.critical_contact_times, velocities,
+                      [](const LawCriticalVelocity& velocity) { return velocity.contact_time; });
     for (const auto& printed : published.contact_times)
-        for (const ContactTimeAt& own : of.contact_times) {
-            if (!(own.law == printed.law) || own.velocity != printed.velocity.value) continue;
-            Json entry{{"law", own.law.name()}, {"velocity", printed.velocity}};
-            entry.update(beside(own.contact_time, printed.contact_time));
-            json["contact_times"].push_back(std::move(entry));
-        }
-    return json;
+        for (const ContactTimeAt& own : of.histories.contact_times)
+            if (own.contact_time && own.law == printed.law && own.velocity == printed.velocity.value)
+                found.contact_times.push_back(
+                    {own.law, printed.velocity, beside(*own.contact_time, printed.contact_time)});
+    return found;
 }
 
-std::vector<std::pair<std::string, double>> read_volume_fractions(const View& result,
-                                                                  const std::string& name) {
-    std::vector<std::pair<std::string, double>> fractions;
-    for (const View& sample : result.at("samples").elements()) {
-        if (sample.at("name").text() != name) continue;
-        for (const View& phase : sample.at("phases").elements())
-            fractions.emplace_back(phase.at("name").text(),
-                                   phase.at("volume_fraction").number(Dimension::fraction));
-    }
-    return fractions;
-}
-
-/// Dynamic critical velocities with their intervals and verdicts, each by law.
-struct DynamicColumns {
-    Json velocity = Json::object();
-    Json extrapolated = Json::object();
-    Json interval = Json::object();
-    Json interval_note = Json::object();
-    Json verdict = Json::object();
-    Json check = Json::object();
-};
-
-DynamicColumns dynamic_columns(const SampleResults& of, const std::vector<LawChoice>& laws) {
-    DynamicColumns columns;
+/// Dynamic critical velocities with their intervals and verdicts.
+LawMap<LawComparison> compare_laws(const SampleResults& of, const std::vector<LawChoice>& laws) {
+    LawMap<LawComparison> all;
     for (const LawChoice& choice : laws) {
-        const LawCriticalVelocity* velocity = of.velocities.find(choice.law);
-        const std::string name(choice.law.name());
-        const bool finite = velocity != nullptr && velocity->value;
-        columns.velocity[name] = finite ? velocity->headline : Json(nullptr);
-        if (finite && !velocity->extrapolated.is_null()) columns.extrapolated[name] = velocity->extrapolated;
-        columns.interval[name] = finite ? velocity->interval : Json(nullptr);
-        if (finite && !velocity->interval_note.is_null())
-            columns.interval_note[name] = velocity->interval_note;
-        columns.check[name] = finite ? velocity->check : Json(nullptr);
-        columns.verdict[name] = velocity != nullptr     ? velocity->verdict
-                                : of.sample.restitution ? "no fit"
-                                                        : "no damping data";
+        LawComparison entry;
+        const LawCriticalVelocity* velocity = of.velocities.laws.find(choice.law);
+        if (velocity == nullptr)
+            entry.verdict = of.sample.restitution ? LawVerdict::no_fit : LawVerdict::no_damping_data;
+        else
+            entry.verdict = static_cast<LawVerdict>(velocity->verdict);
+        if (velocity != nullptr && velocity->velocity) {
+            entry.velocity = velocity->velocity;
+            if (velocity->extrapolated) entry.extrapolated = velocity->extrapolated->velocity;
+            entry.interval_note = velocity->interval_note;
+            entry.check = velocity->check;
+        }
+        all.set(choice.law, std::move(entry));
     }
-    return columns;
+    return all;
 }
 
 /// The measured critical velocity: reported, or else as the outcomes of the impacts show it.
-Json measured_json(const Sample& sample, const Json& measured) {
-    if (sample.measured_critical_velocity) return stated_json(*sample.measured_critical_velocity);
-    if (measured.is_null() || measured.at("critical_velocity").is_null()) return nullptr;
-    Json json = measured.at("critical_velocity");
-    json["origin"] = "measured";
-    json["source"] = measured.at("note");
-    return json;
+std::optional<Stated> measured_of(const Sample& sample,
+                                  const std::optional<MeasuredCriticalVelocity>& measured) {
+    if (sample.measured_critical_velocity) return sample.measured_critical_velocity;
+    if (!measured || !measured->value) return std::nullopt;
+    const VelocityEstimate estimate = estimate_of(*measured);
+    return Stated{make_quantity(estimate.value, Dimension::velocity, estimate.standard_uncertainty),
+                  Origin::measured, measured->note};
 }
 
 /// "cohesion range"
@@ -186,129 +151,110 @@ std::string parameter_words(const LawParameter& parameter) {
     return words;
 }
 
-/// Properties of the contact of a sample, the wall's among them, that were not measured: {"quantity",
-/// "value", "origin", "why"}.
-Json assumed_json(const Sample& sample, const SampleContact& contact, const std::optional<Wall>& wall) {
-    Json list = Json::array();
-    const auto add = [&](const char* name, const Quantity& value, const std::string& origin,
-                         const std::string& why) {
-        if (origin == "assumed" || origin == "inferred" || origin == "literature" || origin == "computed")
-            list.push_back({{"quantity", name}, {"value", value}, {"origin", origin}, {"why", why}});
+bool is_assumed(Origin origin) {
+    return origin == Origin::assumed || origin == Origin::inferred || origin == Origin::literature ||
+           origin == Origin::computed;
+}
+
+/// Properties of the contact of a sample, the wall's among them, that were not measured.
+std::vector<AssumedProperty> assumed_properties(const Sample& sample, const SampleContact& contact,
+                                                const std::optional<Wall>& wall) {
+    std::vector<AssumedProperty> list;
+    const auto add = [&](const std::string& name, const Quantity& value, Origin origin,
+                         const std::string& why = {}) {
+        if (is_assumed(origin)) list.push_back({name, value, origin, why});
     };
-    add("diameter", sample.diameter.quantity, sample.diameter.origin, "");
+    add("diameter", sample.diameter.quantity, sample.diameter.origin);
     if (sample.density)
-        add("density", contact.density, sample.density->origin, "");
+        add("density", contact.density.quantity, sample.density->origin);
     else
-        add("density", contact.density, "computed",
+        add("density", contact.density.quantity, Origin::computed,
             sample.porosity ? "not given: that of the phases and the porosity"
                             : "not given: that of the phases without any pores");
+    const Quantity& adhesion = contact.work_of_adhesion.quantity;
     if (const auto* stated =
             sample.work_of_adhesion ? std::get_if<Stated>(&*sample.work_of_adhesion) : nullptr)
-        add("work of adhesion", contact.work_of_adhesion, stated->origin, "");
+        add("work of adhesion", adhesion, stated->origin);
     else if (sample.work_of_adhesion)
-        add("work of adhesion", contact.work_of_adhesion, "computed", "from surface energies");
+        add("work of adhesion", adhesion, Origin::computed, "from surface energies");
     for (const auto& [parameter, stated] : sample.parameters)
-        add(parameter_words(parameter).c_str(), stated.quantity, stated.origin, "");
+        add(parameter_words(parameter), stated.quantity, stated.origin);
     if (const auto* elastic = wall ? std::get_if<ElasticWall>(&*wall) : nullptr) {
-        add("Young's modulus of the wall", elastic->young_modulus.quantity, elastic->young_modulus.origin,
-            "");
-        add("Poisson ratio of the wall", elastic->poisson_ratio.quantity, elastic->poisson_ratio.origin, "");
+        add("Young's modulus of the wall", elastic->young_modulus.quantity, elastic->young_modulus.origin);
+        add("Poisson ratio of the wall", elastic->poisson_ratio.quantity, elastic->poisson_ratio.origin);
     }
     return list;
 }
 
 /// Which of diameter, density, work of adhesion and parameters of contact laws state no uncertainty, so that
 /// none goes into intervals.
-Json exact_json(const SampleContact& contact) {
-    Json list = Json::array();
-    if (!contact.radius.standard_uncertainty) list.push_back("diameter");
-    if (!contact.density.standard_uncertainty) list.push_back("density");
-    if (contact.work_of_adhesion.value > 0 && !contact.work_of_adhesion.standard_uncertainty)
-        list.push_back("work of adhesion");
-    for (const auto& [parameter, value] : contact.parameters)
-        if (!value.standard_uncertainty) list.push_back(parameter_words(parameter));
+std::vector<std::string> exact_properties(const SampleContact& contact) {
+    std::vector<std::string> list;
+    const auto add = [&](const std::string& name, const Quantity& quantity) {
+        if (!quantity.standard_uncertainty) list.push_back(name);
+    };
+    add("diameter", contact.radius);
+    add("density", contact.density.quantity);
+    if (contact.work_of_adhesion.value() > 0) add("work of adhesion", contact.work_of_adhesion.quantity);
+    for (const auto& [parameter, value] : contact.parameters) add(parameter_words(parameter), value.quantity);
     return list;
 }
 
-/// Why laws have no damping from which a velocity would follow: the first remark of the fit on this sample,
-/// or of the reading of its dampings.
-std::string no_damping_reason(const Artifacts& before, const Sample& sample) {
+/// Why laws have no damping from which a velocity would follow: the first finding of the fit on a law of this
+/// sample, or of the reading of its dampings.
+std::string no_damping_reason(const Sample& sample, const std::vector<const StageRecord*>& stages) {
     if (!sample.restitution) return "no impacts were given";
-    for (const std::string_view file : {fit_artifact, damping_artifact})
-        for (const Json& warning : before.at(file).document.at("warnings")) {
-            const auto& text = warning.get_ref<const std::string&>();
-            const auto colon = text.find(": ", sample.name.size());
-            if (text.starts_with(sample.name + ", ") && colon != std::string::npos)
-                return text.substr(colon + 2);
-        }
+    for (const StageRecord* stage : stages)
+        for (const Note& note : stage->notes)
+            if (note.sample == sample.name && note.law) return note.text;
     return "no damping follows from the impacts";
+}
+
+SampleComparison comparison_of(const SampleResults& of, const Case& data, const std::string& no_damping) {
+    const SampleContact& contact = of.contact;
+    SampleComparison entry{.name = of.sample.name,
+                           .reported = reported_velocity({data.laws, of.velocities.laws, contact.pair,
+                                                          of.velocities.measured, no_damping}),
+                           .diameter = 2 * contact.radius.value,
+                           .density = contact.density.quantity,
+                           .work_of_adhesion = contact.work_of_adhesion.quantity,
+                           .assumed = assumed_properties(of.sample, contact, data.wall),
+                           .taken_as_exact = exact_properties(contact),
+                           .young_modulus = of.modulus.young_modulus,
+                           .contact_modulus = contact.pair.contact_modulus,
+                           .separation_energy = of.analytic.separation_energy,
+                           .analytic_velocity = of.analytic.critical_velocity,
+                           .laws = compare_laws(of, data.laws),
+                           .measured = measured_of(of.sample, of.velocities.measured)};
+    if (of.velocities.measured)
+        entry.measured_interval = Bounds{of.velocities.measured->lower, of.velocities.measured->upper};
+    if (of.sample.published) entry.published = published_beside(*of.sample.published, of);
+    return entry;
 }
 
 }  // namespace
 
-StageOutput comparison_stage(const Artifacts& before) {
-    const Case data = read_case_artifact(before);
-    const Dimension dimension = dimension_of(data.damping_law);
-    const auto moduli = before.read(modulus_artifact, read_moduli);
-    const auto contacts = before.read(contact_artifact, read_contacts);
-    const auto analytic = before.read(analytic_artifact, read_analytic);
-    const auto dampings =
-        before.read(damping_artifact, [&](const View& v) { return read_dampings(v, dimension); });
-    const auto fits = before.read(fit_artifact, [&](const View& v) { return read_fits(v, dimension); });
-    const auto velocities = before.read(critical_velocity_artifact, read_critical_velocities);
-    const auto histories = before.read(histories_artifact, read_histories);
-
-    StageOutput output{.citations = {"dong2013, Tables 1, 3 and 4, Eq. 30"}};
-    output.result["case"] = data.name;
-    output.result["samples"] = Json::array();
+ComparisonResult comparison_stage(const Case& data, const ComparedResults& results,
+                                  const std::vector<const StageRecord*>& reasons, StageRecord& record) {
+    record.citations = {"dong2013, Tables 1, 3 and 4, Eq. 30"};
+    ComparisonResult result{.name = data.name};
     Gap gap;
-    for (const Sample& sample : data.samples) {
-        const auto fractions = before.read(
-            modulus_artifact, [&](const View& view) { return read_volume_fractions(view, sample.name); });
-        const SampleResults of{sample,
-                               entry_named(moduli, sample.name, before, modulus_artifact),
-                               entry_named(fits, sample.name, before, fit_artifact).laws,
-                               entry_named(velocities, sample.name, before, critical_velocity_artifact).laws,
-                               entry_named(histories, sample.name, before, histories_artifact).contact_times,
-                               fractions};
-        const SampleAnalytic& simple = entry_named(analytic, sample.name, before, analytic_artifact);
-        const SampleContact& contact = entry_named(contacts, sample.name, before, contact_artifact);
-        for (const auto& [law, velocity] : of.velocities) gap.take(velocity, simple.critical_velocity);
-        const DynamicColumns dynamic = dynamic_columns(of, data.laws);
-        const Json& measured =
-            entry_named(velocities, sample.name, before, critical_velocity_artifact).measured;
-        const std::string no_damping = no_damping_reason(before, sample);
-        Json json{
-            {"name", sample.name},
-            {"reported", reported_json({data.laws, of.velocities, contact.pair, measured, no_damping})},
-            {"diameter", quantity_json(2 * contact.radius.value, Dimension::length)},
-            {"density", contact.density},
-            {"work_of_adhesion", contact.work_of_adhesion},
-            {"assumed", assumed_json(sample, contact, data.wall)},
-            {"taken_as_exact", exact_json(contact)},
-            {"young_modulus", of.modulus.young_modulus},
-            {"contact_modulus", quantity_json(contact.pair.contact_modulus, Dimension::pressure)},
-            {"separation_energy", quantity_json(simple.separation_energy, Dimension::energy)},
-            {"analytic_critical_velocity", quantity_json(simple.critical_velocity, Dimension::velocity)},
-            {"dynamic_critical_velocity", dynamic.velocity},
-            {"interval", dynamic.interval},
-            {"verdict", dynamic.verdict},
-            {"measured_critical_velocity", measured_json(sample, measured)},
-            {"check", dynamic.check}};
-        if (measured.is_object() && measured.contains("interval"))
-            json["measured_interval"] = measured.at("interval");
-        if (!dynamic.extrapolated.empty()) json["extrapolated_critical_velocity"] = dynamic.extrapolated;
-        if (!dynamic.interval_note.empty()) json["interval_note"] = dynamic.interval_note;
-        if (sample.published) json["published"] = published_beside_json(*sample.published, of);
-        output.result["samples"].push_back(std::move(json));
+    for (std::size_t i = 0; i < data.samples.size(); ++i) {
+        const SampleResults of{data.samples[i],
+                               results.moduli.samples[i],
+                               results.contacts.samples[i],
+                               results.analytic.samples[i],
+                               results.fits.samples[i].laws,
+                               results.velocities.samples[i],
+                               results.histories.samples[i]};
+        for (const auto& [law, velocity] : of.velocities.laws)
+            gap.take(velocity, of.analytic.critical_velocity);
+        result.samples.push_back(comparison_of(of, data, no_damping_reason(of.sample, reasons)));
     }
-    if (Json equal = equal_velocities_json(data, contacts, dampings); !equal.empty())
-        output.result["equal_velocities"] = std::move(equal);
-    if (gap.known())
-        output.result["dynamic_over_analytic"] = {{"least", gap.least_ratio},
-                                                  {"greatest", gap.greatest_ratio}};
-    output.result["conclusion"] = gap.sentence();
-    return output;
+    result.equal_velocities = equal_velocities(data, results.contacts, results.dampings);
+    if (gap.known()) result.dynamic_over_analytic = RatioRange{gap.least_ratio, gap.greatest_ratio};
+    result.conclusion = gap.sentence();
+    return result;
 }
 
 }  // namespace ashimpact

@@ -6,10 +6,6 @@
 
 #include "core/text.hpp"
 #include "materials/roughness.hpp"
-#include "pipeline/document/case_json.hpp"
-#include "pipeline/document/quantity_json.hpp"
-#include "pipeline/run/modulus.hpp"
-#include "pipeline/run/read_case_artifact.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/motion/impact.hpp"
 
@@ -18,7 +14,8 @@ namespace ashimpact {
 namespace {
 
 Stated computed(double value, Dimension dimension, std::string source) {
-    return {.quantity = make_quantity(value, dimension), .origin = "computed", .source = std::move(source)};
+    return {
+        .quantity = make_quantity(value, dimension), .origin = Origin::computed, .source = std::move(source)};
 }
 
 Stated poisson_ratio_of(const Sample& sample, const SampleModulus& modulus) {
@@ -53,21 +50,23 @@ bool needs_poisson_ratio(const Sample& sample, const std::optional<Wall>& wall) 
 /// Density that follows from the phases and the stated porosity [kg/m3].
 double density_from_phases(const Sample& sample, const SampleModulus& modulus) {
     const bool stated = sample.porosity && !sample.porosity_from_density;
-    return modulus.density * (1 - (stated ? sample.porosity->value : 0));
+    return modulus.density.value * (1 - (stated ? sample.porosity->value : 0));
 }
 
-Stated density_of(const Sample& sample, const SampleModulus& modulus, std::vector<std::string>& warnings) {
+Stated density_of(const Sample& sample, const SampleModulus& modulus, StageRecord& record) {
     if (!sample.density)
         return computed(density_from_phases(sample, modulus), Dimension::density, "phases, less the pores");
-    const double ratio = sample.density->value() / modulus.density;
+    const double dense = modulus.density.value;
+    const double ratio = sample.density->value() / dense;
     if (ratio <= 1 && sample.porosity && !sample.porosity_from_density)
         for (const std::string& note :
-             particle_density(modulus.density, sample.porosity->value, sample.density->value()).notes)
-            warnings.push_back(sample.name + ": " + note);
+             particle_density(dense, sample.porosity->value, sample.density->value()).notes)
+            record.note({"density", Severity::doubt, note}, sample.name);
     if (ratio > 1)
-        warnings.push_back(sample.name +
-                           ": the stated density is above that of the dense phases, by a factor " +
-                           shortest(std::round(1e4 * ratio) / 1e4));
+        record.note({"density-above-phases", Severity::doubt,
+                     "the stated density is above that of the dense phases, by a factor " +
+                         shortest(std::round(1e4 * ratio) / 1e4)},
+                    sample.name);
     return *sample.density;
 }
 
@@ -95,7 +94,7 @@ Stated rough_adhesion(const Stated& smooth, const Stated& roughness, double effe
     const double both =
         std::hypot(left(rms) * smooth.quantity.standard_uncertainty.value_or(0), smooth.value() * of_rms);
     if (both > 0) rough.quantity.standard_uncertainty = both;
-    rough.origin = "computed";
+    rough.origin = Origin::computed;
     rough.source = "work of adhesion of smooth surfaces and their roughness (Rabinovich et al. 2000)";
     return rough;
 }
@@ -119,138 +118,66 @@ Quantity effective_radius_of(const Quantity& particle, const Quantity& partner) 
     return effective;
 }
 
-/// What stands of two spheres in place of R* and m of a sphere on a wall.
-Json two_spheres_json(const Quantity& radius, double mass, const PartnerSphere& partner) {
-    const Quantity other = radius_of(partner.diameter);
-    const double other_mass =
-        partner.mass ? partner.mass->value() : sphere_mass(other.value, partner.density->value());
-    return {{"effective_radius", effective_radius_of(radius, other)},
-            {"effective_mass", quantity_json(effective_mass(mass, other_mass), Dimension::mass)},
-            {"radius", radius},
-            {"partner", {{"radius", other}, {"mass", quantity_json(other_mass, Dimension::mass)}}}};
+/// Sets what two spheres have in place of R* and m of a sphere on a wall.
+void set_partner(const PartnerSphere& partner, SampleContact& contact) {
+    const Quantity radius = radius_of(partner.diameter);
+    const double mass =
+        partner.mass ? partner.mass->value() : sphere_mass(radius.value, partner.density->value());
+    contact.effective_radius = effective_radius_of(contact.radius, radius);
+    contact.partner = SecondSphere{radius, make_quantity(mass, Dimension::mass)};
+    contact.pair.effective_radius = contact.effective_radius.value;
+    contact.pair.mass = effective_mass(contact.mass.value, mass);
 }
 
-Json contact_json(const Sample& sample, const Case& data, const SampleModulus& modulus,
-                  std::vector<std::string>& warnings) {
-    const std::optional<Wall>& wall = data.wall;
-    std::optional<Stated> poisson_ratio;
-    if (needs_poisson_ratio(sample, wall)) poisson_ratio = poisson_ratio_of(sample, modulus);
-    const Quantity radius = radius_of(sample.diameter);
-    const Stated density = density_of(sample, modulus, warnings);
-    const double mass = sphere_mass(radius.value, density.value());
-    Json json{
-        {"name", sample.name},
-        {"contact_modulus", stated_json(contact_modulus_of(sample, wall, modulus, poisson_ratio))},
-        {"effective_radius", radius},
-        {"mass", quantity_json(mass, Dimension::mass)},
-        {"density", stated_json(density)},
-        {"density_from_phases", quantity_json(density_from_phases(sample, modulus), Dimension::density)},
-        {"work_of_adhesion", stated_json(adhesion_of(sample))}};
-    if (data.partner) json.update(two_spheres_json(radius, mass, *data.partner));
-    if (data.roughness && data.roughness->value() > 0) {
-        const double effective_radius = json.at("effective_radius").at("value").get<double>();
-        const double rms = data.roughness->value();
-        json["smooth_work_of_adhesion"] = json.at("work_of_adhesion");
-        json["roughness"] = stated_json(*data.roughness);
-        json["work_of_adhesion"] =
-            stated_json(rough_adhesion(adhesion_of(sample), *data.roughness, effective_radius));
-        if (rms > greatest_roughness || rms > greatest_relative_roughness * effective_radius)
-            warnings.push_back(sample.name +
-                               ": the reduction of the work of adhesion by roughness is meant for an rms of "
-                               "20 nm at most, far below the radius");
-    }
-    if (poisson_ratio) json["poisson_ratio"] = stated_json(*poisson_ratio);
-    if (sample.yield_pressure) json["yield_pressure"] = stated_json(*sample.yield_pressure);
-    for (const auto& [parameter, stated] : sample.parameters)
-        json[std::string(parameter.name)] = stated_json(stated);
-    return json;
+void set_roughness(const Stated& roughness, const std::string& sample, SampleContact& contact,
+                   StageRecord& record) {
+    const double radius = contact.effective_radius.value;
+    contact.roughness = roughness;
+    contact.smooth_work_of_adhesion = contact.work_of_adhesion;
+    contact.work_of_adhesion = rough_adhesion(contact.work_of_adhesion, roughness, radius);
+    if (roughness.value() > greatest_roughness || roughness.value() > greatest_relative_roughness * radius)
+        record.note({"roughness", Severity::remark,
+                     "the reduction of the work of adhesion by roughness is meant for an rms of "
+                     "20 nm at most, far below the radius"},
+                    sample);
 }
 
-}  // namespace
-
-StageOutput contact_stage(const Artifacts& before) {
-    const Case data = read_case_artifact(before);
-    const auto moduli = before.read(modulus_artifact, read_moduli);
-    StageOutput output{.citations = {"dong2013, Eqs. 6, 7, 11"}};
-    output.options = {{"geometry", data.partner ? "two spheres: 1/R* = 1/r1 + 1/r2, 1/m* = 1/m1 + 1/m2"
-                                                : "sphere on a flat wall: R* = r, m* = m"}};
+SampleContact contact_of(const Sample& sample, const Case& data, const SampleModulus& modulus,
+                         StageRecord& record) {
+    SampleContact contact{.name = sample.name, .radius = radius_of(sample.diameter)};
+    if (needs_poisson_ratio(sample, data.wall)) contact.poisson_ratio = poisson_ratio_of(sample, modulus);
+    contact.contact_modulus = contact_modulus_of(sample, data.wall, modulus, contact.poisson_ratio);
+    contact.density = density_of(sample, modulus, record);
+    contact.density_from_phases = density_from_phases(sample, modulus);
+    contact.mass = make_quantity(sphere_mass(contact.radius.value, contact.density.value()), Dimension::mass);
+    contact.effective_radius = contact.radius;
+    contact.pair.mass = contact.mass.value;
+    contact.pair.effective_radius = contact.radius.value;
+    contact.pair.contact_modulus = contact.contact_modulus.value();
+    contact.work_of_adhesion = adhesion_of(sample);
+    if (data.partner) set_partner(*data.partner, contact);
     if (data.roughness && data.roughness->value() > 0)
-        output.citations.emplace_back("rabinovich2000, eq. of the modified Rumpf model: w of rough surfaces");
-    output.result["samples"] = Json::array();
-    for (const Sample& sample : data.samples) {
-        const SampleModulus& modulus = entry_named(moduli, sample.name, before, modulus_artifact);
-        output.result["samples"].push_back(contact_json(sample, data, modulus, output.warnings));
-    }
-    return output;
-}
-
-namespace {
-
-SecondSphere read_second_sphere(const View& node) {
-    return {positive_quantity(node.at("radius"), "radius", Dimension::length),
-            positive_quantity(node.at("mass"), "mass", Dimension::mass)};
-}
-
-/// R* and m* of two spheres, which have to be those of the artifact.
-void set_two_spheres(const View& sample, double mass, SampleContact& contact) {
-    const SecondSphere& partner = *contact.partner;
-    contact.pair.effective_radius = effective_radius(contact.radius.value, partner.radius.value);
-    contact.pair.mass = effective_mass(mass, partner.mass.value);
-    const auto check = [&](const char* key, Dimension dimension, double expected) {
-        require_agreement(sample.at(key), expected, dimension, "is not that of the two spheres",
-                          "radius, mass and partner");
-    };
-    check("effective_radius", Dimension::length, contact.pair.effective_radius);
-    check("effective_mass", Dimension::mass, contact.pair.mass);
+        set_roughness(*data.roughness, sample.name, contact, record);
+    contact.pair.work_of_adhesion = contact.work_of_adhesion.value();
+    contact.yield_pressure = sample.yield_pressure;
+    if (sample.yield_pressure) contact.pair.yield_pressure = sample.yield_pressure->value();
+    contact.parameters = sample.parameters;
+    for (const auto& [parameter, stated] : sample.parameters)
+        contact.pair.parameters.set(parameter.name, stated.value());
+    validate(contact.pair);
+    return contact;
 }
 
 }  // namespace
 
-std::vector<SampleContact> read_contacts(const View& result) {
-    std::vector<SampleContact> samples;
-    for (const View& sample : result.at("samples").elements()) {
-        const auto quantity = [&](const char* key, Dimension dimension) {
-            return sample.at(key).quantity(dimension);
-        };
-        const auto positive = [&](const char* key, Dimension dimension) {
-            return positive_quantity(sample.at(key), key, dimension);
-        };
-        SampleContact contact{
-            .name = sample.at("name").text(),
-            .pair = {},
-            .density = positive("density", Dimension::density),
-            .radius = positive(sample.has("partner") ? "radius" : "effective_radius", Dimension::length),
-            .contact_modulus = positive("contact_modulus", Dimension::pressure),
-            .work_of_adhesion = quantity("work_of_adhesion", Dimension::energy_per_area),
-            .poisson_ratio = {},
-            .parameters = {}};
-        contact.pair = {.mass = positive("mass", Dimension::mass).value,
-                        .effective_radius = contact.radius.value,
-                        .contact_modulus = contact.contact_modulus.value,
-                        .work_of_adhesion = contact.work_of_adhesion.value};
-        require_agreement(sample.at("mass"), sphere_mass(contact.radius.value, contact.density.value),
-                          Dimension::mass, "is not that of a sphere of this radius and density",
-                          "radius or density");
-        if (const auto partner = sample.find("partner")) {
-            contact.partner = read_second_sphere(*partner);
-            set_two_spheres(sample, contact.pair.mass, contact);
-        }
-        if (sample.has("poisson_ratio"))
-            contact.poisson_ratio = quantity("poisson_ratio", Dimension::fraction);
-        if (const auto pressure = sample.find("yield_pressure"))
-            contact.pair.yield_pressure = pressure->number(Dimension::pressure);
-        for (const LawParameter& parameter : law_parameters()) {
-            const auto node = sample.find(parameter.name);
-            if (!node) continue;
-            const Quantity value = node->quantity(parameter.dimension);
-            at_place(node->pointer(), [&] { require_allowed(parameter, value.value); });
-            contact.pair.parameters.set(parameter.name, value.value);
-            contact.parameters.emplace_back(parameter, value);
-        }
-        at_place(sample.pointer(), [&] { validate(contact.pair); });
-        samples.push_back(std::move(contact));
-    }
-    return samples;
+ContactResult contact_stage(const Case& data, const ModulusResult& moduli, StageRecord& record) {
+    record.citations = {"dong2013, Eqs. 6, 7, 11"};
+    if (data.roughness && data.roughness->value() > 0)
+        record.citations.emplace_back("rabinovich2000, eq. of the modified Rumpf model: w of rough surfaces");
+    ContactResult result;
+    for (std::size_t i = 0; i < data.samples.size(); ++i)
+        result.samples.push_back(contact_of(data.samples[i], data, moduli.samples[i], record));
+    return result;
 }
 
 }  // namespace ashimpact

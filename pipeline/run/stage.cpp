@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/run/stage.hpp"
 
-#include <algorithm>
-#include <stdexcept>
-
-#include "pipeline/case/case_reader.hpp"
 #include "pipeline/run/analytic.hpp"
 #include "pipeline/run/comparison.hpp"
 #include "pipeline/run/contact.hpp"
@@ -13,64 +9,93 @@
 #include "pipeline/run/fit.hpp"
 #include "pipeline/run/histories.hpp"
 #include "pipeline/run/modulus.hpp"
-#include "pipeline/run/read_case_artifact.hpp"
 #include "pipeline/run/restitution.hpp"
 
 namespace ashimpact {
 
-const Artifact& Artifacts::at(std::string_view file) const {
-    for (const Artifact& artifact : artifacts_)
-        if (artifact.file == file) return artifact;
-    throw std::logic_error("a stage reads " + std::string(file) + ", which it does not list");
+namespace {
+
+void compute_modulus(Run& run, ContactModels& /*models*/, StageRecord& record) {
+    run.modulus = modulus_stage(run.data, record);
 }
 
-bool Artifacts::has(std::string_view file) const {
-    return std::any_of(artifacts_.begin(), artifacts_.end(),
-                       [&](const Artifact& each) { return each.file == file; });
+void compute_contact(Run& run, ContactModels& /*models*/, StageRecord& record) {
+    run.contact = contact_stage(run.data, run.modulus, record);
 }
 
-const std::string& Artifacts::place_of(std::string_view file) const {
-    const Artifact& artifact = at(file);
-    if (!artifact.place.empty()) return artifact.place;
-    for (const Artifact& each : artifacts_)
-        if (each.file == case_artifact && !each.place.empty())
-            return each.place;  // what it was computed from
-    return artifact.file;
+void compute_analytic(Run& run, ContactModels& /*models*/, StageRecord& record) {
+    run.analytic = analytic_stage(run.contact, record);
 }
+
+void compute_restitution(Run& run, ContactModels& /*models*/, StageRecord& record) {
+    run.restitution = restitution_stage(run.data, run.contact, record);
+}
+
+void compute_damping(Run& run, ContactModels& models, StageRecord& record) {
+    run.damping = damping_stage(run.data, run.contact, run.restitution, models, record);
+}
+
+void compute_fit(Run& run, ContactModels& models, StageRecord& record) {
+    run.fit = fit_stage(run.data, run.contact, run.restitution, run.damping, models, record);
+}
+
+void compute_critical_velocity(Run& run, ContactModels& models, StageRecord& record) {
+    run.critical_velocity =
+        critical_velocity_stage(run.data, run.modulus, run.contact, run.restitution, run.fit, models, record);
+}
+
+void compute_histories(Run& run, ContactModels& /*models*/, StageRecord& record) {
+    run.histories =
+        histories_stage(run.data, run.contact, run.damping, run.fit, run.critical_velocity, record);
+}
+
+void compute_comparison(Run& run, ContactModels& /*models*/, StageRecord& record) {
+    std::vector<const StageRecord*> reasons;
+    for (const std::string_view file : {fit_artifact, damping_artifact})
+        if (const StageRecord* before = run.record(file)) reasons.push_back(before);
+    run.comparison = comparison_stage(
+        run.data,
+        {run.modulus, run.contact, run.analytic, run.damping, run.fit, run.critical_velocity, run.histories},
+        reasons, record);
+}
+
+}  // namespace
 
 const std::vector<Stage>& stages() {
     static const std::vector<Stage> list{
-        {"modulus", modulus_artifact, {case_artifact}, modulus_stage},
-        {"contact", contact_artifact, {case_artifact, modulus_artifact}, contact_stage},
-        {"analytic", analytic_artifact, {contact_artifact}, analytic_stage},
-        {"restitution", restitution_artifact, {case_artifact, contact_artifact}, restitution_stage},
-        {"damping", damping_artifact, {case_artifact, contact_artifact, restitution_artifact}, damping_stage},
+        {"modulus", modulus_artifact, {case_artifact}, compute_modulus},
+        {"contact", contact_artifact, {case_artifact, modulus_artifact}, compute_contact},
+        {"analytic", analytic_artifact, {contact_artifact}, compute_analytic},
+        {"restitution", restitution_artifact, {case_artifact, contact_artifact}, compute_restitution},
+        {"damping",
+         damping_artifact,
+         {case_artifact, contact_artifact, restitution_artifact},
+         compute_damping},
         {"fit",
          fit_artifact,
          {case_artifact, contact_artifact, restitution_artifact, damping_artifact},
-         fit_stage},
+         compute_fit},
         {"critical-velocity",
          critical_velocity_artifact,
-         {case_artifact, contact_artifact, restitution_artifact, fit_artifact},
-         critical_velocity_stage},
+         {case_artifact, modulus_artifact, contact_artifact, restitution_artifact, fit_artifact},
+         compute_critical_velocity},
         {"histories",
          histories_artifact,
          {case_artifact, contact_artifact, damping_artifact, fit_artifact, critical_velocity_artifact},
-         histories_stage},
+         compute_histories},
         {"comparison",
          comparison_artifact,
          {case_artifact, modulus_artifact, contact_artifact, analytic_artifact, damping_artifact,
           fit_artifact, critical_velocity_artifact, histories_artifact},
-         comparison_stage},
+         compute_comparison},
     };
     return list;
 }
 
-Case read_case_artifact(const Artifacts& artifacts) {
-    return artifacts.read(case_artifact, [](const View& result) {
-        InputFiles none = InputFiles::beside({});
-        return read_case(result, PhaseCatalogue({}), none);
-    });
+void compute_stage(const Stage& stage, Run& run, ContactModels& models) {
+    StageRecord record{.stage = std::string(stage.name), .file = std::string(stage.file)};
+    stage.compute(run, models, record);
+    run.records.push_back(std::move(record));
 }
 
 }  // namespace ashimpact

@@ -41,11 +41,11 @@ TEST_CASE("the built-in case: the paper's samples, its published values, and wha
     REQUIRE(data.wall);
     for (const Sample& sample : data.samples) {
         REQUIRE(sample.density);
-        CHECK(sample.density->origin == "inferred");
+        CHECK(sample.density->origin == Origin::inferred);
         CHECK_FALSE(sample.density->source.empty());
-        CHECK(std::get<Stated>(sample.work_of_adhesion.value()).origin == "inferred");
+        CHECK(std::get<Stated>(sample.work_of_adhesion.value()).origin == Origin::inferred);
         REQUIRE(sample.published);
-        CHECK(sample.measured_critical_velocity->origin == "measured");
+        CHECK(sample.measured_critical_velocity->origin == Origin::measured);
         CHECK(std::holds_alternative<Reconstruction>(sample.restitution.value()));
     }
     const PublishedSample& published = *data.samples[1].published;
@@ -182,9 +182,9 @@ TEST_CASE("measured impacts come from a table, with its warnings and its mistake
     CHECK(data.impacts.points[0].velocity == 2.0);
     CHECK(data.impacts.points[0].restitution() == 0.25);
     CHECK(data.impacts.points[1].captured());
-    REQUIRE(read.warnings.size() == 2);
-    CHECK(read.warnings[0].find("\"nr\" is not used") != std::string::npos);
-    CHECK(read.warnings[1].find("still of the example") != std::string::npos);
+    REQUIRE(read.findings.size() == 2);
+    CHECK(read.findings[0].finding.text.find("\"nr\" is not used") != std::string::npos);
+    CHECK(read.findings[1].finding.text.find("still of the example") != std::string::npos);
 
     sandbox.write("impacts.csv", "v_in [m/s],v_r [m/s]\n2,0.5\n4,x\n");
     try {

@@ -9,7 +9,7 @@
 #include "core/json/view.hpp"
 #include "core/json/writer.hpp"
 #include "pipeline/document/schema.hpp"
-#include "pipeline/document/uncertainty_json.hpp"
+#include "pipeline/run/results/critical_velocity.hpp"
 
 using namespace ashimpact;
 
@@ -177,11 +177,11 @@ TEST_CASE(
     "a velocity is compared with a measured one where one of them is uncertain, or nothing was measured") {
     MeasuredCriticalVelocity measured{};
     const auto verdict = [&](double uncertainty) {
-        return check_json({1.0, uncertainty, 1.0 - 2 * uncertainty, 1.0 + 2 * uncertainty}, measured, false)
-            .at("verdict")
-            .get<std::string>();
+        return name_of(
+            checked({1.0, uncertainty, 1.0 - 2 * uncertainty, 1.0 + 2 * uncertainty}, measured, false)
+                .verdict);
     };
-    const std::string nothing = verdict(0.0);
+    const auto nothing = verdict(0.0);
     measured.value = 1.05;
     CHECK(verdict(0.0) == name_of(CriticalVelocityVerdict::not_comparable));
     CHECK(verdict(0.1) == name_of(CriticalVelocityVerdict::agrees));

@@ -4,8 +4,7 @@
 
 #include <doctest/doctest.h>
 
-#include "pipeline/run/contact.hpp"
-#include "pipeline/run/run.hpp"
+#include "pipeline/document/results/run_json.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/calibration/reconstruction.hpp"
 #include "solver/motion/impact.hpp"
@@ -53,8 +52,7 @@ struct Laboratory {
 
     explicit Laboratory(double uncertainty) {
         const Law dmt = Law::of<Dmt>();
-        const ContactPair contact =
-            computed_from(document, "contact").read("2-contact.json", read_contacts).front().pair;
+        const ContactPair contact = read_run(computed_from(document, "contact")).contact.samples.front().pair;
         critical_velocity =
             *ashimpact::critical_velocity({dmt, dmt.default_detachment(), {DampingLaw::constant, c}, contact})
                  .value;
@@ -93,7 +91,7 @@ TEST_CASE("a laboratory gets its damping and critical velocity back, within the 
             solve_impact({Law::of<Dmt>(),
                           Detachment::zero_overlap,
                           {DampingLaw::constant, damping["damping"]["values"][i].get<double>()},
-                          artifacts.read("2-contact.json", read_contacts).front().pair,
+                          read_run(artifacts).contact.samples.front().pair,
                           damping["velocity"]["values"][i].get<double>()});
         CHECK(std::abs(again.restitution - e) < 1e-5);
     }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/json/document.hpp"
-#include "pipeline/run/run.hpp"
+#include "pipeline/app/run_stages.hpp"
 
 namespace ashimpact::test {
 

@@ -5,18 +5,13 @@
 #include <doctest/doctest.h>
 
 #include "materials/separation_energy.hpp"
+#include "pipeline/app/run_stages.hpp"
 #include "pipeline/case/case.hpp"
 #include "pipeline/case/case_reader.hpp"
+#include "pipeline/document/results/run_json.hpp"
 #include "pipeline/document/schema.hpp"
-#include "pipeline/run/analytic.hpp"
 #include "pipeline/run/comparison/equal_velocities.hpp"
-#include "pipeline/run/contact.hpp"
-#include "pipeline/run/critical_velocity.hpp"
-#include "pipeline/run/damping.hpp"
-#include "pipeline/run/fit.hpp"
-#include "pipeline/run/modulus.hpp"
-#include "pipeline/run/restitution.hpp"
-#include "pipeline/run/run.hpp"
+#include "pipeline/run/stage.hpp"
 #include "pipeline/run/uncertainty/calibration_problem.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/momentum_balance.hpp"
@@ -34,6 +29,11 @@ namespace {
 const Artifacts& built_in() {
     static const Artifacts artifacts = compute_artifacts(std::nullopt, "comparison");
     return artifacts;
+}
+
+const Run& built_in_run() {
+    static const Run run = read_run(built_in());
+    return run;
 }
 
 const Json& result(std::string_view file) {
@@ -82,6 +82,23 @@ TEST_CASE("every artifact that follows from the case says where contacts end, an
     CHECK(analytic["separation"] == "pull-off");
 }
 
+TEST_CASE("results read back from artifacts are written again as they were, and say what was computed") {
+    for (const Artifacts& artifacts :
+         {built_in(), computed_from(test::example_case()), computed_from(example_under("thornton-ning"))}) {
+        const Run run = read_run(artifacts);
+        for (const Stage& stage : stages()) {
+            const Artifact& artifact = artifacts.at(stage.file);
+            CAPTURE(artifact.file);
+            CHECK(result_json(run, stage.file).dump() == artifact.document.at("result").dump());
+            const StageRecord* record = run.record(stage.file);
+            REQUIRE(record != nullptr);
+            REQUIRE(record->notes.size() == artifact.document.at("warnings").size());
+            for (std::size_t i = 0; i < record->notes.size(); ++i)
+                CHECK(text_of(record->notes[i]) == artifact.document.at("warnings")[i].get<std::string>());
+        }
+    }
+}
+
 TEST_CASE("1-modulus: Table 1 and the three moduli of the paper from weight fractions") {
     const std::map<std::string, std::array<double, 4>> printed{// quartz, mullite, crystalline [%], E [GPa]
                                                                {"88 um", {1.65, 47.63, 49.28, 148.13}},
@@ -103,9 +120,9 @@ TEST_CASE("1-modulus: Table 1 and the three moduli of the paper from weight frac
 }
 
 TEST_CASE("2-contact: mass from density and diameter, origins kept") {
-    for (const SampleContact& sample : built_in().read("2-contact.json", read_contacts)) {
+    for (const SampleContact& sample : built_in_run().contact.samples) {
         const double r = sample.pair.effective_radius;
-        CHECK(relative_difference(sample.pair.mass, 4.0 / 3.0 * M_PI * r * r * r * sample.density.value) <
+        CHECK(relative_difference(sample.pair.mass, 4.0 / 3.0 * M_PI * r * r * r * sample.density.value()) <
               1e-14);
     }
     CHECK(result("2-contact.json")["samples"][0]["work_of_adhesion"]["origin"] == "inferred");
@@ -132,8 +149,8 @@ TEST_CASE("2-contact: Eq. 7 with an elastic wall, a rigid one, and a modulus tha
 }
 
 TEST_CASE("3-analytic agrees with the dynamic JKR velocity without damping") {
-    const auto contacts = built_in().read("2-contact.json", read_contacts);
-    for (const SampleAnalytic& sample : built_in().read("3-analytic.json", read_analytic)) {
+    const auto& contacts = built_in_run().contact.samples;
+    for (const SampleAnalytic& sample : built_in_run().analytic.samples) {
         const Law jkr = Law::of<Jkr>();
         const auto dynamic =
             critical_velocity({jkr, Detachment::pull_off, {}, named(contacts, sample.name).pair});
@@ -142,14 +159,14 @@ TEST_CASE("3-analytic agrees with the dynamic JKR velocity without damping") {
 }
 
 TEST_CASE("4-restitution: an impact with the published damping gives the reconstructed restitution back") {
-    const auto contacts = built_in().read("2-contact.json", read_contacts);
-    const auto restitutions = built_in().read("4-restitution.json", read_restitutions);
+    const auto& contacts = built_in_run().contact.samples;
+    const auto& restitutions = built_in_run().restitution.samples;
     for (const SampleRestitution& sample : restitutions) {
         const RestitutionSeries* jkr = sample.of(Law::of<Jkr>());
         const RestitutionSeries* brach_dunn = sample.of(Law::of<BrachDunn>());
         REQUIRE(jkr != nullptr);
         CHECK(jkr == brach_dunn);  // the reference law's points
-        CHECK(jkr->origin == "reconstructed");
+        CHECK(jkr->origin == Origin::reconstructed);
         const auto& points = jkr->impacts.points;
         CHECK(std::is_sorted(points.begin(), points.end(),
                              [](const auto& a, const auto& b) { return a.velocity < b.velocity; }));
@@ -181,8 +198,7 @@ TEST_CASE("6-fit: Table 2 and Table 3 come back from the reconstructed points") 
          {{"hertz", {0.0074, -0.0217, 0.0163}},
           {"dmt", {0.0065, -0.0206, 0.0160}},
           {"brach-dunn", {0.0043, -0.0170, 0.0145}}}}};
-    const auto fits =
-        built_in().read("6-fit.json", [](const View& v) { return read_fits(v, Dimension::damping); });
+    const auto& fits = built_in_run().fit.samples;
     for (const auto& [name, laws] : table_2)
         for (const auto& [law, fit] : laws) {
             const LawFit* own = named(fits, name).laws.find(Law::named(law));
@@ -194,18 +210,17 @@ TEST_CASE("6-fit: Table 2 and Table 3 come back from the reconstructed points") 
 }
 
 TEST_CASE("7-critical-velocity: captured just below, rebounding just above, for every law") {
-    const auto contacts = built_in().read("2-contact.json", read_contacts);
-    const auto fits =
-        built_in().read("6-fit.json", [](const View& v) { return read_fits(v, Dimension::damping); });
-    for (const auto& sample : built_in().read("7-critical-velocity.json", read_critical_velocities)) {
+    const auto& contacts = built_in_run().contact.samples;
+    const auto& fits = built_in_run().fit.samples;
+    for (const auto& sample : built_in_run().critical_velocity.samples) {
         const ContactPair& contact = named(contacts, sample.name).pair;
         int laws = 0;
         for (const auto& [law, velocity] : sample.laws) {
             const double eta = named(fits, sample.name).laws.find(law)->critical_damping;
             Impact impact{law, law.default_detachment(), {DampingLaw::constant, eta}, contact, 0};
-            impact.velocity = velocity.value.value().value * (1 - 1e-6);
+            impact.velocity = velocity.velocity.value().value * (1 - 1e-6);
             CHECK(solve_impact(impact).outcome == Outcome::capture);
-            impact.velocity = velocity.value.value().value * (1 + 1e-6);
+            impact.velocity = velocity.velocity.value().value * (1 + 1e-6);
             CHECK(solve_impact(impact).outcome == Outcome::rebound);
             ++laws;
         }
@@ -281,7 +296,7 @@ TEST_CASE("comparison: fixed places, published values beside ours, the ratio in 
 }
 
 TEST_CASE("comparison: sizes and laws at equal velocities, between the points of each series") {
-    const auto dampings = read_dampings(View(result("5-damping.json")), Dimension::damping);
+    const auto& dampings = built_in_run().damping.samples;
     const Json& equal = result("comparison.json")["equal_velocities"];
     REQUIRE(equal.size() >= 5);
     std::size_t rows = 0;
@@ -410,7 +425,8 @@ TEST_CASE("a published contact time that states no uncertainty counts with a tho
     for (Sample& sample : loaded.data.samples)
         for (auto& time : sample.published.value().contact_times)
             time.contact_time.standard_uncertainty.reset();
-    const CalibrationProblem problem = calibration_problem(loaded.data, built_in());
+    const CalibrationProblem problem =
+        calibration_problem(loaded.data, built_in_run().modulus, built_in_run().contact);
     REQUIRE(problem.contact_times.size() == 3);
     for (const auto& time : problem.contact_times)
         CHECK(relative_difference(time.standard_uncertainty, 1e-3 * time.value) < 1e-14);

@@ -123,12 +123,22 @@ TEST_CASE("a histogram is shown as bars") {
 }
 
 TEST_CASE("remarks that differ in sample, law and numbers alone are one line") {
+    const auto note = [](const char* sample, std::optional<Law> law, Severity severity, const char* text) {
+        return Note{.code = "outliers",
+                    .severity = severity,
+                    .stage = "fit",
+                    .sample = sample,
+                    .law = law,
+                    .text = text};
+    };
     const std::vector<Remark> remarks{
-        {"5-damping.json", "fine, dmt: 1 outliers of 20 impacts"},
-        {"5-damping.json", "coarse, jkr: 3 outliers of 9 impacts"},
-        {"6-fit.json", "fine: v_c over that of the other: 1.21; they disagree: why"},
-        {"6-fit.json", "Tabor parameter 2 is between both: neither holds"}};
-    const auto lines = remark_lines(remarks, {"fine", "coarse"});
+        {"5-damping.json", note("fine", Law::of<Dmt>(), Severity::remark, "1 outliers of 20 impacts")},
+        {"5-damping.json", note("coarse", Law::of<Jkr>(), Severity::remark, "3 outliers of 9 impacts")},
+        {"6-fit.json",
+         note("fine", {}, Severity::doubt, "v_c over that of the other: 1.21; they disagree: why")},
+        {"6-fit.json",
+         note("", {}, Severity::background, "Tabor parameter 2 is between both: neither holds")}};
+    const auto lines = remark_lines(remarks, 2);
     REQUIRE(lines.size() == 3);
     CHECK(lines[0].text == "2 x 5-damping.json (all samples; dmt, jkr): 1 outliers of 20 impacts");
     CHECK(lines[1].text == "1 x 6-fit.json (fine): v_c over that of the other: 1.21");
@@ -138,7 +148,9 @@ TEST_CASE("remarks that differ in sample, law and numbers alone are one line") {
 }
 
 TEST_CASE("a remark is shortened at its reason, not within a name and not before its question") {
-    const auto shown = [](const char* text) { return remark_lines({{"1-modulus.json", text}}, {})[0].text; };
+    const auto shown = [](const char* text) {
+        return remark_lines({{"1-modulus.json", {.text = text}}}, 0)[0].text;
+    };
     CHECK(shown("the phases leave 0.2 % for the amorphous part: are the fractions of the whole sample?") ==
           "1 x 1-modulus.json: the phases leave 0.2 % for the amorphous part: are the fractions of the whole "
           "sample?");

@@ -11,13 +11,12 @@
 #include "core/text.hpp"
 #include "pipeline/app/calibration/hypotheses.hpp"
 #include "pipeline/app/command.hpp"
+#include "pipeline/app/run_stages.hpp"
 #include "pipeline/document/quantity_json.hpp"
 #include "pipeline/document/statistics_json.hpp"
 #include "pipeline/present/text/progress.hpp"
 #include "pipeline/present/text/readable.hpp"
 #include "pipeline/present/text/table.hpp"
-#include "pipeline/run/read_case_artifact.hpp"
-#include "pipeline/run/run.hpp"
 #include "pipeline/run/uncertainty/calibration_problem.hpp"
 #include "solver/inference/calibration/calibration_profile.hpp"
 
@@ -171,8 +170,8 @@ void tell_that_it_takes_time() {
 
 void run_calibrate_command(const CalibrateOptions& options, std::ostream& out) {
     const auto file = options.case_file.empty() ? std::nullopt : std::optional(options.case_file);
-    const Artifacts artifacts = compute_artifacts(file, "contact", options.allow_outside);
-    Case data = read_case_artifact(artifacts);
+    const Run run = compute_run(file, "contact", options.allow_outside);
+    Case data = run.data;
     if (!options.free.empty()) data.calibration.clear();
     for (const std::string& text : options.free) {
         const FreeConstant free = read_free(text);
@@ -189,7 +188,7 @@ void run_calibrate_command(const CalibrateOptions& options, std::ostream& out) {
         if (options.compare) {
             const bool elastic = data.wall && std::holds_alternative<ElasticWall>(*data.wall);
             data.calibration.clear();
-            const CalibrationProblem problem = calibration_problem(data, artifacts);
+            const CalibrationProblem problem = calibration_problem(data, run.modulus, run.contact);
             if (problem.critical_velocities.empty() && problem.contact_times.empty())
                 throw InputError("nothing is published for these samples that constants could be found from",
                                  "critical velocities with their damping, contact times")
@@ -203,7 +202,7 @@ void run_calibrate_command(const CalibrateOptions& options, std::ostream& out) {
         }
         if (data.calibration.empty())
             throw InputError("nothing is free", "calibration.free in the case, or --free").at("/calibration");
-        const auto problem = calibration_problem(data, artifacts);
+        const auto problem = calibration_problem(data, run.modulus, run.contact);
         const CalibrationSummary summary = calibrate(problem);
         const auto profiles = [&] {  // what takes most of the time
             Progress progress(summary.constants.size(), 0, on_terminal(), "constants");

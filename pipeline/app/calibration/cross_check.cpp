@@ -9,13 +9,11 @@
 #include "core/error.hpp"
 #include "core/json/writer.hpp"
 #include "pipeline/app/command.hpp"
+#include "pipeline/app/run_stages.hpp"
 #include "pipeline/document/case_json.hpp"
 #include "pipeline/document/quantity_json.hpp"
 #include "pipeline/present/text/readable.hpp"
 #include "pipeline/present/text/table.hpp"
-#include "pipeline/run/contact.hpp"
-#include "pipeline/run/read_case_artifact.hpp"
-#include "pipeline/run/run.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/calibration/reconstruction.hpp"
 #include "solver/motion/damping_inversion.hpp"
@@ -196,15 +194,14 @@ std::string check_text(const SampleCheck& check) {
 
 void run_cross_check_command(const CrossCheckOptions& options, std::ostream& out) {
     const auto file = options.case_file.empty() ? std::nullopt : std::optional(options.case_file);
-    const Artifacts artifacts = compute_artifacts(file, "contact", options.allow_outside);
-    const Case data = read_case_artifact(artifacts);
-    const auto contacts = artifacts.read(contact_artifact, read_contacts);
+    const Run run = compute_run(file, "contact", options.allow_outside);
+    const Case& data = run.data;
     std::vector<SampleCheck> checks;
-    for (const Sample& sample : data.samples) {
+    for (std::size_t i = 0; i < data.samples.size(); ++i) {
+        const Sample& sample = data.samples[i];
         const auto* plan = sample.restitution ? std::get_if<Reconstruction>(&*sample.restitution) : nullptr;
         if (plan == nullptr) continue;
-        const ContactPair& contact = entry_named(contacts, sample.name, artifacts, contact_artifact).pair;
-        checks.push_back(check_sample(data, sample, *plan, contact));
+        checks.push_back(check_sample(data, sample, *plan, run.contact.samples[i].pair));
     }
     if (checks.empty())
         throw InputError("no sample has published fits to be checked against one another",

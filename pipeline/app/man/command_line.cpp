@@ -4,8 +4,8 @@
 #include <CLI/CLI.hpp>
 
 #include "pipeline/app/man/man.hpp"
+#include "pipeline/app/run_stages.hpp"
 #include "pipeline/document/schema.hpp"
-#include "pipeline/run/run.hpp"
 #include "solver/contact/law.hpp"
 #include "solver/damping/damping.hpp"
 

@@ -38,13 +38,6 @@ bool is_rule(std::string_view line) {
            line.find_first_not_of('-', first) == std::string_view::npos;
 }
 
-std::string error_in_color(std::string_view text) {
-    const bool ends = text.ends_with('\n');
-    std::string out(red);
-    out.append(ends ? text.substr(0, text.size() - 1) : text).append(plain);
-    return ends ? out + "\n" : out;
-}
-
 void write_message(std::string_view message, bool is_error) {
     std::string text = without_controls(message);
     if (is_colored(STDERR_FILENO)) text = is_error ? error_in_color(text) : with_colors(text);
@@ -55,6 +48,13 @@ void write_message(std::string_view message, bool is_error) {
 
 void choose_color(std::string_view when) {
     color_choice = when == "always" ? Color::always : when == "never" ? Color::never : Color::automatic;
+}
+
+std::string error_in_color(std::string_view text) {
+    const bool ends = text.ends_with('\n');
+    std::string out(red);
+    out.append(ends ? text.substr(0, text.size() - 1) : text).append(plain);
+    return ends ? out + "\n" : out;
 }
 
 bool is_colored(int descriptor) {

@@ -19,6 +19,9 @@ void choose_color(std::string_view when);
 /// The text for a terminal: headings of tables bold, "warning:" yellow.
 [[nodiscard]] std::string with_colors(std::string_view text);
 
+/// An error message for a terminal: red.
+[[nodiscard]] std::string error_in_color(std::string_view text);
+
 /// Messages on standard error. Warnings are held until the command has accepted its input: an input error
 /// prints one line, without warnings about results. Messages other than errors are wrapped at 80 characters.
 /// Safe for several threads.

@@ -9,13 +9,10 @@
 
 #include "core/text.hpp"
 #include "pipeline/case/laws.hpp"
+#include "pipeline/document/results/run_artifacts.hpp"
+#include "pipeline/document/results/run_json.hpp"
 #include "pipeline/present/text/readable.hpp"
-#include "pipeline/run/contact.hpp"
-#include "pipeline/run/critical_velocity.hpp"
-#include "pipeline/run/damping.hpp"
-#include "pipeline/run/fit.hpp"
-#include "pipeline/run/read_case_artifact.hpp"
-#include "pipeline/run/run.hpp"
+#include "pipeline/run/stage.hpp"
 #include "solver/inference/calibration/reconstruction.hpp"
 #include "solver/motion/damping_inversion.hpp"
 
@@ -71,7 +68,7 @@ const LawFit& fit_of(const SampleFit& sample, const LawChoice& law) {
 double greatest_restitution(const DampingSeries& series) {
     double greatest = 0;
     for (std::size_t i = 0; i < series.velocity.size(); ++i)
-        if (!series.rising_to || series.velocity[i] <= *series.rising_to)
+        if (!series.rising || series.velocity[i] <= series.rising->to)
             greatest = std::max(greatest, series.restitution[i]);
     return greatest;
 }
@@ -92,8 +89,8 @@ CriticalDamping critical_damping(const LawFit& fit, const LawChoice& law, Dampin
                                                        .detachment = law.detachment,
                                                        .damping = {damping_law, fit.critical_damping},
                                                        .contact = contact});
-    if (!headline.value) return {fit.critical_damping, of_fit.value};
-    const double velocity = headline.value->value;
+    if (!headline.velocity) return {fit.critical_damping, of_fit.value};
+    const double velocity = headline.velocity->value;
     if (of_fit.value && std::abs(velocity / *of_fit.value - 1) <= same)
         return {fit.critical_damping, of_fit.value};
     const DampingInversion inversion = damping_from_restitution({.law = law.law,
@@ -131,19 +128,14 @@ std::vector<DampingNode> followed(const LawFit& fit, const LawChoice& law, const
 }  // namespace
 
 ExportSubject subject_of_run(const RunChoice& choice) {
-    const Artifacts artifacts = load_artifacts(
-        choice.folder,
-        {case_artifact, "2-contact.json", "5-damping.json", "6-fit.json", "7-critical-velocity.json"});
-    const Case data = read_case_artifact(artifacts);
+    const Run run = read_run(load_artifacts(choice.folder, {case_artifact, contact_artifact, damping_artifact,
+                                                            fit_artifact, critical_velocity_artifact}));
+    const Case& data = run.data;
     const LawChoice law = law_of(data, choice);
-    const Dimension dimension = dimension_of(data.damping_law);
-    const auto contacts = artifacts.read("2-contact.json", read_contacts);
-    const auto fits =
-        artifacts.read("6-fit.json", [&](const View& result) { return read_fits(result, dimension); });
-    const auto velocities = artifacts.read("7-critical-velocity.json", read_critical_velocities);
-    const SampleContact& contact = sample_named(contacts, choice);
-    const LawFit& fit = fit_of(sample_named(fits, choice), law);
-    const LawCriticalVelocity* headline = sample_named(velocities, choice).laws.find(law.law);
+    const SampleContact& contact = sample_named(run.contact.samples, choice);
+    const LawFit& fit = fit_of(sample_named(run.fit.samples, choice), law);
+    const LawCriticalVelocity* headline =
+        sample_named(run.critical_velocity.samples, choice).laws.find(law.law);
     if (headline == nullptr)
         throw InputError(
             "7-critical-velocity.json has no critical velocity by " + std::string(law.law.name()),
@@ -155,7 +147,7 @@ ExportSubject subject_of_run(const RunChoice& choice) {
     ExportSubject subject{.law = law.law,
                           .detachment = law.detachment,
                           .contact = contact.pair,
-                          .density = contact.density.value,
+                          .density = contact.density.value(),
                           .damping = {.law = data.damping_law,
                                       .nodes = {{0, critical.coefficient}},
                                       .reference_diameter = diameter},
@@ -165,11 +157,11 @@ ExportSubject subject_of_run(const RunChoice& choice) {
     subject.origins = {fmt::format("sample {} of a run of ashimpact, diameter {}", as_text(choice.sample),
                                    readable(diameter, "m")),
                        fmt::format("E* = {}, contact modulus of {} together (2-contact.json)",
-                                   readable(contact.contact_modulus),
+                                   readable(contact.contact_modulus.quantity),
                                    contact.partner ? "both spheres" : "particle and wall"),
                        fmt::format("w = {}, work of adhesion of the pair of surfaces (2-contact.json)",
-                                   readable(contact.work_of_adhesion)),
-                       fmt::format("density {} (2-contact.json)", readable(contact.density))};
+                                   readable(contact.work_of_adhesion.quantity)),
+                       fmt::format("density {} (2-contact.json)", readable(contact.density.quantity))};
     if (!choice.follow_velocity) {
         subject.origins.push_back(fmt::format(
             "damping: {}, at every velocity: v_c is the run's headline, e above it is that of this damping",
@@ -181,9 +173,7 @@ ExportSubject subject_of_run(const RunChoice& choice) {
     if (data.damping_law != DampingLaw::constant)
         throw InputError("the fit of the run is of another damping law", "a run with damping_law constant")
             .at("--follow-velocity");
-    const auto dampings = artifacts.read(
-        "5-damping.json", [&](const View& result) { return read_dampings(result, dimension); });
-    const DampingSeries* series = sample_named(dampings, choice).laws.find(law.law);
+    const DampingSeries* series = sample_named(run.damping.samples, choice).laws.find(law.law);
     if (series == nullptr)
         throw InputError("5-damping.json has no impacts by this law", "a law with impacts").at("--law");
     subject.damping.nodes = followed(fit, law, contact.pair, critical, greatest_restitution(*series));

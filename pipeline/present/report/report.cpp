@@ -4,6 +4,7 @@
 #include "pipeline/present/report/figure_file.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/page/run_page.hpp"
+#include "pipeline/run/stage.hpp"
 
 namespace ashimpact::report {
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "pipeline/document/artifact.hpp"
 #include "pipeline/document/files/file.hpp"
-#include "pipeline/run/stage.hpp"
 
 namespace ashimpact::report {
 

@@ -2,7 +2,6 @@
 #include "pipeline/present/text/remarks.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 
 #include <fmt/format.h>
@@ -13,31 +12,6 @@
 namespace ashimpact {
 
 namespace {
-
-/// A remark without the sample and the law that it begins with.
-struct Parted {
-    std::string sample;
-    std::string law;
-    std::string text;
-};
-
-bool is_law(std::string_view word) {
-    for (std::size_t i = 0; i < Law::count(); ++i)
-        if (Law::at(i).name() == word) return true;
-    return false;
-}
-
-Parted parted(const std::string& text, const std::vector<std::string>& samples) {
-    for (const std::string& sample : samples) {
-        if (!text.starts_with(sample)) continue;
-        if (text.compare(sample.size(), 2, ": ") == 0) return {sample, "", text.substr(sample.size() + 2)};
-        const auto colon = text.find(": ", sample.size());
-        if (colon == std::string::npos || text.compare(sample.size(), 2, ", ") != 0) continue;
-        const std::string law = text.substr(sample.size() + 2, colon - sample.size() - 2);
-        if (is_law(law)) return {sample, law, text.substr(colon + 2)};
-    }
-    return {"", "", text};
-}
 
 /// The text with # for every number and every name of a law: what remarks of one kind share.
 std::string kind_of(std::string text) {
@@ -80,30 +54,9 @@ struct Kind {
     std::string first;
     std::vector<std::string> samples{};
     std::vector<std::string> laws{};
+    Severity severity = Severity::remark;
     std::size_t count = 0;
 };
-
-/// What remarks say that decide nothing: how a file was read where that is plain, which phase was meant, what
-/// is assumed of phases, how far a law's limits are, and how the paper's extrapolation differs from the
-/// estimate.
-constexpr std::array<std::string_view, 12> background{"\" is taken as ",
-                                                      "no uncertainty of Young's modulus is known",
-                                                      "the Poisson ratio is assumed",
-                                                      " of the variance of E",
-                                                      " leaves out the adhesion of ",
-                                                      "Tabor parameter ",
-                                                      "of the estimate over that of the extrapolation",
-                                                      "extrapolated fit: ",
-                                                      " above the heading not read",
-                                                      " is read, not ",
-                                                      "was read as Latin-1",
-                                                      " is used; the catalogue has "};
-
-bool decides(const std::string& text) {
-    return !text.ends_with("\" is not used") &&
-           std::none_of(background.begin(), background.end(),
-                        [&](std::string_view part) { return text.find(part) != std::string::npos; });
-}
 
 void add_once(std::vector<std::string>& names, const std::string& name) {
     if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
@@ -119,27 +72,28 @@ std::string of_what(const Kind& kind, std::size_t samples) {
 
 }  // namespace
 
-std::vector<RemarkLine> remark_lines(const std::vector<Remark>& remarks,
-                                     const std::vector<std::string>& samples) {
+std::vector<RemarkLine> remark_lines(const std::vector<Remark>& remarks, std::size_t samples) {
     std::vector<Kind> kinds;
     for (const Remark& remark : remarks) {
-        const Parted parts = parted(remark.text, samples);
-        const std::string kind = kind_of(parts.text);
+        const Note& note = remark.note;
+        const std::string kind = kind_of(note.text);
         auto found = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& each) {
             return each.file == remark.file && each.kind == kind;
         });
         if (found == kinds.end())
-            found = kinds.insert(kinds.end(), {.file = remark.file, .kind = kind, .first = parts.text});
+            found = kinds.insert(
+                kinds.end(),
+                {.file = remark.file, .kind = kind, .first = note.text, .severity = note.severity});
         ++found->count;
-        add_once(found->samples, parts.sample);
-        add_once(found->laws, parts.law);
+        add_once(found->samples, note.sample);
+        if (note.law) add_once(found->laws, std::string(note.law->name()));
     }
     std::vector<RemarkLine> lines;
     lines.reserve(kinds.size());
     for (const Kind& kind : kinds)
-        lines.push_back({.text = fmt::format("{} x {}{}: {}", kind.count, kind.file,
-                                             of_what(kind, samples.size()), statement_of(kind.first)),
-                         .decides = decides(kind.first)});
+        lines.push_back({.text = fmt::format("{} x {}{}: {}", kind.count, kind.file, of_what(kind, samples),
+                                             statement_of(kind.first)),
+                         .decides = kind.severity != Severity::background});
     return lines;
 }
 

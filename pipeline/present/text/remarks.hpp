@@ -4,22 +4,27 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/run/run.hpp"
+#include "pipeline/run/results/note.hpp"
 
 namespace ashimpact {
+
+/// A note of an artifact of a run.
+struct Remark {
+    std::string file;  ///< of the artifact
+    Note note;
+};
 
 /// The remarks of one kind.
 struct RemarkLine {
     std::string text;
-    /// Whether it may change what the reader reports. Others tell of assumptions and models that every such
-    /// run has, and of what the summary says as well.
+    /// Whether it may change what the reader reports; see Severity.
     bool decides = true;
 };
 
 /// The remarks of a run, one line a kind: "2 x 6-fit.json (fine; dmt, jkr): ...". Remarks are of one kind if
-/// they stand in one artifact and differ in sample, law and numbers alone; the line says what the first one
-/// says, without the reasons and consequences that follow behind a colon or a semicolon.
-[[nodiscard]] std::vector<RemarkLine> remark_lines(const std::vector<Remark>& remarks,
-                                                   const std::vector<std::string>& samples);
+/// they are in one artifact and differ in sample, law and numbers alone; the line has the text of the first
+/// one, without the reasons and consequences that follow a colon or a semicolon.
+/// @param samples number of samples of the run
+[[nodiscard]] std::vector<RemarkLine> remark_lines(const std::vector<Remark>& remarks, std::size_t samples);
 
 }  // namespace ashimpact

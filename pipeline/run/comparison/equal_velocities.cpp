@@ -7,8 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "pipeline/document/quantity_json.hpp"
-#include "pipeline/run/in_parallel.hpp"
+#include "solver/batch/in_parallel.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/inference/impacts/damping_smoothing.hpp"
 #include "solver/motion/impact.hpp"
@@ -19,7 +18,7 @@ namespace ashimpact {
 namespace {
 
 /// Damping over velocity of one sample by one law.
-struct Series {
+struct DampingOverVelocity {
     const SampleContact* sample;
     LawChoice choice;
     SeriesRange range;
@@ -58,39 +57,35 @@ std::optional<MeasuredCurve> interpolated(const DampingSeries& series) {
     return MeasuredCurve(velocity, damping);
 }
 
-std::optional<Series> series_of(const SampleContact& sample, const LawChoice& choice,
+std::optional<DampingOverVelocity> series_of(const SampleContact& sample, const LawChoice& choice,
                                 const DampingSeries& damping) {
-    if (damping.origin == "measured")
+    if (damping.origin == Origin::measured)
         if (auto smooth = smoothed(damping)) {
             const auto curve = std::make_shared<DampingSmoothing>(std::move(*smooth));
-            return Series{&sample, choice, {curve->slowest(), curve->fastest()}, [curve](double v) {
+            return DampingOverVelocity{&sample, choice, {curve->slowest(), curve->fastest()}, [curve](double v) {
                               return curve->at(v).damping;
                           }};
         }
     if (auto through = interpolated(damping)) {
         const auto curve = std::make_shared<MeasuredCurve>(std::move(*through));
-        return Series{
+        return DampingOverVelocity{
             &sample, choice, {curve->lower(), curve->upper()}, [curve](double v) { return (*curve)(v); }};
     }
     return std::nullopt;
 }
 
-/// One row: a sample by a law at a velocity; null where no impact rebounds with the damping there.
-Json row_json(const Series& series, DampingLaw damping_law, double velocity) {
+/// A sample by a law at a velocity; none where no impact rebounds with the damping there.
+std::optional<ImpactAtVelocity> impact_at(const DampingOverVelocity& series, DampingLaw damping_law, double velocity) {
     const double damping = series.damping(velocity);
-    if (!(damping >= 0.0)) return nullptr;
+    if (!(damping >= 0.0)) return std::nullopt;
     const ImpactResult impact = solve_impact({.law = series.choice.law,
                                               .detachment = series.choice.detachment,
                                               .damping = {damping_law, damping},
                                               .contact = series.sample->pair,
                                               .velocity = velocity});
-    if (impact.outcome != Outcome::rebound) return nullptr;
-    return {{"law", series.choice.law.name()},
-            {"sample", series.sample->name},
-            {"restitution", quantity_json(impact.restitution, Dimension::fraction)},
-            {"damping", quantity_json(damping, dimension_of(damping_law))},
-            {"contact_time", quantity_json(impact.contact_time, Dimension::time)},
-            {"maximum_overlap", quantity_json(impact.maximum_overlap, Dimension::length)}};
+    if (impact.outcome != Outcome::rebound) return std::nullopt;
+    return ImpactAtVelocity{series.choice.law, series.sample->name, impact.restitution,
+                            damping,           impact.contact_time, impact.maximum_overlap};
 }
 
 }  // namespace
@@ -126,35 +121,31 @@ std::vector<double> shared_velocities(const std::vector<SeriesRange>& ranges) {
     return shared;
 }
 
-Json equal_velocities_json(const Case& data, const std::vector<SampleContact>& contacts,
-                           const std::vector<SampleDamping>& dampings) {
-    std::vector<Series> all;
+std::vector<EqualVelocity> equal_velocities(const Case& data, const ContactResult& contacts,
+                                            const DampingStageResult& dampings) {
+    std::vector<DampingOverVelocity> all;
     std::vector<SeriesRange> ranges;
     for (const LawChoice& choice : data.laws)
-        for (const SampleDamping& sample : dampings) {
-            const DampingSeries* damping = sample.laws.find(choice.law);
-            const auto contact = std::find_if(contacts.begin(), contacts.end(),
-                                              [&](const auto& entry) { return entry.name == sample.name; });
-            if (damping == nullptr || contact == contacts.end()) continue;
-            auto series = series_of(*contact, choice, *damping);
+        for (std::size_t i = 0; i < dampings.samples.size(); ++i) {
+            const DampingSeries* damping = dampings.samples[i].laws.find(choice.law);
+            if (damping == nullptr) continue;
+            auto series = series_of(contacts.samples[i], choice, *damping);
             if (series && series->range.slowest > 0.0) {
                 ranges.push_back(series->range);
                 all.push_back(std::move(*series));
             }
         }
-    const auto entries = in_parallel(shared_velocities(ranges), [&](double velocity) -> Json {
-        Json rows = Json::array();
-        for (const Series& series : all) {
+    auto rows = in_parallel(shared_velocities(ranges), [&](double velocity) {
+        EqualVelocity equal{.velocity = velocity};
+        for (const DampingOverVelocity& series : all) {
             if (velocity < series.range.slowest || velocity > series.range.fastest) continue;
-            if (Json row = row_json(series, data.damping_law, velocity); !row.is_null())
-                rows.push_back(std::move(row));
+            if (auto impact = impact_at(series, data.damping_law, velocity))
+                equal.impacts.push_back(std::move(*impact));
         }
-        return {{"velocity", quantity_json(velocity, Dimension::velocity)}, {"impacts", rows}};
+        return equal;
     });
-    Json list = Json::array();
-    for (const Json& entry : entries)
-        if (entry.at("impacts").size() >= 2) list.push_back(entry);
-    return list;
+    std::erase_if(rows, [](const EqualVelocity& equal) { return equal.impacts.size() < 2; });
+    return rows;
 }
 
 }  // namespace ashimpact

@@ -4,8 +4,9 @@
 #include <vector>
 
 #include "pipeline/case/case.hpp"
-#include "pipeline/run/contact.hpp"
-#include "pipeline/run/damping.hpp"
+#include "pipeline/run/results/comparison.hpp"
+#include "pipeline/run/results/contact.hpp"
+#include "pipeline/run/results/damping.hpp"
 
 namespace ashimpact {
 
@@ -23,9 +24,7 @@ struct SeriesRange {
 /// the damping, and restitution, contact time and greatest overlap of the impact with it. Between the points
 /// of a series the damping is interpolated without overshoot; that of measured impacts which can be smoothed
 /// is their smooth curve. Nothing is extrapolated: a series is absent where it has no points.
-/// @param contacts of all samples of @p dampings
-/// @return a list; empty where no two series share a velocity
-[[nodiscard]] Json equal_velocities_json(const Case& data, const std::vector<SampleContact>& contacts,
-                                         const std::vector<SampleDamping>& dampings);
+[[nodiscard]] std::vector<EqualVelocity> equal_velocities(const Case& data, const ContactResult& contacts,
+                                                          const DampingStageResult& dampings);
 
 }  // namespace ashimpact

@@ -24,9 +24,8 @@ struct Candidate {
 };
 
 bool is_contradicted(const LawCriticalVelocity& velocity) {
-    if (!velocity.check.is_object()) return false;
-    const std::string verdict = velocity.check.value("verdict", "");
-    return verdict == "model-too-low" || verdict == "model-too-high";
+    return velocity.check && (velocity.check->verdict == CriticalVelocityVerdict::model_too_low ||
+                              velocity.check->verdict == CriticalVelocityVerdict::model_too_high);
 }
 
 std::string tabor_reason(double tabor) {
@@ -73,45 +72,39 @@ std::string contradiction(const std::vector<Candidate>& passed_over) {
     return text + (names.size() == 1 ? " contradicts" : " contradict");
 }
 
-std::string measured_words(const Json& measured) {
-    if (!measured.is_object() || !measured.value("critical_velocity", Json(nullptr)).is_object())
-        return "the measured velocity";
-    return fmt::format("the measured {:#.3g} m/s",
-                       measured.at("critical_velocity").at("value").get<double>());
+std::string measured_words(const std::optional<MeasuredCriticalVelocity>& measured) {
+    if (!measured || !measured->value) return "the measured velocity";
+    return fmt::format("the measured {:#.3g} m/s", *measured->value);
 }
 
 /// The measured velocity or bounds, if no law gives a velocity.
-Json bounds_json(const LawEvidence& evidence) {
-    Json json{{"law", nullptr}, {"critical_velocity", nullptr}, {"interval", nullptr}};
+ReportedVelocity measured_alone(const LawEvidence& evidence) {
     std::string verdict = evidence.no_damping;
     for (const LawChoice& choice : evidence.laws)
         if (const LawCriticalVelocity* velocity = evidence.velocities.find(choice.law))
-            verdict = "no law gives a finite velocity: " + velocity->verdict;
-    if (!evidence.measured.is_object()) {
-        json["reason"] = verdict;
-        return json;
+            verdict = "no law gives a finite velocity: " + std::string(name_of(velocity->verdict));
+    if (!evidence.measured) return {.reason = verdict};
+    const MeasuredCriticalVelocity& measured = *evidence.measured;
+    ReportedVelocity reported{.interval = Bounds{measured.lower, measured.upper}};
+    if (measured.value) {
+        reported.velocity = estimate_of(measured);
+        reported.reason = "as measured; " + verdict;
+    } else {
+        reported.reason = measured.note + "; " + verdict;
     }
-    if (evidence.measured.value("critical_velocity", Json(nullptr)).is_object()) {
-        json["critical_velocity"] = evidence.measured.at("critical_velocity");
-        json["interval"] = evidence.measured.at("interval");
-        json["reason"] = "as measured; " + verdict;
-        return json;
-    }
-    json["interval"] = evidence.measured.at("interval");
-    json["reason"] = evidence.measured.value("note", "measured") + "; " + verdict;
-    return json;
+    return reported;
 }
 
 }  // namespace
 
-Json reported_json(const LawEvidence& evidence) {
+ReportedVelocity reported_velocity(const LawEvidence& evidence) {
     std::vector<Candidate> candidates;
     for (const LawChoice& choice : evidence.laws) {
         const LawCriticalVelocity* velocity = evidence.velocities.find(choice.law);
-        if (velocity != nullptr && velocity->value)
+        if (velocity != nullptr && velocity->velocity)
             candidates.push_back(candidate_of(choice.law, *velocity, evidence.contact));
     }
-    if (candidates.empty()) return bounds_json(evidence);
+    if (candidates.empty()) return measured_alone(evidence);
 
     const bool all_contradicted = std::all_of(candidates.begin(), candidates.end(), [](const Candidate& c) {
         return c.contradicted || !c.law.is_adhesive();
@@ -128,10 +121,7 @@ Json reported_json(const LawEvidence& evidence) {
     else if (const std::string others = contradiction({candidates.begin() + 1, candidates.end()});
              !others.empty())
         reason += fmt::format("; {} {}", others, measured_words(evidence.measured));
-    return {{"law", chosen.law.name()},
-            {"critical_velocity", chosen.velocity->headline},
-            {"interval", chosen.velocity->interval},
-            {"reason", reason}};
+    return {chosen.law, chosen.velocity->velocity, chosen.velocity->velocity->interval, reason};
 }
 
 }  // namespace ashimpact

@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "pipeline/case/case.hpp"
-#include "pipeline/run/critical_velocity.hpp"
+#include "pipeline/run/results/comparison.hpp"
+#include "pipeline/run/results/critical_velocity.hpp"
 
 namespace ashimpact {
 
@@ -14,7 +15,7 @@ struct LawEvidence {
     const std::vector<LawChoice>& laws;
     const LawMap<LawCriticalVelocity>& velocities;
     const ContactPair& contact;
-    const Json& measured;           ///< of 7-critical-velocity.json; may be null
+    const std::optional<MeasuredCriticalVelocity>& measured;
     const std::string& no_damping;  ///< why a law has no damping: "no impacts were given"
 };
 
@@ -25,6 +26,6 @@ struct LawEvidence {
 /// Among them the physics of the contact decides: thornton-ning if the contact yields, else maugis-dugdale,
 /// which holds for every Tabor parameter, else JKR or DMT, whichever limit is nearer (Johnson & Greenwood
 /// 1997), else brach-dunn and sjkr, whose adhesion is empirical. hertz is reported if there is nothing else.
-[[nodiscard]] Json reported_json(const LawEvidence& evidence);
+[[nodiscard]] ReportedVelocity reported_velocity(const LawEvidence& evidence);
 
 }  // namespace ashimpact

@@ -22,7 +22,7 @@ struct SampleContact {
     std::string name{};
     ContactPair pair{};                           ///< as the solver takes it
     Stated contact_modulus{};                     ///< E* [Pa]
-    Quantity effective_radius;                    ///< R* [m]
+    Quantity effective_radius{};                  ///< R* [m]
     Quantity radius{};                            ///< of the particle; R* where the other body is a wall [m]
     Quantity mass{};                              ///< of the particle [kg]
     Stated density{};                             ///< apparent [kg/m3]

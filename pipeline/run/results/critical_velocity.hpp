@@ -23,6 +23,16 @@ struct Names<DampingUnderChange> {
     static constexpr std::array<std::string_view, 2> all{"reread", "held"};
 };
 
+/// The check of a modelled v_c; not comparable if neither it nor the measured one has an uncertainty.
+[[nodiscard]] inline CriticalVelocityCheck checked(const Interval& model,
+                                                   const MeasuredCriticalVelocity& measured,
+                                                   bool same_impacts) {
+    const bool comparable =
+        !measured.value || model.standard_uncertainty > 0 || measured.standard_uncertainty.value_or(0) > 0;
+    return comparable ? check(model, measured, same_impacts)
+                      : CriticalVelocityCheck{CriticalVelocityVerdict::not_comparable, std::nullopt};
+}
+
 /// How an interval of v_c came about, and what dominates it.
 struct VelocityUncertainty {
     std::size_t evaluations = 0;
@@ -69,6 +79,15 @@ struct SampleCriticalVelocity {
         measured{};  ///< reported, or as the outcomes of the impacts show it
     LawMap<LawCriticalVelocity> laws{};
 };
+
+/// The measured velocity as an estimate. @param measured with a value
+[[nodiscard]] inline VelocityEstimate estimate_of(const MeasuredCriticalVelocity& measured) {
+    VelocityEstimate estimate{.value = measured.value.value(),
+                              .interval = Bounds{measured.lower, measured.upper}};
+    if (measured.standard_uncertainty.value_or(0) > 0)
+        estimate.standard_uncertainty = measured.standard_uncertainty;
+    return estimate;
+}
 
 /// Result of the critical velocity stage, 7-critical-velocity.json.
 struct CriticalVelocityResult {

@@ -11,6 +11,7 @@
 #include "pipeline/case/case.hpp"
 #include "pipeline/case/law_map.hpp"
 #include "solver/damping/damping_polynomial.hpp"
+#include "solver/inference/curve/headline.hpp"
 #include "solver/inference/extrapolation/damping_curve_fit.hpp"
 #include "solver/inference/outcomes/estimate_comparison.hpp"
 
@@ -39,6 +40,11 @@ struct DampingEstimate {
     double scatter = 0;            ///< factor on the stated noise [1], or the noise itself [m/s]
     double particle_scatter = 0;   ///< standard deviation of ln eta between particles [1]
 };
+
+[[nodiscard]] DampingEstimate summary_of(const CriticalVelocityEstimate& estimate);
+
+/// A fit whose indices are those of the whole series. @param indices of the impacts it was given
+[[nodiscard]] DampingCurveFit with_indices(DampingCurveFit fit, const std::vector<std::size_t>& indices);
 
 /// The damping that the fit of one law gives.
 struct LawFit {

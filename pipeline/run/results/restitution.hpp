@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "pipeline/case/case.hpp"
-#include "pipeline/case/impact_columns.hpp"
+#include "pipeline/case/listed_impacts.hpp"
 #include "solver/contact/law.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 
@@ -18,7 +18,7 @@ struct RestitutionSeries {
     std::vector<Law> laws{};
     Origin origin = Origin::measured;  ///< measured or reconstructed
     std::string source{};
-    ImpactColumns columns{};
+    ListedImpacts columns{};
     MeasurementSet impacts{};  ///< the impacts of these columns, in their order
     /// Of a reconstructed series: standard uncertainty of each coefficient behind it, its rounding [kg/s].
     std::optional<double> coefficient_uncertainty{};

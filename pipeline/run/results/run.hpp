@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pipeline/case/case.hpp"
@@ -19,14 +20,6 @@
 
 namespace ashimpact {
 
-/// What is known of a stage beside its result.
-struct StageRecord {
-    std::string file{};    ///< of its artifact
-    std::string sha256{};  ///< of the bytes of that file
-    std::vector<std::string> citations{};
-    std::vector<Note> notes{};
-};
-
 /// A finished run. The samples of every result are those of the case, in its order.
 struct Run {
     Case data{};
@@ -42,6 +35,13 @@ struct Run {
     CriticalVelocityResult critical_velocity{};
     HistoriesResult histories{};
     ComparisonResult comparison{};
+
+    /// The record of an artifact, or null.
+    [[nodiscard]] const StageRecord* record(std::string_view file) const {
+        for (const StageRecord& each : records)
+            if (each.file == file) return &each;
+        return nullptr;
+    }
 };
 
 }  // namespace ashimpact

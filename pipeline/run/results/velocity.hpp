@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string_view>
 
@@ -39,5 +40,15 @@ struct VelocityEstimate {
     std::optional<Bounds> interval{};              ///< [m/s]; none: not known
     std::optional<VelocityMethod> method{};        ///< none: not stated, as of a measured velocity
 };
+
+/// A result of the solver with its uncertainty and interval, without ends that are not finite.
+[[nodiscard]] inline VelocityEstimate estimate_of(const Interval& interval) {
+    const auto finite = [](const std::optional<double>& value) {
+        return value && std::isfinite(*value) ? value : std::nullopt;
+    };
+    return {.value = interval.value,
+            .standard_uncertainty = finite(interval.standard_uncertainty),
+            .interval = Bounds{finite(interval.lower), finite(interval.upper)}};
+}
 
 }  // namespace ashimpact

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <variant>
 
-#include "pipeline/run/attempt.hpp"
 #include "pipeline/run/uncertainty/calibration_problem.hpp"
 
 namespace ashimpact {
@@ -12,7 +11,7 @@ namespace ashimpact {
 namespace {
 
 bool is_inferred(const Stated& stated) {
-    return stated.origin == "inferred";
+    return stated.origin == Origin::inferred;
 }
 
 bool has_inferred_density(const Sample& sample) {
@@ -26,15 +25,19 @@ bool has_inferred_adhesion(const Sample& sample) {
 
 }  // namespace
 
-std::vector<CalibrationResponse> calibrated_constants(const Case& data, const Artifacts& before,
-                                                      std::vector<std::string>& warnings) {
+std::vector<CalibrationResponse> calibrated_constants(const Case& data, const ModulusResult& moduli,
+                                                      const ContactResult& contacts, StageRecord& record) {
     std::vector<CalibrationResponse> independent(data.samples.size());
     const bool inferred = std::ranges::any_of(data.samples, [](const Sample& sample) {
         return has_inferred_density(sample) || has_inferred_adhesion(sample);
     });
     if (!inferred || data.calibration.empty()) return independent;
-    auto responses = attempt("response of the inferred constants to the contact modulus", warnings,
-                             [&] { return response_to_contact_modulus(calibration_problem(data, before)); });
+    std::vector<Finding> findings;
+    auto responses =
+        attempt("response of the inferred constants to the contact modulus", "no-calibration-response",
+                Severity::doubt, findings,
+                [&] { return response_to_contact_modulus(calibration_problem(data, moduli, contacts)); });
+    record.note(findings, {});
     if (!responses) return independent;
     for (std::size_t i = 0; i < responses->size(); ++i) {
         if (!has_inferred_density(data.samples[i])) (*responses)[i].density = 0;

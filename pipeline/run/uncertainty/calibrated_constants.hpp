@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "pipeline/case/case.hpp"
-#include "pipeline/run/stage.hpp"
+#include "pipeline/run/results/contact.hpp"
+#include "pipeline/run/results/modulus.hpp"
+#include "pipeline/run/results/note.hpp"
 #include "solver/inference/calibration/calibration_response.hpp"
 
 namespace ashimpact {
 
 /// How the inferred constants of each sample of a case follow its contact modulus: those that the case's
 /// calibration leaves free and whose origin is "inferred". All others do not follow.
-/// @param warnings why they are taken as independent of the modulus, if the calibration cannot be linearised
-[[nodiscard]] std::vector<CalibrationResponse> calibrated_constants(const Case& data, const Artifacts& before,
-                                                                    std::vector<std::string>& warnings);
+/// @param record gets a note if the calibration cannot be linearised; they are then taken as independent
+[[nodiscard]] std::vector<CalibrationResponse> calibrated_constants(const Case& data,
+                                                                    const ModulusResult& moduli,
+                                                                    const ContactResult& contacts,
+                                                                    StageRecord& record);
 
 }  // namespace ashimpact

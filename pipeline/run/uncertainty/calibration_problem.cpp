@@ -3,10 +3,6 @@
 
 #include <algorithm>
 
-#include "pipeline/run/contact.hpp"
-#include "pipeline/run/modulus.hpp"
-#include "pipeline/run/read_case_artifact.hpp"
-
 namespace ashimpact {
 
 namespace {
@@ -14,7 +10,7 @@ namespace {
 CalibrationSample start_of(const Case& data, const Sample& sample, const SampleModulus& modulus,
                            const SampleContact& contact) {
     CalibrationSample start{.diameter = sample.diameter.value(),
-                            .density = contact.density.value,
+                            .density = contact.density.value(),
                             .work_of_adhesion = contact.pair.work_of_adhesion,
                             .particle = {.young_modulus = modulus.young_modulus.value},
                             .wall = {},
@@ -82,9 +78,8 @@ void require_wall_to_matter(const Case& data) {
 
 }  // namespace
 
-CalibrationProblem calibration_problem(const Case& data, const Artifacts& before) {
-    const auto moduli = before.read(modulus_artifact, read_moduli);
-    const auto contacts = before.read(contact_artifact, read_contacts);
+CalibrationProblem calibration_problem(const Case& data, const ModulusResult& moduli,
+                                       const ContactResult& contacts) {
     CalibrationProblem problem{
         .samples = {}, .free = data.calibration, .critical_velocities = {}, .contact_times = {}};
     const bool elastic = data.wall && std::holds_alternative<ElasticWall>(*data.wall);
@@ -104,9 +99,7 @@ CalibrationProblem calibration_problem(const Case& data, const Artifacts& before
     require_wall_to_matter(data);
     for (std::size_t i = 0; i < data.samples.size(); ++i) {
         const Sample& sample = data.samples[i];
-        problem.samples.push_back(start_of(data, sample,
-                                           entry_named(moduli, sample.name, before, modulus_artifact),
-                                           entry_named(contacts, sample.name, before, contact_artifact)));
+        problem.samples.push_back(start_of(data, sample, moduli.samples[i], contacts.samples[i]));
         if (sample.published) add_observations(*sample.published, i, problem);
     }
     return problem;

@@ -2,13 +2,15 @@
 #pragma once
 
 #include "pipeline/case/case.hpp"
-#include "pipeline/run/stage.hpp"
+#include "pipeline/run/results/contact.hpp"
+#include "pipeline/run/results/modulus.hpp"
 #include "solver/inference/calibration/calibration.hpp"
 
 namespace ashimpact {
 
-/// The calibration a case asks for; starts from its modulus and contact artifacts.
+/// The calibration of a case, starting from its moduli and contacts.
 /// @throws InputError with the place in the case
-[[nodiscard]] CalibrationProblem calibration_problem(const Case& data, const Artifacts& before);
+[[nodiscard]] CalibrationProblem calibration_problem(const Case& data, const ModulusResult& moduli,
+                                                     const ContactResult& contacts);
 
 }  // namespace ashimpact

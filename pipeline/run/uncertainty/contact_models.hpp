@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <future>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <tuple>
+
 #include "pipeline/case/case.hpp"
 #include "solver/surrogate/contact_model.hpp"
 
@@ -11,9 +19,20 @@ namespace ashimpact {
 [[nodiscard]] bool has_contact_model(const LawChoice& choice, DampingLaw damping_law,
                                      const ContactPair& contact);
 
-/// The model of a law that serves fits of some impacts. Its map takes tenths of a second and several stages
-/// need the same one, so it is kept while the program runs.
-[[nodiscard]] ContactModel contact_model_for(const LawChoice& choice, const ContactPair& contact,
-                                             const MeasurementSet& impacts);
+/// The dynamic models of a run. A map takes tenths of a second and several stages need the same one, so each
+/// is made once. One is reused only for exactly the same inputs: results do not depend on earlier calls.
+class ContactModels {
+  public:
+    /// The model of a law that serves fits of some impacts.
+    [[nodiscard]] ContactModel model_for(const LawChoice& choice, const ContactPair& contact,
+                                         const MeasurementSet& impacts);
+
+  private:
+    using Key = std::tuple<std::string, Detachment, std::array<double, 6>>;
+    using Map = std::shared_ptr<const RestitutionMap>;
+
+    std::map<Key, std::shared_future<Map>> maps_{};
+    std::mutex access_{};
+};
 
 }  // namespace ashimpact

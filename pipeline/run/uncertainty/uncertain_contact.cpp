@@ -34,19 +34,20 @@ Quantity diameter_of(Quantity radius) {
 /// @param law whose parameters are inputs; those of other laws are only carried along
 SphereInContact sphere_of(const SampleContact& contact, Law law) {
     const Quantity diameter = diameter_of(contact.radius);
-    SphereInContact sphere{.diameter = positive("diameter", diameter),
-                           .density = positive("density", contact.density),
-                           .work_of_adhesion = positive("work of adhesion", contact.work_of_adhesion),
-                           .yield_pressure = contact.pair.yield_pressure};
+    SphereInContact sphere{
+        .diameter = positive("diameter", diameter),
+        .density = positive("density", contact.density.quantity),
+        .work_of_adhesion = positive("work of adhesion", contact.work_of_adhesion.quantity),
+        .yield_pressure = contact.pair.yield_pressure};
     if (contact.partner)
         sphere.partner = {positive("diameter of the partner", diameter_of(contact.partner->radius)),
                           positive("mass of the partner", contact.partner->mass)};
     for (const auto& [parameter, value] : contact.parameters) {
         const auto same = [&, &name = parameter.name](const LawParameter& own) { return own.name == name; };
         if (std::ranges::any_of(law.parameters(), same))
-            sphere.parameters.emplace_back(parameter, positive(std::string(parameter.name), value));
+            sphere.parameters.emplace_back(parameter, positive(std::string(parameter.name), value.quantity));
         else
-            sphere.other_parameters.set(parameter.name, value.value);
+            sphere.other_parameters.set(parameter.name, value.value());
     }
     return sphere;
 }
@@ -58,7 +59,7 @@ std::optional<RandomContact> from_phases(const Case& data, const Sample& sample,
     if (wall == nullptr || sample.contact_modulus || !contact.poisson_ratio) return std::nullopt;
     const PhaseCatalogue catalogue({PhaseSet{.name = "case", .phases = data.phases}});
     SphereInContact sphere = sphere_of(contact, law);
-    sphere.poisson_ratio = ratio("Poisson's ratio", *contact.poisson_ratio);
+    sphere.poisson_ratio = ratio("Poisson's ratio", contact.poisson_ratio->quantity);
     sphere.wall_young_modulus = positive("Young's modulus of the wall", wall->young_modulus.quantity);
     sphere.wall_poisson_ratio = ratio("Poisson's ratio of the wall", wall->poisson_ratio.quantity);
     sphere.mixture = PhaseMixture{compose(sample.analysis, catalogue),
@@ -77,7 +78,7 @@ RandomContact independent_contact(const Case& data, const Sample& sample, const 
                                   Law law) {
     if (auto random = from_phases(data, sample, contact, law)) return *std::move(random);
     SphereInContact sphere = sphere_of(contact, law);
-    sphere.contact_modulus = positive("contact modulus", contact.contact_modulus);
+    sphere.contact_modulus = positive("contact modulus", contact.contact_modulus.quantity);
     return random_contact(sphere);
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "pipeline/case/case.hpp"
-#include "pipeline/run/contact.hpp"
+#include "pipeline/run/results/contact.hpp"
 #include "solver/inference/calibration/calibration_response.hpp"
 #include "solver/inference/propagation/random_contact.hpp"
 

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "pipeline/case/case.hpp"
-#include "pipeline/run/contact.hpp"
-#include "pipeline/run/fit.hpp"
-#include "pipeline/run/restitution.hpp"
-#include "solver/inference/calibration/calibration_response.hpp"
-#include "solver/inference/outcomes/measured_critical_velocity.hpp"
+#include "pipeline/run/results/contact.hpp"
+#include "pipeline/run/results/critical_velocity.hpp"
+#include "pipeline/run/results/fit.hpp"
+#include "pipeline/run/results/restitution.hpp"
+#include "pipeline/run/uncertainty/contact_models.hpp"
 #include "solver/inference/propagation/random_contact.hpp"
 
 namespace ashimpact {
@@ -25,23 +25,23 @@ struct VelocityTask {
     const LawFit& fit;
     const std::optional<MeasuredCriticalVelocity>& measured;
     bool measured_is_reported;  ///< by the case, and not read from the same impacts
+    ContactModels& models;
 
     [[nodiscard]] bool from_impacts() const { return fit.estimate || fit.extrapolated; }
     /// eta_c that v_c follows from: what the impacts support, or else that of the polynomial [SI].
     [[nodiscard]] double critical_damping() const {
-        return fit.estimate ? fit.estimate->value : fit.critical_damping;
+        return fit.estimate ? fit.estimate->critical_damping.value : fit.critical_damping;
     }
     [[nodiscard]] double critical_damping_uncertainty() const {
-        return fit.estimate ? fit.estimate->standard_uncertainty
+        return fit.estimate ? fit.estimate->critical_damping.standard_uncertainty
                             : fit.critical_damping_uncertainty.value_or(0);
     }
 };
 
-/// The interval of v_c by propagation of everything that is uncertain, with the ranking of what dominates,
-/// the check against the measured one, and the same of the paper's extrapolation; keys that are added to
-/// those of the critical velocity. What cannot be had becomes a note.
-/// @param velocity v_c at the critical damping [m/s]
-[[nodiscard]] Json velocity_uncertainty_json(const VelocityTask& task, double velocity,
-                                             std::vector<std::string>& notes);
+/// Sets the interval of v_c by propagation of everything that is uncertain, with the ranking of what
+/// dominates, the check against the measured one, and the same of the paper's extrapolation. Results that
+/// cannot be had become findings.
+/// @param velocity by exact solution, with v_c at the critical damping
+void set_uncertainty(const VelocityTask& task, LawCriticalVelocity& velocity, std::vector<Finding>& findings);
 
 }  // namespace ashimpact

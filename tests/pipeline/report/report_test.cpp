@@ -14,6 +14,7 @@
 
 #include "pipeline/document/files/file.hpp"
 #include "pipeline/document/files/sha256.hpp"
+#include "pipeline/document/results/run_artifacts.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/figure_file.hpp"
 #include "pipeline/present/report/figures/figures.hpp"

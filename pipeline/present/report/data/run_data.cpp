@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "pipeline/case/laws.hpp"
-#include "pipeline/run/in_parallel.hpp"
-#include "pipeline/run/read_case_artifact.hpp"
+#include "pipeline/document/results/run_json.hpp"
+#include "solver/batch/in_parallel.hpp"
 
 namespace ashimpact::report {
 
@@ -79,19 +79,8 @@ std::string display_name(std::string_view law) {
 }
 
 RunData::RunData(Artifacts artifacts, std::string label)
-    : label_(std::move(label)),
-      artifacts_(std::move(artifacts)),
-      case_(read_case_artifact(artifacts_)),
-      contacts_(artifacts_.read("2-contact.json", read_contacts)),
-      analytic_(artifacts_.read("3-analytic.json", read_analytic)),
-      restitutions_(artifacts_.read("4-restitution.json", read_restitutions)),
-      dampings_(
-          artifacts_.read("5-damping.json",
-                          [&](const View& v) { return read_dampings(v, dimension_of(case_.damping_law)); })),
-      fits_(artifacts_.read("6-fit.json",
-                            [&](const View& v) { return read_fits(v, dimension_of(case_.damping_law)); })),
-      velocities_(artifacts_.read("7-critical-velocity.json", read_critical_velocities)) {
-    for (const Sample& sample : case_.samples) read_sample(sample);
+    : label_(std::move(label)), artifacts_(std::move(artifacts)), run_(read_run(artifacts_)) {
+    for (std::size_t i = 0; i < run_.data.samples.size(); ++i) read_sample(i);
     std::vector<LawData*> laws;
     std::vector<const SampleData*> owners;
     for (SampleData& sample : samples_)
@@ -112,7 +101,7 @@ RunData::RunData(Artifacts artifacts, std::string label)
             return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
         };
         return model_curve({.choice = law.choice,
-                            .damping_law = case_.damping_law,
+                            .damping_law = run_.data.damping_law,
                             .contact = owners[i]->contact->pair,
                             .damping_fit = *law.damping_fit,
                             .covariance = covariance_of(law),
@@ -123,25 +112,24 @@ RunData::RunData(Artifacts artifacts, std::string label)
     for (std::size_t i = 0; i < laws.size(); ++i) laws[positions[i]]->curve = curves[i];
 }
 
-void RunData::read_sample(const Sample& sample) {
+void RunData::read_sample(std::size_t index) {
+    const Sample& sample = run_.data.samples[index];
     const Json& dampings = entry_of(artifacts_, "5-damping.json", sample.name);
     const Json& fits = entry_of(artifacts_, "6-fit.json", sample.name);
     const Json& velocities = entry_of(artifacts_, "7-critical-velocity.json", sample.name);
     const Json& histories = entry_of(artifacts_, "8-histories.json", sample.name);
     SampleData entry{.name = sample.name,
                      .sample = &sample,
-                     .contact = &entry_named(contacts_, sample.name, artifacts_, "2-contact.json"),
-                     .analytic = &entry_named(analytic_, sample.name, artifacts_, "3-analytic.json"),
+                     .contact = &run_.contact.samples[index],
+                     .analytic = &run_.analytic.samples[index],
                      .modulus = entry_of(artifacts_, "1-modulus.json", sample.name),
                      .comparison = entry_of(artifacts_, "comparison.json", sample.name),
                      .measured = member(velocities, "measured")};
-    const SampleRestitution& restitution =
-        entry_named(restitutions_, sample.name, artifacts_, "4-restitution.json");
-    const SampleDamping& damping = entry_named(dampings_, sample.name, artifacts_, "5-damping.json");
-    const SampleFit& fit = entry_named(fits_, sample.name, artifacts_, "6-fit.json");
-    const SampleCriticalVelocity& velocity =
-        entry_named(velocities_, sample.name, artifacts_, "7-critical-velocity.json");
-    for (const LawChoice& choice : case_.laws) {
+    const SampleRestitution& restitution = run_.restitution.samples[index];
+    const SampleDamping& damping = run_.damping.samples[index];
+    const SampleFit& fit = run_.fit.samples[index];
+    const SampleCriticalVelocity& velocity = run_.critical_velocity.samples[index];
+    for (const LawChoice& choice : run_.data.laws) {
         const std::string key(choice.law.name());
         LawData law{.choice = choice,
                     .name = display_name(key),
@@ -164,20 +152,20 @@ void RunData::read_sample(const Sample& sample) {
 }
 
 std::string RunData::damping_unit() const {
-    return std::string(unit_of(case_.damping_law));
+    return std::string(unit_of(run_.data.damping_law));
 }
 
 bool RunData::any_reconstructed() const {
-    for (const auto& sample : restitutions_)
+    for (const auto& sample : run_.restitution.samples)
         for (const auto& series : sample.series)
-            if (series.origin != "measured") return true;
+            if (series.origin != Origin::measured) return true;
     return false;
 }
 
 bool RunData::any_measured() const {
-    for (const auto& sample : restitutions_)
+    for (const auto& sample : run_.restitution.samples)
         for (const auto& series : sample.series)
-            if (series.origin == "measured") return true;
+            if (series.origin == Origin::measured) return true;
     return false;
 }
 

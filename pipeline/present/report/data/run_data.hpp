@@ -6,15 +6,10 @@
 #include <vector>
 
 #include "pipeline/case/case.hpp"
+#include "pipeline/document/artifact.hpp"
 #include "pipeline/present/report/data/headline.hpp"
 #include "pipeline/present/report/data/model_curve.hpp"
-#include "pipeline/run/analytic.hpp"
-#include "pipeline/run/contact.hpp"
-#include "pipeline/run/critical_velocity.hpp"
-#include "pipeline/run/damping.hpp"
-#include "pipeline/run/fit.hpp"
-#include "pipeline/run/restitution.hpp"
-#include "pipeline/run/stage.hpp"
+#include "pipeline/run/results/run.hpp"
 #include "solver/damping/damping_polynomial.hpp"
 
 namespace ashimpact::report {
@@ -56,7 +51,8 @@ class RunData {
     RunData(Artifacts artifacts, std::string label);
 
     [[nodiscard]] const std::string& label() const { return label_; }
-    [[nodiscard]] const Case& data() const { return case_; }
+    [[nodiscard]] const Case& data() const { return run_.data; }
+    [[nodiscard]] const Run& run() const { return run_; }
     [[nodiscard]] const Artifacts& artifacts() const { return artifacts_; }
     [[nodiscard]] const std::vector<SampleData>& samples() const { return samples_; }
     [[nodiscard]] std::string damping_unit() const;
@@ -64,17 +60,11 @@ class RunData {
     [[nodiscard]] bool any_measured() const;
 
   private:
-    void read_sample(const Sample& sample);
+    void read_sample(std::size_t index);
 
     std::string label_;
     Artifacts artifacts_;
-    Case case_;
-    std::vector<SampleContact> contacts_;
-    std::vector<SampleAnalytic> analytic_;
-    std::vector<SampleRestitution> restitutions_;
-    std::vector<SampleDamping> dampings_;
-    std::vector<SampleFit> fits_;
-    std::vector<SampleCriticalVelocity> velocities_;
+    Run run_;
     std::vector<SampleData> samples_;
 };
 

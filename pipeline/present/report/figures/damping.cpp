@@ -63,8 +63,8 @@ bool any_boundary(const RunData& run) {
 void add_rows(const SampleData& sample, const LawData& law, NumberTable& table) {
     const std::vector<double> uncertainty = column_in(law.damping_json, "damping_uncertainty");
     for (std::size_t i = 0; i < law.damping->damping.size(); ++i)
-        table.rows.push_back({sample.name, law.name, law.damping->origin, law.damping->velocity[i],
-                              law.damping->restitution[i], law.damping->damping[i],
+        table.rows.push_back({sample.name, law.name, std::string(name_of(law.damping->origin)),
+                              law.damping->velocity[i], law.damping->restitution[i], law.damping->damping[i],
                               i < uncertainty.size() ? Cell(uncertainty[i]) : Cell(std::string())});
 }
 
@@ -171,7 +171,8 @@ Figure contact_time_figure(const RunData& run) {
             for (std::size_t i = 0; i < law.damping->velocity.size() && i < law.damping->contact_time.size();
                  ++i) {
                 points.marks.push_back({law.damping->velocity[i], law.damping->contact_time[i]});
-                figure.numbers.rows.push_back({sample.name, law.name, law.damping->origin,
+                figure.numbers.rows.push_back({sample.name, law.name,
+                                               std::string(name_of(law.damping->origin)),
                                                law.damping->velocity[i], law.damping->contact_time[i]});
             }
             panel.series.push_back(std::move(points));

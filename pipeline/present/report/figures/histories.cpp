@@ -10,7 +10,7 @@
 #include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/figures/law_series.hpp"
 #include "pipeline/present/text/readable.hpp"
-#include "pipeline/run/in_parallel.hpp"
+#include "solver/batch/in_parallel.hpp"
 #include "solver/motion/trajectory.hpp"
 
 namespace ashimpact::report {
@@ -68,10 +68,10 @@ History stored(const std::string& part, const Json& json) {
 
 /// The middle one of the impacts beyond the rising branch.
 std::optional<std::size_t> falling_point(const LawData& law) {
-    if (law.damping == nullptr || !law.damping->rising_to) return std::nullopt;
+    if (law.damping == nullptr || !law.damping->rising) return std::nullopt;
     std::vector<std::size_t> beyond;
     for (std::size_t i = 0; i < law.damping->velocity.size(); ++i)
-        if (law.damping->velocity[i] > *law.damping->rising_to) beyond.push_back(i);
+        if (law.damping->velocity[i] > law.damping->rising->to) beyond.push_back(i);
     if (beyond.empty()) return std::nullopt;
     return beyond[beyond.size() / 2];
 }

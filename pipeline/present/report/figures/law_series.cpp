@@ -40,7 +40,7 @@ std::vector<Region> capture_region(const SampleData& sample) {
 }
 
 bool is_reconstructed(const LawData& law) {
-    return law.measured != nullptr && law.measured->origin != "measured";
+    return law.measured != nullptr && law.measured->origin != Origin::measured;
 }
 
 std::vector<double> column_in(const Json& entry, const char* key) {

@@ -54,7 +54,7 @@ XyPanel panel_of(const SampleData& sample, NumberTable& table) {
         points.push_back(impacts_series(sample, law));
         for (const Mark& mark : points.back().marks)
             table.rows.push_back({sample.name, is_reconstructed(law) ? law.name : std::string(),
-                                  law.measured->origin, mark.x, mark.y, std::string(), std::string()});
+                                  std::string(name_of(law.measured->origin)), mark.x, mark.y, std::string(), std::string()});
     }
     for (Series& each : points) panel.series.push_back(std::move(each));
     const auto measured = number_in(sample.measured, "critical_velocity");

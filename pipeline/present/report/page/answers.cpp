@@ -155,7 +155,7 @@ bool is_extrapolated(const LawData& law) {
 std::string velocity_cell(const LawData& law) {
     if (law.headline.value)
         return fmt::format("{}{:#.3g}", is_extrapolated(law) ? "* " : "", *law.headline.value);
-    return law.velocity != nullptr ? escaped(law.velocity->verdict) : std::string(no_value);
+    return law.velocity != nullptr ? escaped(name_of(law.velocity->verdict)) : std::string(no_value);
 }
 
 std::string extrapolated_cell(const LawData& law) {
@@ -298,10 +298,9 @@ std::string comparison_html(const RunData& run) {
     html += extrapolation_notes(run);
     for (const SampleData& sample : run.samples())
         for (const LawData& law : sample.laws)
-            if (law.velocity != nullptr && law.velocity->interval_note.is_string())
-                html +=
-                    fmt::format("<p class=\"where\">{}, {}: {}.</p>\n", html_name(sample.name),
-                                escaped(law.name), escaped(law.velocity->interval_note.get<std::string>()));
+            if (law.velocity != nullptr && !law.velocity->interval_note.empty())
+                html += fmt::format("<p class=\"where\">{}, {}: {}.</p>\n", html_name(sample.name),
+                                    escaped(law.name), escaped(law.velocity->interval_note));
     return html;
 }
 

@@ -116,15 +116,9 @@ std::string without_digits(const std::string& text) {
     return key;
 }
 
-/// Takes "88 um, hertz: text" apart where it begins with one of the samples.
-std::pair<std::string, std::string> apart(const std::string& warning, const RunData& run) {
-    for (const SampleData& sample : run.samples()) {
-        if (!warning.starts_with(sample.name)) continue;
-        const auto colon = warning.find(": ", sample.name.size());
-        if (colon == std::string::npos) continue;
-        return {warning.substr(0, colon), warning.substr(colon + 2)};
-    }
-    return {"", warning};
+/// "88 um, hertz": the sample and the law of a note.
+std::string place_of(const Note& note) {
+    return note.law ? fmt::format("{}, {}", note.sample, note.law->name()) : note.sample;
 }
 
 std::string sentence(std::string text) {
@@ -149,9 +143,9 @@ std::string assumptions_html(const RunData& run) {
         collect(sample, "", sample.at("name").get<std::string>(), notes);
     for (const SampleData& sample : run.samples())
         for (const LawData& law : sample.laws)
-            if (law.measured != nullptr && law.measured->origin != "measured") {
+            if (law.measured != nullptr && law.measured->origin != Origin::measured) {
                 const std::string text =
-                    fmt::format("<b>restitution</b> {}: {}", escaped(law.measured->origin),
+                    fmt::format("<b>restitution</b> {}: {}", escaped(name_of(law.measured->origin)),
                                 escaped(law.measured->source));
                 notes.add(text, text, sample.name);
             }
@@ -203,11 +197,9 @@ std::string validity_html(const RunData& run) {
 
 std::string warnings_html(const RunData& run) {
     Grouped notes;
-    for (const std::string_view file : artifacts_with_notes)
-        for (const Json& warning : run.artifacts().at(file).document.at("warnings")) {
-            const auto [where, text] = apart(warning.get<std::string>(), run);
-            notes.add(std::string(file) + without_digits(text), escaped(sentence(text)), where);
-        }
+    for (const StageRecord& record : run.run().records)
+        for (const Note& note : record.notes)
+            notes.add(record.file + without_digits(note.text), escaped(sentence(note.text)), place_of(note));
     return notes.empty() ? "<p>None.</p>\n" : notes.html();
 }
 

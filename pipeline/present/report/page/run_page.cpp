@@ -9,7 +9,7 @@
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/page/html.hpp"
-#include "pipeline/run/in_parallel.hpp"
+#include "solver/batch/in_parallel.hpp"
 
 namespace ashimpact::report {
 

@@ -8,7 +8,7 @@
 namespace ashimpact {
 
 /// Impacts in the columns in which artifacts list them. Restitution 0 is a capture.
-struct ImpactColumns {
+struct ListedImpacts {
     std::vector<double> velocity{};              ///< v_in [m/s]
     std::vector<double> restitution{};           ///< [1]
     std::vector<double> velocity_uncertainty{};  ///< standard; empty: the noise is not known [m/s]
@@ -17,10 +17,10 @@ struct ImpactColumns {
     std::vector<double> counts{};                ///< impacts of which a point is the mean; empty: one each
 };
 
-[[nodiscard]] ImpactColumns columns_of(const MeasurementSet& set);
+[[nodiscard]] ListedImpacts columns_of(const MeasurementSet& set);
 
 /// The impacts of these columns; they differ from those of columns_of() by rounding.
 /// @param columns of one length
-[[nodiscard]] MeasurementSet impacts_of(const ImpactColumns& columns);
+[[nodiscard]] MeasurementSet impacts_of(const ListedImpacts& columns);
 
 }  // namespace ashimpact

@@ -1,147 +1,121 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/run/run.hpp"
+#include "pipeline/app/run_stages.hpp"
 
 #include <algorithm>
 
 #include <spdlog/spdlog.h>
 
-#include "core/json/writer.hpp"
 #include "core/text.hpp"
-#include "core/version.hpp"
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/document/case_json.hpp"
-#include "pipeline/document/detachment_json.hpp"
 #include "pipeline/document/files/file.hpp"
 #include "pipeline/document/files/run_folder.hpp"
 #include "pipeline/document/files/sha256.hpp"
+#include "pipeline/document/results/note_json.hpp"
+#include "pipeline/document/results/run_artifacts.hpp"
+#include "pipeline/document/results/run_json.hpp"
 #include "pipeline/document/run_identity.hpp"
 #include "pipeline/document/schema.hpp"
 #include "pipeline/document/schema_version.hpp"
 #include "pipeline/present/report/page/html.hpp"
 #include "pipeline/present/report/report.hpp"
-#include "pipeline/run/read_case_artifact.hpp"
+#include "pipeline/run/stage.hpp"
 
 namespace ashimpact {
 
 namespace {
 
-std::string schema_of(std::string_view file) {
-    return std::string(file.substr(0, file.rfind('.')));
-}
+/// A run while it is computed: its results, and the artifacts that are read or written.
+struct Work {
+    Run run{};
+    Artifacts artifacts{};
+    std::vector<Artifact> all{};  ///< in the order of the folder
+    ContactModels models{};
 
-/// Whether an artifact was edited, or computed from an edited one.
-bool rests_on_edit(const Artifact& artifact) {
-    return artifact.edited || artifact.document.at("provenance").value("edited", false);
-}
-
-/// Runs a stage. An error without a place gets one: the edited artifact, else the first input.
-StageOutput run_stage(const Stage& stage, const Artifacts& before) {
-    try {
-        return stage.run(before);
-    } catch (const InputError& error) {
-        if (!error.place().empty()) throw;
-        const auto found = std::find_if(stage.reads.begin(), stage.reads.end(),
-                                        [&](std::string_view file) { return before.at(file).edited; });
-        throw error.at("/result").at(
-            FileName{before.place_of(found != stage.reads.end() ? *found : stage.reads.front())});
+    void keep(const Artifact& artifact) {
+        all.push_back(artifact);
+        artifacts.add(artifact);
     }
-}
+};
 
-/// An artifact in its envelope.
-/// @param run identity of its run; empty: it starts one
-/// @param edited whether it was computed from an edited artifact
-Artifact sealed(std::string_view file, std::string_view stage, const std::vector<InputFile>& inputs,
-                const StageOutput& output, const std::string& run, bool edited = false) {
-    Json named = Json::array();
-    for (const InputFile& input : inputs) named.push_back({{"file", input.file}, {"sha256", input.sha256}});
-    Json document{{"schema", schema_of(file)},
-                  {"schema_version", schema_version},
-                  {"stage", stage},
-                  {"provenance",
-                   {{"program", "ashimpact"},
-                    {"version", program_version()},
-                    {"revision", program_revision()},
-                    {"inputs", named},
-                    {"options", output.options}}},
-                  {"citations", output.citations},
-                  {"warnings", output.warnings},
-                  {"result", output.result}};
-    if (edited) document["provenance"]["edited"] = true;
-    seal(document, run.empty() ? run_identity(output.result, named) : run);
-    std::string bytes = write_json(document);
-    return {std::string(file), std::move(document), std::move(bytes)};
-}
-
-Artifact case_artifact_of(const LoadedCase& loaded) {
-    StageOutput output{.result = case_json(loaded.data)};
-    output.options = {{"detachments", detachments_json(loaded.data)}};
-    output.warnings = loaded.warnings;
-    Artifact artifact = sealed(case_artifact, "case", loaded.inputs, output, {});
+/// Begins a run with a case. The run is of the case as 0-case.json has it, so that it can be continued from
+/// there with the same results.
+Artifact begin(const LoadedCase& loaded, Work& work) {
+    Envelope envelope{.record = {.stage = "case", .file = std::string(case_artifact)},
+                      .inputs = loaded.inputs,
+                      .options = options_json(loaded.data, case_artifact)};
+    for (const SampleFinding& each : loaded.findings) envelope.record.note(each.finding, each.sample);
+    Artifact artifact = sealed_artifact(envelope, case_json(loaded.data), {});
     artifact.place = loaded.inputs.front().file;
+    work.keep(artifact);
+    read_artifact(work.artifacts, case_artifact, work.run);
     return artifact;
 }
 
-/// Warns of edited artifacts that a stage reads. @return whether its output rests on an edit
-bool warn_of_edits(const Stage& stage, const Artifacts& before, std::vector<std::string>& warnings) {
+/// Computes a stage. Errors without a place get one: the edited artifact, else the first input.
+void compute(const Stage& stage, Work& work) {
+    try {
+        compute_stage(stage, work.run, work.models);
+    } catch (const InputError& error) {
+        if (!error.place().empty()) throw;
+        const auto found = std::ranges::find_if(
+            stage.reads, [&](std::string_view file) { return work.artifacts.at(file).edited; });
+        throw error.at("/result").at(
+            FileName{work.artifacts.place_of(found != stage.reads.end() ? *found : stage.reads.front())});
+    }
+}
+
+/// Notes edited artifacts that a stage reads. @return whether its result rests on an edit
+bool note_edits(const Stage& stage, const Artifacts& before, StageRecord& record) {
     bool edited = false;
     bool rests = false;
     for (const std::string_view file : stage.reads) {
         const Artifact& artifact = before.at(file);
-        if (artifact.edited) warnings.push_back(std::string(file) + " was edited after ashimpact wrote it");
+        if (artifact.edited)
+            record.note(
+                {"edited", Severity::remark, std::string(file) + " was edited after ashimpact wrote it"});
         edited = edited || artifact.edited;
-        rests = rests || rests_on_edit(artifact);
+        rests = rests || artifact.edited || artifact.document.at("provenance").value("edited", false);
     }
-    if (rests && !edited) warnings.emplace_back("computed from artifacts that rest on an edited one");
+    if (rests && !edited)
+        record.note(
+            {"rests-on-edit", Severity::remark, "computed from artifacts that rest on an edited one"});
     return rests;
 }
 
-Artifact computed(const Stage& stage, const Artifacts& before) {
-    std::vector<InputFile> inputs;
+/// Computes a stage and seals its artifact.
+Artifact computed(const Stage& stage, Work& work) {
+    compute(stage, work);
+    StageRecord& record = work.run.records.back();
+    const bool rests_on_edit = note_edits(stage, work.artifacts, record);
+    Envelope envelope{
+        .record = record, .options = options_json(work.run.data, stage.file), .rests_on_edit = rests_on_edit};
     for (const std::string_view file : stage.reads)
-        inputs.push_back({std::string(file), sha256(before.at(file).bytes)});
-    StageOutput output = run_stage(stage, before);
-    const bool edited = warn_of_edits(stage, before, output.warnings);
-    const bool reads_case =
-        std::find(stage.reads.begin(), stage.reads.end(), case_artifact) != stage.reads.end();
-    if (reads_case) output.options["detachments"] = detachments_json(read_case_artifact(before));
-    return sealed(stage.file, stage.name, inputs, output, run_of(before.at(stage.reads.front()).document),
-                  edited);
-}
-
-/// An artifact of an earlier run, checked against its schema. An edited one is taken, with a warning.
-Artifact loaded_artifact(const std::filesystem::path& folder, std::string_view file) {
-    const auto path = folder / file;
-    std::string bytes = read_file(path);
-    return at_place(FileName{path.string()}, [&] {
-        Json document = parse_json(bytes);
-        require_schema_version(document, true);
-        validate_document(document, schema_of(file));
-        const bool edited = is_edited(document);
-        if (edited) {
-            require_possible_result(document);
-            spdlog::warn("warning: {}: was edited after ashimpact wrote it; its values count", path.string());
-        }
-        return Artifact{std::string(file), std::move(document), std::move(bytes), path.string(), edited};
-    });
+        envelope.inputs.push_back({std::string(file), sha256(work.artifacts.at(file).bytes)});
+    Artifact artifact = sealed_artifact(envelope, result_json(work.run, stage.file),
+                                        run_of(work.artifacts.at(stage.reads.front()).document));
+    record.sha256 = sha256(artifact.bytes);
+    work.keep(artifact);
+    return artifact;
 }
 
 /// The manifest: every artifact of the folder with its hash, those of this run and those from before it.
 Artifact manifest_of(const RunPlan& plan, const std::vector<Artifact>& all,
                      const std::vector<Artifact>& written) {
-    StageOutput output;
-    output.options = {{"from", plan.from.empty() ? Json(nullptr) : Json(plan.from)},
-                      {"only", plan.only.empty() ? Json(nullptr) : Json(plan.only)}};
-    output.result["artifacts"] = Json::array();
+    Envelope envelope{.record = {.stage = "manifest", .file = std::string(manifest_artifact)},
+                      .options = {{"from", plan.from.empty() ? Json(nullptr) : Json(plan.from)},
+                                  {"only", plan.only.empty() ? Json(nullptr) : Json(plan.only)}}};
+    Json list = Json::array();
     for (const Artifact& artifact : all) {
         const bool is_new = std::any_of(written.begin(), written.end(),
                                         [&](const Artifact& each) { return each.file == artifact.file; });
-        output.result["artifacts"].push_back({{"file", artifact.file},
-                                              {"stage", artifact.document.at("stage")},
-                                              {"sha256", sha256(artifact.bytes)},
-                                              {"bytes", artifact.bytes.size()},
-                                              {"written_by_this_run", is_new}});
+        list.push_back({{"file", artifact.file},
+                        {"stage", artifact.document.at("stage")},
+                        {"sha256", sha256(artifact.bytes)},
+                        {"bytes", artifact.bytes.size()},
+                        {"written_by_this_run", is_new}});
     }
-    return sealed(manifest_artifact, "manifest", {}, output, run_of(written.front().document));
+    return sealed_artifact(envelope, {{"artifacts", std::move(list)}}, run_of(written.front().document));
 }
 
 /// Report and figures of a run; of a part of one, where the folder has the artifacts of the rest.
@@ -157,7 +131,10 @@ std::vector<FileContent> presentation(const RunPlan& plan, Artifacts artifacts, 
         return std::move(made.files);
     } catch (const InputError& error) {
         if (plan.from.empty() && plan.only.empty()) throw;
-        summary.remarks.push_back({"report.html", std::string("no report: ") + error.what()});
+        summary.remarks.push_back({std::string(report::report_file),
+                                   {.code = "no-report",
+                                    .severity = Severity::doubt,
+                                    .text = std::string("no report: ") + error.what()}});
         return {};
     }
 }
@@ -287,22 +264,20 @@ void add_left(const std::filesystem::path& folder, std::string_view file, std::s
         require_schema_version(whole, true);
         validate_document(whole, schema_of(file));
         document["provenance"] = whole.at("provenance");
-        document["warnings"] = whole.at("warnings");
+        for (const char* key : {"warnings", "notes"})
+            if (whole.contains(key)) document[key] = whole.at(key);
     });
     all.push_back({std::string(file), std::move(document), std::move(bytes), path.string()});
 }
 
-/// Every warning in the folder of the run, whichever run wrote it, and the samples they may name.
+/// Every note in the folder of the run, whichever run wrote it, and the number of samples.
 void add_remarks(const std::vector<Artifact>& all, RunSummary& summary) {
     for (const Artifact& artifact : all) {
-        for (const auto& warning : artifact.document.at("warnings"))
-            summary.remarks.push_back({artifact.file, warning.get<std::string>()});
-        if (!summary.samples.empty() || !artifact.document.contains("result") ||
-            !artifact.document.at("result").contains("samples"))
-            continue;
-        for (const Json& sample : artifact.document.at("result").at("samples"))
-            if (sample.is_object() && sample.contains("name"))
-                summary.samples.push_back(sample.at("name").get<std::string>());
+        for (const Note& note : read_notes(View(artifact.document)))
+            summary.remarks.push_back({artifact.file, note});
+        if (summary.samples == 0 && artifact.document.contains("result") &&
+            artifact.document.at("result").contains("samples"))
+            summary.samples = artifact.document.at("result").at("samples").size();
     }
 }
 
@@ -314,73 +289,69 @@ std::vector<std::string> stage_names() {
     return names;
 }
 
-Artifacts load_artifacts(const std::filesystem::path& folder, const std::vector<std::string_view>& files) {
-    complete_interrupted(folder);
-    Artifacts artifacts;
-    std::vector<Artifact> of_one_run;
-    of_one_run.reserve(files.size());
-    for (const std::string_view file : files) of_one_run.push_back(loaded_artifact(folder, file));
-    require_one_run(of_one_run);
-    for (Artifact& artifact : of_one_run) artifacts.add(std::move(artifact));
-    return artifacts;
+namespace {
+
+void work_through(const std::optional<std::string>& case_file, std::string_view last_stage,
+                  bool allow_outside, Work& work) {
+    static_cast<void>(begin(load_case(case_file, allow_outside), work));
+    for (const Stage& stage : stages()) {
+        static_cast<void>(computed(stage, work));
+        if (stage.name == last_stage) break;
+    }
+}
+
+}  // namespace
+
+Run compute_run(const std::optional<std::string>& case_file, std::string_view last_stage,
+                bool allow_outside) {
+    Work work;
+    work_through(case_file, last_stage, allow_outside, work);
+    return std::move(work.run);
 }
 
 Artifacts compute_artifacts(const std::optional<std::string>& case_file, std::string_view last_stage,
                             bool allow_outside) {
-    Artifacts artifacts;
-    artifacts.add(case_artifact_of(load_case(case_file, allow_outside)));
-    for (const Stage& stage : stages()) {
-        artifacts.add(computed(stage, artifacts));
-        if (stage.name == last_stage) break;
-    }
-    return artifacts;
+    Work work;
+    work_through(case_file, last_stage, allow_outside, work);
+    return std::move(work.artifacts);
 }
 
 RunSummary run_stages(const RunPlan& plan) {
     const Range range = range_of(plan);
     if (plan.figures) report::require_figure_programs();
     RunFolder folder(plan.folder);
-    Artifacts artifacts;
-    std::vector<Artifact> all;
+    Work work;
     RunSummary summary;
-    const auto keep = [&](Artifact artifact, bool is_new) {
-        if (is_new) summary.written.push_back(artifact);
-        all.push_back(artifact);
-        artifacts.add(std::move(artifact));
+    const auto read_before = [&](std::string_view file, std::string_view stage) {
+        if (!is_read(range, file)) return add_left(plan.folder, file, stage, work.all);
+        work.keep(loaded_artifact(plan.folder, file));
     };
     if (range.with_case) {
         const LoadedCase loaded = load_case(plan.case_file, plan.allow_outside);
         keep_inputs(loaded.inputs, plan.folder);
-        keep(case_artifact_of(loaded), true);
-    } else if (is_read(range, case_artifact))
-        keep(loaded_artifact(plan.folder, case_artifact), false);
-    else
-        add_left(plan.folder, case_artifact, "case", all);
-
-    for (std::size_t i = 0; i < range.first; ++i) {
-        const Stage& stage = stages()[i];
-        if (is_read(range, stage.file))
-            keep(loaded_artifact(plan.folder, stage.file), false);
-        else
-            add_left(plan.folder, stage.file, stage.name, all);
+        summary.written.push_back(begin(loaded, work));
+    } else {
+        read_before(case_artifact, "case");
     }
+    for (std::size_t i = 0; i < range.first; ++i) read_before(stages()[i].file, stages()[i].name);
     std::vector<Artifact> after;
     for (std::size_t i = range.end; i < stages().size(); ++i)
         add_left(plan.folder, stages()[i].file, stages()[i].name, after);
     if (!range.with_case) {
-        std::vector<Artifact> old = all;
+        std::vector<Artifact> old = work.all;
         old.insert(old.end(), after.begin(), after.end());
         require_one_run(old);
-        for (const std::string& told : outdated(all)) spdlog::warn("warning: {}", told);
+        for (const std::string& line : outdated(work.all)) spdlog::warn("warning: {}", line);
+        work.run = read_run(work.artifacts);
     }
     for (std::size_t i = range.first; i < range.end; ++i) {
-        keep(computed(stages()[i], artifacts), true);
+        summary.written.push_back(computed(stages()[i], work));
         spdlog::debug("{}: done", stages()[i].name);
     }
-    all.insert(all.end(), after.begin(), after.end());
-    summary.written.push_back(manifest_of(plan, all, summary.written));
-    add_remarks(all, summary);
-    folder.write(summary.written, presentation(plan, std::move(artifacts), summary));
+    work.all.insert(work.all.end(), after.begin(), after.end());
+    summary.written.push_back(manifest_of(plan, work.all, summary.written));
+    add_remarks(work.all, summary);
+    folder.write(summary.written, presentation(plan, std::move(work.artifacts), summary));
     return summary;
 }
 

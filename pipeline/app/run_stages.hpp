@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/run/stage.hpp"
+#include "pipeline/document/artifact.hpp"
+#include "pipeline/present/text/remarks.hpp"
+#include "pipeline/run/results/run.hpp"
 
 namespace ashimpact {
 
-/// What a run is to do.
+/// Options of a run.
 struct RunPlan {
     std::optional<std::string> case_file;  ///< none: the built-in case
     std::filesystem::path folder;          ///< of the artifacts
@@ -21,19 +23,13 @@ struct RunPlan {
     bool allow_outside = false;  ///< the case may name files outside of its folder
 };
 
-/// What an artifact of a run warns about.
-struct Remark {
-    std::string file;  ///< of the artifact
-    std::string text;  ///< "SAMPLE, LAW: ...", "SAMPLE: ..." or neither
-};
-
 /// A finished run.
 struct RunSummary {
-    std::vector<Artifact> written;       ///< in order, the manifest last
-    std::vector<std::string> samples{};  ///< their names
-    std::vector<Remark> remarks{};       ///< of all artifacts in the folder, those from before this run too
-    std::filesystem::path report{};      ///< file of the report; empty: none was made
-    std::size_t figures = 0;             ///< files of figures written
+    std::vector<Artifact> written;   ///< in order, the manifest last
+    std::size_t samples = 0;         ///< of the run
+    std::vector<Remark> remarks{};   ///< of all artifacts in the folder, those from before this run too
+    std::filesystem::path report{};  ///< file of the report; empty: none was made
+    std::size_t figures = 0;         ///< files of figures written
 };
 
 /// Runs the stages and writes their artifacts. Everything is read, checked and computed before the first file
@@ -41,14 +37,14 @@ struct RunSummary {
 /// @throws InputError, ConvergenceError; nothing is written then
 [[nodiscard]] RunSummary run_stages(const RunPlan& plan);
 
-/// The artifacts of a case up to and with a stage, nothing written.
+/// The results of a case up to and with a stage, nothing written.
 /// @param allow_outside whether the case may name files outside of its folder
+[[nodiscard]] Run compute_run(const std::optional<std::string>& case_file, std::string_view last_stage,
+                              bool allow_outside = false);
+
+/// The artifacts of the same.
 [[nodiscard]] Artifacts compute_artifacts(const std::optional<std::string>& case_file,
                                           std::string_view last_stage, bool allow_outside = false);
-
-/// Artifacts of a finished run, checked against their schemas. @throws InputError naming the file
-[[nodiscard]] Artifacts load_artifacts(const std::filesystem::path& folder,
-                                       const std::vector<std::string_view>& files);
 
 /// Names of the stages a run can start from.
 [[nodiscard]] std::vector<std::string> stage_names();

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/run/results/damping.hpp"
+
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "pipeline/present/text/readable.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+UnreachableImpact unreachable(const InvertedImpact& impact) {
+    return {impact.index + 1, impact.velocity, impact.restitution,
+            impact.restitution >= impact.greatest_restitution
+                ? fmt::format("without any damping the restitution is {} at this velocity",
+                              readable_number(impact.greatest_restitution))
+                : "no damping gives this restitution at this velocity"};
+}
+
+}  // namespace
+
+DampingSeries inverted_series(const std::vector<InvertedImpact>& impacts) {
+    DampingSeries series;
+    for (const InvertedImpact& impact : impacts) {
+        if (impact.restitution == 0) {
+            series.captured_at.push_back(impact.velocity);
+            if (impact.damping) series.capturing_damping.push_back(*impact.damping);
+            continue;
+        }
+        if (!impact.damping || !impact.contact_time) {
+            series.unreachable.push_back(unreachable(impact));
+            continue;
+        }
+        series.number.push_back(static_cast<double>(impact.index + 1));
+        series.velocity.push_back(impact.velocity);
+        series.restitution.push_back(impact.restitution);
+        series.greatest_restitution.push_back(impact.greatest_restitution);
+        series.damping.push_back(*impact.damping);
+        series.contact_time.push_back(*impact.contact_time);
+        if (impact.standard_uncertainty) series.damping_uncertainty.push_back(*impact.standard_uncertainty);
+    }
+    if (series.damping_uncertainty.size() != series.damping.size()) series.damping_uncertainty.clear();
+    if (series.capturing_damping.size() != series.captured_at.size()) series.capturing_damping.clear();
+    return series;
+}
+
+void set_parts(const DampingParts& parts, const std::vector<InvertedImpact>& impacts, DampingSeries& series) {
+    double slowest = std::numeric_limits<double>::infinity();
+    double fastest = 0;
+    for (const InvertedImpact& impact : impacts) {
+        if (impact.restitution == 0 || !impact.damping) continue;
+        slowest = std::min(slowest, impact.velocity);
+        fastest = std::max(fastest, impact.velocity);
+    }
+    const auto boundary = [&](std::size_t i) {
+        return make_quantity(parts.boundaries[i].velocity, Dimension::velocity,
+                             parts.boundaries[i].standard_uncertainty);
+    };
+    for (std::size_t i = 0; i < parts.parts.size(); ++i)
+        series.parts.push_back(
+            {parts.parts[i], i == 0 ? make_quantity(slowest, Dimension::velocity) : boundary(i - 1),
+             i == parts.boundaries.size() ? make_quantity(fastest, Dimension::velocity) : boundary(i)});
+    for (const std::size_t index : parts.outliers) series.outliers.push_back(index + 1);
+    series.parts_note = parts.note;
+}
+
+}  // namespace ashimpact
