@@ -43,8 +43,9 @@ void VelocitySearch::observe(double restitution) {
     if (restitution > 0) {
         place_of_height_.insert({.value = height(restitution), .x = place_});
         next = interpolated();
+        // A point that is farther than all others may have been dropped: then next is only where it was.
         const bool met = place_of_height_.count() > 1
-                             ? std::abs(next - place_) <= enough_
+                             ? place_of_height_.nearest().x == place_ && std::abs(next - place_) <= enough_
                              : std::abs(place_of_height_.nearest().value - wanted) <= 1e-12 * wanted;
         if (met) {
             place_ = next;
