@@ -59,7 +59,7 @@ TEST_CASE("every artifact of a run conforms to its schema and has the envelope")
             std::vector<std::string> keys;
             for (const auto& [key, _] : document.items()) keys.push_back(key);
             CHECK(keys == std::vector<std::string>{"schema", "schema_version", "stage", "provenance",
-                                                   "citations", "warnings", "result"});
+                                                   "citations", "warnings", "notes", "result"});
             CHECK(parse_json(artifacts.at(file).bytes) == document);
         }
     }
