@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 // What the libc++ of emscripten 3.1.6 lacks of C++20: the algorithms of std::ranges that the sources use, for

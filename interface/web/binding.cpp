@@ -22,6 +22,7 @@
 #include "pipeline/document/files/file.hpp"
 #include "pipeline/document/measurement_json.hpp"
 #include "pipeline/document/results/run_artifacts.hpp"
+#include "pipeline/document/results/run_json.hpp"
 #include "pipeline/present/report/figure_file.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/report.hpp"
@@ -111,8 +112,7 @@ Json shown(const ashimpact::RunSummary& run) {
     for (const ashimpact::Artifact& artifact : run.written) {
         result["files"].push_back(artifact.file);
         if (artifact.file == ashimpact::comparison_artifact)
-            result["text"] =
-                ashimpact::comparison_text(ashimpact::View(artifact.document).at("result"), text_width);
+            result["text"] = ashimpact::comparison_text(artifact.document.at("result"), text_width);
     }
     if (!run.report.empty()) result["files"].push_back(ashimpact::report::report_file);
     for (const ashimpact::RemarkLine& line : ashimpact::remark_lines(run.remarks, run.samples))
@@ -235,7 +235,8 @@ const char* ashimpact_impact(const char* contact) {
 const char* ashimpact_figure(const char* folder, const char* name, const char* width) {
     return answered([&] {
         namespace report = ashimpact::report;
-        const report::RunData run(ashimpact::load_artifacts(folder, report::report_artifacts()), "");
+        const report::RunData run(
+            ashimpact::read_run(ashimpact::load_artifacts(folder, report::report_artifacts())), "");
         const report::Figure figure = report::figure_named(name, run);
         const auto wide = std::string_view(width) == "single" ? report::Width::narrow : report::Width::wide;
         return Json{{"svg", figure.panels.empty() ? "" : report::svg_of(figure, wide)},

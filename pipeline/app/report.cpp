@@ -16,6 +16,7 @@
 #include "pipeline/app/sweep/spec/capture_fraction.hpp"
 #include "pipeline/document/files/file.hpp"
 #include "pipeline/document/results/run_artifacts.hpp"
+#include "pipeline/document/results/run_json.hpp"
 #include "pipeline/document/run_identity.hpp"
 #include "pipeline/document/schema.hpp"
 #include "pipeline/present/report/figure_file.hpp"
@@ -44,7 +45,7 @@ report::RunData loaded(const std::filesystem::path& folder, const std::string& l
     if (!std::filesystem::is_directory(folder))
         throw InputError("is no folder", "the folder of a run, or one result of a sweep")
             .at(FileName{folder.string()});
-    return {load_artifacts(folder, report::report_artifacts()), label};
+    return {read_run(load_artifacts(folder, report::report_artifacts())), label};
 }
 
 /// Refuses what is neither the folder of a run nor one of its artifacts.
@@ -122,7 +123,7 @@ void run_report_command(const ReportOptions& options, std::ostream& out) {
 
 void run_figure_command(const FigureOptions& options, std::ostream& out) {
     const report::FigureFormat format = report::format_of(options.output);
-    const report::RunData run(gathered(options.artifacts), "");
+    const report::RunData run(read_run(gathered(options.artifacts)), "");
     const report::Figure figure = report::figure_named(options.name, run);
     if (figure.panels.empty())
         throw InputError("has nothing to show in this run: " + figure.caption, "another figure")

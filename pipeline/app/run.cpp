@@ -64,7 +64,7 @@ void run_run_command(const RunOptions& options, std::ostream& out) {
     tell(summary);
     for (const Artifact& artifact : summary.written)
         if (artifact.file == comparison_artifact)
-            out << comparison_text(View(artifact.document).at("result")) << '\n';
+            out << comparison_text(artifact.document.at("result")) << '\n';
     const auto is_answer = [](const Artifact& artifact) {
         return artifact.file == critical_velocity_artifact;
     };

@@ -125,7 +125,7 @@ std::vector<FileContent> presentation(const RunPlan& plan, Artifacts artifacts, 
         for (const std::string_view file : report::report_artifacts())
             if (!artifacts.has(file)) artifacts.add(loaded_artifact(plan.folder, file));
         report::Presentation made = report::present(
-            std::move(artifacts), {.folder = plan.folder, .page = plan.report, .figures = plan.figures});
+            read_run(artifacts), {.folder = plan.folder, .page = plan.report, .figures = plan.figures});
         summary.report = made.page;
         summary.figures = made.files.size() - (made.page.empty() ? 0 : 1);
         return std::move(made.files);

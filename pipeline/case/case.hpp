@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "core/names.hpp"
-#include "core/quantity.hpp"
 #include "materials/composition.hpp"
 #include "materials/contact_properties.hpp"
 #include "materials/modulus.hpp"
 #include "materials/work_of_adhesion.hpp"
 #include "pipeline/case/law_map.hpp"
+#include "pipeline/case/stated.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/damping/damping_polynomial.hpp"
 #include "solver/inference/calibration/calibration.hpp"
@@ -22,25 +20,6 @@
 #include "solver/statistics/propagation.hpp"
 
 namespace ashimpact {
-
-/// Where a value comes from; see docs/case.md.
-enum class Origin { given, measured, inferred, assumed, literature, published, computed, reconstructed };
-
-template <>
-struct Names<Origin> {
-    static constexpr std::string_view kind = "origin";
-    static constexpr std::array<std::string_view, 8> all{
-        "given", "measured", "inferred", "assumed", "literature", "published", "computed", "reconstructed"};
-};
-
-/// A quantity of the case and where it comes from.
-struct Stated {
-    Quantity quantity{};  ///< in SI
-    Origin origin = Origin::given;
-    std::string source{};  ///< in words; may be empty
-
-    [[nodiscard]] double value() const { return quantity.value; }
-};
 
 /// Elasticity of the other body, or only the contact modulus E* of the pair.
 struct ElasticWall {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/run/histories.hpp"
 
+#include "pipeline/run/curves/drawn_curves.hpp"
 #include "solver/batch/in_parallel.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/inference/calibration/reconstruction.hpp"
@@ -109,6 +110,7 @@ HistoriesResult histories_stage(const Case& data, const ContactResult& contacts,
             entry.laws.set(data.laws[k].law, std::move(histories[k]));
         result.samples.push_back(std::move(entry));
     }
+    curves::add_curves(data, contacts, dampings, fits, velocities, result);
     return result;
 }
 

@@ -10,8 +10,8 @@
 
 #include "core/error.hpp"
 #include "pipeline/present/export/codes/dem.hpp"
-#include "pipeline/present/export/expected.hpp"
 #include "pipeline/present/export/codes/tables.hpp"
+#include "pipeline/present/export/expected.hpp"
 #include "tests/exports/ash.hpp"
 #include "tests/relative_difference.hpp"
 

@@ -7,8 +7,8 @@
 
 #include "solver/contact/maugis/transition.hpp"
 #include "solver/contact/maugis_dugdale.hpp"
-#include "solver/motion/impact.hpp"
 #include "solver/motion/branches/cohesive_motion.hpp"
+#include "solver/motion/impact.hpp"
 #include "solver/motion/scale.hpp"
 #include "tests/oracles/maugis_impact.hpp"
 #include "tests/relative_difference.hpp"

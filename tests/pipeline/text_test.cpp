@@ -159,34 +159,26 @@ TEST_CASE("a remark is shortened at its reason, not within a name and not before
 }
 
 TEST_CASE("the summary shows what a verdict compares, and marks a velocity that is only extrapolated") {
-    const auto velocity = [](double value) { return Json{{"value", value}, {"unit", "m/s"}}; };
-    const auto interval = [&](double lower, double upper) {
-        return Json{{"level", 0.95}, {"lower", velocity(lower)}, {"upper", velocity(upper)}};
-    };
-    Json extrapolated = velocity(0.684);
-    extrapolated["method"] = "eta(e) extrapolated to e = 0, a polynomial (Dong et al. 2013)";
-    Json estimated = velocity(0.7);
-    estimated["method"] = "posterior of v_c";
-    const Json sample{
-        {"name", "fine"},
-        {"reported",
-         {{"law", "jkr"},
-          {"critical_velocity", estimated},
-          {"interval", interval(0.652, 0.725)},
-          {"reason", "why"}}},
-        {"measured_critical_velocity", velocity(0.832)},
-        {"measured_interval", interval(0.558, 1.1)},
-        {"dynamic_critical_velocity", {{"hertz", extrapolated}, {"jkr", estimated}}},
-        {"extrapolated_critical_velocity", {{"hertz", velocity(0.684)}, {"jkr", velocity(0.65)}}},
-        {"interval", {{"hertz", interval(0.6, 0.7)}, {"jkr", interval(0.652, 0.725)}}},
-        {"verdict", {{"hertz", "finite"}, {"jkr", "finite"}}},
-        {"check", {{"hertz", {{"verdict", "agrees"}}}, {"jkr", {{"verdict", "agrees"}}}}},
-        {"young_modulus", {{"value", 1e11}, {"unit", "Pa"}}},
-        {"contact_modulus", {{"value", 9e10}, {"unit", "Pa"}}},
-        {"separation_energy", {{"value", 7e-14}, {"unit", "J"}}},
-        {"analytic_critical_velocity", velocity(0.0135)}};
-    const Json result{{"samples", {sample}}, {"conclusion", "Done."}};
-    const std::string text = comparison_text(View(result), 80);
+    const CriticalVelocityCheck agrees{CriticalVelocityVerdict::agrees, {}};
+    const VelocityEstimate extrapolated{
+        .value = 0.684, .interval = Bounds{0.6, 0.7}, .method = VelocityMethod::extrapolation};
+    const VelocityEstimate estimated{
+        .value = 0.7, .interval = Bounds{0.652, 0.725}, .method = VelocityMethod::estimate};
+    SampleComparison sample{
+        .name = "fine",
+        .reported = ReportedVelocity{Law::of<Jkr>(), estimated, estimated.interval, "why"},
+        .measured = Stated{.quantity = {.value = 0.832, .unit = "m/s"}, .origin = Origin::measured},
+        .measured_interval = Bounds{0.558, 1.1}};
+    sample.laws.set(Law::of<Hertz>(), {.verdict = LawVerdict::finite,
+                                       .velocity = extrapolated,
+                                       .extrapolated = extrapolated,
+                                       .check = agrees});
+    sample.laws.set(Law::of<Jkr>(), {.verdict = LawVerdict::finite,
+                                     .velocity = estimated,
+                                     .extrapolated = VelocityEstimate{.value = 0.65},
+                                     .check = agrees});
+    const std::string text =
+        comparison_text(ComparisonResult{.samples = {sample}, .conclusion = "Done."}, 80);
     CHECK_MESSAGE(text.find("0.832 (0.558 to 1.10)") != std::string::npos, text);
     CHECK_MESSAGE(text.find("* 0.684") != std::string::npos, text);
     CHECK_MESSAGE(text.find("* 0.700") == std::string::npos, text);
@@ -227,6 +219,7 @@ TEST_CASE("what a terminal would obey is shown as a question mark") {
     CHECK(without_controls("\xc2\x9b\x33m") == "?3m");  // CSI as one character of UTF-8
     CHECK(in_quotes(std::string(59, 'a') + "\xc3\xa9") == '"' + std::string(59, 'a') + "...\"");
     CHECK(without_controls("a\xff\xc3z\xe2\x82") == "a??z??");  // half a character
+    CHECK(without_controls("\xed\xa0\x80") == "???");           // half of a surrogate pair
     CHECK(without_controls("\xe2\x82\xac \xf0\x9f\x99\x82") == "\xe2\x82\xac \xf0\x9f\x99\x82");
     CHECK(without_controls("\xc2\xb5m, \xc3\xa4sh") == "\xc2\xb5m, \xc3\xa4sh");
 }

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <limits>
+
 #include "pipeline/document/quantity_json.hpp"
 #include "pipeline/document/results/fields.hpp"
 #include "pipeline/document/results/results_json.hpp"
@@ -130,6 +133,62 @@ ContactTimeAt read_contact_time(const View& node) {
             number_if(node, "contact_time", Dimension::time)};
 }
 
+struct CurveColumn {
+    const char* key;
+    double CurveImpact::*member;
+    Dimension dimension;  ///< of damping: any, it follows the damping law
+};
+
+constexpr CurveColumn curve_columns[]{{"velocity", &CurveImpact::velocity, Dimension::velocity},
+                                      {"lower_velocity", &CurveImpact::lower, Dimension::velocity},
+                                      {"upper_velocity", &CurveImpact::upper, Dimension::velocity},
+                                      {"restitution", &CurveImpact::restitution, Dimension::fraction},
+                                      {"damping", &CurveImpact::damping, Dimension::damping},
+                                      {"contact_time", &CurveImpact::contact_time, Dimension::time},
+                                      {"dissipated", &CurveImpact::dissipated, Dimension::fraction},
+                                      {"adhesion", &CurveImpact::adhesion, Dimension::fraction},
+                                      {"plastic", &CurveImpact::plastic, Dimension::fraction}};
+
+Dimension dimension_in(const CurveColumn& column, DampingLaw law) {
+    return column.member == &CurveImpact::damping ? dimension_of(law) : column.dimension;
+}
+
+Json curve_json(const LawCurve& curve, DampingLaw law) {
+    Json json{{"start", quantity_json(curve.start, Dimension::velocity)}, {"histories", Json::array()}};
+    for (const CurveColumn& column : curve_columns) {
+        Json values = Json::array();
+        for (const CurveImpact& impact : curve.impacts) {
+            const double value = impact.*column.member;
+            values.push_back(std::isfinite(value) ? Json(value) : Json(nullptr));
+        }
+        json[column.key] = {{"values", std::move(values)}, {"unit", si_unit(dimension_in(column, law))}};
+    }
+    for (const History& history : curve.histories)
+        json["histories"].push_back({{"part", name_of(history.part)},
+                                     {"velocity", quantity_json(history.velocity, Dimension::velocity)},
+                                     {"damping", quantity_json(history.damping, unit_of(law))},
+                                     {"trajectory", trajectory_json(history.trajectory)}});
+    return json;
+}
+
+LawCurve read_curve(const View& node, DampingLaw law) {
+    LawCurve curve{
+        .start = number_if(node, "start", Dimension::velocity),
+        .impacts = ModelCurve(node.at("velocity").at("values").elements().size()),
+        .histories = list_if(node, "histories", [&](const View& each) { return read_history(each, law); })};
+    for (const CurveColumn& column : curve_columns) {
+        const View values = node.at(column.key).at("values");
+        const auto elements = values.elements();
+        if (elements.size() != curve.impacts.size())
+            values.fail("is not as long as the velocity", "columns of one length");
+        for (std::size_t i = 0; i < elements.size(); ++i)
+            curve.impacts[i].*column.member = elements[i].json().is_null()
+                                                  ? std::numeric_limits<double>::quiet_NaN()
+                                                  : elements[i].number(dimension_in(column, law));
+    }
+    return curve;
+}
+
 }  // namespace
 
 Json to_json(const HistoriesResult& result, DampingLaw law) {
@@ -142,6 +201,9 @@ Json to_json(const HistoriesResult& result, DampingLaw law) {
             for (const History& history : histories) list.push_back(history_json(history, law));
             json[std::string(each.name())] = std::move(list);
         }
+        json["curves"] = Json::object();
+        for (const auto& [each, curve] : sample.curves)
+            json["curves"][std::string(each.name())] = curve_json(curve, law);
         return json;
     });
 }
@@ -151,11 +213,12 @@ HistoriesResult from_json<HistoriesResult>(const View& result, DampingLaw law) {
     return {samples_of(result, [&](const View& node) {
         SampleHistories sample{.name = node.at("name").text(),
                                .contact_times = list_if(node, "contact_times", read_contact_time)};
-        for_each_law(node, {"name", "contact_times"}, [&](Law each, const View& list) {
+        for_each_law(node, {"name", "contact_times", "curves"}, [&](Law each, const View& list) {
             std::vector<History> histories;
             for (const View& history : list.elements()) histories.push_back(read_history(history, law));
             sample.laws.set(each, std::move(histories));
         });
+        sample.curves = by_law_if(node, "curves", [&](const View& curve) { return read_curve(curve, law); });
         return sample;
     })};
 }

@@ -53,9 +53,9 @@ std::vector<std::filesystem::path> own_figures(const std::filesystem::path& figu
     return files;
 }
 
-Presentation present(Artifacts artifacts, const PresentationPlan& plan) {
+Presentation present(Run run, const PresentationPlan& plan) {
     std::vector<RunData> runs;
-    runs.emplace_back(std::move(artifacts), "");
+    runs.emplace_back(std::move(run), "");
     Presentation made;
     if (plan.page) {
         made.page = plan.folder / report_file;

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "pipeline/document/artifact.hpp"
 #include "pipeline/document/files/file.hpp"
+#include "pipeline/run/results/run.hpp"
 
 namespace ashimpact::report {
 
@@ -18,9 +18,9 @@ inline constexpr std::string_view figures_folder = "figures";
 /// The artifacts that a report and its figures are made of.
 [[nodiscard]] const std::vector<std::string_view>& report_artifacts();
 
-/// What is to be made of a run.
+/// What to make of a run.
 struct PresentationPlan {
-    std::filesystem::path folder;  ///< where it will stand
+    std::filesystem::path folder;  ///< into which it will be written
     bool page = true;              ///< the report
     bool figures = false;          ///< each figure as SVG and PDF, for one column and for two
 };
@@ -30,12 +30,12 @@ struct Presentation {
     std::vector<FileContent> files{};
 };
 
-/// Report and figures of one run, nothing written. The same artifacts give the same bytes.
-/// @throws InputError for artifacts that do not fit together, and where a program for PDF files is missing
-[[nodiscard]] Presentation present(Artifacts artifacts, const PresentationPlan& plan);
+/// Report and figures of one run, nothing written. The same run gives the same bytes.
+/// @throws InputError if the program that makes PDF files is missing
+[[nodiscard]] Presentation present(Run run, const PresentationPlan& plan);
 
-/// The files that an earlier run with --figures left in the folder @p figures: by their names, and by the
-/// mark in the SVG of a pair of SVG and PDF.
+/// The files that an earlier run with --figures left in the folder @p figures, known by their names and by
+/// the mark in the SVG of each pair.
 [[nodiscard]] std::vector<std::filesystem::path> own_figures(const std::filesystem::path& figures);
 
 /// Refuses to begin where figures could not be converted. @throws InputError saying what is missing

@@ -33,7 +33,7 @@ std::string artifact_text(const Json& artifact, const ArtifactView& view) {
                     provenance.at("program").get<std::string>(), provenance.at("version").get<std::string>(),
                     provenance.at("revision").get<std::string>());
     const bool is_comparison = artifact.at("stage") == "comparison";
-    if (is_comparison) text += comparison_text(View(artifact).at("result"), width);
+    if (is_comparison) text += comparison_text(artifact.at("result"), width);
     std::string result;
     if (!is_comparison || view.result.all) result = result_text(artifact.at("result"), view.result);
     text += (is_comparison && !result.empty() ? "\n" : "") + result;

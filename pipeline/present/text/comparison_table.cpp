@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "core/text.hpp"
+#include "pipeline/document/results/results_json.hpp"
+#include "pipeline/present/text/answer.hpp"
 #include "pipeline/present/text/layout.hpp"
 #include "pipeline/present/text/readable.hpp"
 #include "pipeline/present/text/table.hpp"
@@ -15,179 +17,87 @@ namespace ashimpact {
 
 namespace {
 
-constexpr const char* maugis_dugdale = "maugis-dugdale";
 constexpr const char* misses = "off %";
 
-/// Three digits, trailing zeros kept: a column of velocities lines up.
-std::string velocity_text(double velocity) {
-    return fmt::format("{:#.3g}", velocity);
-}
-
-std::optional<std::string> published(const View& sample, const char* kind, const std::string& law) {
-    const auto all = sample.find("published");
-    const auto values = all ? all->find(kind) : std::nullopt;
-    const auto entry = values ? values->find(law) : std::nullopt;
-    if (!entry) return std::nullopt;
-    return readable_number(entry->at("published").number(Dimension::velocity));
-}
-
-std::string velocity_cell(const View& sample, const View::Member& law) {
-    if (!law.value.json().is_null()) return velocity_text(law.value.at("value").number(Dimension::velocity));
-    const std::string verdict = sample.at("verdict").at(law.key).text();
-    return verdict == "finite" ? "-" : verdict;
-}
-
-/// "1.85 to 2.01"; an end that the data do not bound is left open.
-std::string interval_text(const std::optional<View>& interval) {
-    if (!interval || (!interval->find("lower") && !interval->find("upper"))) return "-";
-    const auto end = [&](const char* key) {
-        const auto value = interval->find(key);
-        return value ? velocity_text(value->number(Dimension::velocity)) : std::string("open");
-    };
-    return end("lower") + " to " + end("upper");
-}
-
-std::string interval_cell(const View& sample, const std::string& law) {
-    const auto all = sample.find("interval");
-    return interval_text(all ? all->find(law) : std::nullopt);
-}
-
-/// The velocity to report, or the bound that the impacts give instead: "> 2.31".
-std::string reported_cell(const View& reported) {
-    if (const auto velocity = reported.find("critical_velocity"))
-        return velocity_text(velocity->at("value").number(Dimension::velocity));
-    const auto interval = reported.find("interval");
-    if (const auto lower = interval ? interval->find("lower") : std::nullopt)
-        return "> " + velocity_text(lower->number(Dimension::velocity));
-    if (const auto upper = interval ? interval->find("upper") : std::nullopt)
-        return "< " + velocity_text(upper->number(Dimension::velocity));
-    return "-";
-}
-
-/// The measured velocity with the interval that is compared: "1.92 (1.91 to 1.93)".
-std::string measured_cell(const View& sample) {
-    const auto measured = sample.find("measured_critical_velocity");
-    if (!measured) return "-";
-    const std::string interval = interval_text(sample.find("measured_interval"));
-    const std::string value = velocity_text(measured->number(Dimension::velocity));
-    return interval == "-" ? value : fmt::format("{} ({})", value, interval);
+std::string or_dash(std::string_view text) {
+    return text.empty() ? "-" : std::string(text);
 }
 
 std::string wrapped_line(const std::string& text, std::size_t width, std::size_t hanging = 2) {
     return wrapped(text, width, hanging) + "\n";
 }
 
-/// The paper's extrapolation of measured impacts.
-std::string extrapolated_cell(const View& sample, const std::string& law) {
-    const auto all = sample.find("extrapolated_critical_velocity");
-    const auto entry = all ? all->find(law) : std::nullopt;
-    return entry ? velocity_text(entry->at("value").number(Dimension::velocity)) : "-";
-}
-
-/// Whether a law has impacts, of which no estimate could be made, so that its velocity is the extrapolation.
-bool is_extrapolated(const View& sample, const View::Member& law) {
-    if (law.value.json().is_null()) return false;
-    const auto method = law.value.find("method");
-    return extrapolated_cell(sample, law.key) != "-" && method && method->text().starts_with("eta(e) extra");
-}
-
-/// Why laws have no interval, a line for each.
-std::string interval_notes(const View& result, std::size_t width) {
-    std::string text;
-    for (const View& sample : result.at("samples").elements()) {
-        const auto notes = sample.find("interval_note");
-        if (!notes) continue;
-        for (const auto& [law, note] : notes->members())
-            text +=
-                wrapped_line(fmt::format("{}, {}: {}.", sample.at("name").text(), law, note.text()), width);
+/// The velocity to report, or the bound that the impacts give instead: "> 2.31".
+std::string reported_cell(const ReportedVelocity& reported) {
+    const Answer answer = answer_of(reported);
+    switch (answer.kind) {
+        case Answer::Kind::velocity:
+            return velocity_text(answer.velocity);
+        case Answer::Kind::above:
+            return "> " + velocity_text(answer.velocity);
+        case Answer::Kind::below:
+            return "< " + velocity_text(answer.velocity);
+        case Answer::Kind::none:
+            break;
     }
-    return text;
+    return "-";
 }
 
-/// What the check against the measured velocity says, in words.
-std::string check_cell(const View& sample, const std::string& law) {
-    const auto all = sample.find("check");
-    const auto check = all ? all->find(law) : std::nullopt;
-    if (!check) return "-";
-    const std::string verdict = check->at("verdict").text();
-    if (verdict == "model-too-low") return "too low";
-    if (verdict == "model-too-high") return "too high";
-    return verdict == "agrees" ? "agrees" : "-";
+/// The measured velocity with the interval that is compared: "1.92 (1.91 to 1.93)".
+std::string measured_cell(const SampleComparison& sample) {
+    if (!sample.measured) return "-";
+    const std::string bounds = bounds_text(sample.measured_interval);
+    return velocity_text(sample.measured->value()) + (bounds.empty() ? "" : " (" + bounds + ")");
 }
 
-std::string modulus_cell(const View& sample) {
-    std::string cell = fmt::format("{:.2f}", sample.at("young_modulus").number(Dimension::pressure) / 1e9);
-    const auto all = sample.find("published");
-    const auto entry = all ? all->find("young_modulus") : std::nullopt;
-    if (entry) cell += fmt::format(" ({:.2f})", entry->at("published").number(Dimension::pressure) / 1e9);
-    return cell;
-}
-
-/// Which velocity to report of each sample, and why.
-std::string reported_text(const View& result, std::size_t width) {
+/// Which velocity to report of each sample, and why. Older artifacts do not have it.
+std::string reported_text(const ComparisonResult& result, std::size_t width) {
     TextTable table({"sample", "v_c [m/s]", "95 % interval", "by law", "measured (95 %)"});
     std::string reasons;
-    for (const View& sample : result.at("samples").elements()) {
-        const auto reported = sample.find("reported");
-        if (!reported) return {};  // of an older version
-        const auto law = reported->find("law");
-        table.add({sample.at("name").text(), reported_cell(*reported),
-                   interval_text(reported->find("interval")), law ? law->text() : "-",
-                   measured_cell(sample)});
-        reasons += wrapped_line(fmt::format("{}{}: {}.", sample.at("name").text(),
-                                            law ? " by " + law->text() : "", reported->at("reason").text()),
-                                width);
+    for (const SampleComparison& sample : result.samples) {
+        if (!sample.reported) return {};
+        const std::string law(sample.reported->law ? sample.reported->law->name() : "");
+        table.add({sample.name, reported_cell(*sample.reported),
+                   or_dash(bounds_text(sample.reported->interval)), or_dash(law), measured_cell(sample)});
+        reasons += wrapped_line(
+            fmt::format("{}{}: {}.", sample.name, law.empty() ? "" : " by " + law, sample.reported->reason),
+            width);
     }
     table.drop_empty_columns();
     return "Report this critical velocity; a slower particle sticks.\n\n" + table.text(0, width) +
            "\nWhy:\n" + reasons + "\n";
 }
 
-/// One entry of "assumed" as a line; samples that share it stand together.
-struct Assumption {
-    std::string text;
-    std::vector<std::string> samples;
-};
-
-std::string assumption_text(const View& entry) {
-    std::string text =
-        fmt::format("{} {}", entry.at("quantity").text(), readable(shown_quantity(entry.at("value").json())));
-    const std::string why = entry.at("why").text();
-    return text + ", " + (why.empty() ? entry.at("origin").text() : why);
+std::string assumption_text(const AssumedProperty& assumed) {
+    return fmt::format("{} {}, {}", assumed.quantity, readable(assumed.value),
+                       assumed.why.empty() ? name_of(assumed.origin) : assumed.why);
 }
 
 /// What was assumed, and what no uncertainty was stated of.
-std::string assumptions_text(const View& result, std::size_t width) {
-    std::vector<Assumption> assumptions;
+std::string assumptions_text(const ComparisonResult& result, std::size_t width) {
+    std::vector<std::pair<std::string, std::vector<std::string>>> assumptions;  // with their samples
     std::vector<std::string> exact;
-    const auto samples = result.at("samples").elements();
-    for (const View& sample : samples) {
-        if (const auto assumed = sample.find("assumed"))
-            for (const View& entry : assumed->elements()) {
-                const std::string text = assumption_text(entry);
-                const auto same = std::find_if(assumptions.begin(), assumptions.end(),
-                                               [&](const Assumption& each) { return each.text == text; });
-                Assumption& assumption = same == assumptions.end() ? assumptions.emplace_back() : *same;
-                assumption.text = text;
-                assumption.samples.push_back(sample.at("name").text());
-            }
-        if (const auto names = sample.find("taken_as_exact"))
-            for (const View& name : names->elements())
-                if (std::find(exact.begin(), exact.end(), name.text()) == exact.end())
-                    exact.push_back(name.text());
+    for (const SampleComparison& sample : result.samples) {
+        for (const AssumedProperty& assumed : sample.assumed) {
+            const std::string text = assumption_text(assumed);
+            const auto same = std::ranges::find(assumptions, text, &decltype(assumptions)::value_type::first);
+            auto& samples =
+                (same == assumptions.end() ? assumptions.emplace_back(text, std::vector<std::string>{})
+                                           : *same)
+                    .second;
+            samples.push_back(sample.name);
+        }
+        for (const std::string& name : sample.taken_as_exact)
+            if (std::ranges::find(exact, name) == exact.end()) exact.push_back(name);
     }
     std::string text;
-    const bool uncertain = std::any_of(assumptions.begin(), assumptions.end(), [](const Assumption& each) {
-        return each.text.find("+-") != std::string::npos;
-    });
-    if (!assumptions.empty())
-        text = uncertain ? "Not measured (+-: standard uncertainty):\n" : "Not measured:\n";
-    for (const Assumption& assumption : assumptions)
-        text += wrapped_line(
-            fmt::format(
-                "  {}{}", assumption.text,
-                assumption.samples.size() == samples.size() ? "" : " (" + joined(assumption.samples) + ")"),
-            width);
+    for (const auto& [assumption, samples] : assumptions) {
+        const bool all = samples.size() == result.samples.size();
+        text += wrapped_line("  " + assumption + (all ? "" : " (" + joined(samples) + ")"), width);
+    }
+    if (!text.empty())
+        text.insert(0, text.find("+-") != std::string::npos ? "Not measured (+-: standard uncertainty):\n"
+                                                            : "Not measured:\n");
     if (!exact.empty())
         text += wrapped_line(
             "Taken as exact in the intervals, no uncertainty being stated: " + joined(exact) + ".", width);
@@ -195,30 +105,38 @@ std::string assumptions_text(const View& result, std::size_t width) {
 }
 
 /// By how much a law misses the v_c of maugis-dugdale, which lies between DMT and JKR.
-std::string miss_cell(const View& sample, const View::Member& law) {
-    const View velocities = sample.at("dynamic_critical_velocity");
-    const auto between = velocities.find(maugis_dugdale);
-    if (!between || law.key == maugis_dugdale || law.value.json().is_null()) return "-";
-    const auto velocity = [](const View& node) { return node.at("value").number(Dimension::velocity); };
-    return fmt::format("{:+.1f}", 100 * (velocity(law.value) / velocity(*between) - 1));
+std::string miss_cell(const SampleComparison& sample, Law law, const LawComparison& of) {
+    const Law between = Law::of<MaugisDugdale>();
+    const LawComparison* reference = sample.laws.find(between);
+    if (reference == nullptr || !reference->velocity || law == between || !of.velocity) return "-";
+    return fmt::format("{:+.1f}", 100 * (of.velocity->value / reference->velocity->value - 1));
 }
 
-std::string laws_text(const View& result, std::size_t width) {
+std::string velocity_cell(const LawComparison& law) {
+    if (law.velocity) return (is_extrapolated(law) ? "* " : "") + velocity_text(law.velocity->value);
+    return law.verdict == LawVerdict::finite ? "-" : std::string(name_of(law.verdict));
+}
+
+std::string published_cell(const SampleComparison& sample, Law law) {
+    const Beside* beside = sample.published ? sample.published->critical_velocity.find(law) : nullptr;
+    return beside == nullptr ? "-" : readable_number(beside->published.value);
+}
+
+std::string laws_text(const ComparisonResult& result, std::size_t width) {
     TextTable table(
         {"sample", "law", "dynamic v_c", "95 % interval", misses, "extrapolated", "published", "verdict"}, 2);
     bool any_miss = false;
     bool any_extrapolated = false;
-    for (const View& sample : result.at("samples").elements()) {
-        std::string name = sample.at("name").text();
-        for (const auto& law : sample.at("dynamic_critical_velocity").members()) {
-            const std::string miss = miss_cell(sample, law);
+    for (const SampleComparison& sample : result.samples) {
+        std::string name = sample.name;
+        for (const auto& [law, of] : sample.laws) {
+            const std::string miss = miss_cell(sample, law, of);
             any_miss = any_miss || miss != "-";
-            const bool extrapolated = is_extrapolated(sample, law);
-            any_extrapolated = any_extrapolated || extrapolated;
-            table.add(
-                {std::exchange(name, ""), law.key, (extrapolated ? "* " : "") + velocity_cell(sample, law),
-                 interval_cell(sample, law.key), miss, extrapolated_cell(sample, law.key),
-                 published(sample, "critical_velocity", law.key).value_or("-"), check_cell(sample, law.key)});
+            any_extrapolated = any_extrapolated || is_extrapolated(of);
+            table.add({std::exchange(name, ""), std::string(law.name()), velocity_cell(of),
+                       or_dash(of.velocity ? bounds_text(of.velocity->interval) : ""), miss,
+                       of.extrapolated ? velocity_text(of.extrapolated->value) : "-",
+                       published_cell(sample, law), or_dash(verdict_words(of.check))});
         }
     }
     table.drop_empty_columns();
@@ -235,16 +153,34 @@ std::string laws_text(const View& result, std::size_t width) {
     return text + "\n";
 }
 
-std::string contacts_text(const View& result, std::size_t width) {
+/// Why laws have no interval, a line for each.
+std::string interval_notes(const ComparisonResult& result, std::size_t width) {
+    std::string text;
+    for (const SampleComparison& sample : result.samples)
+        for (const auto& [law, of] : sample.laws)
+            if (!of.interval_note.empty())
+                text += wrapped_line(fmt::format("{}, {}: {}.", sample.name, law.name(), of.interval_note),
+                                     width);
+    return text;
+}
+
+std::string modulus_cell(const SampleComparison& sample) {
+    if (!sample.young_modulus) return "-";
+    std::string cell = fmt::format("{:.2f}", sample.young_modulus->value / 1e9);
+    if (sample.published && sample.published->young_modulus)
+        cell += fmt::format(" ({:.2f})", sample.published->young_modulus->published.value / 1e9);
+    return cell;
+}
+
+std::string contacts_text(const ComparisonResult& result, std::size_t width) {
     TextTable table({"sample", "E [GPa]", "E* [GPa]", "W_s [fJ]", "v_c, adhesion only [m/s]"});
     bool any_published = false;
-    for (const View& sample : result.at("samples").elements()) {
-        table.add(
-            {sample.at("name").text(), modulus_cell(sample),
-             fmt::format("{:.2f}", sample.at("contact_modulus").number(Dimension::pressure) / 1e9),
-             readable_number(sample.at("separation_energy").number(Dimension::energy) / 1e-15),
-             fmt::format("{:#.3g}", sample.at("analytic_critical_velocity").number(Dimension::velocity))});
-        any_published = any_published || sample.has("published");
+    for (const SampleComparison& sample : result.samples) {
+        table.add({sample.name, modulus_cell(sample),
+                   sample.contact_modulus ? fmt::format("{:.2f}", *sample.contact_modulus / 1e9) : "-",
+                   sample.separation_energy ? readable_number(*sample.separation_energy / 1e-15) : "-",
+                   velocity_text(sample.analytic_velocity)});
+        any_published = any_published || sample.published;
     }
     std::string text =
         table.text(0, width) + "v_c, adhesion only: Eq. 30 of Dong et al. 2013, without damping.";
@@ -254,12 +190,16 @@ std::string contacts_text(const View& result, std::size_t width) {
 
 }  // namespace
 
-std::string comparison_text(const View& result, std::size_t width) {
-    const std::string title =
-        result.has("case") ? wrapped_line(result.at("case").text(), width, 0) + "\n" : "";
+std::string comparison_text(const ComparisonResult& result, std::size_t width) {
+    const std::string title = result.name.empty() ? "" : wrapped_line(result.name, width, 0) + "\n";
     return title + reported_text(result, width) + assumptions_text(result, width) + laws_text(result, width) +
            interval_notes(result, width) + contacts_text(result, width) +
-           wrapped_line(result.at("conclusion").text(), width, 0);
+           wrapped_line(result.conclusion, width, 0);
+}
+
+std::string comparison_text(Json result, std::size_t width) {
+    result.erase("equal_velocities");  // not shown; their units depend on the damping law of the case
+    return comparison_text(from_json<ComparisonResult>(View(result), DampingLaw::constant), width);
 }
 
 }  // namespace ashimpact

@@ -58,13 +58,14 @@ std::optional<MeasuredCurve> interpolated(const DampingSeries& series) {
 }
 
 std::optional<DampingOverVelocity> series_of(const SampleContact& sample, const LawChoice& choice,
-                                const DampingSeries& damping) {
+                                             const DampingSeries& damping) {
     if (damping.origin == Origin::measured)
         if (auto smooth = smoothed(damping)) {
             const auto curve = std::make_shared<DampingSmoothing>(std::move(*smooth));
-            return DampingOverVelocity{&sample, choice, {curve->slowest(), curve->fastest()}, [curve](double v) {
-                              return curve->at(v).damping;
-                          }};
+            return DampingOverVelocity{
+                &sample, choice, {curve->slowest(), curve->fastest()}, [curve](double v) {
+                    return curve->at(v).damping;
+                }};
         }
     if (auto through = interpolated(damping)) {
         const auto curve = std::make_shared<MeasuredCurve>(std::move(*through));
@@ -75,7 +76,8 @@ std::optional<DampingOverVelocity> series_of(const SampleContact& sample, const 
 }
 
 /// A sample by a law at a velocity; none where no impact rebounds with the damping there.
-std::optional<ImpactAtVelocity> impact_at(const DampingOverVelocity& series, DampingLaw damping_law, double velocity) {
+std::optional<ImpactAtVelocity> impact_at(const DampingOverVelocity& series, DampingLaw damping_law,
+                                          double velocity) {
     const double damping = series.damping(velocity);
     if (!(damping >= 0.0)) return std::nullopt;
     const ImpactResult impact = solve_impact({.law = series.choice.law,

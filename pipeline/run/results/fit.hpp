@@ -62,6 +62,11 @@ struct LawFit {
     std::optional<DampingCurveFit> extrapolated{};  ///< of measured impacts; indices are those of the series
     std::optional<DampingEstimate> estimate{};      ///< of measured impacts: what v_c follows from
     std::optional<FitComparison> comparison{};      ///< of the two
+
+    /// The fit eta(e) over the rising branch: of measured impacts the extrapolated one.
+    [[nodiscard]] const DampingPolynomial& along_rising_branch() const {
+        return extrapolated ? extrapolated->damping : damping;
+    }
 };
 
 /// The fits of a sample.

@@ -22,14 +22,16 @@ struct ContactTimeAt {
 
 /// Which impact a history is of.
 enum class HistoryPart {
-    critical,  ///< just above the critical velocity
-    rising,    ///< the middle point of the data
+    critical,     ///< just above the critical velocity
+    rising,       ///< the middle point of the data
+    at_critical,  ///< at the critical velocity
+    falling,      ///< the middle one of the impacts beyond the rising branch
 };
 
 template <>
 struct Names<HistoryPart> {
     static constexpr std::string_view kind = "part";
-    static constexpr std::array<std::string_view, 2> all{"critical", "rising"};
+    static constexpr std::array<std::string_view, 4> all{"critical", "rising", "at-critical", "falling"};
 };
 
 /// Momentum balance of a history; Eqs. 35-45.
@@ -58,11 +60,32 @@ struct History {
     std::vector<TrajectoryPoint> trajectory{};
 };
 
+/// An impact on the model's curve e(v_in): its damping is eta(e) of the fit.
+struct CurveImpact {
+    double velocity = 0;          ///< v_in [m/s]
+    double lower = 0, upper = 0;  ///< 95 % band of the velocity at this restitution; NaN: not known [m/s]
+    double restitution = 0;       ///< [1]
+    double damping = 0;           ///< [unit of the damping law]
+    double contact_time = 0;      ///< [s]
+    double dissipated = 0;        ///< share of the incident energy that damping takes [1]
+    double adhesion = 0;  ///< share that breaking the contact takes, jumps of the surfaces included [1]
+    double plastic = 0;   ///< share that yielding takes [1]
+};
+using ModelCurve = std::vector<CurveImpact>;
+
+/// What the figures draw of one law beside its histories.
+struct LawCurve {
+    std::optional<double> start{};     ///< v_c of the fit, where the curve begins at e = 0 [m/s]
+    ModelCurve impacts{};              ///< from just above e = 0 on; empty if there is no curve
+    std::vector<History> histories{};  ///< at v_c, for as long as the others last, and of the falling branch
+};
+
 /// The histories of a sample.
 struct SampleHistories {
     std::string name{};
     std::vector<ContactTimeAt> contact_times{};
     LawMap<std::vector<History>> laws{};
+    LawMap<LawCurve> curves{};
 };
 
 /// Result of the histories stage, 8-histories.json.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Included once for each instruction set, so with no include guard but this.
+// Included once for each instruction set.
 #if defined(ASHIMPACT_SOLVER_BATCH_LEAPFROG_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef ASHIMPACT_SOLVER_BATCH_LEAPFROG_INL_HPP
 #undef ASHIMPACT_SOLVER_BATCH_LEAPFROG_INL_HPP
@@ -21,10 +21,10 @@ namespace ashimpact::HWY_NAMESPACE {
 ///     y_(m+1/2) = y_(m-1/2) - tau h(q_m),
 ///     q_(m+1) = q_(m-1) + tau (y_(m-1/2) + y_(m+1/2)) - 2 tau beta g(q_m),
 ///
-/// extrapolated to tau = 0. Their error is a series in tau^2, as Gragg's midpoint rule has it (Gragg 1965;
-/// without damping this is Stoermer's rule: Hairer, Norsett & Wanner, Solving ODEs I, II.14). No square root,
-/// no division within. Momentum is in units of tau times the leading coefficient of h: a kick is one
-/// multiply-add with the law's own polynomial.
+/// extrapolated to tau = 0. Their error is a series in tau^2, as that of Gragg's midpoint rule (Gragg 1965;
+/// without damping Stoermer's rule: Hairer, Norsett & Wanner, Solving ODEs I, II.14). No square root, no
+/// division. Momentum is in units of tau times the leading coefficient of h: a kick is one multiply-add with
+/// the law's own polynomial.
 ///
 /// @tparam Orbit has equation() (an Equation<F>), state() and step()
 template <class F, int sequences, class Orbit>

@@ -4,14 +4,14 @@
 
 #include <doctest/doctest.h>
 
-#include "pipeline/present/report/data/impact_search.hpp"
-#include "pipeline/present/report/data/model_curve.hpp"
+#include "pipeline/run/curves/impact_search.hpp"
+#include "pipeline/run/curves/model_curve.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/impact.hpp"
 #include "tests/relative_difference.hpp"
 
-namespace ashimpact::report {
+namespace ashimpact::curves {
 
 TEST_CASE("impacts of wanted restitutions have their velocities, and the contact times of those velocities") {
     const ContactPair pair{
@@ -152,4 +152,4 @@ TEST_CASE("a model's curve and its band end at the greatest velocity") {
     }
 }
 
-}  // namespace ashimpact::report
+}  // namespace ashimpact::curves

@@ -15,6 +15,7 @@
 #include "pipeline/document/files/file.hpp"
 #include "pipeline/document/files/sha256.hpp"
 #include "pipeline/document/results/run_artifacts.hpp"
+#include "pipeline/document/results/run_json.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/figure_file.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
@@ -80,7 +81,7 @@ std::string between(const std::string& text, const std::string& from, const std:
 }
 
 const RunData& paper_run() {
-    static const RunData run(load_artifacts(paper().folder() / "results", report_artifacts()), "");
+    static const RunData run(read_run(load_artifacts(paper().folder() / "results", report_artifacts())), "");
     return run;
 }
 
@@ -169,7 +170,7 @@ TEST_CASE("every figure comes with the numbers behind it, the histories with tho
         ++listed[{std::get<std::string>(row[0]), std::get<std::string>(row[1])}];
     for (const SampleData& sample : run.samples())
         for (const LawData& law : sample.laws) {
-            const int rows = listed[{sample.name, law.name}];
+            const int rows = listed[{sample.name(), law.name}];
             CHECK(rows > 50);
         }
 }
@@ -178,13 +179,13 @@ TEST_CASE("the model's curve gives back the points it was fitted to") {
     const RunData& run = paper_run();
     for (const SampleData& sample : run.samples())
         for (const LawData& law : sample.laws) {
-            CAPTURE(sample.name);
+            CAPTURE(sample.name());
             CAPTURE(law.name);
-            REQUIRE(law.curve.size() > 10);
-            const CurveImpact& last = law.curve.back();             // at the greatest restitution of the data
+            REQUIRE(law.curve().size() > 10);
+            const CurveImpact& last = law.curve().back();           // at the greatest restitution of the data
             if (law.name != "JKR" && law.name != "Maugis-Dugdale")  // points of another law's fit
                 CHECK(last.velocity == doctest::Approx(law.damping->velocity.back()).epsilon(1e-6));
-            for (const CurveImpact& impact : law.curve) {
+            for (const CurveImpact& impact : law.curve()) {
                 CHECK(impact.lower < impact.velocity);
                 CHECK(impact.upper > impact.velocity);
             }

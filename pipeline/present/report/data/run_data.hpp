@@ -5,66 +5,60 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/case/case.hpp"
-#include "pipeline/document/artifact.hpp"
-#include "pipeline/present/report/data/headline.hpp"
-#include "pipeline/present/report/data/model_curve.hpp"
 #include "pipeline/run/results/run.hpp"
-#include "solver/damping/damping_polynomial.hpp"
 
 namespace ashimpact::report {
 
-/// What a run says of one law and one sample; what there is not is null or none.
+/// What a run found out about one law and one sample; null where there is no such result.
 struct LawData {
     LawChoice choice;
-    std::string name;                   ///< for readers, "Brach-Dunn"
-    const RestitutionSeries* measured;  ///< the impacts this law was read from
-    const DampingSeries* damping;
-    const LawFit* fit;
-    const LawCriticalVelocity* velocity;
-    Json damping_json;   ///< its entry in 5-damping.json, or null
-    Json fit_json;       ///< in 6-fit.json
-    Json velocity_json;  ///< in 7-critical-velocity.json
-    Json histories;      ///< in 8-histories.json
-    Headline headline{};
-    std::optional<DampingPolynomial> damping_fit{};  ///< eta(e) over the rising branch
-    std::optional<double> curve_start{};             ///< v_c of that fit, where the curve begins [m/s]
-    ModelCurve curve{};
+    std::string name;  ///< for readers, "Brach-Dunn"
+    const RestitutionSeries* measured = nullptr;
+    const DampingSeries* damping = nullptr;
+    const LawFit* fit = nullptr;
+    const LawCriticalVelocity* velocity = nullptr;
+    const LawComparison* compared = nullptr;
+    const std::vector<History>* histories = nullptr;
+    const LawCurve* drawn = nullptr;
+
+    /// The critical velocity of this law with its interval.
+    [[nodiscard]] std::optional<VelocityEstimate> headline() const {
+        return velocity != nullptr ? velocity->velocity : std::nullopt;
+    }
+    /// The critical velocity at which the fit to measured rebounds meets e = 0 [m/s].
+    [[nodiscard]] std::optional<double> extrapolated() const;
+    /// The model's curve e(v_in); empty if there is none.
+    [[nodiscard]] const ModelCurve& curve() const;
 };
 
+/// The results of one sample.
 struct SampleData {
-    std::string name;
     const Sample* sample;
+    const SampleModulus* modulus;
     const SampleContact* contact;
     const SampleAnalytic* analytic;
-    Json modulus;     ///< its entry in 1-modulus.json
-    Json comparison;  ///< in comparison.json
-    Json measured;    ///< measured critical velocity in 7-critical-velocity.json, or null
+    const SampleCriticalVelocity* velocity;
+    const SampleComparison* comparison;
     std::vector<LawData> laws{};
+
+    [[nodiscard]] const std::string& name() const { return sample->name; }
 };
 
-/// A run as its artifacts have it, with the model's curves, which are computed from them.
+/// A run by samples and laws, for figures and pages.
 class RunData {
   public:
-    /// @param label what tells this run from others: its folder, or the name of its case
-    /// @throws InputError for artifacts that do not fit together
-    RunData(Artifacts artifacts, std::string label);
+    /// @param label distinguishes this run from others: its folder; may be empty
+    RunData(Run run, std::string label);
 
     [[nodiscard]] const std::string& label() const { return label_; }
-    [[nodiscard]] const Case& data() const { return run_.data; }
     [[nodiscard]] const Run& run() const { return run_; }
-    [[nodiscard]] const Artifacts& artifacts() const { return artifacts_; }
+    [[nodiscard]] const Case& data() const { return run_.data; }
     [[nodiscard]] const std::vector<SampleData>& samples() const { return samples_; }
     [[nodiscard]] std::string damping_unit() const;
-    [[nodiscard]] bool any_reconstructed() const;
-    [[nodiscard]] bool any_measured() const;
 
   private:
-    void read_sample(std::size_t index);
-
     std::string label_;
-    Artifacts artifacts_;
-    Run run_;
+    Run run_;  // samples_ refer to its vectors, which a move of it leaves in place
     std::vector<SampleData> samples_;
 };
 

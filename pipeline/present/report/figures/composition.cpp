@@ -5,6 +5,7 @@
 
 #include "pipeline/present/report/figures/axis_units.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
+#include "pipeline/present/report/figures/law_series.hpp"
 
 namespace ashimpact::report {
 
@@ -18,19 +19,18 @@ std::size_t position(std::vector<std::string>& names, const std::string& name) {
     return names.size() - 1;
 }
 
-Row fractions_row(const Json& modulus, const char* key, const std::string& label,
+Row fractions_row(const SampleModulus& modulus, double PhaseShare::*fraction, const std::string& label,
                   std::vector<std::string>& names) {
     Row row{.label = label};
     double from = 0;
-    for (const Json& phase : modulus.at("phases")) {
-        const double share = number_in(phase, key).value_or(0);
-        const std::string name = phase.at("name").get<std::string>();
+    for (const PhaseShare& phase : modulus.phases) {
+        const double share = phase.*fraction;
         row.items.push_back({.kind = RowItem::Kind::bar,
                              .from = from,
                              .to = from + share,
-                             .look = Look::of(position(names, name)),
-                             .name = fmt::format("{}: {:.4g} %", name, 100 * share),
-                             .legend = name});
+                             .look = Look::of(position(names, phase.name)),
+                             .name = fmt::format("{}: {:.4g} %", phase.name, 100 * share),
+                             .legend = phase.name});
         from += share;
     }
     return row;
@@ -41,9 +41,9 @@ RowPanel fractions_panel(const RunData& run) {
                    .x = {.label = "fraction", .unit = "%", .scale = 0.01, .from = 0.0, .to = 1.0}};
     std::vector<std::string> names;
     for (const SampleData& sample : run.samples()) {
-        panel.rows.push_back({.label = sample.name, .heading = true});
-        panel.rows.push_back(fractions_row(sample.modulus, "weight_fraction", "weight", names));
-        panel.rows.push_back(fractions_row(sample.modulus, "volume_fraction", "volume", names));
+        panel.rows.push_back({.label = sample.name(), .heading = true});
+        panel.rows.push_back(fractions_row(*sample.modulus, &PhaseShare::weight_fraction, "weight", names));
+        panel.rows.push_back(fractions_row(*sample.modulus, &PhaseShare::volume_fraction, "volume", names));
     }
     return panel;
 }
@@ -52,36 +52,30 @@ RowPanel modulus_panel(const RunData& run) {
     RowPanel panel{.title = "Young's modulus and its bounds",
                    .x = {.label = "E", .unit = "GPa", .scale = 1e9}};
     for (const SampleData& sample : run.samples()) {
-        const Json& json = sample.modulus;
-        panel.rows.push_back({.label = sample.name, .heading = true});
-        const double value = number_in(json, "young_modulus").value_or(0);
+        const Quantity& modulus = sample.modulus->young_modulus;
+        panel.rows.push_back({.label = sample.name(), .heading = true});
         Row bounds{.label = "bounds"};
-        if (json.contains("bounds")) {
-            const double lower = number_in(json.at("bounds"), "lower").value_or(value);
-            const double upper = number_in(json.at("bounds"), "upper").value_or(value);
-            bounds.items.push_back(
-                {.kind = RowItem::Kind::bar,
-                 .from = lower,
-                 .to = upper,
-                 .look = Look::plain(3),
-                 .name = fmt::format("bounds {:.4g} to {:.4g} GPa", lower / 1e9, upper / 1e9),
-                 .legend = "bounds"});
-        }
+        if (const auto& known = sample.modulus->bounds)
+            bounds.items.push_back({.kind = RowItem::Kind::bar,
+                                    .from = known->lower.value,
+                                    .to = known->upper.value,
+                                    .look = Look::plain(3),
+                                    .name = fmt::format("bounds {:.4g} to {:.4g} GPa",
+                                                        known->lower.value / 1e9, known->upper.value / 1e9),
+                                    .legend = "bounds"});
         panel.rows.push_back(std::move(bounds));
         Row own{.label = "E"};
-        const Json& quantity = json.at("young_modulus");
-        const double u = number_in(quantity, "standard_uncertainty").value_or(0);
-        if (u > 0)
+        if (const double u = modulus.standard_uncertainty.value_or(0); u > 0)
             own.items.push_back({.kind = RowItem::Kind::interval,
-                                 .from = value - u,
-                                 .to = value + u,
+                                 .from = modulus.value - u,
+                                 .to = modulus.value + u,
                                  .look = Look::plain(0),
                                  .name = fmt::format("± {:.3g} GPa (standard uncertainty)", u / 1e9)});
         own.items.push_back({.kind = RowItem::Kind::mark,
-                             .from = value,
-                             .to = value,
+                             .from = modulus.value,
+                             .to = modulus.value,
                              .look = Look::plain(0),
-                             .name = fmt::format("E = {:.4g} GPa", value / 1e9),
+                             .name = fmt::format("E = {:.4g} GPa", modulus.value / 1e9),
                              .legend = "E by the rule of the case, ± u"});
         panel.rows.push_back(std::move(own));
     }
@@ -90,15 +84,10 @@ RowPanel modulus_panel(const RunData& run) {
 
 std::string dominant(const RunData& run) {
     std::string text;
-    for (const SampleData& sample : run.samples()) {
-        if (!sample.modulus.contains("uncertainty_contributions")) continue;
-        const Json& contributions = sample.modulus.at("uncertainty_contributions");
-        if (contributions.empty()) continue;
-        const Json& first = contributions.front();
-        text += fmt::format(" {}: {} gives {:.3g} % of the variance of E.", sample.name,
-                            first.at("input").get<std::string>(),
-                            100 * number_in(first, "share_of_variance").value_or(0));
-    }
+    for (const SampleData& sample : run.samples())
+        if (const auto& contributions = sample.modulus->contributions; !contributions.empty())
+            text += fmt::format(" {}: {} gives {:.3g} % of the variance of E.", sample.name(),
+                                contributions.front().what, 100 * contributions.front().share);
     return text.empty() ? " No uncertainty of the phases is known." : text;
 }
 
@@ -106,15 +95,11 @@ NumberTable numbers(const RunData& run) {
     NumberTable table{.columns = {"sample", "phase", "weight fraction", "volume fraction", "density [kg/m3]",
                                   "Young's modulus [Pa]"}};
     for (const SampleData& sample : run.samples()) {
-        for (const Json& phase : sample.modulus.at("phases"))
-            table.rows.push_back({sample.name, phase.at("name").get<std::string>(),
-                                  number_in(phase, "weight_fraction").value_or(0),
-                                  number_in(phase, "volume_fraction").value_or(0),
-                                  number_in(phase, "density").value_or(0),
-                                  number_in(phase, "young_modulus").value_or(0)});
-        table.rows.push_back({sample.name, std::string("the whole"), 1.0, 1.0,
-                              number_in(sample.modulus, "density").value_or(0),
-                              number_in(sample.modulus, "young_modulus").value_or(0)});
+        for (const PhaseShare& phase : sample.modulus->phases)
+            table.rows.push_back({sample.name(), phase.name, phase.weight_fraction, phase.volume_fraction,
+                                  cell_of(phase.density), cell_of(phase.young_modulus)});
+        table.rows.push_back({sample.name(), std::string("the whole"), 1.0, 1.0,
+                              sample.modulus->density.value, sample.modulus->young_modulus.value});
     }
     return table;
 }

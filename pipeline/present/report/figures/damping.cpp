@@ -17,7 +17,7 @@ double greatest_damping(const RunData& run) {
     for (const SampleData& sample : run.samples())
         for (const LawData& law : sample.laws) {
             if (law.damping != nullptr) greatest = std::max(greatest, greatest_of(law.damping->damping));
-            for (const CurveImpact& impact : law.curve) greatest = std::max(greatest, impact.damping);
+            for (const CurveImpact& impact : law.curve()) greatest = std::max(greatest, impact.damping);
         }
     return greatest;
 }
@@ -30,10 +30,10 @@ Axis damping_axis(const RunData& run) {
 
 /// The dampings of one law over @p x, with their uncertainty where it is known.
 Series points_series(const SampleData& sample, const LawData& law, const std::vector<double>& x) {
-    Series series{.name = sample.name + ", " + law.name,
+    Series series{.name = sample.name() + ", " + law.name,
                   .legend = law.name,
                   .look = look_of(law, is_reconstructed(law))};
-    const std::vector<double> uncertainty = column_in(law.damping_json, "damping_uncertainty");
+    const std::vector<double>& uncertainty = law.damping->damping_uncertainty;
     for (std::size_t i = 0; i < x.size(); ++i) {
         const double u = i < uncertainty.size() && std::isfinite(uncertainty[i]) ? uncertainty[i] : 0;
         series.marks.push_back({x[i], law.damping->damping[i], 0, u});
@@ -43,16 +43,15 @@ Series points_series(const SampleData& sample, const LawData& law, const std::ve
 
 /// Boundaries between falling, flat and rising eta(v_in), of the first law that has several parts.
 std::vector<Rule> boundaries(const SampleData& sample) {
+    std::vector<Rule> rules;
     for (const LawData& law : sample.laws) {
-        if (!law.damping_json.is_object() || !law.damping_json.contains("parts")) continue;
-        const Json& parts = law.damping_json.at("parts");
-        std::vector<Rule> rules;
-        for (std::size_t i = 1; i < parts.size(); ++i)
-            if (const auto at = number_in(parts[i], "from"))
-                rules.push_back({*at, parts[i].at("part").get<std::string>(), look_of(law)});
-        if (!rules.empty()) return rules;
+        if (law.damping == nullptr) continue;
+        for (std::size_t i = 1; i < law.damping->parts.size(); ++i)
+            rules.push_back({law.damping->parts[i].from.value,
+                             std::string(name_of(law.damping->parts[i].part)), look_of(law)});
+        if (!rules.empty()) break;
     }
-    return {};
+    return rules;
 }
 
 bool any_boundary(const RunData& run) {
@@ -61,10 +60,10 @@ bool any_boundary(const RunData& run) {
 }
 
 void add_rows(const SampleData& sample, const LawData& law, NumberTable& table) {
-    const std::vector<double> uncertainty = column_in(law.damping_json, "damping_uncertainty");
+    const std::vector<double>& uncertainty = law.damping->damping_uncertainty;
     for (std::size_t i = 0; i < law.damping->damping.size(); ++i)
-        table.rows.push_back({sample.name, law.name, std::string(name_of(law.damping->origin)),
-                              law.damping->velocity[i], law.damping->restitution[i], law.damping->damping[i],
+        table.rows.push_back({sample.name(), law.name, origin_of(*law.damping), law.damping->velocity[i],
+                              law.damping->restitution[i], law.damping->damping[i],
                               i < uncertainty.size() ? Cell(uncertainty[i]) : Cell(std::string())});
 }
 
@@ -90,8 +89,10 @@ Figure damping_figure(const RunData& run) {
                                         : " These data hold the falling part alone.";
     figure.caption += extrapolation_sentence(run) + origin_sentence(run);
     for (const SampleData& sample : run.samples()) {
-        XyPanel panel{
-            .title = sample.name, .x = velocity_axis(), .y = damping_axis(run), .rules = boundaries(sample)};
+        XyPanel panel{.title = sample.name(),
+                      .x = velocity_axis(),
+                      .y = damping_axis(run),
+                      .rules = boundaries(sample)};
         for (const LawData& law : sample.laws) {
             if (law.damping == nullptr) continue;
             Series curve =
@@ -119,16 +120,16 @@ Figure damping_fit_figure(const RunData& run) {
                   .panels = {},
                   .numbers = {.columns = columns(run)}};
     for (const SampleData& sample : run.samples()) {
-        XyPanel panel{.title = sample.name, .x = restitution_axis(), .y = damping_axis(run)};
+        XyPanel panel{.title = sample.name(), .x = restitution_axis(), .y = damping_axis(run)};
         for (const LawData& law : sample.laws) {
             if (law.damping == nullptr) continue;
             Series fit{
-                .name = sample.name + ", " + law.name + ", fit", .legend = law.name, .look = look_of(law)};
+                .name = sample.name() + ", " + law.name + ", fit", .legend = law.name, .look = look_of(law)};
             fit.look.thin = true;
             const double end = greatest_of(law.damping->restitution);
-            for (int i = 0; i <= 24 && law.damping_fit; ++i) {
+            for (int i = 0; i <= 24 && law.fit != nullptr; ++i) {
                 const double e = end * i / 24;
-                fit.line.push_back({e, (*law.damping_fit)(e)});
+                fit.line.push_back({e, law.fit->along_rising_branch()(e)});
             }
             panel.series.push_back(std::move(fit));
             panel.series.push_back(points_series(sample, law, law.damping->restitution));
@@ -158,21 +159,20 @@ Figure contact_time_figure(const RunData& run) {
                   .numbers = {.columns = {"sample", "law", "origin", "v_in [m/s]", "contact time [s]"}}};
     bool published = false;
     for (const SampleData& sample : run.samples()) {
-        XyPanel panel{.title = sample.name, .x = velocity_axis(), .y = axis};
+        XyPanel panel{.title = sample.name(), .x = velocity_axis(), .y = axis};
         for (const LawData& law : sample.laws) {
             if (law.damping == nullptr) continue;
             Series curve =
                 curve_series(sample, law, [](const CurveImpact& impact) { return impact.contact_time; });
             curve.look.thin = true;
             panel.series.push_back(std::move(curve));
-            Series points{.name = sample.name + ", " + law.name,
+            Series points{.name = sample.name() + ", " + law.name,
                           .legend = law.name,
                           .look = look_of(law, is_reconstructed(law))};
             for (std::size_t i = 0; i < law.damping->velocity.size() && i < law.damping->contact_time.size();
                  ++i) {
                 points.marks.push_back({law.damping->velocity[i], law.damping->contact_time[i]});
-                figure.numbers.rows.push_back({sample.name, law.name,
-                                               std::string(name_of(law.damping->origin)),
+                figure.numbers.rows.push_back({sample.name(), law.name, origin_of(*law.damping),
                                                law.damping->velocity[i], law.damping->contact_time[i]});
             }
             panel.series.push_back(std::move(points));
@@ -181,11 +181,11 @@ Figure contact_time_figure(const RunData& run) {
             for (const auto& printed : sample.sample->published->contact_times) {
                 published = true;
                 const std::string name = display_name(printed.law.name());
-                panel.series.push_back({.name = sample.name + ", " + name + ", published",
+                panel.series.push_back({.name = sample.name() + ", " + name + ", published",
                                         .legend = "published",
                                         .look = Look::plain(6),
                                         .marks = {{printed.velocity.value, printed.contact_time.value}}});
-                figure.numbers.rows.push_back({sample.name, name, std::string("published"),
+                figure.numbers.rows.push_back({sample.name(), name, std::string("published"),
                                                printed.velocity.value, printed.contact_time.value});
             }
         figure.panels.emplace_back(std::move(panel));

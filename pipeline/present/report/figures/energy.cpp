@@ -28,26 +28,26 @@ const std::array<Share, 4>& shares() {
 }
 
 XyPanel panel_of(const SampleData& sample, const LawData& law) {
-    XyPanel panel{.title = sample.name + ", " + law.name,
+    XyPanel panel{.title = sample.name() + ", " + law.name,
                   .x = velocity_axis(),
                   .y = {.label = "share", .unit = "%", .scale = 0.01, .from = 0.0, .to = 1.0}};
     panel.x.from_zero = false;
-    std::vector<double> below(law.curve.size(), 0.0);
+    std::vector<double> below(law.curve().size(), 0.0);
     for (std::size_t k = 0; k < shares().size(); ++k) {
         Series series{.name = panel.title + ", up to " + shares()[k].name,
                       .legend = shares()[k].name,
                       .look = Look::of(k),
                       .area = true};
         const auto is_zero = [&](const CurveImpact& impact) { return shares()[k].of(impact) == 0; };
-        if (std::all_of(law.curve.begin(), law.curve.end(), is_zero)) continue;
+        if (std::all_of(law.curve().begin(), law.curve().end(), is_zero)) continue;
         std::vector<double> above = below;
-        for (std::size_t i = 0; i < law.curve.size(); ++i) above[i] += shares()[k].of(law.curve[i]);
-        for (std::size_t i = 0; i < law.curve.size(); ++i) {
-            series.line.push_back({law.curve[i].velocity, above[i]});
-            series.band.push_back({law.curve[i].velocity, above[i]});
+        for (std::size_t i = 0; i < law.curve().size(); ++i) above[i] += shares()[k].of(law.curve()[i]);
+        for (std::size_t i = 0; i < law.curve().size(); ++i) {
+            series.line.push_back({law.curve()[i].velocity, above[i]});
+            series.band.push_back({law.curve()[i].velocity, above[i]});
         }
-        for (std::size_t i = law.curve.size(); i-- > 0;)
-            series.band.push_back({law.curve[i].velocity, below[i]});
+        for (std::size_t i = law.curve().size(); i-- > 0;)
+            series.band.push_back({law.curve()[i].velocity, below[i]});
         below = above;
         panel.series.push_back(std::move(series));
     }
@@ -61,10 +61,10 @@ std::string statement(const RunData& run) {
     bool any = false;
     for (const SampleData& sample : run.samples())
         for (const LawData& law : sample.laws)
-            if (!law.curve.empty()) {
+            if (!law.curve().empty()) {
                 any = true;
-                damping = std::min(damping, law.curve.front().dissipated);
-                breaking = std::max(breaking, law.curve.front().adhesion);
+                damping = std::min(damping, law.curve().front().dissipated);
+                breaking = std::max(breaking, law.curve().front().adhesion);
             }
     if (!any) return " No law has a curve here.";
     const std::string shares = fmt::format(
@@ -94,10 +94,10 @@ Figure energy_figure(const RunData& run) {
                   .panel_height = 210};
     for (const SampleData& sample : run.samples())
         for (const LawData& law : sample.laws) {
-            if (law.curve.empty()) continue;
+            if (law.curve().empty()) continue;
             figure.panels.emplace_back(panel_of(sample, law));
-            for (const CurveImpact& i : law.curve)
-                figure.numbers.rows.push_back({sample.name, law.name, i.velocity, i.dissipated, i.plastic,
+            for (const CurveImpact& i : law.curve())
+                figure.numbers.rows.push_back({sample.name(), law.name, i.velocity, i.dissipated, i.plastic,
                                                i.adhesion, i.restitution * i.restitution});
         }
     return figure;

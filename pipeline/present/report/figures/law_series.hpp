@@ -2,12 +2,12 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "pipeline/present/report/data/run_data.hpp"
 #include "pipeline/present/report/drawing/panel.hpp"
+#include "pipeline/present/report/figure.hpp"
 
 namespace ashimpact::report {
 
@@ -21,22 +21,28 @@ namespace ashimpact::report {
 /// The band of the model's curve between its two velocities, closed.
 [[nodiscard]] std::vector<Point> velocity_band(const ModelCurve& curve);
 
-/// The velocities below which impacts are captured by some and by every law; ends at the headlines.
+/// The velocities below which impacts are captured by every law; ends at the least critical velocity.
 [[nodiscard]] std::vector<Region> capture_region(const SampleData& sample);
 
 /// Whether the impacts of a law's series were reconstructed.
 [[nodiscard]] bool is_reconstructed(const LawData& law);
 
-/// The numbers of a column {"values": [..]} of a JSON entry; empty where there is none; null as NaN.
-[[nodiscard]] std::vector<double> column_in(const Json& entry, const char* key);
+/// Where the points of a law's series come from, as tables list it.
+[[nodiscard]] std::string origin_of(const DampingSeries& series);
+
+/// A number of a table, or an empty cell.
+[[nodiscard]] Cell cell_of(const std::optional<double>& value);
+
+/// A bar of the total Sobol index of a variable, its standard error, and a mark for the first order.
+/// @param name begins their readouts
+[[nodiscard]] Row sobol_row(const std::string& label, const std::string& name, const Look& look, double first,
+                            double total, const std::optional<double>& total_error = {});
 
 /// "Points reconstructed from published fits" or the like, as a sentence for captions.
 [[nodiscard]] std::string origin_sentence(const RunData& run);
 
-/// The critical velocity at which the fit to measured rebounds meets e = 0, where there is one [m/s].
-[[nodiscard]] std::optional<double> extrapolated_velocity(const LawData& law);
-
-/// How that velocity differs from the answer, as a sentence for captions; empty for a run that has none.
+/// How the extrapolated velocities differ from the answer, as a sentence for captions; empty for a run
+/// without any.
 [[nodiscard]] std::string extrapolation_sentence(const RunData& run);
 
 }  // namespace ashimpact::report

@@ -38,7 +38,7 @@ double hertzian_load(double tabor) {
     return load_at(upper);
 }
 
-/// Where a sample stands in the map, at the critical velocity of one law.
+/// Place of a sample in the map, at the critical velocity of one law.
 struct Place {
     std::string sample, law;
     double tabor, transition;
@@ -47,13 +47,11 @@ struct Place {
 
 /// The law whose critical velocity is reported, else the first that has one; null without any.
 const LawData* shown_law(const SampleData& sample) {
-    const Json reported =
-        sample.comparison.is_object() ? sample.comparison.value("reported", Json(nullptr)) : Json(nullptr);
-    const Json wanted = reported.is_object() ? reported.value("law", Json(nullptr)) : Json(nullptr);
+    const auto& reported = sample.comparison->reported;
     const LawData* first = nullptr;
     for (const LawData& law : sample.laws) {
-        if (!number_in(law.velocity_json, "maximum_overlap")) continue;
-        if (wanted.is_string() && wanted.get<std::string>() == law.choice.law.name()) return &law;
+        if (law.velocity == nullptr || !law.velocity->maximum_overlap) continue;
+        if (reported && reported->law == law.choice.law) return &law;
         if (first == nullptr) first = &law;
     }
     return first;
@@ -66,10 +64,10 @@ std::vector<Place> places_of(const RunData& run) {
         const LawData* law = shown_law(sample);
         if (law == nullptr || !(pair.work_of_adhesion > 0)) continue;
         try {
-            const double force = StaticCurve(law->choice.law, pair)
-                                     .at_overlap(*number_in(law->velocity_json, "maximum_overlap"))
-                                     .force();
-            places.push_back({sample.name, law->name, tabor_parameter_of(pair), transition_parameter_of(pair),
+            const double force =
+                StaticCurve(law->choice.law, pair).at_overlap(*law->velocity->maximum_overlap).force();
+            places.push_back({sample.name(), law->name, tabor_parameter_of(pair),
+                              transition_parameter_of(pair),
                               force / (std::numbers::pi * pair.work_of_adhesion * pair.effective_radius)});
         } catch (const InputError&) {  // a law with a history has no force at an overlap
             continue;

@@ -16,9 +16,10 @@ namespace {
 /// The impacts of one series: the law's own where reconstructed, shared by all laws where measured.
 Series impacts_series(const SampleData& sample, const LawData& law) {
     const bool reconstructed = is_reconstructed(law);
-    Series series{.name = sample.name + (reconstructed ? ", " + law.name + ", reconstructed" : ", measured"),
-                  .legend = reconstructed ? law.name + ", reconstructed" : "measured, ± 95 %",
-                  .look = reconstructed ? look_of(law, true) : Look::plain(0)};
+    Series series{
+        .name = sample.name() + (reconstructed ? ", " + law.name + ", reconstructed" : ", measured"),
+        .legend = reconstructed ? law.name + ", reconstructed" : "measured, ± 95 %",
+        .look = reconstructed ? look_of(law, true) : Look::plain(0)};
     for (const Measurement& impact : law.measured->impacts.points) {
         const double e = impact.restitution();
         double error = 0;
@@ -33,7 +34,7 @@ Series impacts_series(const SampleData& sample, const LawData& law) {
 }
 
 XyPanel panel_of(const SampleData& sample, NumberTable& table) {
-    XyPanel panel{.title = sample.name,
+    XyPanel panel{.title = sample.name(),
                   .x = velocity_axis(),
                   .y = restitution_axis(),
                   .regions = capture_region(sample)};
@@ -42,23 +43,24 @@ XyPanel panel_of(const SampleData& sample, NumberTable& table) {
     for (const LawData& law : sample.laws) {
         Series curve =
             curve_series(sample, law, [](const CurveImpact& impact) { return impact.restitution; });
-        if (law.curve_start && !curve.line.empty())
-            curve.line.insert(curve.line.begin(), {*law.curve_start, 0.0});
-        curve.band = velocity_band(law.curve);
+        if (!curve.line.empty() && law.drawn->start)
+            curve.line.insert(curve.line.begin(), {*law.drawn->start, 0.0});
+        curve.band = velocity_band(law.curve());
         panel.series.push_back(std::move(curve));
-        for (const CurveImpact& impact : law.curve)
-            table.rows.push_back({sample.name, law.name, std::string("model"), impact.velocity,
+        for (const CurveImpact& impact : law.curve())
+            table.rows.push_back({sample.name(), law.name, std::string("model"), impact.velocity,
                                   impact.restitution, impact.lower, impact.upper});
         if (law.measured == nullptr || law.measured == drawn) continue;
         drawn = law.measured;
         points.push_back(impacts_series(sample, law));
         for (const Mark& mark : points.back().marks)
-            table.rows.push_back({sample.name, is_reconstructed(law) ? law.name : std::string(),
-                                  std::string(name_of(law.measured->origin)), mark.x, mark.y, std::string(), std::string()});
+            table.rows.push_back({sample.name(), is_reconstructed(law) ? law.name : std::string(),
+                                  std::string(name_of(law.measured->origin)), mark.x, mark.y, std::string(),
+                                  std::string()});
     }
     for (Series& each : points) panel.series.push_back(std::move(each));
-    const auto measured = number_in(sample.measured, "critical_velocity");
-    if (measured) panel.rules.push_back({*measured, "v_c measured", Look::plain(0)});
+    if (const auto& measured = sample.velocity->measured; measured && measured->value)
+        panel.rules.push_back({*measured->value, "v_c measured", Look::plain(0)});
     return panel;
 }
 

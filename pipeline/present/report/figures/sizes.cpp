@@ -56,8 +56,8 @@ std::string statement(const std::string& law, std::vector<SizeCurve> sizes) {
     const double from = std::max(one.lower(), other.lower());
     const double to = std::min(one.upper(), other.upper());
     if (!(to > from))
-        return fmt::format(" {}: no velocity is in the range of both {} and {}.", law, small.sample->name,
-                           large.sample->name);
+        return fmt::format(" {}: no velocity is in the range of both {} and {}.", law, small.sample->name(),
+                           large.sample->name());
     double least = one(from) / other(from);
     double greatest = least;
     for (int i = 0; i <= 64; ++i) {
@@ -68,7 +68,7 @@ std::string statement(const std::string& law, std::vector<SizeCurve> sizes) {
     return fmt::format(
         " {}: from {:.3g} to {:.3g} m/s the damping of {} is {:.3g} to {:.3g} times that of {} at equal "
         "velocity.",
-        law, from, to, small.sample->name, least, greatest, large.sample->name);
+        law, from, to, small.sample->name(), least, greatest, large.sample->name());
 }
 
 }  // namespace
@@ -99,8 +99,8 @@ Figure sizes_figure(const RunData& run) {
                     law.damping->velocity.empty())
                     continue;
                 sizes.push_back({&sample, sorted_points(law)});
-                Series series{.name = sample.name + ", " + law.name,
-                              .legend = sample.name,
+                Series series{.name = sample.name() + ", " + law.name,
+                              .legend = sample.name(),
                               .look = Look::of(s, is_reconstructed(law))};
                 if (sizes.back().points.size() >= 3) {
                     const MeasuredCurve curve = interpolated(sizes.back().points);
@@ -114,7 +114,7 @@ Figure sizes_figure(const RunData& run) {
                     greatest = std::max(greatest, point.y);
                     series.marks.push_back({point.x, point.y});
                     figure.numbers.rows.push_back(
-                        {law.name, sample.name, sample.sample->diameter.value(), point.x, point.y});
+                        {law.name, sample.name(), sample.sample->diameter.value(), point.x, point.y});
                 }
                 panel.series.push_back(std::move(series));
             }

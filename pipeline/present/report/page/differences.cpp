@@ -5,6 +5,7 @@
 
 #include "core/text.hpp"
 #include "core/utf8.hpp"
+#include "pipeline/document/case_json.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/page/html.hpp"
 #include "pipeline/present/report/page/run_page.hpp"
@@ -75,7 +76,7 @@ std::string differences_html(const std::vector<RunData>& runs) {
     std::vector<std::string> paths;
     for (const RunData& run : runs) {
         Inputs inputs;
-        flatten(run.artifacts().at("0-case.json").document.at("result"), "", inputs);
+        flatten(case_json(run.data()), "", inputs);
         for (const auto& [path, value] : inputs)
             if (std::find(paths.begin(), paths.end(), path) == paths.end()) paths.push_back(path);
         all.push_back(std::move(inputs));

@@ -4,8 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/document/files/sha256.hpp"
+#include "pipeline/document/case_json.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
+#include "pipeline/present/report/figures/law_series.hpp"
 #include "pipeline/present/report/page/html.hpp"
 #include "pipeline/present/report/page/run_page.hpp"
 #include "pipeline/present/text/readable.hpp"
@@ -46,7 +47,7 @@ std::string with_ranges(const std::vector<std::string>& texts) {
     return text;
 }
 
-/// Things said of several samples: each once, with where it holds, in the order of their first mention.
+/// Texts that hold for several samples: each once, with the samples, in the order in which they came.
 class Grouped {
   public:
     void add(const std::string& key, const std::string& text, const std::string& where) {
@@ -87,16 +88,14 @@ std::string words_of(std::string key) {
     return key;
 }
 
-bool is_told(const std::string& origin) {
-    return origin == "given" || origin == "measured" || origin == "computed";
-}
-
-/// Every quantity below @p node whose origin says that it was not simply given.
+/// Every quantity below @p node whose origin is an assumption, an inference or a publication.
 void collect(const Json& node, const std::string& path, const std::string& where, Grouped& into) {
     if (!node.is_object()) return;
     if (node.contains("value") && node.contains("origin") && node.at("origin").is_string()) {
         const std::string origin = node.at("origin").get<std::string>();
-        if (is_told(origin) || !node.at("value").is_number()) return;
+        if (origin == name_of(Origin::given) || origin == name_of(Origin::measured) ||
+            origin == name_of(Origin::computed) || !node.at("value").is_number())
+            return;
         const std::string value = readable(node.at("value").get<double>(), node.value("unit", "1"));
         std::string text = fmt::format("<b>{}</b> {}, {}", escaped(path), escaped(value), escaped(origin));
         if (node.contains("source") && node.at("source").is_string())
@@ -109,16 +108,9 @@ void collect(const Json& node, const std::string& path, const std::string& where
             collect(value, path.empty() ? words_of(key) : path + ", " + words_of(key), where, into);
 }
 
-std::string without_digits(const std::string& text) {
-    std::string key;
-    for (const char c : text)
-        if ((c < '0' || c > '9') && c != '.') key += c;
-    return key;
-}
-
-/// "88 um, hertz": the sample and the law of a note.
-std::string place_of(const Note& note) {
-    return note.law ? fmt::format("{}, {}", note.sample, note.law->name()) : note.sample;
+std::string without_digits(std::string text) {
+    std::erase_if(text, [](char c) { return (c >= '0' && c <= '9') || c == '.'; });
+    return text;
 }
 
 std::string sentence(std::string text) {
@@ -128,26 +120,22 @@ std::string sentence(std::string text) {
     return text;
 }
 
-constexpr std::string_view artifacts_with_notes[]{
-    "0-case.json",    "1-modulus.json", "2-contact.json",           "3-analytic.json",  "4-restitution.json",
-    "5-damping.json", "6-fit.json",     "7-critical-velocity.json", "8-histories.json", "comparison.json"};
-
 }  // namespace
 
 std::string assumptions_html(const RunData& run) {
-    const Json& result = run.artifacts().at("0-case.json").document.at("result");
+    const Json inputs = case_json(run.data());
     Grouped notes;
-    for (const auto& [key, value] : result.items())
+    for (const auto& [key, value] : inputs.items())
         if (key != "samples" && key != "phases") collect(value, words_of(key), "", notes);
-    for (const Json& sample : result.at("samples"))
+    for (const Json& sample : inputs.at("samples"))
         collect(sample, "", sample.at("name").get<std::string>(), notes);
     for (const SampleData& sample : run.samples())
         for (const LawData& law : sample.laws)
-            if (law.measured != nullptr && law.measured->origin != Origin::measured) {
+            if (is_reconstructed(law)) {
                 const std::string text =
                     fmt::format("<b>restitution</b> {}: {}", escaped(name_of(law.measured->origin)),
                                 escaped(law.measured->source));
-                notes.add(text, text, sample.name);
+                notes.add(text, text, sample.name());
             }
     if (notes.empty()) return "<p>Nothing: every input was given or measured.</p>\n";
     return "<p>These inputs were not measured. A result is as good as they are.</p>\n" + notes.html();
@@ -164,15 +152,11 @@ std::string validity_html(const RunData& run) {
     bool yields = false;
     for (const SampleData& sample : run.samples())
         for (const LawData& law : sample.laws) {
-            if (!law.velocity_json.is_object() || !law.velocity_json.contains("regime") ||
-                !law.velocity_json.at("regime").is_object())
-                continue;
-            const Json& regime = law.velocity_json.at("regime");
-            if (const auto tabor = number_in(regime, "tabor_parameter")) {
-                least = std::min(least, *tabor);
-                greatest = std::max(greatest, *tabor);
-            }
-            yields = yields || (regime.contains("yields") && regime.at("yields") == true);
+            if (law.velocity == nullptr || !law.velocity->regime) continue;
+            const Regime& regime = *law.velocity->regime;
+            least = std::min(least, regime.tabor_parameter);
+            greatest = std::max(greatest, regime.tabor_parameter);
+            yields = yields || regime.yields;
         }
     if (greatest > 0) {
         const char* meaning = least > 5 ? "above 5 the limit of JKR holds"
@@ -198,31 +182,31 @@ std::string validity_html(const RunData& run) {
 std::string warnings_html(const RunData& run) {
     Grouped notes;
     for (const StageRecord& record : run.run().records)
-        for (const Note& note : record.notes)
-            notes.add(record.file + without_digits(note.text), escaped(sentence(note.text)), place_of(note));
+        for (const Note& note : record.notes) {
+            const std::string law = note.law ? ", " + std::string(note.law->name()) : "";
+            notes.add(record.file + without_digits(note.text), escaped(sentence(note.text)),
+                      note.sample + law);
+        }
     return notes.empty() ? "<p>None.</p>\n" : notes.html();
 }
 
-std::string provenance_html(const RunData& run) {
-    const Json& provenance = run.artifacts().at("0-case.json").document.at("provenance");
+std::string provenance_html(const RunData& data) {
+    const Run& run = data.run();
     std::string html = fmt::format(
-        "<p>{} {}, revision <span class=\"hash\">{}</span>.</p>\n<div class=\"scroll\" role=\"region\" "
-        "tabindex=\"0\" aria-label=\"{}\"><table><thead><tr><th scope=\"col\">file</th>"
+        "<p>ashimpact {}, revision <span class=\"hash\">{}</span>.</p>\n<div class=\"scroll\" "
+        "role=\"region\" tabindex=\"0\" aria-label=\"{}\"><table><thead><tr><th scope=\"col\">file</th>"
         "<th scope=\"col\" class=\"text\">SHA-256</th></tr></thead><tbody>\n",
-        escaped(provenance.value("program", "")), escaped(provenance.value("version", "")),
-        escaped(provenance.value("revision", "")), region_label("Files", run));
+        escaped(run.version), escaped(run.revision), region_label("Files", data));
     const auto row = [&](const std::string& file, const std::string& hash) {
         html += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"hash text\">{}</td></tr>\n",
                             html_name(file), escaped(hash));
     };
-    for (const Json& input : provenance.at("inputs")) row(input.value("file", ""), input.value("sha256", ""));
+    for (const InputFile& input : run.inputs) row(input.file, input.sha256);
     std::vector<std::string> citations;
-    for (const std::string_view file : artifacts_with_notes) {
-        const Artifact& artifact = run.artifacts().at(file);
-        row(artifact.file, sha256(artifact.bytes));
-        for (const Json& citation : artifact.document.at("citations"))
-            if (std::find(citations.begin(), citations.end(), citation) == citations.end())
-                citations.push_back(citation);
+    for (const StageRecord& record : run.records) {
+        row(record.file, record.sha256);
+        for (const std::string& citation : record.citations)
+            if (std::ranges::find(citations, citation) == citations.end()) citations.push_back(citation);
     }
     html += "</tbody></table></div>\n<details><summary>Sources</summary><ul class=\"notes\">\n";
     for (const std::string& citation : citations) html += "<li>" + escaped(citation) + "</li>\n";

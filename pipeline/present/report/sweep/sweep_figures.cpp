@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/present/report/data/headline.hpp"
-#include "pipeline/present/report/data/run_data.hpp"
 #include "pipeline/present/report/figures/axis_units.hpp"
+#include "pipeline/present/report/figures/law_series.hpp"
 #include "pipeline/present/report/sweep/sweep_page.hpp"
+#include "pipeline/present/text/readable.hpp"
 
 namespace ashimpact::report {
 
@@ -144,35 +144,13 @@ Figure sweep_sensitivity_figure(const Json& result) {
             panel.rows.push_back({.label = words(of.at("of").get<std::string>()), .heading = true});
             for (const Json& index : of.at("indices")) {
                 const std::string variable = index.at("variable").get<std::string>();
-                const double first = number_in(index, "first").value_or(0);
-                const double total = number_in(index, "total").value_or(0);
-                const double first_u = index.at("first").is_object()
-                                           ? number_in(index.at("first"), "standard_uncertainty").value_or(0)
-                                           : 0;
-                const double total_u = index.at("total").is_object()
-                                           ? number_in(index.at("total"), "standard_uncertainty").value_or(0)
-                                           : 0;
-                const Look look = Look::of(Law::named(name).index());
-                panel.rows.push_back(
-                    {.label = words(variable),
-                     .items = {{.kind = RowItem::Kind::bar,
-                                .from = 0,
-                                .to = total,
-                                .look = look,
-                                .name = fmt::format("{}: total {:.3g} %", variable, 100 * total)},
-                               {.kind = RowItem::Kind::interval,
-                                .from = total - total_u,
-                                .to = total + total_u,
-                                .look = look,
-                                .name = fmt::format("{}: ± {:.2g} %", variable, 100 * total_u)},
-                               {.kind = RowItem::Kind::mark,
-                                .from = 0,
-                                .to = first,
-                                .look = Look::plain(3),
-                                .name = fmt::format("{}: first order {:.3g} %", variable, 100 * first),
-                                .legend = "first order; bar: total"}}});
-                figure.numbers.rows.push_back(
-                    {name, of.at("of").get<std::string>(), variable, first, first_u, total, total_u});
+                const Quantity first = shown_quantity(index.at("first"));
+                const Quantity total = shown_quantity(index.at("total"));
+                panel.rows.push_back(sobol_row(words(variable), variable, Look::of(Law::named(name).index()),
+                                               first.value, total.value, total.standard_uncertainty));
+                figure.numbers.rows.push_back({name, of.at("of").get<std::string>(), variable, first.value,
+                                               cell_of(first.standard_uncertainty), total.value,
+                                               cell_of(total.standard_uncertainty)});
             }
         }
         if (!panel.rows.empty()) figure.panels.emplace_back(std::move(panel));

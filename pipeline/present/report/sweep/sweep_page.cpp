@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include "core/json/writer.hpp"
-#include "pipeline/present/report/data/headline.hpp"
 #include "pipeline/present/report/data/run_data.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/page/html.hpp"
+#include "pipeline/present/text/readable.hpp"
 
 namespace ashimpact::report {
 
@@ -16,12 +16,11 @@ namespace {
 std::string answers(const Json& result) {
     std::string html = "<ul class=\"answers\">\n";
     for (const Json& law : result.at("laws")) {
-        const Json& fraction = law.at("capture_fraction");
-        const auto u = number_in(fraction, "standard_uncertainty");
+        const Quantity fraction = shown_quantity(law.at("capture_fraction"));
+        const auto& u = fraction.standard_uncertainty;
         html += fmt::format(
             "<li>By {} <span class=\"value\">{:#.4g} %</span>{} of {} impacts are captured.</li>\n",
-            escaped(display_name(law.at("law").get<std::string>())),
-            100 * number_in(law, "capture_fraction").value_or(0),
+            escaped(display_name(law.at("law").get<std::string>())), 100 * fraction.value,
             u ? fmt::format(" (± {:#.2g} %)", 100 * *u) : "", law.at("impacts").get<std::uint64_t>());
     }
     return html + "</ul>\n";

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/present/report/data/velocity_search.hpp"
+#include "pipeline/run/curves/velocity_search.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace ashimpact::report {
+namespace ashimpact::curves {
 
 namespace {
 
@@ -57,4 +57,4 @@ void VelocitySearch::observe(double restitution) {
     if (++steps_ == most_steps) state_ = State::failed;
 }
 
-}  // namespace ashimpact::report
+}  // namespace ashimpact::curves

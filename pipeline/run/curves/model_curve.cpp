@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/present/report/data/model_curve.hpp"
+#include "pipeline/run/curves/model_curve.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,12 +7,12 @@
 #include <span>
 
 #include "core/error.hpp"
-#include "pipeline/present/report/data/impact_search.hpp"
+#include "pipeline/run/curves/impact_search.hpp"
 #include "solver/motion/scaled_impact.hpp"
 #include "solver/numeric/gsl/spline.hpp"
 #include "solver/statistics/intervals/interval.hpp"
 
-namespace ashimpact::report {
+namespace ashimpact::curves {
 
 namespace {
 
@@ -185,4 +185,4 @@ ModelCurve model_curve(const CurveProblem& problem) {
     return curve;
 }
 
-}  // namespace ashimpact::report
+}  // namespace ashimpact::curves

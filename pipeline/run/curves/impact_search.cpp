@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/present/report/data/impact_search.hpp"
+#include "pipeline/run/curves/impact_search.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
-#include "pipeline/present/report/data/velocity_search.hpp"
+#include "pipeline/run/curves/velocity_search.hpp"
 #include "solver/batch/impact_batch.hpp"
 
-namespace ashimpact::report {
+namespace ashimpact::curves {
 
 namespace {
 
@@ -92,4 +92,4 @@ FoundImpacts impacts_with(const Values& e, const SearchedContact& contact, const
     return answer;
 }
 
-}  // namespace ashimpact::report
+}  // namespace ashimpact::curves

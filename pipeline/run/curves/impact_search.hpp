@@ -6,7 +6,7 @@
 #include "pipeline/case/laws.hpp"
 #include "solver/contact/pair.hpp"
 
-namespace ashimpact::report {
+namespace ashimpact::curves {
 
 struct SearchedContact {
     LawChoice choice;
@@ -29,4 +29,4 @@ struct FoundImpacts {
                                         const Eigen::ArrayXd& damping, const Eigen::ArrayXd& guess,
                                         double enough);
 
-}  // namespace ashimpact::report
+}  // namespace ashimpact::curves

@@ -3,7 +3,7 @@
 
 #include "solver/numeric/inverse_interpolation.hpp"
 
-namespace ashimpact::report {
+namespace ashimpact::curves {
 
 /// Searches the velocity at which an impact of fixed damping has a wanted restitution. Works on x = ln v.
 /// Each step interpolates x through the nearest impacts solved so far (Neville's scheme) and stays inside the
@@ -44,4 +44,4 @@ class VelocitySearch {
     State state_ = State::open;
 };
 
-}  // namespace ashimpact::report
+}  // namespace ashimpact::curves
