@@ -18,6 +18,7 @@
 #include "core/json/writer.hpp"
 #include "interface/web/single_contact.hpp"
 #include "materials/xrd/xrd.hpp"
+#include "pipeline/app/run_stages.hpp"
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/document/files/file.hpp"
 #include "pipeline/document/measurement_json.hpp"
@@ -28,6 +29,7 @@
 #include "pipeline/present/report/report.hpp"
 #include "pipeline/present/text/comparison_table.hpp"
 #include "pipeline/present/text/remarks.hpp"
+#include "pipeline/run/stage.hpp"
 #include "solver/inference/impacts/measurement_reader.hpp"
 
 // Tells the page a line while a computation goes on, if it listens.
@@ -190,7 +192,10 @@ const char* ashimpact_validate(const char* case_file) {
         const ashimpact::LoadedCase loaded = ashimpact::load_case(case_named(case_file));
         Json samples = Json::array();
         for (const auto& sample : loaded.data.samples) samples.push_back(sample.name);
-        return Json{{"name", loaded.data.name}, {"samples", samples}, {"warnings", loaded.warnings}};
+        Json warnings = Json::array();
+        for (const ashimpact::SampleFinding& each : loaded.findings)
+            warnings.push_back(ashimpact::text_of({.sample = each.sample, .text = each.finding.text}));
+        return Json{{"name", loaded.data.name}, {"samples", samples}, {"warnings", warnings}};
     });
 }
 

@@ -58,8 +58,9 @@ void compute(const Stage& stage, Work& work) {
         compute_stage(stage, work.run, work.models);
     } catch (const InputError& error) {
         if (!error.place().empty()) throw;
-        const auto found = std::ranges::find_if(
-            stage.reads, [&](std::string_view file) { return work.artifacts.at(file).edited; });
+        const auto found = std::find_if(stage.reads.begin(), stage.reads.end(), [&](std::string_view file) {
+            return work.artifacts.at(file).edited;
+        });
         throw error.at("/result").at(
             FileName{work.artifacts.place_of(found != stage.reads.end() ? *found : stage.reads.front())});
     }

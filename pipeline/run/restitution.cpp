@@ -49,7 +49,8 @@ RestitutionSeries reconstruct(const PublishedDamping& published, const Reconstru
                  fmt::format("no point at restitution {}: {}", readable_number(e), error.problem())});
         }
     }
-    if (!std::ranges::is_sorted(impacts.points, {}, &Measurement::velocity))
+    if (!std::is_sorted(impacts.points.begin(), impacts.points.end(),
+                        [](const Measurement& a, const Measurement& b) { return a.velocity < b.velocity; }))
         findings.push_back({"velocity-not-rising", Severity::doubt,
                             "the velocity does not rise with restitution over the whole range, so this fit "
                             "is not one of a rising branch there"});

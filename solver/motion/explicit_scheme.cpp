@@ -155,6 +155,8 @@ ImpactResult solve_impact_explicit(const Impact& impact, const ExplicitSchemeOpt
     orbit.last_potential = motion.potential(orbit.last().position);
     orbit.steps = static_cast<int>(count);
     ImpactResult result = impact_result(orbit, 1.0, scale, impact.velocity);
+    result.restitution = static_cast<double>(orbit.restitution(1.0));  // a coarse step may gain energy
+    result.rebound_velocity = result.restitution * impact.velocity;
     if (!captured) result.contact_time = (static_cast<double>(count - 1) + r.crossing()) * options.time_step;
     if (orbit.turned) result.approach_time = static_cast<double>(turned_at) * options.time_step;
     return result;

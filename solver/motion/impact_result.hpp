@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+
 #include "solver/motion/orbit.hpp"
 #include "solver/motion/scale.hpp"
 
@@ -34,9 +36,8 @@ template <class Real>
     const auto seconds = [&](const Real& time) { return static_cast<double>(time) * scale.time(); };
     ImpactResult result{};
     result.outcome = orbit.outcome;
-    const auto restitution = static_cast<double>(orbit.restitution(velocity));
-    constexpr double rounding = 1e-12;  // may put it above 1 without damping
-    result.restitution = restitution > 1.0 && restitution < 1.0 + rounding ? 1.0 : restitution;
+    // Without damping rounding may put it above 1, in a deep well by far more than a last digit.
+    result.restitution = std::min(static_cast<double>(orbit.restitution(velocity)), 1.0);
     result.rebound_velocity = result.restitution * incident;
     if (orbit.outcome == Outcome::rebound) result.contact_time = seconds(orbit.end.time);
     if (orbit.turned) result.approach_time = seconds(orbit.turn.time);

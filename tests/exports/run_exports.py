@@ -279,6 +279,8 @@ def check_headline():
         sample = next(s for s in artifact["result"]["samples"] if s["name"] == "88 um")
         headline = sample["dmt"]["critical_velocity"]["value"] * factor
         sample["dmt"]["critical_velocity"]["value"] = headline
+        if factor != 1.0:  # an edited value outside of its interval is taken without that interval only
+            sample["dmt"]["critical_velocity"]["interval"] = sample["dmt"]["interval"] = None
         with open(path, "w") as file:
             json.dump(artifact, file)
         folder = os.path.join(WORK, "headline-table")

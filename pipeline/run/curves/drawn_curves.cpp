@@ -92,7 +92,8 @@ std::optional<std::size_t> falling_point(const DampingSeries& series) {
 
 /// The points up to a time, no more of them than are drawn.
 std::vector<TrajectoryPoint> points_until(double time, const std::vector<TrajectoryPoint>& points) {
-    const auto end = std::ranges::find_if(points, [&](const TrajectoryPoint& p) { return p.time > time; });
+    const auto end =
+        std::find_if(points.begin(), points.end(), [&](const TrajectoryPoint& p) { return p.time > time; });
     const auto count = static_cast<std::size_t>(end - points.begin());
     const std::size_t every = std::max<std::size_t>(1, count / static_cast<std::size_t>(instants));
     std::vector<TrajectoryPoint> kept;
@@ -158,8 +159,9 @@ void add_curves(const Case& data, const ContactResult& contacts, const DampingSt
     std::vector<std::size_t> order(inputs.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     // The slowest curves first, so that no core waits for one at the end.
-    std::ranges::stable_partition(
-        order, [&](std::size_t i) { return is_cohesive(inputs[i].choice.law, *inputs[i].contact); });
+    std::stable_partition(order.begin(), order.end(), [&](std::size_t i) {
+        return is_cohesive(inputs[i].choice.law, *inputs[i].contact);
+    });
     auto curves = in_parallel(order, [&](std::size_t i) -> LawCurve {
         return {start_of(inputs[i]), curve_of(data, inputs[i]), drawn_histories(data, inputs[i])};
     });

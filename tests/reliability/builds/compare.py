@@ -6,6 +6,7 @@
 
 Without a second one that exists it ends with 77, a test that was left out; in CI that is a failure.
 Shares of a variance ("influences") are parts of 1, and differences of nearly equal numbers: they are compared to 1e-12 of 1.
+Points of the drawn curves are where a search ends, which stops at 1e-5 of restitution: they are compared to 1e-9.
 """
 
 import json
@@ -16,6 +17,7 @@ import sys
 import tempfile
 
 MOST = 1e-12
+MOST_OF_CURVES = 1e-9
 # What names a build, and hashes and sizes of what is compared itself.
 COUNTED = ("sha256", "result_sha256", "run", "revision", "intervals", "inputs", "bytes")
 
@@ -59,7 +61,7 @@ def main():
         found = []
         differences(results[0], artifacts, "", 0.0, found)
         greatest, place = max(found)
-        beyond = sorted((each for each in found if each[0] > MOST), reverse=True)
+        beyond = sorted((each for each in found if each[0] > (MOST_OF_CURVES if "/curves/" in each[1] else MOST)), reverse=True)
         print(f"{program}: {len(found)} numbers, greatest relative difference {greatest:.2g} at {place}; "
               f"{len(beyond)} beyond {MOST:g}")
         for difference, where in beyond[:20]:

@@ -41,7 +41,9 @@ Histories histories_of(const LawData& law) {
     };
     if (law.drawn != nullptr) add(law.drawn->histories);
     if (law.histories != nullptr) add(*law.histories);
-    std::ranges::stable_sort(all, {}, [](const History* each) { return place_of(each->part); });
+    std::stable_sort(all.begin(), all.end(), [](const History* a, const History* b) {
+        return place_of(a->part) < place_of(b->part);
+    });
     return all;
 }
 
