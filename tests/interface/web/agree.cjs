@@ -6,12 +6,13 @@ const fs = require('node:fs');
 const path = require('node:path');
 const { distances } = require('./compare.cjs');
 
-// map_accuracy is an estimate of an error, made of rounding.
-const isCompared = place => !/map_accuracy/.test(place);
+// map_accuracy is an estimate of an error, made of rounding. The first history of a curve is at v_c itself, where rounding
+// decides how long the impact creeps.
+const isCompared = place => !/map_accuracy|\/curves\/[^/]+\/histories\/0\//.test(place);
 
 // read(file): an artifact of the page as text.
 function agree(name, native, read, direct = 1e-9) {
-    const allowed = { direct, fitted: 1e-8, interval: 1e-6 };
+    const allowed = { direct, fitted: 1e-8, interval: 1e-6, root: 1e-7 };
     const files = fs.readdirSync(native).filter(file => file.endsWith('.json') && file !== 'manifest.json');
     assert.equal(files.length, 10, `${native} has ten artifacts`);
     for (const file of files) {

@@ -5,6 +5,8 @@
 // value or what follows from one, or a value computed directly from the case.
 function kindOf(file, place) {
     if (/interval|uncertainty|covariance|lower|upper|quantile|probability|deviation|scatter|residuals|prediction_error/.test(place)) return 'interval';
+    // The contact radius is the root of the overlap: at the end of a contact a rounding of 1e-16 becomes 1e-8 of the greatest.
+    if (/curves.*contact_radius/.test(place)) return 'root';
     return /^(6-fit|7-critical-velocity|8-histories|comparison)/.test(file) ? 'fitted' : 'direct';
 }
 
@@ -24,6 +26,7 @@ function sizeBeside(parent, key) {
     const none = 1e-6;
     if (key === 'residual') return largest(numbersIn(parent).filter(Number.isFinite));
     if (['relative_difference', 'first', 'total', 'first_error', 'total_error'].includes(key)) return 1;
+    if (parent.lower_velocity && ['dissipated', 'adhesion', 'plastic'].includes(key)) return 1;  // shares on a curve
     if (key === 'standard_uncertainty' && typeof parent.value === 'number') return none * Math.abs(parent.value);
     const coefficients = ['a', 'b', 'c'].map(name => parent[name]?.value).filter(value => typeof value === 'number');
     if (coefficients.length < 3) return 0;
