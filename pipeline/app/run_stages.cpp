@@ -119,14 +119,20 @@ Artifact manifest_of(const RunPlan& plan, const std::vector<Artifact>& all,
     return sealed_artifact(envelope, {{"artifacts", std::move(list)}}, run_of(written.front().document));
 }
 
+/// The run as a whole: as it was computed, or with what the folder has of the stages that were not.
+Run whole_run(const RunPlan& plan, Work& work) {
+    if (plan.from.empty() && plan.only.empty()) return std::move(work.run);
+    for (const std::string_view file : report::report_artifacts())
+        if (!work.artifacts.has(file)) work.artifacts.add(loaded_artifact(plan.folder, file));
+    return read_run(work.artifacts);
+}
+
 /// Report and figures of a run; of a part of one, where the folder has the artifacts of the rest.
-std::vector<FileContent> presentation(const RunPlan& plan, Artifacts artifacts, RunSummary& summary) {
+std::vector<FileContent> presentation(const RunPlan& plan, Work& work, RunSummary& summary) {
     if (!plan.report && !plan.figures) return {};
     try {
-        for (const std::string_view file : report::report_artifacts())
-            if (!artifacts.has(file)) artifacts.add(loaded_artifact(plan.folder, file));
         report::Presentation made = report::present(
-            read_run(artifacts), {.folder = plan.folder, .page = plan.report, .figures = plan.figures});
+            whole_run(plan, work), {.folder = plan.folder, .page = plan.report, .figures = plan.figures});
         summary.report = made.page;
         summary.figures = made.files.size() - (made.page.empty() ? 0 : 1);
         return std::move(made.files);
@@ -352,7 +358,7 @@ RunSummary run_stages(const RunPlan& plan) {
     work.all.insert(work.all.end(), after.begin(), after.end());
     summary.written.push_back(manifest_of(plan, work.all, summary.written));
     add_remarks(work.all, summary);
-    folder.write(summary.written, presentation(plan, std::move(work.artifacts), summary));
+    folder.write(summary.written, presentation(plan, work, summary));
     return summary;
 }
 
