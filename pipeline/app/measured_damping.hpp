@@ -25,7 +25,7 @@ struct DampingOptions {
     bool json = false;
 };
 
-/// `ashimpact damping --impacts FILE`: what a series of measured impacts says of damping and critical
+/// `ashimpact damping --impacts FILE`: damping and critical velocity from a series of measured impacts
 /// velocity under one law; intervals are those of the impacts, the contact is taken as exactly known.
 void run_measured_damping_command(const DampingOptions& options, std::ostream& out);
 

@@ -13,7 +13,7 @@
 
 namespace ashimpact {
 
-/// Restitution against incident velocity that stands for some laws.
+/// Restitution against incident velocity that serves several laws.
 struct RestitutionSeries {
     std::vector<Law> laws{};
     Origin origin = Origin::measured;  ///< measured or reconstructed
