@@ -11,6 +11,7 @@
 
 #include "solver/batch/lanes/equation-inl.hpp"
 #include "solver/batch/lanes/number-inl.hpp"
+#include "solver/contact/detachment.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
