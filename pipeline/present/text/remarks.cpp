@@ -31,8 +31,8 @@ std::string kind_of(std::string text) {
     return kind;
 }
 
-/// What a remark says, without reasons and consequences: up to a semicolon, or a colon before words. What
-/// stands in quotes or brackets is whole, and so is a question, which is what to look at.
+/// The statement of a remark, without reasons and consequences: up to a semicolon, or a colon before words.
+/// Text in quotes or brackets is never cut, nor is a question.
 std::string statement_of(const std::string& text) {
     const bool asks = text.ends_with('?');
     bool quoted = false;

@@ -23,8 +23,7 @@ namespace ashimpact::HWY_NAMESPACE {
 ///
 /// extrapolated to tau = 0. Their error is a series in tau^2, as that of Gragg's midpoint rule (Gragg 1965;
 /// without damping Stoermer's rule: Hairer, Norsett & Wanner, Solving ODEs I, II.14). No square root, no
-/// division. Momentum is in units of tau times the leading coefficient of h: a kick is one multiply-add with
-/// the law's own polynomial.
+/// division. Momentum is in units of tau times the leading coefficient of h: a kick is one multiply-add.
 ///
 /// @tparam Orbit has equation() (an Equation<F>), state() and step()
 template <class F, int sequences, class Orbit>
