@@ -8,8 +8,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "core/error.hpp"
-#include "core/names.hpp"
+#include "core/quantities/names.hpp"
+#include "core/text/error.hpp"
 
 namespace ashimpact {
 

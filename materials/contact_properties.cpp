@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "core/checks.hpp"
+#include "core/quantities/checks.hpp"
 
 namespace ashimpact {
 

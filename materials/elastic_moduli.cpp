@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "materials/elastic_moduli.hpp"
 
-#include "core/checks.hpp"
-#include "core/error.hpp"
+#include "core/quantities/checks.hpp"
+#include "core/text/error.hpp"
 
 namespace ashimpact {
 

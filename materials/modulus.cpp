@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/checks.hpp"
-#include "core/text.hpp"
+#include "core/quantities/checks.hpp"
+#include "core/text/text.hpp"
 #include "materials/mixture_rules.hpp"
 
 namespace ashimpact {

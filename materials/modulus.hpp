@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/names.hpp"
+#include "core/quantities/names.hpp"
 #include "core/uncertainty.hpp"
 #include "materials/composition.hpp"
 #include "materials/porosity.hpp"

@@ -6,10 +6,10 @@
 #include <optional>
 #include <set>
 
-#include "core/checks.hpp"
-#include "core/quantity.hpp"
-#include "core/text.hpp"
-#include "core/utf8.hpp"
+#include "core/quantities/checks.hpp"
+#include "core/quantities/quantity.hpp"
+#include "core/text/text.hpp"
+#include "core/text/utf8.hpp"
 
 namespace ashimpact {
 

@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "core/checks.hpp"
-#include "core/error.hpp"
-#include "core/text.hpp"
+#include "core/quantities/checks.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "materials/elastic_moduli.hpp"
 #include "materials/mixture_rules.hpp"
 

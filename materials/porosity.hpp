@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/names.hpp"
+#include "core/quantities/names.hpp"
 
 namespace ashimpact {
 

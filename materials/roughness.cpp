@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "materials/roughness.hpp"
 
-#include "core/checks.hpp"
+#include "core/quantities/checks.hpp"
 
 namespace ashimpact {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/checks.hpp"
+#include "core/quantities/checks.hpp"
 #include "materials/contact_properties.hpp"
 
 namespace ashimpact {

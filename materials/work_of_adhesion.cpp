@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "core/checks.hpp"
-#include "core/error.hpp"
+#include "core/quantities/checks.hpp"
+#include "core/text/error.hpp"
 
 namespace ashimpact {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "core/names.hpp"
+#include "core/quantities/names.hpp"
 
 namespace ashimpact {
 

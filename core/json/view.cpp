@@ -5,8 +5,8 @@
 #include <array>
 #include <optional>
 
-#include "core/checks.hpp"
-#include "core/text.hpp"
+#include "core/quantities/checks.hpp"
+#include "core/text/text.hpp"
 
 namespace ashimpact {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/json/document.hpp"
-#include "core/quantity.hpp"
+#include "core/quantities/quantity.hpp"
 
 namespace ashimpact {
 

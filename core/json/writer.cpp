@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/decimal/decimal.hpp"
+#include "core/text/decimal.hpp"
 
 namespace ashimpact {
 

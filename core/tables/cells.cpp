@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "core/error.hpp"
-#include "core/text.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 
 namespace ashimpact {
 

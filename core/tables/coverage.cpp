@@ -10,10 +10,10 @@
 
 #include <fmt/format.h>
 
-#include "core/decimal/decimal.hpp"
-#include "core/text.hpp"
-#include "core/utf8.hpp"
-#include "core/vocabulary.hpp"
+#include "core/tables/vocabulary.hpp"
+#include "core/text/decimal.hpp"
+#include "core/text/text.hpp"
+#include "core/text/utf8.hpp"
 
 namespace ashimpact {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <string>
 
-#include "core/decimal/decimal.hpp"
-#include "core/text.hpp"
-#include "core/vocabulary.hpp"
+#include "core/tables/vocabulary.hpp"
+#include "core/text/decimal.hpp"
+#include "core/text/text.hpp"
 
 namespace ashimpact {
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "core/error.hpp"
-#include "core/text.hpp"
-#include "core/utf8.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
+#include "core/text/utf8.hpp"
 
 namespace ashimpact {
 

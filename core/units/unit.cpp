@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "core/text.hpp"
-#include "core/utf8.hpp"
+#include "core/text/text.hpp"
+#include "core/text/utf8.hpp"
 
 namespace ashimpact {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/text.hpp"
+#include "core/text/text.hpp"
 #include "core/units/unit.hpp"
 
 namespace ashimpact {

@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "core/decimal/decimal.hpp"
-#include "core/error.hpp"
-#include "core/text.hpp"
+#include "core/text/decimal.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "core/units/unit.hpp"
 
 namespace ashimpact {

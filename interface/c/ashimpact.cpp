@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/error.hpp"
-#include "core/text.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "core/version.hpp"
 #include "interface/c/floating_point.hpp"
 #include "interface/c/model.hpp"

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/checks.hpp"
-#include "core/error.hpp"
+#include "core/quantities/checks.hpp"
+#include "core/text/error.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/motion/impact.hpp"
 

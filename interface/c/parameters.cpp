@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
-#include "core/text.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "solver/contact/law.hpp"
 #include "solver/contact/law_parameters.hpp"
 

@@ -13,18 +13,18 @@
 #include <spdlog/sinks/ostream_sink.h>
 #include <spdlog/spdlog.h>
 
-#include "core/error.hpp"
 #include "core/json/document.hpp"
 #include "core/json/writer.hpp"
+#include "core/text/error.hpp"
 #include "interface/web/single_contact.hpp"
 #include "materials/xrd/xrd.hpp"
 #include "pipeline/app/run_stages.hpp"
 #include "pipeline/case/case_reader.hpp"
-#include "pipeline/document/files/file.hpp"
-#include "pipeline/document/measurement_json.hpp"
+#include "pipeline/case/measurement_json.hpp"
 #include "pipeline/document/results/run_artifacts.hpp"
 #include "pipeline/document/results/run_json.hpp"
-#include "pipeline/present/report/figure_file.hpp"
+#include "pipeline/files/file.hpp"
+#include "pipeline/present/report/drawing/figure_file.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/report.hpp"
 #include "pipeline/present/text/comparison_table.hpp"

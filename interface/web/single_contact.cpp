@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
-#include "pipeline/app/contact_options.hpp"
+#include "core/text/error.hpp"
 #include "pipeline/app/impact_text.hpp"
+#include "pipeline/app/options/contact_options.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/impact.hpp"

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "core/tables/text_lines.hpp"
-#include "core/text.hpp"
+#include "core/text/text.hpp"
 
 namespace ashimpact::xrd {
 

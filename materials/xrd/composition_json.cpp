@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "core/text.hpp"
+#include "core/text/text.hpp"
 
 namespace ashimpact::xrd {
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "core/tables/number.hpp"
-#include "core/text.hpp"
+#include "core/text/text.hpp"
 #include "materials/xrd/amounts.hpp"
 #include "materials/xrd/readers.hpp"
 

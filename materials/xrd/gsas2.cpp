@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/tables/number.hpp"
-#include "core/text.hpp"
+#include "core/text/text.hpp"
 #include "materials/xrd/readers.hpp"
 
 namespace ashimpact::xrd {

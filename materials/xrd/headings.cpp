@@ -3,9 +3,9 @@
 
 #include <utility>
 
-#include "core/text.hpp"
-#include "core/utf8.hpp"
-#include "core/vocabulary.hpp"
+#include "core/tables/vocabulary.hpp"
+#include "core/text/text.hpp"
+#include "core/text/utf8.hpp"
 
 namespace ashimpact::xrd {
 

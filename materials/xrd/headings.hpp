@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/names.hpp"
+#include "core/quantities/names.hpp"
 #include "core/tables/coverage.hpp"
 
 namespace ashimpact::xrd {

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/checks.hpp"
-#include "core/text.hpp"
+#include "core/quantities/checks.hpp"
+#include "core/text/text.hpp"
 #include "materials/xrd/amounts.hpp"
 #include "materials/xrd/xrd.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "core/json/json_lines.hpp"
 #include "core/json/view.hpp"
-#include "core/text.hpp"
+#include "core/text/text.hpp"
 #include "materials/xrd/composition_json.hpp"
 #include "materials/xrd/readers.hpp"
 

@@ -4,9 +4,9 @@
 #include <map>
 #include <optional>
 
-#include "core/checks.hpp"
 #include "core/json/document.hpp"
-#include "core/text.hpp"
+#include "core/quantities/checks.hpp"
+#include "core/text/text.hpp"
 #include "materials/xrd/readers.hpp"
 #include "materials/xrd/table_layout.hpp"
 

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "core/checks.hpp"
-#include "core/counting.hpp"
-#include "core/error.hpp"
-#include "core/text.hpp"
+#include "core/quantities/checks.hpp"
+#include "core/text/counting.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "core/units/units.hpp"
 
 namespace ashimpact::xrd {

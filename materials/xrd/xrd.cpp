@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "core/error.hpp"
 #include "core/tables/workbook/workbook.hpp"
+#include "core/text/error.hpp"
 #include "materials/xrd/readers.hpp"
 
 namespace ashimpact {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/names.hpp"
+#include "core/quantities/names.hpp"
 #include "materials/composition.hpp"
 
 namespace ashimpact {

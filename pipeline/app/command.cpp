@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include "core/text.hpp"
+#include "core/text/text.hpp"
 #include "core/version.hpp"
 #include "pipeline/app/terminal/messages.hpp"
 #include "solver/contact/law_parameters.hpp"

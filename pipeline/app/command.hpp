@@ -9,8 +9,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "pipeline/app/contact_options.hpp"
 #include "pipeline/app/export.hpp"
+#include "pipeline/app/options/contact_options.hpp"
 #include "pipeline/app/sweep_options.hpp"
 
 namespace ashimpact {

@@ -5,16 +5,16 @@
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
+#include "core/json/quantity_json.hpp"
 #include "core/json/writer.hpp"
-#include "core/text.hpp"
+#include "core/quantities/readable.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "materials/contact_properties.hpp"
 #include "materials/separation_energy.hpp"
 #include "materials/work_of_adhesion.hpp"
 #include "pipeline/app/command.hpp"
-#include "pipeline/app/contact_options.hpp"
-#include "pipeline/document/quantity_json.hpp"
-#include "pipeline/present/text/readable.hpp"
+#include "pipeline/app/options/contact_options.hpp"
 #include "pipeline/present/text/table.hpp"
 #include "solver/motion/regime.hpp"
 

@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 
 #include "core/json/writer.hpp"
+#include "core/quantities/readable.hpp"
 #include "pipeline/app/command.hpp"
-#include "pipeline/app/contact_options.hpp"
 #include "pipeline/app/impact_text.hpp"
+#include "pipeline/app/options/contact_options.hpp"
 #include "pipeline/document/results/results_json.hpp"
-#include "pipeline/present/text/readable.hpp"
 #include "pipeline/present/text/table.hpp"
 
 namespace ashimpact {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <ostream>
 
-#include "core/error.hpp"
+#include "core/json/quantity_json.hpp"
 #include "core/json/writer.hpp"
+#include "core/text/error.hpp"
 #include "pipeline/app/command.hpp"
-#include "pipeline/app/contact_options.hpp"
 #include "pipeline/app/impact_text.hpp"
 #include "pipeline/app/measured_damping.hpp"
-#include "pipeline/document/quantity_json.hpp"
+#include "pipeline/app/options/contact_options.hpp"
 #include "solver/motion/damping_inversion.hpp"
 
 namespace ashimpact {

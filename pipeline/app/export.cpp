@@ -9,16 +9,16 @@
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
 #include "core/json/document.hpp"
-#include "core/text.hpp"
+#include "core/quantities/readable.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "materials/contact_properties.hpp"
 #include "pipeline/app/command.hpp"
 #include "pipeline/case/laws.hpp"
-#include "pipeline/document/files/file.hpp"
+#include "pipeline/files/file.hpp"
 #include "pipeline/present/export/codes/codes.hpp"
 #include "pipeline/present/export/from_run.hpp"
-#include "pipeline/present/text/readable.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/contact/maugis_dugdale.hpp"
 

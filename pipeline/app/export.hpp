@@ -5,7 +5,7 @@
 #include <iosfwd>
 #include <string>
 
-#include "pipeline/app/contact_options.hpp"
+#include "pipeline/app/options/contact_options.hpp"
 #include "pipeline/present/export/codes/tables.hpp"
 
 namespace ashimpact {

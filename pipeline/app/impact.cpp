@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include "core/error.hpp"
+#include "core/json/quantity_json.hpp"
 #include "core/json/writer.hpp"
-#include "core/text.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "pipeline/app/command.hpp"
 #include "pipeline/app/impact_text.hpp"
-#include "pipeline/document/files/file.hpp"
-#include "pipeline/document/quantity_json.hpp"
+#include "pipeline/files/file.hpp"
 #include "solver/motion/explicit_scheme.hpp"
 #include "solver/motion/trajectory.hpp"
 

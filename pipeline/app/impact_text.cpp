@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include "core/text.hpp"
-#include "pipeline/document/quantity_json.hpp"
+#include "core/json/quantity_json.hpp"
+#include "core/quantities/readable.hpp"
+#include "core/text/text.hpp"
 #include "pipeline/document/results/regime_json.hpp"
-#include "pipeline/present/text/readable.hpp"
 #include "pipeline/present/text/table.hpp"
 
 namespace ashimpact {

@@ -5,7 +5,7 @@
 
 #include <unistd.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "pipeline/app/program.hpp"
 
 namespace {

@@ -6,17 +6,17 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include "core/error.hpp"
+#include "core/json/quantity_json.hpp"
 #include "core/json/writer.hpp"
-#include "core/text.hpp"
-#include "pipeline/document/files/file.hpp"
-#include "pipeline/document/measurement_json.hpp"
-#include "pipeline/document/quantity_json.hpp"
+#include "core/quantities/readable.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
+#include "pipeline/case/measurement_json.hpp"
 #include "pipeline/document/results/damping_fit_json.hpp"
 #include "pipeline/document/results/inversion_json.hpp"
 #include "pipeline/document/results/uncertainty_json.hpp"
 #include "pipeline/document/statistics_json.hpp"
-#include "pipeline/present/text/readable.hpp"
+#include "pipeline/files/file.hpp"
 #include "pipeline/present/text/table.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/inference/impacts/binning.hpp"

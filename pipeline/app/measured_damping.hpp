@@ -4,7 +4,7 @@
 #include <iosfwd>
 #include <string>
 
-#include "pipeline/app/contact_options.hpp"
+#include "pipeline/app/options/contact_options.hpp"
 
 namespace ashimpact {
 

@@ -7,17 +7,17 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include "core/checks.hpp"
+#include "core/json/quantity_json.hpp"
 #include "core/json/writer.hpp"
-#include "core/text.hpp"
+#include "core/quantities/checks.hpp"
+#include "core/quantities/readable.hpp"
+#include "core/text/text.hpp"
 #include "materials/xrd/xrd.hpp"
 #include "pipeline/app/command.hpp"
-#include "pipeline/app/contact_options.hpp"
+#include "pipeline/app/options/contact_options.hpp"
 #include "pipeline/case/case_reader.hpp"
-#include "pipeline/document/files/file.hpp"
-#include "pipeline/document/quantity_json.hpp"
 #include "pipeline/document/results/results_json.hpp"
-#include "pipeline/present/text/readable.hpp"
+#include "pipeline/files/file.hpp"
 #include "pipeline/present/text/table.hpp"
 
 namespace ashimpact {

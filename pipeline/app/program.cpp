@@ -14,8 +14,8 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
-#include "core/error.hpp"
-#include "core/text.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "core/version.hpp"
 #include "pipeline/app/command.hpp"
 #include "pipeline/app/terminal/help.hpp"

@@ -10,16 +10,16 @@
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
-#include "core/text.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "pipeline/app/command.hpp"
 #include "pipeline/app/sweep/spec/capture_fraction.hpp"
-#include "pipeline/document/files/file.hpp"
 #include "pipeline/document/results/run_artifacts.hpp"
 #include "pipeline/document/results/run_json.hpp"
 #include "pipeline/document/run_identity.hpp"
-#include "pipeline/document/schema.hpp"
-#include "pipeline/present/report/figure_file.hpp"
+#include "pipeline/files/file.hpp"
+#include "pipeline/files/schema.hpp"
+#include "pipeline/present/report/drawing/figure_file.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/page/run_page.hpp"
 #include "pipeline/present/report/sweep/sweep_page.hpp"

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include "core/counting.hpp"
-#include "core/text.hpp"
+#include "core/text/counting.hpp"
+#include "core/text/text.hpp"
 #include "pipeline/app/command.hpp"
 #include "pipeline/app/run_stages.hpp"
 #include "pipeline/app/terminal/help.hpp"

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "core/checks.hpp"
-#include "core/text.hpp"
+#include "core/quantities/checks.hpp"
+#include "core/text/text.hpp"
 #include "materials/xrd/composition_json.hpp"
 #include "materials/xrd/xrd.hpp"
 #include "pipeline/case/measurement_parts.hpp"

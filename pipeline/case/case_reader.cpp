@@ -5,16 +5,16 @@
 #include <map>
 #include <set>
 
-#include "core/checks.hpp"
 #include "core/embedded.hpp"
-#include "core/text.hpp"
+#include "core/quantities/checks.hpp"
+#include "core/text/text.hpp"
 #include "pipeline/case/case_parts.hpp"
 #include "pipeline/case/example_remains.hpp"
 #include "pipeline/case/findings_of_texts.hpp"
 #include "pipeline/case/laws.hpp"
 #include "pipeline/case/measurement_parts.hpp"
-#include "pipeline/document/schema.hpp"
-#include "pipeline/document/schema_version.hpp"
+#include "pipeline/files/schema.hpp"
+#include "pipeline/files/schema_version.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/motion/impact.hpp"
 

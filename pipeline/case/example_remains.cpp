@@ -9,7 +9,7 @@
 
 #include "core/embedded.hpp"
 #include "core/json/document.hpp"
-#include "pipeline/document/files/sha256.hpp"
+#include "pipeline/files/sha256.hpp"
 
 namespace ashimpact {
 

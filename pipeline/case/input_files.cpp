@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "core/embedded.hpp"
-#include "core/error.hpp"
-#include "pipeline/document/files/file.hpp"
-#include "pipeline/document/files/sha256.hpp"
+#include "core/text/error.hpp"
+#include "pipeline/files/file.hpp"
+#include "pipeline/files/sha256.hpp"
 
 namespace ashimpact {
 

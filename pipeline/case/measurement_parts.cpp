@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "core/checks.hpp"
-#include "pipeline/document/measurement_json.hpp"
-#include "pipeline/present/text/readable.hpp"
+#include "core/quantities/checks.hpp"
+#include "core/quantities/readable.hpp"
+#include "pipeline/case/measurement_json.hpp"
 #include "solver/inference/impacts/binning.hpp"
 #include "solver/inference/impacts/measurement_reader.hpp"
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/names.hpp"
-#include "core/quantity.hpp"
+#include "core/quantities/names.hpp"
+#include "core/quantities/quantity.hpp"
 
 namespace ashimpact {
 

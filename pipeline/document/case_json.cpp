@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/document/case_json.hpp"
 
-#include "pipeline/document/measurement_json.hpp"
-#include "pipeline/document/quantity_json.hpp"
+#include "core/json/quantity_json.hpp"
+#include "pipeline/case/measurement_json.hpp"
 
 namespace ashimpact {
 

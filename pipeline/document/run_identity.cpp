@@ -5,12 +5,12 @@
 #include <array>
 #include <cmath>
 
-#include "core/checks.hpp"
-#include "core/error.hpp"
 #include "core/json/writer.hpp"
-#include "core/text.hpp"
+#include "core/quantities/checks.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "core/version.hpp"
-#include "pipeline/document/files/sha256.hpp"
+#include "pipeline/files/sha256.hpp"
 
 namespace ashimpact {
 

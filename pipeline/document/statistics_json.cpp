@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "pipeline/document/quantity_json.hpp"
+#include "core/json/quantity_json.hpp"
 
 namespace ashimpact {
 

@@ -6,7 +6,7 @@
 #include <Eigen/Dense>
 
 #include "core/json/document.hpp"
-#include "solver/statistics/intervals/interval.hpp"
+#include "solver/statistics/interval.hpp"
 
 namespace ashimpact {
 

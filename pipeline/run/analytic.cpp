@@ -5,7 +5,7 @@
 
 #include "materials/contact_properties.hpp"
 #include "materials/separation_energy.hpp"
-#include "solver/contact/maugis/transition.hpp"
+#include "solver/contact/transition.hpp"
 #include "solver/motion/regime.hpp"
 
 namespace ashimpact {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/present/text/readable.hpp"
+#include "core/quantities/readable.hpp"
 #include "pipeline/run/comparison/equal_velocities.hpp"
 #include "pipeline/run/comparison/reported_velocity.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/text.hpp"
+#include "core/text/text.hpp"
 #include "materials/roughness.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/motion/impact.hpp"

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "core/counting.hpp"
-#include "core/error.hpp"
-#include "pipeline/present/text/readable.hpp"
+#include "core/quantities/readable.hpp"
+#include "core/text/counting.hpp"
+#include "core/text/error.hpp"
 #include "solver/batch/in_parallel.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/motion/damping_inversion.hpp"

@@ -3,10 +3,10 @@
 
 #include <set>
 
+#include "core/quantities/readable.hpp"
 #include "materials/composition.hpp"
 #include "materials/phase_catalogue.hpp"
 #include "pipeline/case/findings_of_texts.hpp"
-#include "pipeline/present/text/readable.hpp"
 
 namespace ashimpact {
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/present/text/readable.hpp"
+#include "core/quantities/readable.hpp"
 #include "solver/batch/in_parallel.hpp"
 #include "solver/inference/calibration/reconstruction.hpp"
 

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <string>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "solver/batch/problems.hpp"
 #include "solver/contact/dmt.hpp"
 #include "solver/contact/law.hpp"

@@ -4,7 +4,7 @@
 #include <array>
 #include <limits>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "solver/batch/problems.hpp"
 
 namespace ashimpact {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "core/checks.hpp"
-#include "core/error.hpp"
+#include "core/quantities/checks.hpp"
+#include "core/text/error.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/batch/range_lanes.hpp"
 #include "solver/contact/law_parameters.hpp"

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "core/checks.hpp"
-#include "core/error.hpp"
-#include "core/text.hpp"
+#include "core/quantities/checks.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 
 namespace ashimpact {
 

@@ -6,11 +6,11 @@
 
 #include "solver/contact/detachment.hpp"
 #include "solver/contact/jkr.hpp"
-#include "solver/contact/maugis/transition.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/contact/parameter.hpp"
 #include "solver/contact/pressure.hpp"
 #include "solver/contact/tabor.hpp"
+#include "solver/contact/transition.hpp"
 
 namespace ashimpact {
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <numbers>
 
-#include "solver/contact/maugis/cohesive_zone.hpp"
-#include "solver/contact/maugis/transition.hpp"
+#include "solver/contact/cohesive_zone.hpp"
+#include "solver/contact/transition.hpp"
 
 namespace ashimpact {
 

@@ -6,9 +6,9 @@
 #include <numbers>
 #include <string>
 
-#include "core/checks.hpp"
-#include "core/error.hpp"
-#include "core/text.hpp"
+#include "core/quantities/checks.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/numeric/series.hpp"

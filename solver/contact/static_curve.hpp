@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include "solver/contact/cohesive_zone.hpp"
 #include "solver/contact/law.hpp"
-#include "solver/contact/maugis/cohesive_zone.hpp"
-#include "solver/contact/maugis/transition.hpp"
 #include "solver/contact/pair.hpp"
+#include "solver/contact/transition.hpp"
 
 namespace ashimpact {
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <sstream>
 
-#include "core/checks.hpp"
-#include "core/error.hpp"
+#include "core/quantities/checks.hpp"
+#include "core/text/error.hpp"
 #include "solver/critical_velocity/critical_impact.hpp"
 #include "solver/damping/registry.hpp"
 #include "solver/motion/scaled_impact.hpp"

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "core/names.hpp"
+#include "core/quantities/names.hpp"
 #include "core/units/units.hpp"
 
 namespace ashimpact {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "core/counting.hpp"
-#include "core/error.hpp"
-#include "core/text.hpp"
+#include "core/text/counting.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/outcomes/estimate_comparison.hpp"
 #include "solver/motion/scaled_impact.hpp"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <sstream>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "solver/motion/scaled_impact.hpp"
 #include "solver/motion/velocity_scales.hpp"
 #include "solver/numeric/gsl/root.hpp"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include "core/error.hpp"
-#include "core/text.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/motion/impact_result.hpp"
 #include "solver/motion/scale.hpp"

@@ -6,9 +6,9 @@
 #include <sstream>
 #include <vector>
 
-#include "core/checks.hpp"
-#include "core/error.hpp"
-#include "core/text.hpp"
+#include "core/quantities/checks.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/motion/impact_result.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/names.hpp"
+#include "core/quantities/names.hpp"
 #include "solver/contact/law.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/damping/damping.hpp"

@@ -6,7 +6,7 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "solver/motion/scaled_impact.hpp"
 
 namespace ashimpact {

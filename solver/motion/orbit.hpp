@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "solver/motion/branches/motion_state.hpp"
 #include "solver/motion/impact.hpp"
 

@@ -7,11 +7,11 @@
 #include <sstream>
 
 #include "materials/separation_energy.hpp"
-#include "solver/contact/maugis/cohesive_zone.hpp"
-#include "solver/contact/maugis/transition.hpp"
+#include "solver/contact/cohesive_zone.hpp"
 #include "solver/contact/maugis_dugdale.hpp"
 #include "solver/contact/pressure.hpp"
 #include "solver/contact/registry.hpp"
+#include "solver/contact/transition.hpp"
 #include "solver/motion/scaled_impact.hpp"
 #include "solver/motion/velocity_scales.hpp"
 #include "solver/numeric/series.hpp"

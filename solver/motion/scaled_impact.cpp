@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/motion/scaled_impact.hpp"
 
-#include "solver/contact/maugis/transition.hpp"
+#include "solver/contact/transition.hpp"
 
 namespace ashimpact {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/motion/scaled_impact.hpp"
 

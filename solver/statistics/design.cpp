@@ -4,7 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "solver/statistics/philox.hpp"
 
 namespace ashimpact {

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/error.hpp"
-#include "core/text.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
 #include "solver/statistics/design.hpp"
 #include "solver/statistics/moments.hpp"

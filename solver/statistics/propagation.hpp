@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "solver/statistics/distribution.hpp"
-#include "solver/statistics/intervals/interval.hpp"
+#include "solver/statistics/interval.hpp"
 
 namespace ashimpact {
 

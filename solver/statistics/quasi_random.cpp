@@ -6,7 +6,7 @@
 #include <boost/random/niederreiter_base2.hpp>
 #include <boost/random/sobol.hpp>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 
 namespace ashimpact {
 

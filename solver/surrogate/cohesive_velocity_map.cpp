@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/contact/maugis/transition.hpp"
 #include "solver/contact/maugis_dugdale.hpp"
+#include "solver/contact/transition.hpp"
 #include "solver/critical_velocity/critical_impact.hpp"
 #include "solver/motion/scaled_impact.hpp"
 

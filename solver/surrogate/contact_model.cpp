@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/impact.hpp"
 #include "solver/motion/velocity_scales.hpp"

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 
 namespace ashimpact {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "solver/batch/inversion_batch.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"

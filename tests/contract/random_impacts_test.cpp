@@ -9,7 +9,7 @@
 
 #include <doctest/doctest.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "tests/support/contact_cases.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/worst.hpp"

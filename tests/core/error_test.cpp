@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 
 #include <string>
 

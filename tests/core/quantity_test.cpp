@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/quantity.hpp"
+#include "core/quantities/quantity.hpp"
 
 #include <string>
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "tests/relative_difference.hpp"
 
 using json = nlohmann::ordered_json;

@@ -7,7 +7,7 @@
 
 #include <doctest/doctest.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "core/units/unit.hpp"
 #include "tests/relative_difference.hpp"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/utf8.hpp"
+#include "core/text/utf8.hpp"
 
 #include <string>
 #include <vector>
 
 #include <doctest/doctest.h>
 
-#include "core/text.hpp"
+#include "core/text/text.hpp"
 
 namespace ashimpact::test {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/vocabulary.hpp"
+#include "core/tables/vocabulary.hpp"
 
 #include <stdexcept>
 

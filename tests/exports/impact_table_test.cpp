@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "materials/contact_properties.hpp"
 #include "solver/contact/sjkr.hpp"
 #include "tests/exports/ash.hpp"

@@ -8,7 +8,7 @@
 
 #include <doctest/doctest.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "pipeline/present/export/codes/dem.hpp"
 #include "pipeline/present/export/codes/tables.hpp"
 #include "pipeline/present/export/expected.hpp"

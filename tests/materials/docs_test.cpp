@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "core/text.hpp"
+#include "core/text/text.hpp"
 #include "tests/core/messages.hpp"
 #include "tests/materials/catalogue.hpp"
 

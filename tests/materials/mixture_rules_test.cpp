@@ -8,7 +8,7 @@
 
 #include <doctest/doctest.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "tests/materials/catalogue.hpp"
 #include "tests/relative_difference.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <doctest/doctest.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "tests/relative_difference.hpp"
 
 using namespace ashimpact;

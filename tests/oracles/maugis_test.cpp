@@ -5,8 +5,8 @@
 
 #include <doctest/doctest.h>
 
-#include "solver/contact/maugis/transition.hpp"
 #include "solver/contact/maugis_dugdale.hpp"
+#include "solver/contact/transition.hpp"
 #include "solver/motion/branches/cohesive_motion.hpp"
 #include "solver/motion/impact.hpp"
 #include "solver/motion/scale.hpp"

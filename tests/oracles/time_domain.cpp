@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "tests/oracles/contact_force.hpp"
 #include "tests/support/ode.hpp"
 

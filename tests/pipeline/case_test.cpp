@@ -6,7 +6,7 @@
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/case/laws.hpp"
 #include "pipeline/document/case_json.hpp"
-#include "pipeline/document/schema.hpp"
+#include "pipeline/files/schema.hpp"
 #include "tests/pipeline/sandbox.hpp"
 #include "tests/relative_difference.hpp"
 

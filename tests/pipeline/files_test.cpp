@@ -4,9 +4,9 @@
 #include <doctest/doctest.h>
 #include <unistd.h>
 
-#include "core/error.hpp"
-#include "pipeline/document/files/file.hpp"
-#include "pipeline/document/files/sha256.hpp"
+#include "core/text/error.hpp"
+#include "pipeline/files/file.hpp"
+#include "pipeline/files/sha256.hpp"
 #include "tests/pipeline/sandbox.hpp"
 
 using namespace ashimpact;

@@ -8,7 +8,7 @@
 #include "core/json/json_lines.hpp"
 #include "core/json/view.hpp"
 #include "core/json/writer.hpp"
-#include "pipeline/document/schema.hpp"
+#include "pipeline/files/schema.hpp"
 #include "pipeline/run/results/critical_velocity.hpp"
 
 using namespace ashimpact;

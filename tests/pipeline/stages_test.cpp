@@ -9,7 +9,7 @@
 #include "pipeline/case/case.hpp"
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/document/results/run_json.hpp"
-#include "pipeline/document/schema.hpp"
+#include "pipeline/files/schema.hpp"
 #include "pipeline/run/comparison/equal_velocities.hpp"
 #include "pipeline/run/stage.hpp"
 #include "pipeline/run/uncertainty/calibration_problem.hpp"

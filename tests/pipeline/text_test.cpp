@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/text.hpp"
+#include "core/text/text.hpp"
 
 #include <doctest/doctest.h>
 
+#include "core/quantities/readable.hpp"
 #include "pipeline/app/terminal/messages.hpp"
 #include "pipeline/present/text/artifact_text.hpp"
 #include "pipeline/present/text/comparison_table.hpp"
-#include "pipeline/present/text/readable.hpp"
 #include "pipeline/present/text/remarks.hpp"
 #include "pipeline/present/text/table.hpp"
 

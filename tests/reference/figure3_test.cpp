@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "solver/contact/static_curve.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/contact_cases.hpp"

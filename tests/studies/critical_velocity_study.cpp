@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "solver/inference/curve/headline.hpp"
 #include "solver/numeric/gsl/distribution.hpp"
 #include "tests/studies/laboratory.hpp"

@@ -11,7 +11,7 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "solver/numeric/gsl/status.hpp"
 
 namespace ashimpact::test {

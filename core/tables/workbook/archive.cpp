@@ -6,7 +6,7 @@
 
 #include <minizip/unzip.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 
 namespace ashimpact {
 

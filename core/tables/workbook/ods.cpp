@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <charconv>
 
-#include "core/decimal/decimal.hpp"
-#include "core/error.hpp"
 #include "core/tables/workbook/formats.hpp"
+#include "core/text/decimal.hpp"
+#include "core/text/error.hpp"
 
 namespace ashimpact {
 

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
-#include "core/text.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 
 namespace ashimpact {
 

@@ -5,7 +5,7 @@
 #include <charconv>
 
 #include "core/tables/workbook/formats.hpp"
-#include "core/text.hpp"
+#include "core/text/text.hpp"
 
 namespace ashimpact {
 

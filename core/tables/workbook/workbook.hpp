@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/error.hpp"
 #include "core/tables/text_lines.hpp"
 #include "core/tables/workbook/sheet.hpp"
+#include "core/text/error.hpp"
 
 /// Spreadsheets of Excel (.xlsx), LibreOffice (.ods) and what writes their formats, as the tables they hold.
 namespace ashimpact {

@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "core/decimal/decimal.hpp"
-#include "core/error.hpp"
 #include "core/tables/workbook/formats.hpp"
-#include "core/text.hpp"
+#include "core/text/decimal.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 
 namespace ashimpact {
 

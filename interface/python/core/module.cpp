@@ -12,7 +12,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "core/version.hpp"
 #include "interface/chunks.hpp"
 #include "solver/batch/critical_batch.hpp"

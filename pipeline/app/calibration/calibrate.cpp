@@ -7,15 +7,15 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "core/json/quantity_json.hpp"
 #include "core/json/writer.hpp"
-#include "core/text.hpp"
+#include "core/quantities/readable.hpp"
+#include "core/text/text.hpp"
 #include "pipeline/app/calibration/hypotheses.hpp"
 #include "pipeline/app/command.hpp"
 #include "pipeline/app/run_stages.hpp"
-#include "pipeline/document/quantity_json.hpp"
 #include "pipeline/document/statistics_json.hpp"
 #include "pipeline/present/text/progress.hpp"
-#include "pipeline/present/text/readable.hpp"
 #include "pipeline/present/text/table.hpp"
 #include "pipeline/run/uncertainty/calibration_problem.hpp"
 #include "solver/inference/calibration/calibration_profile.hpp"

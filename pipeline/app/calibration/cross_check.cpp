@@ -6,13 +6,13 @@
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
+#include "core/json/quantity_json.hpp"
 #include "core/json/writer.hpp"
+#include "core/quantities/readable.hpp"
+#include "core/text/error.hpp"
 #include "pipeline/app/command.hpp"
 #include "pipeline/app/run_stages.hpp"
 #include "pipeline/document/case_json.hpp"
-#include "pipeline/document/quantity_json.hpp"
-#include "pipeline/present/text/readable.hpp"
 #include "pipeline/present/text/table.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/calibration/reconstruction.hpp"

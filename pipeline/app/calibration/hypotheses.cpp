@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
-#include "pipeline/document/quantity_json.hpp"
+#include "core/json/quantity_json.hpp"
+#include "core/quantities/readable.hpp"
+#include "core/text/error.hpp"
 #include "pipeline/document/statistics_json.hpp"
 #include "pipeline/present/text/progress.hpp"
-#include "pipeline/present/text/readable.hpp"
 #include "pipeline/present/text/table.hpp"
 
 namespace ashimpact {

@@ -5,7 +5,7 @@
 
 #include "pipeline/app/man/man.hpp"
 #include "pipeline/app/run_stages.hpp"
-#include "pipeline/document/schema.hpp"
+#include "pipeline/files/schema.hpp"
 #include "solver/contact/law.hpp"
 #include "solver/damping/damping.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/app/sweep/checkpoint.hpp"
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "core/version.hpp"
 #include "pipeline/app/sweep/workers/bytes.hpp"
-#include "pipeline/document/files/file.hpp"
-#include "pipeline/document/files/sha256.hpp"
+#include "pipeline/files/file.hpp"
+#include "pipeline/files/sha256.hpp"
 
 namespace ashimpact {
 

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include "core/error.hpp"
 #include "core/json/writer.hpp"
-#include "core/text.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "pipeline/app/sweep/outputs.hpp"
 #include "pipeline/app/sweep/result_json.hpp"
 #include "pipeline/app/sweep/spec/capture_fraction.hpp"
@@ -18,8 +18,8 @@
 #include "pipeline/app/sweep/workers/rank_workers.hpp"
 #include "pipeline/app/sweep/workers/thread_workers.hpp"
 #include "pipeline/app/terminal/help.hpp"
-#include "pipeline/document/files/file.hpp"
-#include "pipeline/document/files/sha256.hpp"
+#include "pipeline/files/file.hpp"
+#include "pipeline/files/sha256.hpp"
 #include "pipeline/present/report/page/html.hpp"
 #include "pipeline/present/report/sweep/sweep_page.hpp"
 #include "pipeline/present/text/artifact_text.hpp"

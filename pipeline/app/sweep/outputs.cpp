@@ -4,11 +4,11 @@
 #include <cmath>
 #include <variant>
 
-#include "core/error.hpp"
-#include "core/text.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "pipeline/app/sweep/table/row_log.hpp"
 #include "pipeline/app/sweep/table/table_file.hpp"
-#include "pipeline/document/files/file.hpp"
+#include "pipeline/files/file.hpp"
 #include "pipeline/present/report/page/html.hpp"
 
 namespace ashimpact {

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "core/json/quantity_json.hpp"
 #include "core/version.hpp"
-#include "pipeline/document/quantity_json.hpp"
-#include "pipeline/document/schema_version.hpp"
+#include "pipeline/files/schema_version.hpp"
 
 namespace ashimpact {
 

@@ -7,8 +7,8 @@
 
 #include <spdlog/spdlog.h>
 
-#include "core/error.hpp"
-#include "core/text.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "pipeline/app/sweep/workers/bytes.hpp"
 #include "pipeline/present/text/progress.hpp"
 

@@ -7,7 +7,7 @@
 
 #include <unistd.h>
 
-#include "core/text.hpp"
+#include "core/text/text.hpp"
 #include "pipeline/present/text/layout.hpp"
 
 namespace ashimpact {

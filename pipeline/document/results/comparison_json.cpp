@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/json/quantity_json.hpp"
 #include "pipeline/case/case_parts.hpp"
 #include "pipeline/document/case_json.hpp"
-#include "pipeline/document/quantity_json.hpp"
 #include "pipeline/document/results/fields.hpp"
 #include "pipeline/document/results/results_json.hpp"
 #include "pipeline/document/results/uncertainty_json.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/json/quantity_json.hpp"
 #include "materials/contact_properties.hpp"
 #include "pipeline/case/case_parts.hpp"
 #include "pipeline/document/case_json.hpp"
-#include "pipeline/document/quantity_json.hpp"
 #include "pipeline/document/results/fields.hpp"
 #include "pipeline/document/results/results_json.hpp"
 #include "solver/contact/law_parameters.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/document/results/fields.hpp"
 
-#include "core/checks.hpp"
-#include "core/text.hpp"
-#include "pipeline/document/quantity_json.hpp"
+#include "core/json/quantity_json.hpp"
+#include "core/quantities/checks.hpp"
+#include "core/text/text.hpp"
 
 namespace ashimpact {
 

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "core/checks.hpp"
-#include "pipeline/document/quantity_json.hpp"
+#include "core/json/quantity_json.hpp"
+#include "core/quantities/checks.hpp"
 #include "pipeline/document/results/damping_fit_json.hpp"
 #include "pipeline/document/results/fields.hpp"
 #include "pipeline/document/results/results_json.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/document/measurement_json.hpp"
-#include "pipeline/document/quantity_json.hpp"
+#include "core/json/quantity_json.hpp"
+#include "pipeline/case/measurement_json.hpp"
 #include "pipeline/document/results/fields.hpp"
 #include "pipeline/document/results/results_json.hpp"
 

@@ -5,12 +5,12 @@
 
 #include "core/json/writer.hpp"
 #include "core/version.hpp"
-#include "pipeline/document/files/file.hpp"
-#include "pipeline/document/files/run_folder.hpp"
 #include "pipeline/document/results/note_json.hpp"
+#include "pipeline/document/run_folder.hpp"
 #include "pipeline/document/run_identity.hpp"
-#include "pipeline/document/schema.hpp"
-#include "pipeline/document/schema_version.hpp"
+#include "pipeline/files/file.hpp"
+#include "pipeline/files/schema.hpp"
+#include "pipeline/files/schema_version.hpp"
 
 namespace ashimpact {
 

@@ -3,14 +3,14 @@
 
 #include <algorithm>
 
-#include "core/text.hpp"
+#include "core/text/text.hpp"
 #include "materials/separation_energy.hpp"
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/document/case_json.hpp"
 #include "pipeline/document/detachment_json.hpp"
-#include "pipeline/document/files/sha256.hpp"
 #include "pipeline/document/results/note_json.hpp"
 #include "pipeline/document/results/results_json.hpp"
+#include "pipeline/files/sha256.hpp"
 #include "pipeline/run/stage.hpp"
 
 namespace ashimpact {

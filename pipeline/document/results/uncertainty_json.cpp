@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "pipeline/document/quantity_json.hpp"
+#include "core/json/quantity_json.hpp"
 #include "pipeline/document/results/fields.hpp"
 #include "pipeline/document/statistics_json.hpp"
 

@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 
+#include "core/json/quantity_json.hpp"
 #include "core/json/writer.hpp"
 #include "core/version.hpp"
-#include "pipeline/document/quantity_json.hpp"
 
 namespace ashimpact {
 

@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 
 #include "core/embedded.hpp"
-#include "core/text.hpp"
+#include "core/quantities/readable.hpp"
+#include "core/text/text.hpp"
 #include "core/version.hpp"
 #include "pipeline/case/laws.hpp"
 #include "pipeline/present/export/expected.hpp"
-#include "pipeline/present/text/readable.hpp"
 #include "solver/motion/regime.hpp"
 
 namespace ashimpact {

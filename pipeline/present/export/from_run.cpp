@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include "core/text.hpp"
+#include "core/quantities/readable.hpp"
+#include "core/text/text.hpp"
 #include "pipeline/case/laws.hpp"
 #include "pipeline/document/results/run_artifacts.hpp"
 #include "pipeline/document/results/run_json.hpp"
-#include "pipeline/present/text/readable.hpp"
 #include "pipeline/run/stage.hpp"
 #include "solver/inference/calibration/reconstruction.hpp"
 #include "solver/motion/damping_inversion.hpp"

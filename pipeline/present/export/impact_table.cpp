@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
-#include "pipeline/present/text/readable.hpp"
+#include "core/quantities/readable.hpp"
+#include "core/text/error.hpp"
 #include "solver/batch/impact_batch.hpp"
 
 namespace ashimpact {

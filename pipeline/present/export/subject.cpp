@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
+#include "core/quantities/readable.hpp"
+#include "core/text/error.hpp"
 #include "materials/contact_properties.hpp"
-#include "pipeline/present/text/readable.hpp"
 
 namespace ashimpact {
 

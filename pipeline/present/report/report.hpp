@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "pipeline/document/files/file.hpp"
+#include "pipeline/files/file.hpp"
 #include "pipeline/run/results/run.hpp"
 
 namespace ashimpact::report {

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "core/quantities/readable.hpp"
 #include "pipeline/present/text/comparison_table.hpp"
-#include "pipeline/present/text/readable.hpp"
 
 namespace ashimpact {
 

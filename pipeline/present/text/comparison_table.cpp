@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "core/text.hpp"
+#include "core/quantities/readable.hpp"
+#include "core/text/text.hpp"
 #include "pipeline/document/results/results_json.hpp"
 #include "pipeline/present/text/answer.hpp"
 #include "pipeline/present/text/layout.hpp"
-#include "pipeline/present/text/readable.hpp"
 #include "pipeline/present/text/table.hpp"
 
 namespace ashimpact {

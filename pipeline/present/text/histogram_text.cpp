@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/present/text/readable.hpp"
+#include "core/quantities/readable.hpp"
 #include "pipeline/present/text/short_text.hpp"
 #include "pipeline/present/text/table.hpp"
 

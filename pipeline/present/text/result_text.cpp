@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "core/text.hpp"
+#include "core/quantities/readable.hpp"
+#include "core/text/text.hpp"
 #include "pipeline/present/text/histogram_text.hpp"
-#include "pipeline/present/text/readable.hpp"
 #include "pipeline/present/text/short_text.hpp"
 #include "pipeline/present/text/table.hpp"
 

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "core/text.hpp"
-#include "pipeline/present/text/readable.hpp"
+#include "core/quantities/readable.hpp"
+#include "core/text/text.hpp"
 #include "solver/motion/regime.hpp"
 
 namespace ashimpact {

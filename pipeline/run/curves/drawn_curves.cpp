@@ -5,7 +5,7 @@
 #include <numeric>
 #include <span>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "pipeline/run/curves/model_curve.hpp"
 #include "solver/batch/in_parallel.hpp"
 #include "solver/contact/law.hpp"

@@ -6,11 +6,11 @@
 #include <limits>
 #include <span>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "pipeline/run/curves/impact_search.hpp"
 #include "solver/motion/scaled_impact.hpp"
 #include "solver/numeric/gsl/spline.hpp"
-#include "solver/statistics/intervals/interval.hpp"
+#include "solver/statistics/interval.hpp"
 
 namespace ashimpact::curves {
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/present/text/readable.hpp"
+#include "core/quantities/readable.hpp"
 
 namespace ashimpact {
 

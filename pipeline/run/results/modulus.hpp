@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/quantity.hpp"
+#include "core/quantities/quantity.hpp"
 #include "core/uncertainty.hpp"
 #include "materials/modulus.hpp"
 

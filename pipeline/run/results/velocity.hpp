@@ -6,8 +6,8 @@
 #include <optional>
 #include <string_view>
 
-#include "core/names.hpp"
-#include "solver/statistics/intervals/interval.hpp"
+#include "core/quantities/names.hpp"
+#include "solver/statistics/interval.hpp"
 
 namespace ashimpact {
 

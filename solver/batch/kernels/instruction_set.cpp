@@ -7,7 +7,7 @@
 
 #include <hwy/highway.h>
 
-#include "core/checks.hpp"
+#include "core/quantities/checks.hpp"
 
 namespace ashimpact {
 

@@ -6,11 +6,11 @@
 #include <string>
 #include <utility>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "solver/inference/calibration/calibration_objective.hpp"
 #include "solver/inference/calibration/calibration_response.hpp"
 #include "solver/numeric/gsl/distribution.hpp"
-#include "solver/statistics/intervals/interval.hpp"
+#include "solver/statistics/interval.hpp"
 
 namespace ashimpact {
 

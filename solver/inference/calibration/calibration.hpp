@@ -9,7 +9,7 @@
 
 #include <Eigen/Dense>
 
-#include "core/names.hpp"
+#include "core/quantities/names.hpp"
 #include "materials/contact_properties.hpp"
 #include "solver/contact/law.hpp"
 #include "solver/damping/damping_polynomial.hpp"

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/calibration/reconstruction.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "solver/inference/calibration/calibration_objective.hpp"
 
 namespace ashimpact {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "solver/inference/calibration/calibration.hpp"
-#include "solver/statistics/intervals/interval.hpp"
+#include "solver/statistics/interval.hpp"
 
 namespace ashimpact {
 

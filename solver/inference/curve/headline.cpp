@@ -5,11 +5,11 @@
 #include <cmath>
 #include <set>
 
-#include "core/counting.hpp"
-#include "core/error.hpp"
-#include "core/text.hpp"
+#include "core/text/counting.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "solver/inference/curve/impact_groups.hpp"
-#include "solver/statistics/intervals/importance_sampling.hpp"
+#include "solver/statistics/importance_sampling.hpp"
 
 namespace ashimpact {
 

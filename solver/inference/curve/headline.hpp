@@ -7,7 +7,7 @@
 #include "core/finding.hpp"
 #include "solver/inference/curve/curve_posterior.hpp"
 #include "solver/inference/impacts/measurement.hpp"
-#include "solver/statistics/intervals/interval.hpp"
+#include "solver/statistics/interval.hpp"
 
 namespace ashimpact {
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <numeric>
 
-#include "core/error.hpp"
-#include "core/text.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "solver/numeric/gsl/distribution.hpp"
 
 namespace ashimpact {

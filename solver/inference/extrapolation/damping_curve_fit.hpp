@@ -9,9 +9,9 @@
 
 #include <Eigen/Dense>
 
-#include "core/names.hpp"
+#include "core/quantities/names.hpp"
 #include "solver/inference/extrapolation/rebound_selection.hpp"
-#include "solver/statistics/intervals/interval.hpp"
+#include "solver/statistics/interval.hpp"
 
 namespace ashimpact {
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/numeric/gsl/linear_fit.hpp"
 #include "solver/numeric/least_median.hpp"

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/names.hpp"
+#include "core/quantities/names.hpp"
 #include "solver/inference/impacts/damping_smoothing.hpp"
 #include "solver/surrogate/contact_model.hpp"
 

@@ -7,7 +7,7 @@
 #include <set>
 #include <span>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "solver/numeric/gsl/linear_fit.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
 #include "solver/statistics/moments.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/motion/damping_inversion.hpp"
 

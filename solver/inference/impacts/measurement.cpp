@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "core/checks.hpp"
-#include "core/error.hpp"
-#include "core/text.hpp"
+#include "core/quantities/checks.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 
 namespace ashimpact {
 

@@ -5,12 +5,12 @@
 #include <array>
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/tables/coverage.hpp"
-#include "core/text.hpp"
+#include "core/tables/vocabulary.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
+#include "core/text/utf8.hpp"
 #include "core/units/units.hpp"
-#include "core/utf8.hpp"
-#include "core/vocabulary.hpp"
 #include "solver/inference/impacts/outcome_words.hpp"
 
 namespace ashimpact {

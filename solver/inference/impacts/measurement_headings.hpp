@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/names.hpp"
+#include "core/quantities/names.hpp"
 #include "core/tables/coverage.hpp"
 
 namespace ashimpact {

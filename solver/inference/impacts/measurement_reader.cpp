@@ -6,13 +6,13 @@
 #include <cmath>
 #include <string>
 
-#include "core/counting.hpp"
-#include "core/error.hpp"
 #include "core/tables/cells.hpp"
 #include "core/tables/number.hpp"
 #include "core/tables/text_lines.hpp"
 #include "core/tables/workbook/workbook.hpp"
-#include "core/text.hpp"
+#include "core/text/counting.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "solver/inference/impacts/measurement_headings.hpp"
 #include "solver/inference/impacts/outcome_words.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <cctype>
 
-#include "core/text.hpp"
-#include "core/vocabulary.hpp"
+#include "core/tables/vocabulary.hpp"
+#include "core/text/text.hpp"
 
 namespace ashimpact {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "core/names.hpp"
+#include "core/quantities/names.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 
 namespace ashimpact {

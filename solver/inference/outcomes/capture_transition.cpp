@@ -9,7 +9,7 @@
 #include "solver/numeric/gsl/distribution.hpp"
 #include "solver/numeric/gsl/minimum.hpp"
 #include "solver/numeric/gsl/root.hpp"
-#include "solver/statistics/intervals/interval.hpp"
+#include "solver/statistics/interval.hpp"
 
 namespace ashimpact {
 

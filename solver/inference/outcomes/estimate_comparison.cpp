@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "core/error.hpp"
-#include "core/text.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "solver/numeric/gsl/distribution.hpp"
 
 namespace ashimpact {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "solver/inference/extrapolation/damping_curve_fit.hpp"
-#include "solver/statistics/intervals/interval.hpp"
+#include "solver/statistics/interval.hpp"
 
 namespace ashimpact {
 

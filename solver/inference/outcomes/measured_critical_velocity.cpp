@@ -9,7 +9,7 @@
 #include "solver/inference/outcomes/capture_transition.hpp"
 #include "solver/inference/outcomes/estimate_comparison.hpp"
 #include "solver/numeric/gsl/distribution.hpp"
-#include "solver/statistics/intervals/interval.hpp"
+#include "solver/statistics/interval.hpp"
 
 namespace ashimpact {
 

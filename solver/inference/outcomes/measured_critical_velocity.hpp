@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "core/names.hpp"
+#include "core/quantities/names.hpp"
 #include "solver/inference/impacts/measurement.hpp"
-#include "solver/statistics/intervals/interval.hpp"
+#include "solver/statistics/interval.hpp"
 
 namespace ashimpact {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <memory>
 
-#include "core/error.hpp"
-#include "core/text.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "solver/batch/critical_batch.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/extrapolation/restitution_curve.hpp"

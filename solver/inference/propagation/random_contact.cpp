@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "materials/contact_properties.hpp"
 
 namespace ashimpact {

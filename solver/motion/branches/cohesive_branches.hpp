@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/contact/maugis/cohesive_zone.hpp"
+#include "solver/contact/cohesive_zone.hpp"
 #include "solver/motion/branches/motion.hpp"
 #include "solver/numeric/extended.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "solver/contact/maugis/transition.hpp"
+#include "solver/contact/transition.hpp"
 
 namespace ashimpact {
 

@@ -6,7 +6,7 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "solver/numeric/gsl/guard.hpp"
 #include "solver/numeric/gsl/status.hpp"
 

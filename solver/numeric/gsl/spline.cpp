@@ -6,7 +6,7 @@
 
 #include <gsl/gsl_spline.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "solver/numeric/gsl/status.hpp"
 
 namespace ashimpact {

@@ -5,7 +5,7 @@
 
 #include <gsl/gsl_errno.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 
 namespace ashimpact::gsl {
 

@@ -12,7 +12,7 @@
 
 #include "core/json/document.hpp"
 #include "materials/contact_properties.hpp"
-#include "pipeline/document/files/file.hpp"
+#include "pipeline/files/file.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "tests/pipeline/sandbox.hpp"
 #include "tests/relative_difference.hpp"

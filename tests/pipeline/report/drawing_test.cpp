@@ -5,9 +5,9 @@
 #include <doctest/doctest.h>
 
 #include "pipeline/present/report/drawing/axes.hpp"
+#include "pipeline/present/report/drawing/figure.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/drawing/panel.hpp"
-#include "pipeline/present/report/figure.hpp"
 
 namespace ashimpact::report {
 

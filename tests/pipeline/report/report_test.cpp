@@ -12,12 +12,12 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
-#include "pipeline/document/files/file.hpp"
-#include "pipeline/document/files/sha256.hpp"
 #include "pipeline/document/results/run_artifacts.hpp"
 #include "pipeline/document/results/run_json.hpp"
+#include "pipeline/files/file.hpp"
+#include "pipeline/files/sha256.hpp"
+#include "pipeline/present/report/drawing/figure_file.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
-#include "pipeline/present/report/figure_file.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "tests/pipeline/sandbox.hpp"

@@ -6,8 +6,8 @@
 
 #include "core/json/writer.hpp"
 #include "pipeline/app/sweep/result_json.hpp"
-#include "pipeline/document/files/file.hpp"
-#include "pipeline/document/schema.hpp"
+#include "pipeline/files/file.hpp"
+#include "pipeline/files/schema.hpp"
 #include "tests/pipeline/sweep/process.hpp"
 #include "tests/pipeline/sweep/specs.hpp"
 

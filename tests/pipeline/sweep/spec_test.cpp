@@ -5,7 +5,7 @@
 
 #include <doctest/doctest.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "tests/pipeline/sweep/process.hpp"
 #include "tests/pipeline/sweep/specs.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 #include <thread>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "pipeline/app/program.hpp"
 #include "pipeline/app/sweep/command.hpp"
 #include "pipeline/app/sweep/workers/mpi_session.hpp"

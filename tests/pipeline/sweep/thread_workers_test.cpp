@@ -7,7 +7,7 @@
 
 #include <doctest/doctest.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 
 using namespace ashimpact;
 

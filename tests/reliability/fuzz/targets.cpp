@@ -7,16 +7,16 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "core/error.hpp"
 #include "core/tables/text_lines.hpp"
 #include "core/tables/workbook/workbook.hpp"
+#include "core/text/error.hpp"
 #include "core/units/units.hpp"
 #include "materials/xrd/readers.hpp"
 #include "materials/xrd/xrd.hpp"
 #include "pipeline/app/sweep/spec/plan.hpp"
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/document/run_identity.hpp"
-#include "pipeline/document/schema.hpp"
+#include "pipeline/files/schema.hpp"
 #include "pipeline/present/text/artifact_text.hpp"
 #include "solver/batch/impact_batch.hpp"
 #include "solver/inference/impacts/measurement_reader.hpp"

@@ -12,7 +12,7 @@
 
 #include <doctest/doctest.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "solver/batch/impact_batch.hpp"
 #include "solver/batch/kernels/kernel.hpp"
 #include "solver/batch/parallel.hpp"

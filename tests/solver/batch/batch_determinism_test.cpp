@@ -11,7 +11,7 @@
 
 #include <doctest/doctest.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "solver/batch/impact_batch.hpp"
 #include "solver/batch/kernels/instruction_set.hpp"
 #include "solver/batch/kernels/kernel.hpp"

@@ -5,7 +5,7 @@
 
 #include <doctest/doctest.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "solver/batch/impact_batch.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/scale.hpp"

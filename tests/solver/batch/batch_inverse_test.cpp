@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "solver/batch/critical_batch.hpp"
 #include "solver/batch/inversion_batch.hpp"
 #include "tests/relative_difference.hpp"

@@ -7,14 +7,14 @@
 
 #include <doctest/doctest.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "materials/separation_energy.hpp"
-#include "solver/contact/maugis/cohesive_zone.hpp"
-#include "solver/contact/maugis/transition.hpp"
+#include "solver/contact/cohesive_zone.hpp"
 #include "solver/contact/maugis_dugdale.hpp"
 #include "solver/contact/pressure.hpp"
 #include "solver/contact/sjkr.hpp"
 #include "solver/contact/static_curve.hpp"
+#include "solver/contact/transition.hpp"
 #include "solver/motion/branches/cohesive_motion.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/contact_cases.hpp"

@@ -9,7 +9,7 @@
 
 #include <doctest/doctest.h>
 
-#include "core/counting.hpp"
+#include "core/text/counting.hpp"
 #include "materials/contact_properties.hpp"
 #include "solver/inference/extrapolation/rebound_selection.hpp"
 #include "solver/inference/outcomes/estimate_comparison.hpp"

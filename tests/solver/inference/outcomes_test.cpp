@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "solver/inference/impacts/binning.hpp"
 #include "solver/inference/impacts/damping_parts.hpp"
 #include "solver/inference/outcomes/capture_transition.hpp"

@@ -7,8 +7,8 @@
 
 #include <doctest/doctest.h>
 
-#include "solver/contact/maugis/transition.hpp"
 #include "solver/contact/maugis_dugdale.hpp"
+#include "solver/contact/transition.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/damping_inversion.hpp"
 #include "solver/motion/momentum_balance.hpp"

@@ -7,9 +7,9 @@
 
 #include <doctest/doctest.h>
 
-#include "solver/contact/maugis/transition.hpp"
 #include "solver/contact/maugis_dugdale.hpp"
 #include "solver/contact/registry.hpp"
+#include "solver/contact/transition.hpp"
 #include "solver/motion/scale.hpp"
 #include "solver/motion/velocity_scales.hpp"
 #include "tests/relative_difference.hpp"

@@ -8,7 +8,7 @@
 #include <doctest/doctest.h>
 #include <gsl/gsl_errno.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "solver/numeric/gsl/distribution.hpp"
 #include "solver/numeric/gsl/linear_fit.hpp"
 #include "solver/numeric/gsl/minimum.hpp"

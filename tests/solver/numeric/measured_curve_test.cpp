@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "solver/numeric/gsl/spline.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/errors.hpp"

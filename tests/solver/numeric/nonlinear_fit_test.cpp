@@ -9,7 +9,7 @@
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/data_file.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/statistics/intervals/importance_sampling.hpp"
+#include "solver/statistics/importance_sampling.hpp"
 
 #include <cmath>
 

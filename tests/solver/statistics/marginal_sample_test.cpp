@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/statistics/intervals/marginal_sample.hpp"
+#include "solver/statistics/marginal_sample.hpp"
 
 #include <cmath>
 

@@ -3,9 +3,9 @@
 
 #include <Eigen/Core>
 
-#include "core/error.hpp"
-#include "core/text.hpp"
-#include "pipeline/app/contact_options.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
+#include "pipeline/app/options/contact_options.hpp"
 #include "solver/batch/impact_batch.hpp"
 
 namespace ashimpact {

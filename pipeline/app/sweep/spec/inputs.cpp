@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "core/checks.hpp"
+#include "core/quantities/checks.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/damping/damping.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "pipeline/document/files/sha256.hpp"
+#include "pipeline/files/sha256.hpp"
 
 namespace ashimpact {
 

@@ -2,15 +2,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/checks.hpp"
 #include "core/json/view.hpp"
 #include "core/json/writer.hpp"
-#include "core/text.hpp"
+#include "core/quantities/checks.hpp"
+#include "core/text/text.hpp"
 #include "pipeline/app/sweep/spec/spec.hpp"
 #include "pipeline/app/sweep/spec/variable_reader.hpp"
 #include "pipeline/case/laws.hpp"
-#include "pipeline/document/schema.hpp"
-#include "pipeline/document/schema_version.hpp"
+#include "pipeline/files/schema.hpp"
+#include "pipeline/files/schema_version.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/motion/impact.hpp"

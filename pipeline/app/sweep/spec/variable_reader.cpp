@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "core/checks.hpp"
-#include "core/text.hpp"
+#include "core/quantities/checks.hpp"
+#include "core/text/text.hpp"
 #include "solver/contact/law_parameters.hpp"
 
 namespace ashimpact {

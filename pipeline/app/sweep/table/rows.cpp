@@ -6,7 +6,7 @@
 
 #include <zlib.h>
 
-#include "pipeline/document/files/sha256.hpp"
+#include "pipeline/files/sha256.hpp"
 
 namespace ashimpact {
 

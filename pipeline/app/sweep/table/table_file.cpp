@@ -5,7 +5,7 @@
 #include <fstream>
 #include <set>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "core/version.hpp"
 #include "pipeline/app/sweep/table/hdf5_file.hpp"
 #include "pipeline/app/sweep/table/row_log.hpp"

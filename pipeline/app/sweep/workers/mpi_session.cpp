@@ -7,7 +7,7 @@
 
 #include <mpi.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 
 namespace ashimpact {
 

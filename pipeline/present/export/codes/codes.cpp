@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "core/error.hpp"
-#include "core/text.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "pipeline/present/export/codes/dem.hpp"
 
 namespace ashimpact {

@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
+#include "core/quantities/readable.hpp"
+#include "core/text/error.hpp"
 #include "pipeline/case/laws.hpp"
 #include "pipeline/present/export/expected.hpp"
-#include "pipeline/present/text/readable.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/contact/sjkr.hpp"
 #include "solver/motion/scale.hpp"

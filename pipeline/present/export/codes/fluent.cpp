@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include "core/quantities/readable.hpp"
 #include "pipeline/present/export/codes/tables.hpp"
-#include "pipeline/present/text/readable.hpp"
 
 namespace ashimpact {
 

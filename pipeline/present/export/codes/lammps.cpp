@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "pipeline/case/laws.hpp"
 #include "pipeline/present/export/codes/deck.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "pipeline/case/laws.hpp"
 #include "pipeline/present/export/codes/deck.hpp"
 

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "core/quantities/readable.hpp"
 #include "pipeline/present/export/codes/tables.hpp"
 #include "pipeline/present/export/expected.hpp"
-#include "pipeline/present/text/readable.hpp"
 
 namespace ashimpact {
 

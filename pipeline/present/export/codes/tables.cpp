@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "core/text.hpp"
+#include "core/quantities/readable.hpp"
+#include "core/text/text.hpp"
 #include "pipeline/present/export/expected.hpp"
-#include "pipeline/present/text/readable.hpp"
 
 namespace ashimpact {
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "pipeline/case/laws.hpp"
 #include "pipeline/present/export/codes/dem.hpp"
 #include "pipeline/present/export/expected.hpp"

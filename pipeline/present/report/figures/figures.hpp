@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pipeline/present/report/data/run_data.hpp"
-#include "pipeline/present/report/figure.hpp"
+#include "pipeline/present/report/drawing/figure.hpp"
 
 namespace ashimpact::report {
 

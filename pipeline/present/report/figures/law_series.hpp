@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "pipeline/present/report/data/run_data.hpp"
+#include "pipeline/present/report/drawing/figure.hpp"
 #include "pipeline/present/report/drawing/panel.hpp"
-#include "pipeline/present/report/figure.hpp"
 
 namespace ashimpact::report {
 

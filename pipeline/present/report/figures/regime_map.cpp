@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
-#include "solver/contact/maugis/cohesive_zone.hpp"
-#include "solver/contact/maugis/transition.hpp"
+#include "solver/contact/cohesive_zone.hpp"
 #include "solver/contact/static_curve.hpp"
+#include "solver/contact/transition.hpp"
 #include "solver/motion/regime.hpp"
 
 namespace ashimpact::report {

@@ -7,7 +7,7 @@
 #include "pipeline/present/report/figures/axis_units.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/figures/law_series.hpp"
-#include "solver/statistics/intervals/interval.hpp"
+#include "solver/statistics/interval.hpp"
 
 namespace ashimpact::report {
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
+#include "core/text/error.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "solver/contact/static_curve.hpp"
 

@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
+#include "core/quantities/readable.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/figures/law_series.hpp"
 #include "pipeline/present/report/page/html.hpp"
 #include "pipeline/present/report/page/run_page.hpp"
 #include "pipeline/present/text/answer.hpp"
-#include "pipeline/present/text/readable.hpp"
 
 namespace ashimpact::report {
 

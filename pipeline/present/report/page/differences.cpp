@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include "core/text.hpp"
-#include "core/utf8.hpp"
+#include "core/quantities/readable.hpp"
+#include "core/text/text.hpp"
+#include "core/text/utf8.hpp"
 #include "pipeline/document/case_json.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/page/html.hpp"
 #include "pipeline/present/report/page/run_page.hpp"
-#include "pipeline/present/text/readable.hpp"
 
 namespace ashimpact::report {
 

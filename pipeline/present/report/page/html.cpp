@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "core/embedded.hpp"
-#include "core/utf8.hpp"
-#include "pipeline/document/files/file.hpp"
-#include "pipeline/document/files/sha256.hpp"
+#include "core/text/utf8.hpp"
+#include "pipeline/files/file.hpp"
+#include "pipeline/files/sha256.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
 
 namespace ashimpact::report {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "pipeline/present/report/figure.hpp"
+#include "pipeline/present/report/drawing/figure.hpp"
 
 namespace ashimpact::report {
 

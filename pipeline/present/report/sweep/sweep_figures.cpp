@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "core/quantities/readable.hpp"
 #include "pipeline/present/report/figures/axis_units.hpp"
 #include "pipeline/present/report/figures/law_series.hpp"
 #include "pipeline/present/report/sweep/sweep_page.hpp"
-#include "pipeline/present/text/readable.hpp"
 
 namespace ashimpact::report {
 

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include "core/json/writer.hpp"
+#include "core/quantities/readable.hpp"
 #include "pipeline/present/report/data/run_data.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/page/html.hpp"
-#include "pipeline/present/text/readable.hpp"
 
 namespace ashimpact::report {
 

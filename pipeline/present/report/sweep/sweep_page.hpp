@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/json/document.hpp"
-#include "pipeline/present/report/figure.hpp"
+#include "pipeline/present/report/drawing/figure.hpp"
 #include "solver/contact/law.hpp"
 
 namespace ashimpact::report {

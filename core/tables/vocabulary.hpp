@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/quantities/names.hpp"
+
+namespace ashimpact {
+
+/// One group of word lists of data/vocabulary.json, such as the headings of columns of an XRD table.
+class WordLists {
+  public:
+    /// @param kept other characters than letters and digits that count; see word_key()
+    /// @throws std::logic_error if the file has no such group, or a word in two of its lists
+    explicit WordLists(std::string_view group, std::string_view kept = {});
+
+    /// The name of the list that holds a text, as compared by word_key(). Nothing if none does.
+    [[nodiscard]] std::optional<std::string_view> list_of(std::string_view text) const;
+    [[nodiscard]] bool holds(std::string_view text) const { return list_of(text).has_value(); }
+
+    /// All words as keys, with the names of their lists.
+    [[nodiscard]] const std::map<std::string, std::string, std::less<>>& words() const { return words_; }
+
+  private:
+    std::string kept_;
+    std::map<std::string, std::string, std::less<>> words_;
+};
+
+/// The value of an enumeration that has the name of the list with that text, if it is one.
+template <Named Enum>
+[[nodiscard]] std::optional<Enum> meaning(const WordLists& lists, std::string_view text) {
+    const auto list = lists.list_of(text);
+    if (!list) return std::nullopt;
+    for (const Enum value : all_values<Enum>)
+        if (name_of(value) == *list) return value;
+    return std::nullopt;
+}
+
+/// Kept characters for words that count as they are written, apart from case and accents.
+inline constexpr std::string_view all_marks = " !\"#$%&'()*+,-./:;<=>?@[\\]^_`{|}~";
+
+/// Words that name an uncertainty and nothing else: "u", "±", "esd", "std. error", "Messunsicherheit".
+[[nodiscard]] const WordLists& uncertainty_words();
+
+}  // namespace ashimpact

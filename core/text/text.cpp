@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/text/text.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/text/decimal.hpp"
+#include "core/text/utf8.hpp"
+
+namespace ashimpact {
+
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view blank = " \t\r\n\f\v";
+    const auto first = text.find_first_not_of(blank);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(blank) - first + 1);
+}
+
+namespace {
+
+std::string without(char removed, std::string_view number) {
+    std::string rest(number);
+    rest.erase(std::remove(rest.begin(), rest.end(), removed), rest.end());
+    return rest;
+}
+
+/// A number as English writes it, if its comma is decimal and if its commas part thousands.
+std::pair<std::string, std::string> readings_of_commas(std::string_view number) {
+    const auto comma = number.find(',');
+    if (comma == std::string_view::npos) return {std::string(number), std::string(number)};
+    const std::string without_commas = without(',', number);
+    const auto point = number.rfind('.');
+    const bool points_last = point != std::string_view::npos && point > number.rfind(',');
+    if (points_last || number.rfind(',') != comma) return {without_commas, without_commas};
+    std::string with_point = without('.', number);
+    with_point[with_point.find(',')] = '.';
+    const bool thousands =
+        point == std::string_view::npos && number.size() - comma == 4 && comma <= 3 && number.front() != '0';
+    return {with_point, thousands ? without_commas : with_point};
+}
+
+}  // namespace
+
+std::string in_quotes(std::string_view text) {
+    constexpr std::size_t longest = 60;
+    std::string shown = "\"";
+    for (const char c : whole_start(text, longest)) {
+        const auto byte = static_cast<unsigned char>(c);
+        shown += byte < 0x20 || byte == 0x7f ? ' ' : c;
+    }
+    return shown + (text.size() > longest ? "...\"" : "\"");
+}
+
+std::string on_one_line(std::string text) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text;
+}
+
+std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return lower;
+}
+
+std::string shortest(double value) {
+    return decimal::shortest(value);
+}
+
+std::size_t edit_distance(std::string_view from, std::string_view to) {
+    std::vector<std::vector<std::size_t>> steps(from.size() + 1, std::vector<std::size_t>(to.size() + 1));
+    for (std::size_t i = 0; i <= from.size(); ++i) {
+        for (std::size_t j = 0; j <= to.size(); ++j) {
+            if (i == 0 || j == 0) {
+                steps[i][j] = i + j;
+                continue;
+            }
+            const std::size_t replaced = steps[i - 1][j - 1] + (from[i - 1] == to[j - 1] ? 0 : 1);
+            steps[i][j] = std::min({replaced, steps[i - 1][j] + 1, steps[i][j - 1] + 1});
+            if (i > 1 && j > 1 && from[i - 1] == to[j - 2] && from[i - 2] == to[j - 1])
+                steps[i][j] = std::min(steps[i][j], steps[i - 2][j - 2] + 1);
+        }
+    }
+    return steps[from.size()][to.size()];
+}
+
+std::vector<std::string> nearest(std::string_view word, const std::vector<std::string>& candidates,
+                                 std::size_t count) {
+    constexpr std::size_t longest = 64;  // no phase or key is longer; keeps the cost of junk bounded
+    const std::string wanted = lower_case(word.substr(0, longest));
+    std::vector<std::pair<std::size_t, std::string>> ranked;
+    for (const auto& candidate : candidates) {
+        const std::size_t distance = edit_distance(wanted, lower_case(candidate));
+        if (2 * distance <= wanted.size()) ranked.emplace_back(distance, candidate);
+    }
+    std::stable_sort(ranked.begin(), ranked.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    ranked.resize(std::min(count, ranked.size()));
+    std::vector<std::string> words;
+    words.reserve(ranked.size());
+    for (auto& [_, candidate] : ranked) words.push_back(std::move(candidate));
+    return words;
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
+    const auto guess = nearest(word, candidates, 1);
+    return guess.empty() ? std::string{} : ", did you mean " + in_quotes(guess.front()) + "?";
+}
+
+std::string remedy_for_commas(std::string_view text) {
+    const auto is_digit = [&](std::size_t at) {
+        return at < text.size() && text[at] >= '0' && text[at] <= '9';
+    };
+    std::string with_point;
+    std::string without_groups;
+    for (std::size_t at = 0; at < text.size();) {
+        if (!is_digit(at)) {
+            with_point += text[at];
+            without_groups += text[at++];
+            continue;
+        }
+        std::size_t end = at;
+        while (is_digit(end) ||
+               (end < text.size() && (text[end] == ',' || text[end] == '.') && is_digit(end + 1)))
+            ++end;
+        const auto [decimal, grouped] = readings_of_commas(text.substr(at, end - at));
+        with_point += decimal;
+        without_groups += grouped;
+        at = end;
+    }
+    if (with_point == text && without_groups == text) return {};
+    if (with_point == without_groups) return "write " + in_quotes(with_point);
+    return "write " + in_quotes(without_groups) + " or " + in_quotes(with_point);
+}
+
+std::string remedy_for_number_in_quotes(std::string_view text) {
+    const std::string_view number = trimmed(text);
+    if (number.empty() || number.size() > 30 ||
+        number.find_first_not_of("+-.,0123456789eE") != std::string_view::npos ||
+        number.find_first_of("0123456789") == std::string_view::npos)
+        return {};
+    if (std::string remedy = remedy_for_commas(number); !remedy.empty()) {
+        remedy.erase(std::remove(remedy.begin(), remedy.end(), '"'), remedy.end());
+        return ", " + remedy + " without quotes";
+    }
+    return ", write " + std::string(number) + " without quotes";
+}
+
+std::string with_article(std::string_view noun) {
+    const bool vowel =
+        !noun.empty() && std::string_view("aeiou").find(noun.front()) != std::string_view::npos;
+    return (vowel ? "an " : "a ") + std::string(noun);
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
+std::string joined(std::span<const std::string_view> words) {
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
+std::string without_controls(std::string_view text) {
+    std::string shown;
+    shown.reserve(text.size());
+    for_each_character(text, [&](const Character& character) {
+        shown += character.valid && !character.is_control() ? character.bytes : "?";
+    });
+    return shown;
+}
+
+std::string shortened(const std::string& text) {
+    constexpr std::size_t longest = 120;
+    constexpr std::size_t kept = 50;
+    if (text.size() <= longest) return text;
+    return std::string(whole_start(text, kept)) + "..." + std::string(whole_end(text, kept));
+}
+
+std::string shell_word(const std::string& text) {
+    constexpr std::string_view plain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,@%";
+    if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
+    std::string word = "'";
+    for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return word + "'";
+}
+
+}  // namespace ashimpact

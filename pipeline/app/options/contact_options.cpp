@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/app/options/contact_options.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <spdlog/spdlog.h>
+
+#include "core/quantities/checks.hpp"
+#include "core/quantities/readable.hpp"
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
+#include "materials/contact_properties.hpp"
+#include "materials/roughness.hpp"
+#include "pipeline/case/laws.hpp"
+#include "solver/contact/law_parameters.hpp"
+#include "solver/damping/damping.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+/// The options of one sphere; @p prefix begins the name of each.
+struct SphereOptions {
+    std::string prefix;
+    const std::string& radius;
+    const std::string& diameter;
+    const std::string& density;
+    const std::string& mass;
+
+    [[nodiscard]] std::string name(const char* option) const { return prefix + option; }
+};
+
+/// The radius by either option [m].
+double read_radius(const SphereOptions& options) {
+    if (options.diameter.empty())
+        return read_positive_option(options.name("radius"), options.radius, Dimension::length);
+    if (!options.radius.empty())
+        throw InputError("both are given", "one of the two")
+            .at(options.name("diameter") + ", " + options.name("radius"));
+    return 0.5 * read_positive_option(options.name("diameter"), options.diameter, Dimension::length);
+}
+
+/// Warns of what is hardly a particle: a unit may have been forgotten.
+void warn_if_implausible(double radius, double density) {
+    constexpr double largest = 0.5e-3;
+    constexpr double smallest = 5e-9;
+    constexpr double densest = 25e3;
+    if (radius > largest || radius < smallest)
+        spdlog::warn("warning: the particle has a diameter of {}: is the unit right?",
+                     readable(2 * radius, "m"));
+    if (density > densest)
+        spdlog::warn("warning: the particle has a density of {}: is the unit right?",
+                     readable(density, "kg/m3"));
+}
+
+Sphere read_sphere(const SphereOptions& options) {
+    const double radius = read_radius(options);
+    if (options.density.empty() == options.mass.empty())
+        throw InputError(options.mass.empty() ? "neither is given" : "both are given", "one of the two")
+            .at(options.name("density") + ", " + options.name("mass"));
+    if (!options.mass.empty())
+        return {radius, read_positive_option(options.name("mass"), options.mass, Dimension::mass)};
+    const double density = read_positive_option(options.name("density"), options.density, Dimension::density);
+    return at_place(options.name("radius") + ", " + options.name("density"), [&] {
+        const double mass = sphere_mass(radius, density);
+        require_positive("mass of the sphere", mass, Dimension::mass);
+        return Sphere{radius, mass};
+    });
+}
+
+Sphere read_particle(const ContactOptions& options) {
+    const Sphere sphere =
+        read_sphere({"--", options.radius, options.diameter, options.density, options.mass});
+    warn_if_implausible(sphere.radius, sphere_density(sphere.radius, sphere.mass));
+    return sphere;
+}
+
+std::optional<Sphere> read_partner(const ContactOptions& options) {
+    if (!options.partner_radius.empty() || !options.partner_diameter.empty())
+        return read_sphere({"--partner-", options.partner_radius, options.partner_diameter,
+                            options.partner_density, options.partner_mass});
+    if (!options.partner_density.empty() || !options.partner_mass.empty())
+        throw InputError("is missing", "the radius of the second sphere; or its --partner-diameter")
+            .at("--partner-radius");
+    return std::nullopt;
+}
+
+/// R* and m* (Eq. 6 and the text under Eq. 2): of the sphere on a wall, or of both spheres.
+Sphere effective(const Sphere& sphere, const std::optional<Sphere>& partner) {
+    if (!partner) return sphere;
+    return {effective_radius(sphere.radius, partner->radius), effective_mass(sphere.mass, partner->mass)};
+}
+
+/// The share of the work of adhesion that roughness leaves.
+double read_roughness(const ContactOptions& options, double effective_radius) {
+    if (options.roughness.empty()) return 1;
+    const double rms = read_option("--roughness", options.roughness, Dimension::length);
+    return at_place("--roughness", [&] { return roughness_reduction(effective_radius, {.rms = rms}); });
+}
+
+double read_work_of_adhesion(const ContactOptions& options, Law law) {
+    constexpr auto option = "--work-of-adhesion";
+    const bool used = law.uses_work_of_adhesion();
+    if (!used && !options.work_of_adhesion.empty())
+        spdlog::warn("warning: {}: {} does not use it, so it changes nothing", option, law.name());
+    if (!used && options.work_of_adhesion.empty()) return 0;
+    const double value = read_option(option, options.work_of_adhesion, Dimension::energy_per_area);
+    return at_place(option, [&] {
+        require_not_negative("work of adhesion", value, Dimension::energy_per_area);
+        return value;
+    });
+}
+
+double read_yield_pressure(const ContactOptions& options, Law law) {
+    if (law.is_plastic())
+        return read_positive_option("--yield-pressure", options.yield_pressure, Dimension::pressure);
+    if (!options.yield_pressure.empty())
+        spdlog::warn("warning: --yield-pressure: {} never yields, so it changes nothing", law.name());
+    return std::numeric_limits<double>::infinity();
+}
+
+/// One or more of the options are missing, or more are given than may be.
+[[noreturn]] void refuse_options(const ParameterFault& fault) {
+    std::string names;
+    for (const LawParameter& parameter : fault.parameters)
+        names += (names.empty() ? "" : ", ") + option_of(parameter);
+    const std::string problem = fault.parameters.size() == 1 ? "is missing"
+                                : fault.given == 0           ? "none is given"
+                                                             : std::to_string(fault.given) + " are given";
+    throw InputError(problem, fault.allowed()).at(names);
+}
+
+ParameterValues<double> read_parameters(const ContactOptions& options, Law law) {
+    ParameterValues<double> values;
+    for (std::size_t i = 0; i < options.parameters.size(); ++i) {
+        const LawParameter& parameter = law_parameters()[i];
+        const std::string option = option_of(parameter);
+        const std::string& text = options.parameters[i];
+        if (text.empty()) continue;
+        if (!law.takes(parameter)) {
+            spdlog::warn("warning: {}: {} does not use it, so it changes nothing", option, law.name());
+            continue;
+        }
+        const double value = read_option(option, text, parameter.dimension);
+        at_place(option, [&] { require_allowed(parameter, value); });
+        values.set(parameter.name, value);
+    }
+    const auto is_given = [&](const LawParameter& parameter) { return values.has(parameter); };
+    if (const auto fault = parameter_fault(law, is_given)) refuse_options(*fault);
+    return values;
+}
+
+Detachment read_detachment(const std::string& name, Law law) {
+    if (name.empty()) return law.default_detachment();
+    return at_place("--detachment", [&] {
+        const Detachment detachment = named<Detachment>(name);
+        if (const auto reason = refusal(law, detachment))
+            throw InputError(*reason, admissible_detachments(law));
+        return detachment;
+    });
+}
+
+}  // namespace
+
+std::string option_of(const LawParameter& parameter) {
+    std::string option = "--" + std::string(parameter.name);
+    std::replace(option.begin(), option.end(), '_', '-');
+    return option;
+}
+
+double read_option(const std::string& option, const std::string& text, Dimension dimension) {
+    return at_place(option, [&] {
+        if (text.empty())
+            throw InputError("is missing", with_article(dimension_name(dimension)) + " [" +
+                                               std::string(si_unit(dimension)) + "]");
+        const Quantity quantity = quantity_of_text(text, dimension);
+        if (quantity.standard_uncertainty)
+            throw InputError(in_quotes(text) + " has an uncertainty, and this command computes without one",
+                             "the value alone; a case takes uncertainties and carries them to v_c");
+        return quantity.value;
+    });
+}
+
+double read_positive_option(const std::string& option, const std::string& text, Dimension dimension) {
+    const double value = read_option(option, text, dimension);
+    return at_place(option, [&] {
+        require_positive(dimension_name(dimension), value, dimension);
+        return value;
+    });
+}
+
+ContactChoice read_contact(const ContactOptions& options) {
+    const Law law = at_place("--law", [&] { return Law::named(options.law); });
+    const Detachment detachment = read_detachment(options.detachment, law);
+    const Sphere sphere = read_particle(options);
+    const std::optional<Sphere> partner = read_partner(options);
+    const auto [radius, mass] = effective(sphere, partner);
+    const double smooth_adhesion = read_work_of_adhesion(options, law);
+    const ContactPair contact{.mass = mass,
+                              .effective_radius = radius,
+                              .contact_modulus = read_positive_option(
+                                  "--contact-modulus", options.contact_modulus, Dimension::pressure),
+                              .work_of_adhesion = smooth_adhesion * read_roughness(options, radius),
+                              .yield_pressure = read_yield_pressure(options, law),
+                              .parameters = read_parameters(options, law)};
+    return {law, detachment, contact, sphere, partner};
+}
+
+Damping read_damping(const ContactOptions& options) {
+    const DampingLaw law = at_place("--damping-law", [&] { return named<DampingLaw>(options.damping_law); });
+    if (options.damping.empty()) return {law, 0};
+    const double coefficient = read_option("--damping", options.damping, dimension_of(law));
+    return at_place("--damping", [&] {
+        require_not_negative("damping", coefficient, dimension_of(law));
+        return Damping{law, coefficient};
+    });
+}
+
+}  // namespace ashimpact
