@@ -519,6 +519,27 @@ TEST_CASE("damping --impacts: a bound with its number, and no chi^2 where the no
     CHECK(rebounds.out == containing("v_c < 1.9 m/s: no impact was captured"));
 }
 
+TEST_CASE("damping --robust: outliers that hide the rising branch leave none, as JSON and as text") {
+    const Sandbox sandbox;
+    sandbox.write("scattered.csv",
+                  "v_in [m/s],v_r [m/s],u(v_in) [m/s],u(v_r) [m/s]\n2.8,0.64,0.03,0.03\n1,0.72,0.03,0.03\n"
+                  "3.9,1.2,0.03,0.03\n8.8,4,0.03,0.03\n8.3,3.7,0.03,0.03\n2.1,0.29,0.03,0.03\n"
+                  "6.1,4,0.03,0.03\n0.97,0.67,0.03,0.03\n");
+    for (const std::string law : {"hertz", "brach-dunn"}) {
+        CAPTURE(law);
+        const std::string arguments = "damping --law " + law +
+                                      " --robust --impacts scattered.csv --diameter '88 um' "
+                                      "--density '2160 kg/m3' --contact-modulus '100 GPa'" +
+                                      (law == "hertz" ? "" : " --work-of-adhesion '0.3 J/m2'");
+        const Json json = json_of(sandbox, arguments);
+        CHECK(json["rising_branch"].is_null());
+        CHECK(json["extrapolated"]["rebounds"] == 8);
+        const auto text = ashimpact_program(sandbox, arguments);
+        CHECK(text.out == containing("rising branch       hidden by outliers"));
+        CHECK(text.err == containing("outliers hide the"));
+    }
+}
+
 TEST_CASE("cross-check: the published fits of one sample imply nearly the same impacts") {
     const Sandbox sandbox;
     const Json json = json_of(sandbox, "cross-check");
