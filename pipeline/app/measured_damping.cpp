@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/app/measured_damping.hpp"
 
-#include <cmath>
 #include <ostream>
 
 #include <fmt/format.h>
@@ -82,7 +81,7 @@ Json measured_damping_json(const MeasuredDamping& result, const MeasurementSet& 
               {"captures", set.captures()},
               {"inversion", inversion_json(series, DampingLaw::constant)}};
     json.update(parts_json(series));
-    json["rising_branch"] = result.rising && std::isfinite(result.rising->upper)
+    json["rising_branch"] = result.rising && !result.rising->is_hidden()
                                 ? rising_branch_json(result.rising->upper, result.rising->falls_beyond)
                                 : Json(nullptr);
     json["critical_velocity"] =
@@ -173,9 +172,9 @@ std::string result_text(const MeasuredDamping& result, const MeasurementSet& set
     list.add("impacts", fmt::format("{}, {} of them captured", set.points.size(), set.captures()));
     list.add("parts of eta(v_in)", parts_text(result.parts));
     if (result.rising)
-        list.add("rising branch", std::isfinite(result.rising->upper)
-                                      ? fmt::format("to {}", readable(result.rising->upper, "m/s"))
-                                      : "hidden by outliers");
+        list.add("rising branch", result.rising->is_hidden()
+                                      ? "hidden by outliers"
+                                      : fmt::format("to {}", readable(result.rising->upper, "m/s")));
     list.add("critical velocity",
              result.estimate ? estimate_text(*result.estimate) : "none, see the warnings");
     if (result.extrapolated) list.add("extrapolated", fit_text(*result.extrapolated));

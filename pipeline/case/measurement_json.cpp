@@ -12,12 +12,11 @@ namespace ashimpact {
 
 namespace {
 
-using ImpactColumn = std::vector<double>;
-
 /// A column that must be as long as that of the velocities.
-ImpactColumn read_column(const View& parent, const char* key, Dimension dimension, std::size_t length) {
+std::vector<double> read_column(const View& parent, const char* key, Dimension dimension,
+                                std::size_t length) {
     const View node = parent.at(key);
-    ImpactColumn values = node.column(dimension);
+    std::vector<double> values = node.column(dimension);
     if (values.size() != length)
         node.fail("has " + std::to_string(values.size()) + " values, velocity has " + std::to_string(length),
                   "one value for each velocity");
@@ -37,7 +36,7 @@ void read_rebounds(const View& node, MeasurementSet& set) {
     if (!has_either(node, by_ratio, by_velocity))
         node.fail("neither restitution nor rebound_velocity is given", "one of the two");
     const bool ratio = node.has(by_ratio);
-    const ImpactColumn values =
+    const std::vector<double> values =
         read_column(node, ratio ? by_ratio : by_velocity, ratio ? Dimension::fraction : Dimension::velocity,
                     set.points.size());
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -53,11 +52,12 @@ void read_noise(const View& node, MeasurementSet& set) {
         node.fail("an uncertainty of the velocities before and after belongs to the other one",
                   "velocity_uncertainty with rebound_uncertainty or restitution_uncertainty");
     if (!known) return;
-    const ImpactColumn incident = read_column(node, "velocity_uncertainty", Dimension::velocity, length);
+    const std::vector<double> incident =
+        read_column(node, "velocity_uncertainty", Dimension::velocity, length);
     const bool ratio = node.has(of_ratio);
-    const ImpactColumn second = read_column(node, ratio ? of_ratio : of_velocity,
-                                            ratio ? Dimension::fraction : Dimension::velocity, length);
-    ImpactColumn correlation(length, 0.0);
+    const std::vector<double> second = read_column(node, ratio ? of_ratio : of_velocity,
+                                                   ratio ? Dimension::fraction : Dimension::velocity, length);
+    std::vector<double> correlation(length, 0.0);
     if (node.has("velocity_correlation"))
         correlation = read_column(node, "velocity_correlation", Dimension::fraction, length);
     for (std::size_t i = 0; i < length; ++i) {
@@ -86,7 +86,7 @@ std::string place_of(const Measurement& point, std::size_t index) {
 Json to_json(const ListedImpacts& columns) {
     Json json{{"velocity", column_json(columns.velocity, Dimension::velocity)},
               {"restitution", column_json(columns.restitution, Dimension::fraction)}};
-    const auto add = [&](const char* key, const ImpactColumn& values, Dimension dimension) {
+    const auto add = [&](const char* key, const std::vector<double>& values, Dimension dimension) {
         if (!values.empty()) json[key] = column_json(values, dimension);
     };
     add("velocity_uncertainty", columns.velocity_uncertainty, Dimension::velocity);
@@ -99,7 +99,7 @@ Json to_json(const ListedImpacts& columns) {
 ListedImpacts read_listed_impacts(const View& node) {
     const auto column = [&](const char* key, Dimension dimension) {
         const auto member = node.find(key);
-        return member ? member->column(dimension) : ImpactColumn();
+        return member ? member->column(dimension) : std::vector<double>();
     };
     return {.velocity = column("velocity", Dimension::velocity),
             .restitution = column("restitution", Dimension::fraction),
@@ -112,7 +112,7 @@ ListedImpacts read_listed_impacts(const View& node) {
 Json measurement_columns(const MeasurementSet& set, bool as_rebound_velocity) {
     const Json columns = to_json(columns_of(set));
     if (!as_rebound_velocity) return columns;
-    ImpactColumn rebound;
+    std::vector<double> rebound;
     for (const Measurement& point : set.points) rebound.push_back(point.rebound);
     Json json = Json::object();
     for (const auto& [key, column] : columns.items())
@@ -130,7 +130,8 @@ MeasurementSet read_measurement_columns(const View& node) {
     read_rebounds(node, set);
     read_noise(node, set);
     if (node.has("impacts")) {
-        const ImpactColumn counts = read_column(node, "impacts", Dimension::fraction, set.points.size());
+        const std::vector<double> counts =
+            read_column(node, "impacts", Dimension::fraction, set.points.size());
         for (std::size_t i = 0; i < counts.size(); ++i) {
             if (!(counts[i] >= 1 && counts[i] == std::round(counts[i])))
                 node.at("impacts").fail("value " + std::to_string(i + 1) + " is " + shortest(counts[i]),

@@ -32,7 +32,7 @@ struct MeasuredDamping {
     std::vector<InvertedImpact> impacts{};        ///< in the order of the set
     std::optional<DampingSmoothing> smoothing{};  ///< eta(v_in) as a smooth curve
     DampingParts parts{};                         ///< with the flagged outliers
-    /// What the extrapolation uses. Every rebound and an infinite end, if outliers hide the branch.
+    /// What the extrapolation uses: every impact, if outliers hide the branch.
     std::optional<RisingBranch> rising{};
     std::optional<DampingCurveFit> extrapolated{};       ///< the paper's way
     std::optional<CriticalVelocityEstimate> estimate{};  ///< the headline: what the impacts support

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,8 +53,10 @@ struct PartOptions {
 struct RisingBranch {
     MeasurementSet set;
     std::vector<std::size_t> indices;  ///< of its points in the whole set
-    double upper;                      ///< velocity at which e is greatest [m/s]
+    double upper;       ///< velocity at which e is greatest; infinite if outliers hide it [m/s]
     bool falls_beyond;  ///< e falls above that velocity; otherwise the series ends while e rises
+
+    [[nodiscard]] bool is_hidden() const { return std::isinf(upper); }
 };
 
 /// The impacts up to the velocity of greatest smoothed restitution; all of them if restitution never falls by
