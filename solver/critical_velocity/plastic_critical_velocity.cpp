@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "solver/critical_velocity/backward_orbit.hpp"
-#include "solver/numeric/gsl/root.hpp"
+#include "solver/numeric/gsl/search.hpp"
 
 namespace ashimpact {
 

@@ -9,7 +9,7 @@
 #include "core/text/error.hpp"
 #include "solver/motion/scaled_impact.hpp"
 #include "solver/motion/velocity_scales.hpp"
-#include "solver/numeric/gsl/root.hpp"
+#include "solver/numeric/gsl/search.hpp"
 
 namespace ashimpact {
 

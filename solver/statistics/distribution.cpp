@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "solver/numeric/gsl/distribution.hpp"
+#include "solver/numeric/gsl/statistics.hpp"
 #include "solver/statistics/normal_lanes.hpp"
 
 namespace ashimpact {

@@ -12,7 +12,7 @@
 #include <Eigen/Dense>
 
 #include "solver/batch/parallel.hpp"
-#include "solver/numeric/gsl/distribution.hpp"
+#include "solver/numeric/gsl/statistics.hpp"
 #include "solver/statistics/marginal_sample.hpp"
 #include "solver/statistics/philox.hpp"
 #include "solver/statistics/quasi_random.hpp"

@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-#include "solver/numeric/gsl/distribution.hpp"
+#include "solver/numeric/gsl/statistics.hpp"
 
 namespace ashimpact {
 

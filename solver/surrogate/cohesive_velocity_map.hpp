@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "solver/critical_velocity/critical_velocity.hpp"
-#include "solver/numeric/chebyshev_surface.hpp"
+#include "solver/numeric/chebyshev.hpp"
 
 namespace ashimpact {
 

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "solver/numeric/chebyshev_surface.hpp"
+#include "solver/numeric/chebyshev.hpp"
 #include "solver/surrogate/scaled_impacts.hpp"
 
 namespace ashimpact {

@@ -16,7 +16,7 @@
 #include "solver/motion/impact.hpp"
 #include "solver/motion/scaled_impact.hpp"
 #include "solver/motion/velocity_scales.hpp"
-#include "solver/numeric/gsl/root.hpp"
+#include "solver/numeric/gsl/search.hpp"
 
 namespace ashimpact {
 

@@ -17,7 +17,7 @@
 
 #include "core/text/error.hpp"
 #include "solver/inference/curve/headline.hpp"
-#include "solver/numeric/gsl/distribution.hpp"
+#include "solver/numeric/gsl/statistics.hpp"
 #include "tests/studies/laboratory.hpp"
 #include "tests/studies/model.hpp"
 

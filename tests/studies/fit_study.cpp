@@ -13,7 +13,7 @@
 #include "materials/contact_properties.hpp"
 #include "solver/contact/law.hpp"
 #include "solver/inference/measured_damping.hpp"
-#include "solver/numeric/gsl/distribution.hpp"
+#include "solver/numeric/gsl/statistics.hpp"
 #include "tests/studies/laboratory.hpp"
 #include "tests/studies/model.hpp"
 

@@ -12,7 +12,7 @@
 #include <gsl/gsl_odeiv2.h>
 
 #include "core/text/error.hpp"
-#include "solver/numeric/gsl/status.hpp"
+#include "solver/numeric/gsl/support.hpp"
 
 namespace ashimpact::test {
 

@@ -7,7 +7,7 @@
 #include <random>
 #include <string_view>
 
-#include "solver/numeric/gsl/distribution.hpp"
+#include "solver/numeric/gsl/statistics.hpp"
 #include "solver/statistics/philox.hpp"
 
 namespace ashimpact::test {

@@ -11,7 +11,7 @@
 #include "solver/damping/damping.hpp"
 #include "solver/inference/impacts/damping_smoothing.hpp"
 #include "solver/motion/impact.hpp"
-#include "solver/numeric/gsl/spline.hpp"
+#include "solver/numeric/gsl/interpolation.hpp"
 
 namespace ashimpact {
 

@@ -9,7 +9,7 @@
 #include "core/text/error.hpp"
 #include "pipeline/run/curves/impact_search.hpp"
 #include "solver/motion/scaled_impact.hpp"
-#include "solver/numeric/gsl/spline.hpp"
+#include "solver/numeric/gsl/interpolation.hpp"
 #include "solver/statistics/interval.hpp"
 
 namespace ashimpact::curves {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/numeric/inverse_interpolation.hpp"
+#include "solver/numeric/interpolation.hpp"
 
 namespace ashimpact::curves {
 

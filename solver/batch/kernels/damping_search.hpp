@@ -2,7 +2,7 @@
 #pragma once
 
 #include "solver/damping/damping.hpp"
-#include "solver/numeric/inverse_interpolation.hpp"
+#include "solver/numeric/interpolation.hpp"
 
 namespace ashimpact::batch {
 

@@ -9,7 +9,7 @@
 #include "core/text/error.hpp"
 #include "solver/inference/calibration/calibration_objective.hpp"
 #include "solver/inference/calibration/calibration_response.hpp"
-#include "solver/numeric/gsl/distribution.hpp"
+#include "solver/numeric/gsl/statistics.hpp"
 #include "solver/statistics/interval.hpp"
 
 namespace ashimpact {

@@ -262,9 +262,9 @@ gsl::NonlinearFit CalibrationObjective::fit(const Eigen::VectorXd& start,
     const gsl::NonlinearFitOptions options{
         .parameter_tolerance = 1e-9, .gradient_tolerance = 1e-10, .difference_step = 1e-5};
     if (!held)
-        return gsl::fit_nonlinear([&](const Eigen::VectorXd& x) { return residuals(x); }, start, options);
+        return gsl::fit_nonlinear({[&](const Eigen::VectorXd& x) { return residuals(x); }}, start, options);
     const double value = start[*held];
-    return gsl::fit_nonlinear([&](const Eigen::VectorXd& x) { return residuals(with(x, *held, value)); },
+    return gsl::fit_nonlinear({[&](const Eigen::VectorXd& x) { return residuals(with(x, *held, value)); }},
                               without(start, *held), options);
 }
 

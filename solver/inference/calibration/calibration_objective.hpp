@@ -7,7 +7,7 @@
 #include <Eigen/Dense>
 
 #include "solver/inference/calibration/calibration.hpp"
-#include "solver/numeric/gsl/nonlinear_fit.hpp"
+#include "solver/numeric/gsl/fit.hpp"
 
 namespace ashimpact {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/text/error.hpp"
-#include "solver/numeric/gsl/linear_fit.hpp"
+#include "solver/numeric/gsl/fit.hpp"
 
 namespace ashimpact {
 

@@ -8,7 +8,7 @@
 
 #include "core/text/error.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
-#include "solver/numeric/gsl/root.hpp"
+#include "solver/numeric/gsl/search.hpp"
 
 namespace ashimpact {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "solver/numeric/gsl/quadrature.hpp"
+#include "solver/numeric/gsl/interpolation.hpp"
 
 namespace ashimpact {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/numeric/cubic_weights.hpp"
+#include "solver/numeric/interpolation.hpp"
 
 namespace ashimpact {
 

@@ -6,9 +6,8 @@
 
 #include "solver/batch/parallel.hpp"
 #include "solver/damping/damping_polynomial.hpp"
-#include "solver/numeric/gsl/linear_fit.hpp"
-#include "solver/numeric/gsl/minimum.hpp"
-#include "solver/numeric/gsl/nonlinear_fit.hpp"
+#include "solver/numeric/gsl/fit.hpp"
+#include "solver/numeric/gsl/search.hpp"
 
 namespace ashimpact {
 

@@ -8,7 +8,7 @@
 
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
-#include "solver/numeric/gsl/distribution.hpp"
+#include "solver/numeric/gsl/statistics.hpp"
 
 namespace ashimpact {
 

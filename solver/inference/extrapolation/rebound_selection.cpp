@@ -8,7 +8,7 @@
 
 #include "core/text/error.hpp"
 #include "solver/batch/parallel.hpp"
-#include "solver/numeric/gsl/linear_fit.hpp"
+#include "solver/numeric/gsl/fit.hpp"
 #include "solver/numeric/least_median.hpp"
 
 namespace ashimpact {

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "core/text/error.hpp"
-#include "solver/numeric/gsl/linear_fit.hpp"
+#include "solver/numeric/gsl/fit.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
 #include "solver/statistics/moments.hpp"
 

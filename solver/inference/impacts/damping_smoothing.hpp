@@ -7,7 +7,7 @@
 #include <Eigen/Dense>
 
 #include "solver/inference/impacts/inversion.hpp"
-#include "solver/numeric/gsl/bspline.hpp"
+#include "solver/numeric/gsl/interpolation.hpp"
 
 namespace ashimpact {
 

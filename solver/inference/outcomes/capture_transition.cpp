@@ -6,9 +6,8 @@
 #include <tuple>
 #include <utility>
 
-#include "solver/numeric/gsl/distribution.hpp"
-#include "solver/numeric/gsl/minimum.hpp"
-#include "solver/numeric/gsl/root.hpp"
+#include "solver/numeric/gsl/search.hpp"
+#include "solver/numeric/gsl/statistics.hpp"
 #include "solver/statistics/interval.hpp"
 
 namespace ashimpact {

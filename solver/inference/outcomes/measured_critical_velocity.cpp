@@ -8,7 +8,7 @@
 #include "solver/inference/curve/impact_groups.hpp"
 #include "solver/inference/outcomes/capture_transition.hpp"
 #include "solver/inference/outcomes/estimate_comparison.hpp"
-#include "solver/numeric/gsl/distribution.hpp"
+#include "solver/numeric/gsl/statistics.hpp"
 #include "solver/statistics/interval.hpp"
 
 namespace ashimpact {

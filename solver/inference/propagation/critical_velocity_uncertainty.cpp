@@ -11,7 +11,7 @@
 #include "solver/batch/critical_batch.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/extrapolation/restitution_curve.hpp"
-#include "solver/numeric/gsl/distribution.hpp"
+#include "solver/numeric/gsl/statistics.hpp"
 #include "solver/surrogate/cohesive_velocity_map.hpp"
 
 namespace ashimpact {

@@ -9,7 +9,7 @@
 #include "solver/contact/detachment.hpp"
 #include "solver/damping/registry.hpp"
 #include "solver/motion/branches/motion_state.hpp"
-#include "solver/numeric/composition.hpp"
+#include "solver/numeric/series.hpp"
 
 namespace ashimpact {
 

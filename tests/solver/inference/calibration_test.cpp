@@ -14,7 +14,7 @@
 #include "solver/inference/calibration/calibration_profile.hpp"
 #include "solver/inference/calibration/calibration_response.hpp"
 #include "solver/inference/calibration/reconstruction.hpp"
-#include "solver/numeric/gsl/distribution.hpp"
+#include "solver/numeric/gsl/statistics.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/published.hpp"

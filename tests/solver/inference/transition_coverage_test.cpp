@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "solver/inference/outcomes/measured_critical_velocity.hpp"
-#include "solver/numeric/gsl/distribution.hpp"
+#include "solver/numeric/gsl/statistics.hpp"
 #include "tests/support/random.hpp"
 
 using namespace ashimpact;

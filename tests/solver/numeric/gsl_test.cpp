@@ -9,11 +9,10 @@
 #include <gsl/gsl_errno.h>
 
 #include "core/text/error.hpp"
-#include "solver/numeric/gsl/distribution.hpp"
-#include "solver/numeric/gsl/linear_fit.hpp"
-#include "solver/numeric/gsl/minimum.hpp"
-#include "solver/numeric/gsl/root.hpp"
-#include "solver/numeric/gsl/status.hpp"
+#include "solver/numeric/gsl/fit.hpp"
+#include "solver/numeric/gsl/search.hpp"
+#include "solver/numeric/gsl/statistics.hpp"
+#include "solver/numeric/gsl/support.hpp"
 #include "tests/relative_difference.hpp"
 
 using namespace ashimpact;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/numeric/inverse_interpolation.hpp"
-
 #include <doctest/doctest.h>
+
+#include "solver/numeric/interpolation.hpp"
 
 using namespace ashimpact;
 

@@ -7,7 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "core/text/error.hpp"
-#include "solver/numeric/gsl/spline.hpp"
+#include "solver/numeric/gsl/interpolation.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/random.hpp"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/numeric/gsl/nonlinear_fit.hpp"
-
 #include <array>
 #include <cmath>
 #include <string>
@@ -10,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/text/error.hpp"
+#include "solver/numeric/gsl/fit.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/data_file.hpp"
 
@@ -59,7 +58,7 @@ Certified misra_problem() {
 /// Six digits in everything that is certified, from one published start.
 void check_certified(const Certified& problem, const Eigen::VectorXd& start) {
     const gsl::NonlinearFit fit = gsl::fit_nonlinear(
-        [&](const Eigen::VectorXd& b) { return problem.residuals(b); }, start, {.most_iterations = 2000});
+        {[&](const Eigen::VectorXd& b) { return problem.residuals(b); }}, start, {.most_iterations = 2000});
     const Eigen::VectorXd parameters = vector_of(problem.data["parameters"]);
     const Eigen::VectorXd deviations = vector_of(problem.data["standard_deviations"]);
     const double deviation = std::sqrt(fit.chi_squared / problem.number("degrees_of_freedom"));
@@ -99,7 +98,7 @@ TEST_CASE("an exact model is recovered at any scale") {
         }
         return r;
     };
-    const gsl::NonlinearFit fit = gsl::fit_nonlinear(residuals, Eigen::Vector2d(1e-9, 30.0));
+    const gsl::NonlinearFit fit = gsl::fit_nonlinear({residuals}, Eigen::Vector2d(1e-9, 30.0));
     CHECK(relative_difference(fit.parameters[0], truth[0]) < 1e-9);
     CHECK(relative_difference(fit.parameters[1], truth[1]) < 1e-9);
     CHECK(fit.chi_squared < 1e-18);
@@ -113,9 +112,9 @@ TEST_CASE("too few iterations are a failure, not an answer, in whatever unit the
             return unit * misra.residuals(b);
         };
         const Eigen::Vector2d start(500.0, 1e-4);
-        CHECK_THROWS_AS(static_cast<void>(gsl::fit_nonlinear(residuals, start, {.most_iterations = 2})),
+        CHECK_THROWS_AS(static_cast<void>(gsl::fit_nonlinear({residuals}, start, {.most_iterations = 2})),
                         ConvergenceError);
-        CHECK(relative_difference(gsl::fit_nonlinear(residuals, start).parameters[0],
+        CHECK(relative_difference(gsl::fit_nonlinear({residuals}, start).parameters[0],
                                   misra.data["parameters"][0].get<double>()) < 1e-6);
     }
 }
@@ -126,6 +125,6 @@ TEST_CASE("what the residuals throw comes out of GSL unchanged") {
         if (b[0] != 500.0) throw InputError("no such parameter");
         return misra.residuals(b);
     };
-    CHECK_THROWS_WITH_AS(static_cast<void>(gsl::fit_nonlinear(throwing, Eigen::Vector2d(500.0, 1e-4))),
+    CHECK_THROWS_WITH_AS(static_cast<void>(gsl::fit_nonlinear({throwing}, Eigen::Vector2d(500.0, 1e-4))),
                          "no such parameter", InputError);
 }

@@ -10,7 +10,7 @@
 
 #include <doctest/doctest.h>
 
-#include "solver/numeric/gsl/distribution.hpp"
+#include "solver/numeric/gsl/statistics.hpp"
 
 using namespace ashimpact;
 

@@ -7,7 +7,7 @@
 #include "pipeline/present/report/figures/axis_units.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/figures/law_series.hpp"
-#include "solver/numeric/gsl/spline.hpp"
+#include "solver/numeric/gsl/interpolation.hpp"
 
 namespace ashimpact::report {
 

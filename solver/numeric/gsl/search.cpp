@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/numeric/gsl/minimum.hpp"
+#include "solver/numeric/gsl/search.hpp"
 
 #include <cmath>
-#include <memory>
 
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_min.h>
 #include <gsl/gsl_multimin.h>
+#include <gsl/gsl_roots.h>
 
-#include "solver/numeric/gsl/guard.hpp"
-#include "solver/numeric/gsl/status.hpp"
-#include "solver/numeric/gsl/views.hpp"
+#include "solver/numeric/gsl/support.hpp"
 
 namespace ashimpact::gsl {
 
@@ -32,7 +29,7 @@ using OfSeveral = std::function<double(const Eigen::VectorXd&)>;
 /// One simplex from @p position until it has shrunk to a millionth of @p steps. Returns the value there.
 double shrink_simplex(const OfSeveral& function, Eigen::VectorXd& position, const Eigen::VectorXd& steps) {
     const auto size = static_cast<std::size_t>(position.size());
-    const std::unique_ptr<gsl_multimin_fminimizer, decltype(&gsl_multimin_fminimizer_free)> minimiser(
+    const Owner<gsl_multimin_fminimizer> minimiser(
         gsl_multimin_fminimizer_alloc(gsl_multimin_fminimizer_nmsimplex2, size),
         &gsl_multimin_fminimizer_free);
     // In units of the steps, so that the size of the simplex means the same in every direction.
@@ -57,13 +54,41 @@ double shrink_simplex(const OfSeveral& function, Eigen::VectorXd& position, cons
 
 }  // namespace
 
+RootSummary brent(const std::function<double(double)>& function, double lower, double upper,
+                  const RootOptions& options) {
+    quiet();
+    using Target = Guarded<std::function<double(double)>>;
+    Target guarded{function};
+    gsl_function target{[](double x, void* self) {
+                            auto& to = *static_cast<Target*>(self);
+                            return to.value_of([&] { return to.function(x); }, 0.0);
+                        },
+                        &guarded};
+    const Owner<gsl_root_fsolver> solver(gsl_root_fsolver_alloc(gsl_root_fsolver_brent),
+                                         &gsl_root_fsolver_free);
+    const int status = gsl_root_fsolver_set(solver.get(), &target, lower, upper);
+    guarded.rethrow();
+    check(status, "root finding");
+    for (int i = 1; i <= options.most_iterations; ++i) {
+        const int iterated = gsl_root_fsolver_iterate(solver.get());
+        guarded.rethrow();
+        check(iterated, "root finding");
+        const double a = gsl_root_fsolver_x_lower(solver.get());
+        const double b = gsl_root_fsolver_x_upper(solver.get());
+        if (gsl_root_test_interval(a, b, options.absolute, options.relative) == GSL_SUCCESS) {
+            return {gsl_root_fsolver_root(solver.get()), i};
+        }
+    }
+    throw ConvergenceError("root finding: iteration limit reached");
+}
+
 double minimise_between(const std::function<double(double)>& function, double lower, double guess,
                         double upper, double relative) {
     quiet();
     Guarded<OfOne> guarded{function};
     gsl_function target{[](double x, void* self) { return finite_value<OfOne>(self, x); }, &guarded};
-    const std::unique_ptr<gsl_min_fminimizer, decltype(&gsl_min_fminimizer_free)> minimiser(
-        gsl_min_fminimizer_alloc(gsl_min_fminimizer_brent), &gsl_min_fminimizer_free);
+    const Owner<gsl_min_fminimizer> minimiser(gsl_min_fminimizer_alloc(gsl_min_fminimizer_brent),
+                                              &gsl_min_fminimizer_free);
     double position = guess;
     int status = gsl_min_fminimizer_set(minimiser.get(), &target, guess, lower, upper);
     for (int i = 0; i < 100 && status == GSL_SUCCESS && !guarded.error; ++i) {

@@ -7,6 +7,27 @@
 
 namespace ashimpact::gsl {
 
+struct LinearFit {
+    Eigen::VectorXd parameters;
+    Eigen::MatrixXd covariance;  ///< for weights 1/sigma^2; if none are given, for unit weights
+    double chi_squared = 0.0;    ///< not of a robust fit
+    double deviation = 0.0;      ///< robust standard deviation of the residuals; of a robust fit alone
+};
+
+/// Weighted linear least squares y = X c by GSL multifit (SVD with balancing).
+/// @param weights one per row, 1/sigma^2, or empty for unit weights
+/// @throws ConvergenceError
+[[nodiscard]] LinearFit fit_linear(const Eigen::MatrixXd& design, const Eigen::VectorXd& observations,
+                                   const Eigen::VectorXd& weights);
+
+/// Linear fit y = X c with Tukey's bisquare weights (GSL multifit_robust). @throws ConvergenceError
+[[nodiscard]] LinearFit fit_linear_robust(const Eigen::MatrixXd& design, const Eigen::VectorXd& observations);
+
+/// Tukey's bisquare weights of residuals, relative to their median absolute deviation (GSL multifit_robust).
+/// @param parameters number of fitted parameters, less than the number of residuals
+/// @throws ConvergenceError
+[[nodiscard]] Eigen::VectorXd bisquare_weights(const Eigen::VectorXd& residuals, int parameters);
+
 struct NonlinearFitOptions {
     double parameter_tolerance = 1e-10;  ///< relative step at which a fit has converged
     double gradient_tolerance = 1e-12;
@@ -35,10 +56,5 @@ struct NonlinearProblem {
 /// @throws ConvergenceError; whatever the functions throw
 [[nodiscard]] NonlinearFit fit_nonlinear(const NonlinearProblem& fitted, const Eigen::VectorXd& start,
                                          const NonlinearFitOptions& options = {});
-
-/// The same with central differences.
-[[nodiscard]] NonlinearFit fit_nonlinear(
-    const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& residuals, const Eigen::VectorXd& start,
-    const NonlinearFitOptions& options = {});
 
 }  // namespace ashimpact::gsl
