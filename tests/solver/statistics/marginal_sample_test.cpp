@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/statistics/marginal_sample.hpp"
-
 #include <cmath>
 
 #include <doctest/doctest.h>
+
+#include "solver/statistics/importance_sampling.hpp"
 
 using namespace ashimpact;
 

@@ -6,8 +6,6 @@
 
 #include <doctest/doctest.h>
 
-#include "solver/statistics/group_moments.hpp"
-#include "solver/statistics/pairwise_merge.hpp"
 #include "solver/statistics/philox.hpp"
 #include "tests/relative_difference.hpp"
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/statistics/quasi_random.hpp"
-
 #include <algorithm>
 #include <set>
 
 #include <doctest/doctest.h>
 
 #include "core/text/error.hpp"
+#include "solver/statistics/design.hpp"
 
 using namespace ashimpact;
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/statistics/sensitivity.hpp"
-
 #include <cmath>
 #include <numbers>
 
 #include <doctest/doctest.h>
 
 #include "solver/statistics/design.hpp"
+#include "solver/statistics/propagation.hpp"
 
 using namespace ashimpact;
 

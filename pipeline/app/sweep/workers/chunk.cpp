@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "pipeline/app/sweep/table/rows.hpp"
-#include "solver/statistics/group_moments.hpp"
+#include "solver/statistics/moments.hpp"
 
 namespace ashimpact {
 

@@ -5,7 +5,7 @@
 
 #include "pipeline/app/sweep/spec/plan.hpp"
 #include "pipeline/app/sweep/workers/sums.hpp"
-#include "solver/statistics/pairwise_merge.hpp"
+#include "solver/statistics/moments.hpp"
 
 namespace ashimpact {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "solver/statistics/histogram.hpp"
-#include "solver/statistics/sensitivity.hpp"
+#include "solver/statistics/propagation.hpp"
 
 namespace ashimpact {
 
