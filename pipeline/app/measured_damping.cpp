@@ -19,7 +19,7 @@
 #include "pipeline/files/file.hpp"
 #include "pipeline/present/text/table.hpp"
 #include "solver/contact/law_parameters.hpp"
-#include "solver/inference/impacts/binning.hpp"
+#include "solver/inference/impacts/measurement.hpp"
 #include "solver/inference/impacts/measurement_reader.hpp"
 #include "solver/inference/measured_damping.hpp"
 

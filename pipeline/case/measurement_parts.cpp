@@ -6,7 +6,7 @@
 #include "core/quantities/checks.hpp"
 #include "core/quantities/readable.hpp"
 #include "pipeline/case/measurement_json.hpp"
-#include "solver/inference/impacts/binning.hpp"
+#include "solver/inference/impacts/measurement.hpp"
 #include "solver/inference/impacts/measurement_reader.hpp"
 
 namespace ashimpact {

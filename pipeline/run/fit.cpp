@@ -10,7 +10,7 @@
 
 #include "solver/batch/in_parallel.hpp"
 #include "solver/damping/damping.hpp"
-#include "solver/inference/calibration/damping_fit.hpp"
+#include "solver/inference/calibration/reconstruction.hpp"
 #include "solver/inference/measured_damping.hpp"
 
 namespace ashimpact {

@@ -4,12 +4,44 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
-#include "solver/critical_velocity/critical_impact.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/motion/branches/cohesive_motion.hpp"
+#include "solver/motion/branches/plastic_motion.hpp"
 #include "solver/motion/legs.hpp"
 #include "solver/numeric/extended.hpp"
 
 namespace ashimpact {
+
+/// An impact that arrives at the end of contact with no velocity left, scaled.
+struct CriticalImpact {
+    Extended velocity = 0;                 ///< v_c
+    Extended dissipated = 0;               ///< work of damping
+    Extended plastic = 0;                  ///< work spent in yielding
+    Extended break_energy = 0;             ///< U(end) - U(touch), cost of the break
+    std::optional<Extended> contact_time;  ///< first touch to arrival at rest; none if infinite
+    Extended maximum_overlap = 0;
+};
+
+/// The critical impacts of a contact by ascending greatest contact, or the verdict if there is none.
+struct CriticalImpacts {
+    CaptureVerdict verdict = CaptureVerdict::finite;
+    std::vector<CriticalImpact> impacts{};
+};
+
+/// Of an elastic contact: one impact, followed backward from the end. @throws ConvergenceError
+[[nodiscard]] CriticalImpacts critical_impacts(const Motion<Extended>& motion);
+
+/// Of a contact with a cohesive zone; units of Maugis. It must end where it can come to rest: U(end) above
+/// the potential of static equilibrium. @throws ConvergenceError
+[[nodiscard]] CriticalImpacts critical_impacts(const CohesiveMotion& motion);
+
+/// Of an elastic-plastic contact up to the overlap @p farthest (scaled). The rebound depends on the greatest
+/// contact reached. So the first step is to find every greatest contact from which unloading arrives at the
+/// end of contact at rest; there may be several, since rebound need not be monotone. The second step follows
+/// the loading branches backward from there. @throws ConvergenceError
+[[nodiscard]] CriticalImpacts critical_impacts(const PlasticMotion<Extended>& motion, Extended farthest);
 
 /// Where a critical orbit is followed backward from: at, or just before, the end of contact.
 struct Arrival {
@@ -22,9 +54,6 @@ struct Arrival {
 [[nodiscard]] CriticalImpact critical_impact(const Arrival& arrival, const MotionState<Extended>& touch,
                                              Extended plastic, Extended break_energy,
                                              Extended maximum_overlap);
-
-/// Whether the end of contact is a rest point of the regularised motion (delta'(q_end) = 0).
-[[nodiscard]] bool ends_at_rest_point(const Motion<Extended>& motion);
 
 /// The orbit that arrives at the end of contact with no velocity left; none if no orbit does. Without
 /// adhesion there is one only if the damping does not vanish with the contact radius.

@@ -8,7 +8,7 @@
 
 #include "core/quantities/checks.hpp"
 #include "core/text/error.hpp"
-#include "solver/critical_velocity/critical_impact.hpp"
+#include "solver/critical_velocity/backward_orbit.hpp"
 #include "solver/damping/registry.hpp"
 #include "solver/motion/scaled_impact.hpp"
 #include "solver/motion/velocity_scales.hpp"

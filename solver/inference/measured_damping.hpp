@@ -2,17 +2,26 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/finding.hpp"
 #include "solver/inference/curve/headline.hpp"
 #include "solver/inference/extrapolation/damping_curve_fit.hpp"
-#include "solver/inference/impacts/damping_parts.hpp"
+#include "solver/inference/impacts/damping_smoothing.hpp"
 #include "solver/inference/impacts/inversion.hpp"
-#include "solver/inference/outcomes/estimate_comparison.hpp"
-#include "solver/inference/outcomes/measured_critical_velocity.hpp"
+#include "solver/inference/measured_critical_velocity.hpp"
 
 namespace ashimpact {
+
+/// Whether the paper's extrapolation and the estimate from all impacts agree.
+struct FitComparison {
+    double critical_damping_ratio;   ///< of the estimate to the extrapolated [1]
+    double critical_velocity_ratio;  ///< [1]
+    bool consistent;           ///< whether they differ by no more than estimates from the same impacts may
+    bool exclude_one_another;  ///< the negation of consistent
+    std::string statement;     ///< in words
+};
 
 struct MeasuredDampingOptions {
     PartOptions parts{};

@@ -90,7 +90,8 @@ HWY_INLINE Lanes one_if(hn::Mask<Tag> condition) {
     return hn::IfThenElseZero(condition, hn::Set(Tag(), 1.0));
 }
 
-HWY_INLINE void store(Lanes lanes, std::size_t count, DeviationSums* out, double DeviationSums::*member) {
+template <class Sums>
+HWY_INLINE void store(Lanes lanes, std::size_t count, Sums* out, double Sums::*member) {
     const Tag d;
     HWY_ALIGN std::array<double, hn::MaxLanes(d)> values;
     hn::Store(lanes, d, values.data());
@@ -152,12 +153,9 @@ void count_columns(const Rows& rows, ZeroCount* out) {
             sum[0] = hn::Add(sum[0], one_if(hn::Eq(value, value)));
             sum[1] = hn::Add(sum[1], one_if(hn::Eq(value, hn::Zero(d))));
         });
-        HWY_ALIGN std::array<double, hn::MaxLanes(d)> known;
-        HWY_ALIGN std::array<double, hn::MaxLanes(d)> zeros;
-        hn::Store(counts[0], d, known.data());
-        hn::Store(counts[1], d, zeros.data());
-        for (std::size_t i = 0; i < std::min(width, columns - start); ++i)
-            out[start + i] = {known[i], zeros[i]};
+        const std::size_t count = std::min(width, columns - start);
+        store(counts[0], count, out + start, &ZeroCount::known);
+        store(counts[1], count, out + start, &ZeroCount::zeros);
     }
 }
 

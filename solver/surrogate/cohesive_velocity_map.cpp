@@ -6,7 +6,7 @@
 
 #include "solver/contact/maugis_dugdale.hpp"
 #include "solver/contact/transition.hpp"
-#include "solver/critical_velocity/critical_impact.hpp"
+#include "solver/critical_velocity/backward_orbit.hpp"
 #include "solver/motion/scaled_impact.hpp"
 
 namespace ashimpact {

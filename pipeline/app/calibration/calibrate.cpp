@@ -18,7 +18,7 @@
 #include "pipeline/present/text/progress.hpp"
 #include "pipeline/present/text/table.hpp"
 #include "pipeline/run/uncertainty/calibration_problem.hpp"
-#include "solver/inference/calibration/calibration_profile.hpp"
+#include "solver/inference/calibration/calibration.hpp"
 
 namespace ashimpact {
 

@@ -9,7 +9,7 @@
 #include "pipeline/case/case.hpp"
 #include "pipeline/case/law_map.hpp"
 #include "pipeline/run/results/velocity.hpp"
-#include "solver/inference/outcomes/measured_critical_velocity.hpp"
+#include "solver/inference/measured_critical_velocity.hpp"
 
 namespace ashimpact {
 

@@ -9,9 +9,9 @@
 #include "pipeline/case/law_map.hpp"
 #include "pipeline/run/results/velocity.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
-#include "solver/inference/calibration/calibration_response.hpp"
-#include "solver/inference/outcomes/measured_critical_velocity.hpp"
-#include "solver/inference/propagation/critical_velocity_uncertainty.hpp"
+#include "solver/inference/calibration/calibration.hpp"
+#include "solver/inference/critical_velocity_uncertainty.hpp"
+#include "solver/inference/measured_critical_velocity.hpp"
 #include "solver/motion/regime.hpp"
 #include "solver/statistics/propagation.hpp"
 

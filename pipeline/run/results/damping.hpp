@@ -7,7 +7,7 @@
 
 #include "pipeline/case/case.hpp"
 #include "pipeline/case/law_map.hpp"
-#include "solver/inference/impacts/damping_parts.hpp"
+#include "solver/inference/impacts/damping_smoothing.hpp"
 #include "solver/inference/impacts/inversion.hpp"
 
 namespace ashimpact {

@@ -13,7 +13,7 @@
 #include "solver/damping/damping_polynomial.hpp"
 #include "solver/inference/curve/headline.hpp"
 #include "solver/inference/extrapolation/damping_curve_fit.hpp"
-#include "solver/inference/outcomes/estimate_comparison.hpp"
+#include "solver/inference/measured_damping.hpp"
 
 namespace ashimpact {
 

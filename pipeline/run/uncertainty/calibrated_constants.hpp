@@ -7,7 +7,7 @@
 #include "pipeline/run/results/contact.hpp"
 #include "pipeline/run/results/modulus.hpp"
 #include "pipeline/run/results/note.hpp"
-#include "solver/inference/calibration/calibration_response.hpp"
+#include "solver/inference/calibration/calibration.hpp"
 
 namespace ashimpact {
 

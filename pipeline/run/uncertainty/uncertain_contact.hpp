@@ -3,8 +3,8 @@
 
 #include "pipeline/case/case.hpp"
 #include "pipeline/run/results/contact.hpp"
-#include "solver/inference/calibration/calibration_response.hpp"
-#include "solver/inference/propagation/random_contact.hpp"
+#include "solver/inference/calibration/calibration.hpp"
+#include "solver/inference/critical_velocity_uncertainty.hpp"
 
 namespace ashimpact {
 

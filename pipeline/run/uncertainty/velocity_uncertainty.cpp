@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "solver/critical_velocity/critical_velocity.hpp"
-#include "solver/inference/propagation/critical_velocity_uncertainty.hpp"
+#include "solver/inference/critical_velocity_uncertainty.hpp"
 
 namespace ashimpact {
 

@@ -10,7 +10,7 @@
 #include "pipeline/run/results/fit.hpp"
 #include "pipeline/run/results/restitution.hpp"
 #include "pipeline/run/uncertainty/contact_models.hpp"
-#include "solver/inference/propagation/random_contact.hpp"
+#include "solver/inference/critical_velocity_uncertainty.hpp"
 
 namespace ashimpact {
 

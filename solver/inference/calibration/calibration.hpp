@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -13,6 +15,7 @@
 #include "materials/contact_properties.hpp"
 #include "solver/contact/law.hpp"
 #include "solver/damping/damping_polynomial.hpp"
+#include "solver/statistics/interval.hpp"
 
 namespace ashimpact {
 
@@ -126,5 +129,33 @@ struct CalibrationSummary {
 /// Like calibrate(), but fits the critical velocities alone; contact times are only predicted. chi^2, degrees
 /// of freedom and AIC count the velocities, so that they are lower bounds of those of the whole problem.
 [[nodiscard]] CalibrationSummary calibrate_by_velocities(const CalibrationProblem& problem);
+
+/// How calibrated constants follow the contact modulus that they were calibrated at, to first order: the
+/// exponents of powers of E*, where the E* of all samples change in the same ratio [1].
+struct CalibrationResponse {
+    double density = 0.0;           ///< of the sample
+    double work_of_adhesion = 0.0;  ///< of the sample
+};
+
+/// The response of each sample's constants, by linearising the least squares at the constants of the problem,
+/// which have to be calibrated ones. A constant that is not free does not follow.
+/// @throws InputError like calibrate(); ConvergenceError
+[[nodiscard]] std::vector<CalibrationResponse> response_to_contact_modulus(const CalibrationProblem& problem);
+
+/// Profile of one calibrated constant: its interval when all others are free to follow it.
+struct ConstantProfile {
+    Interval interval;  ///< 95 %, from the rise of chi^2; an end beyond a factor of 10 is missing
+    bool identifiable;  ///< whether both ends were found
+    std::vector<std::size_t> traded_with;  ///< constants with which it is correlated by more than 0.95
+    std::string statement;                 ///< in words, if it is not identifiable; else empty
+};
+
+/// Profile-likelihood intervals of the constants of a calibration, in their order.
+/// @param summary of that problem
+/// @param on_profile called after each constant with how many are done; may be empty
+/// @throws ConvergenceError
+[[nodiscard]] std::vector<ConstantProfile> profile_constants(
+    const CalibrationProblem& problem, const CalibrationSummary& summary,
+    const std::function<void(std::size_t done)>& on_profile = {});
 
 }  // namespace ashimpact

@@ -8,7 +8,7 @@
 #include "core/text/counting.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
-#include "solver/inference/curve/impact_groups.hpp"
+#include "solver/inference/curve/recorded_impacts.hpp"
 #include "solver/statistics/importance_sampling.hpp"
 
 namespace ashimpact {

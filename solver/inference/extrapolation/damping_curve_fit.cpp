@@ -5,14 +5,305 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
+#include <utility>
 
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
+#include "solver/batch/parallel.hpp"
+#include "solver/inference/extrapolation/restitution_curve.hpp"
+#include "solver/numeric/gsl/fit.hpp"
+#include "solver/numeric/gsl/search.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
+#include "solver/numeric/least_median.hpp"
 
 namespace ashimpact {
 
 namespace {
+
+constexpr double reach = 0.995;  ///< of the greatest restitution: the upper end of any curve
+constexpr double beyond = 0.02;  ///< how far a curve extends above the greatest measured restitution
+
+constexpr double no_curve = 1e4;              ///< residual of every row if the curve does not exist
+constexpr std::size_t many_rebounds = 20000;  ///< rebounds, from which some of them give the start of the fit
+constexpr std::size_t some_rebounds =
+    2000;                               ///< rebounds give a start from which few steps through all are left
+constexpr int most_reweighted = 50;     ///< passes of a robust fit
+constexpr double steady_weight = 1e-4;  ///< change of weights at which a robust fit has converged
+constexpr double parameter_tolerance = 1e-8;  ///< relative: far below the uncertainty of any coefficient
+constexpr double gradient_tolerance = 1e-12;
+
+constexpr std::size_t rebounds_together = 1000;  ///< on one thread
+
+/// Data of a fit of eta(e_n). Robust fits give rebounds weights below one.
+struct RestitutionData {
+    std::vector<Measurement> rebounds;  ///< each with its noise
+    std::vector<double> weights;
+    double greatest_restitution;  ///< upper end of the curve
+};
+
+/// The rebounds of a set that a fit can use, with their indices in the set.
+struct ReboundSelection {
+    RestitutionData data;  ///< without captures; noise that is not known is 1 m/s
+    std::vector<std::size_t> indices;
+    std::vector<ExcludedRebound> excluded;
+    bool noise_known;
+};
+
+bool above_reach(const Measurement& point) {
+    if (!point.noise) return point.rebound >= point.velocity;
+    const double variance = point.noise->incident + point.noise->rebound - 2.0 * point.noise->covariance;
+    return point.rebound - point.velocity > 3.0 * std::sqrt(variance);
+}
+
+/// The greatest median of five neighbours in velocity, which no outlier reaches alone.
+double greatest_common_restitution(std::vector<Measurement> rebounds) {
+    std::sort(rebounds.begin(), rebounds.end(),
+              [](const Measurement& a, const Measurement& b) { return a.velocity < b.velocity; });
+    double greatest = 0.0;
+    for (std::size_t i = 0; i < rebounds.size(); ++i) {
+        const std::size_t first = std::min(i, rebounds.size() - std::min<std::size_t>(5, rebounds.size()));
+        std::vector<double> around;
+        for (std::size_t j = first; j < std::min(first + 5, rebounds.size()); ++j)
+            around.push_back(rebounds[j].restitution());
+        const auto middle = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 2);
+        std::nth_element(around.begin(), middle, around.end());
+        greatest = std::max(greatest, *middle);
+    }
+    return greatest;
+}
+
+/// @param robust the curve ends above the restitutions that neighbours share, not above that of an outlier,
+///     which only a curve that folds back could reach
+ReboundSelection select_rebounds(const ContactModel& model, const MeasurementSet& set, bool robust) {
+    ReboundSelection selection{
+        .data = {{}, {}, 0.0}, .indices = {}, .excluded = {}, .noise_known = set.has_noise()};
+    double greatest = 0.0;
+    double fastest = 0.0;
+    for (std::size_t i = 0; i < set.points.size(); ++i) {
+        const Measurement& point = set.points[i];
+        if (point.captured()) continue;
+        if (above_reach(point)) {
+            selection.excluded.push_back({i, Exclusion::above_reach});
+            continue;
+        }
+        selection.indices.push_back(i);
+        selection.data.rebounds.push_back(point);
+        if (!point.noise) selection.data.rebounds.back().noise = VelocityNoise{1.0, 1.0};
+        greatest = std::max(greatest, point.restitution());
+        fastest = std::max(fastest, point.velocity);
+    }
+    selection.data.weights.assign(selection.indices.size(), 1.0);
+    if (robust) greatest = greatest_common_restitution(selection.data.rebounds);
+    if (!selection.indices.empty()) {
+        selection.data.greatest_restitution =
+            std::min(greatest + beyond, reach * model.greatest_restitution(fastest));
+    }
+    return selection;
+}
+
+/// @throws InputError unless there are enough distinct rebounds for a curve of this order
+void require_enough(const ReboundSelection& selection, const MeasurementSet& set, int order) {
+    std::set<double> distinct;
+    const auto needed = static_cast<std::size_t>(order) + (selection.noise_known ? 1 : 2);
+    for (const Measurement& point : selection.data.rebounds) {
+        distinct.insert(point.restitution());
+        if (distinct.size() >= needed) return;
+    }
+    std::string problem = std::to_string(distinct.size()) + " distinct restitutions of " +
+                          std::to_string(selection.data.rebounds.size()) +
+                          " rebounds for a damping curve of order " + std::to_string(order);
+    if (!selection.noise_known) problem += " with unknown uncertainties";
+    throw InputError(problem, "at least " + std::to_string(needed)).at(FileName{set.source});
+}
+
+/// First coefficients, by least squares of the inverted damping on the restitution: biased by the noise in
+/// both, but close. A lower order is used if @p order gives no curve. @throws ConvergenceError if no order
+/// does
+/// @param robust by the least median of their residuals, so that outliers do not matter
+Eigen::VectorXd starting_coefficients(const ContactModel& model, const RestitutionData& data, int order,
+                                      bool robust) {
+    const auto rows = static_cast<Eigen::Index>(data.rebounds.size());
+    Eigen::MatrixXd design(rows, order + 1);
+    Eigen::VectorXd damping(rows);
+    std::vector<const Measurement*> rebounds;
+    for (const Measurement& rebound : data.rebounds) rebounds.push_back(&rebound);
+    if (robust)  // so that the order of the file does not matter
+        std::sort(rebounds.begin(), rebounds.end(), [](const Measurement* a, const Measurement* b) {
+            return std::pair(a->velocity, a->rebound) < std::pair(b->velocity, b->rebound);
+        });
+    batch::for_chunks(rebounds.size(), rebounds_together, 0, [&](std::size_t first, std::size_t size) {
+        for (std::size_t i = first; i < first + size; ++i) {
+            const Measurement& point = *rebounds[i];
+            const double most = reach * model.greatest_restitution(point.velocity);
+            const double e = std::min(point.restitution(), most);
+            const auto row = static_cast<Eigen::Index>(i);
+            design.row(row) = DampingPolynomial::powers(e, order).transpose();
+            damping[row] = model.damping(point.velocity, e).value;
+        }
+    });
+    const auto is_curve = [&](const Eigen::VectorXd& coefficients) {
+        return RestitutionCurve::implied_by(model, {coefficients}, data.greatest_restitution).has_value();
+    };
+    if (robust)
+        if (auto start = least_median(design, damping, is_curve)) return *start;
+    for (int lower = order; lower >= 0; --lower) {
+        Eigen::VectorXd start = Eigen::VectorXd::Zero(order + 1);
+        start.head(lower + 1) = gsl::fit_linear(design.leftCols(lower + 1), damping, {}).parameters;
+        if (is_curve(start)) return start;
+    }
+    throw ConvergenceError("no damping curve through the measurements could be started");
+}
+
+/// Distances of the rebounds, in units of their noise, from the curve that a damping implies in the plane
+/// (v_in, v_r), as a function of the coefficients of eta(e_n): orthogonal-distance regression. It accounts
+/// for the errors of both velocities, and so for the correlated ones of e and eta.
+class RestitutionDistances {
+  public:
+    RestitutionDistances(const ContactModel& model, const RestitutionData& data)
+        : model_(&model), data_(&data) {}
+
+    struct Rows {
+        Eigen::VectorXd residuals;  ///< signed distances times the roots of the weights
+        Eigen::MatrixXd jacobian;
+        std::vector<double> restitutions;  ///< of the nearest points of the curve
+    };
+    /// Rows for coefficients. If the curve does not exist, the residuals are so large that a fit rejects the
+    /// step.
+    [[nodiscard]] const Rows& rows(const Eigen::VectorXd& coefficients) const {
+        if (last_.size() != coefficients.size() || last_ != coefficients) {
+            rows_ = computed(coefficients);
+            last_ = coefficients;
+        }
+        return rows_;
+    }
+
+  private:
+    [[nodiscard]] Rows computed(const Eigen::VectorXd& coefficients) const {
+        const auto count = static_cast<Eigen::Index>(data_->rebounds.size());
+        const int order = static_cast<int>(coefficients.size()) - 1;
+        Rows rows{Eigen::VectorXd::Constant(count, no_curve), Eigen::MatrixXd::Zero(count, order + 1), {}};
+        const auto curve = RestitutionCurve::implied_by(*model_, {coefficients}, data_->greatest_restitution,
+                                                        curve_ ? &*curve_ : nullptr);
+        if (!curve) return rows;
+        rows.restitutions.resize(data_->rebounds.size());
+        const auto add = [&](std::size_t point) {
+            const auto i = static_cast<Eigen::Index>(point);
+            const Measurement& rebound = data_->rebounds[point];
+            const auto nearest = curve->project(rebound, start_of(point));
+            const double weight = std::sqrt(data_->weights[point]);
+            rows.residuals[i] = weight * nearest.distance;
+            rows.jacobian.row(i) = weight * nearest.by_damping *
+                                   DampingPolynomial::powers(nearest.restitution, order).transpose();
+            rows.restitutions[point] = nearest.restitution;
+        };
+        batch::for_chunks(data_->rebounds.size(), rebounds_together, 0,
+                          [&](std::size_t first, std::size_t size) {
+                              for (std::size_t point = first; point < first + size; ++point) add(point);
+                          });
+        curve_ = curve;
+        return rows;
+    }
+
+    [[nodiscard]] double start_of(std::size_t rebound) const {
+        if (!rows_.restitutions.empty()) return rows_.restitutions[rebound];
+        return std::clamp(data_->rebounds[rebound].restitution(), 0.0, data_->greatest_restitution);
+    }
+
+    const ContactModel* model_;
+    const RestitutionData* data_;
+    // Cache of the last evaluation: a fit calls for residuals and jacobian one after the other, and the last
+    // curve gives first guesses for the next one.
+    mutable Eigen::VectorXd last_;
+    mutable Rows rows_;
+    mutable std::optional<RestitutionCurve> curve_;
+};
+
+/// Matrix from values of eta at evenly spaced restitutions, the first at e = 0, to coefficients. A fit of the
+/// values is better conditioned, because coefficients of different powers differ in size.
+Eigen::MatrixXd coefficients_from_values(double greatest_restitution, Eigen::Index count) {
+    Eigen::MatrixXd powers(count, count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const double share = count > 1 ? static_cast<double>(i) / static_cast<double>(count - 1) : 0.0;
+        powers.row(i) =
+            DampingPolynomial::powers(share * greatest_restitution, static_cast<int>(count) - 1).transpose();
+    }
+    return powers.inverse();
+}
+
+/// Coefficients of least squares where they may have kinks: the nearest point of the curve can jump from one
+/// of its branches to another.
+Eigen::VectorXd closest_over_kinks(const ContactModel& model, const RestitutionData& data,
+                                   const Eigen::VectorXd& start) {
+    const RestitutionDistances distances(model, data);
+    const Eigen::MatrixXd to_coefficients = coefficients_from_values(data.greatest_restitution, start.size());
+    const auto sum = [&](const Eigen::VectorXd& x) {
+        return distances.rows(to_coefficients * x).residuals.squaredNorm();
+    };
+    const Eigen::VectorXd values = to_coefficients.partialPivLu().solve(start);
+    const double step = 0.02 * values.cwiseAbs().maxCoeff();
+    return to_coefficients * gsl::minimise(sum, values, Eigen::VectorXd::Constant(values.size(), step));
+}
+
+/// Some of many rebounds, evenly over the file.
+RestitutionData thinned(const RestitutionData& data, std::size_t count) {
+    RestitutionData few{{}, {}, data.greatest_restitution};
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t place = i * data.rebounds.size() / count;
+        few.rebounds.push_back(data.rebounds[place]);
+        few.weights.push_back(data.weights[place]);
+    }
+    return few;
+}
+
+/// Coefficients of the curve closest to the rebounds, by least squares of their distances.
+/// @param start coefficients of a similar curve @throws ConvergenceError
+Eigen::VectorXd closest(const ContactModel& model, const RestitutionData& data,
+                        const Eigen::VectorXd& start) {
+    const RestitutionDistances distances(model, data);
+    const Eigen::MatrixXd to_coefficients = coefficients_from_values(data.greatest_restitution, start.size());
+    const Eigen::VectorXd near =
+        data.rebounds.size() > many_rebounds ? closest(model, thinned(data, some_rebounds), start) : start;
+    const gsl::NonlinearProblem problem{
+        .residuals = [&](const Eigen::VectorXd& x) { return distances.rows(to_coefficients * x).residuals; },
+        .jacobian = [&](const Eigen::VectorXd& x) -> Eigen::MatrixXd {
+            return distances.rows(to_coefficients * x).jacobian * to_coefficients;
+        }};
+    const gsl::NonlinearFit fit = gsl::fit_nonlinear(problem, to_coefficients.partialPivLu().solve(near),
+                                                     {.parameter_tolerance = parameter_tolerance,
+                                                      .gradient_tolerance = gradient_tolerance,
+                                                      .smooth = false});
+    const Eigen::VectorXd coefficients = to_coefficients * fit.parameters;
+    return fit.stationary ? coefficients : closest_over_kinks(model, data, coefficients);
+}
+
+/// Like closest(), with bisquare weights, which are stored in @p data.
+Eigen::VectorXd closest_robustly(const ContactModel& model, RestitutionData& data, Eigen::VectorXd start) {
+    RestitutionData plain = data;
+    for (int i = 0; i < most_reweighted; ++i) {
+        const Eigen::VectorXd weights = gsl::bisquare_weights(
+            RestitutionDistances(model, plain).rows(start).residuals, static_cast<int>(start.size()));
+        double change = 0.0;
+        for (std::size_t j = 0; j < data.weights.size(); ++j) {
+            const double weight = weights[static_cast<Eigen::Index>(j)];
+            change = std::max(change, std::abs(weight - data.weights[j]));
+            data.weights[j] = weight;
+        }
+        if (change < steady_weight) break;
+        start = closest(model, data, start);
+    }
+    return start;
+}
+
+/// Covariance of coefficients, (J^T J)^-1 of the jacobian of normalised residuals.
+Eigen::MatrixXd covariance_from(const Eigen::MatrixXd& jacobian) {
+    // Scaled to unit diagonal first: the powers of e differ by orders of magnitude.
+    const Eigen::VectorXd scale = jacobian.colwise().norm().cwiseInverse();
+    const Eigen::MatrixXd scaled = jacobian * scale.asDiagonal();
+    const Eigen::MatrixXd inverse =
+        (scaled.transpose() * scaled).ldlt().solve(Eigen::MatrixXd::Identity(scale.size(), scale.size()));
+    return scale.asDiagonal() * inverse * scale.asDiagonal();
+}
 
 constexpr double least_probability = 0.01;  ///< of the scatter, below which the noise is enlarged
 
@@ -97,6 +388,17 @@ void add_range(DampingCurveFit& fit, const RestitutionData& data) {
     fit.extrapolation = fit.restitutions[0] / (fit.restitutions[1] - fit.restitutions[0]);
 }
 
+/// Standard uncertainties of the velocities of an impact in a fit [m/s].
+struct FittedNoise {
+    double incident;
+    double rebound;
+};
+
+FittedNoise noise_in(const DampingCurveFit& fit, const Measurement& point) {
+    if (!fit.noise_known || !point.noise) return {fit.scatter, fit.scatter};
+    return {fit.scatter * std::sqrt(point.noise->incident), fit.scatter * std::sqrt(point.noise->rebound)};
+}
+
 }  // namespace
 
 DampingCurveFit fit_damping_curve(const ContactModel& model, const MeasurementSet& set,
@@ -131,6 +433,33 @@ DampingCurveFit fit_damping_curve(const ContactModel& model, const MeasurementSe
     add_rebounds(fit, rows, selection);
     add_range(fit, data);
     return fit;
+}
+
+void require_rebounds_above(const DampingCurveFit& fit, const MeasurementSet& set) {
+    const auto count = static_cast<double>(set.points.size());
+    const double extreme = gsl::normal_quantile(1.0 - 0.5 * (1.0 - confidence) / count);
+    std::optional<double> slowest;
+    std::optional<double> bound;
+    std::vector<bool> outlying(set.points.size(), false);
+    for (const FittedRebound& rebound : fit.rebounds) outlying[rebound.index] = rebound.weight < 0.5;
+    for (const ExcludedRebound& rebound : fit.excluded) outlying[rebound.index] = true;
+    for (std::size_t i = 0; i < set.points.size(); ++i) {
+        if (outlying[i]) continue;
+        const Measurement& point = set.points[i];
+        const FittedNoise noise = noise_in(fit, point);
+        if (point.captured() || point.rebound <= 3.0 * noise.rebound) continue;
+        if (!slowest || point.velocity < *slowest) slowest = point.velocity;
+        const double most = point.velocity + extreme * noise.incident;
+        if (!bound || most < *bound) bound = most;
+    }
+    const Interval& fitted = fit.critical_velocity;
+    const double least =
+        fitted.lower.value_or(fitted.value - confidence_quantile() * fitted.standard_uncertainty);
+    if (!bound || least <= *bound) return;
+    throw InputError("the fitted v_c of " + shortest(fitted.value) +
+                         " m/s lies above clear rebounds, the slowest at " + shortest(*slowest) + " m/s",
+                     "impacts from the rising branch")
+        .at(FileName{set.source});
 }
 
 std::optional<std::string> enlargement_note(const DampingCurveFit& fit) {

@@ -10,8 +10,10 @@
 #include <Eigen/Dense>
 
 #include "core/quantities/names.hpp"
-#include "solver/inference/extrapolation/rebound_selection.hpp"
+#include "solver/damping/damping_polynomial.hpp"
+#include "solver/inference/impacts/measurement.hpp"
 #include "solver/statistics/interval.hpp"
+#include "solver/surrogate/contact_model.hpp"
 
 namespace ashimpact {
 
@@ -19,6 +21,15 @@ namespace ashimpact {
 struct DampingCurveOptions {
     int order = 2;        ///< of the polynomial; the paper's is 2
     bool robust = false;  ///< whether bisquare weights reduce the influence of points far from the curve
+};
+
+enum class Exclusion {
+    above_reach,  ///< v_r exceeds v_in by more than three standard uncertainties, or at all if unknown
+};
+
+struct ExcludedRebound {
+    std::size_t index;
+    Exclusion reason;
 };
 
 /// One rebound in a fit.
@@ -62,6 +73,14 @@ struct DampingCurveFit {
 /// @throws InputError for too few rebounds or distinct restitutions, saying what is there; ConvergenceError
 [[nodiscard]] DampingCurveFit fit_damping_curve(const ContactModel& model, const MeasurementSet& set,
                                                 const DampingCurveOptions& options = {});
+
+/// Checks that a fitted v_c does not lie above clear rebounds among the impacts it was fitted to.
+///
+/// A rebound is clear if v_r exceeds three standard uncertainties of the fit, which may have enlarged or
+/// estimated them. The slowest of many rebounds is likely to have a large error of v_in, which is allowed
+/// for. Outliers of a robust fit (weight below 0.5) and rebounds that no damping gives do not count.
+/// @throws InputError if the lower end of the interval of v_c lies above that
+void require_rebounds_above(const DampingCurveFit& fit, const MeasurementSet& set);
 
 /// Note on uncertainties that were enlarged to fit, with their factor; none if they were not.
 [[nodiscard]] std::optional<std::string> enlargement_note(const DampingCurveFit& fit);

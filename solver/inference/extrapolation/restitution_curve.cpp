@@ -109,8 +109,8 @@ RestitutionCurve::Point RestitutionCurve::point_at(double e) const {
             .by_damping = std::exp(basis.value.dot(coefficients_.col(1)))};
 }
 
-RestitutionCurve::Projection RestitutionCurve::project(const Measurement& point, const VelocityNoise& noise,
-                                                       double start) const {
+RestitutionCurve::Projection RestitutionCurve::project(const Measurement& point, double start) const {
+    const VelocityNoise& noise = *point.noise;
     ClosestPlace search(start);
     Point place = point_at(start);
     double across = 0.0;  // v_in of the measurement less that of the curve
@@ -130,11 +130,10 @@ RestitutionCurve::Projection RestitutionCurve::project(const Measurement& point,
     const double ny = -place.slope;
     const double width =
         std::sqrt(nx * nx * noise.incident + 2.0 * nx * ny * noise.covariance + ny * ny * noise.rebound);
+    // The curve moves by (1, e) dv.
     return {.restitution = e,
             .distance = (nx * across + ny * along) / width,
-            .by_damping = -(nx + ny * e) / width * place.by_damping,  // the curve moves by (1, e) dv
-            .by_velocity = (nx * noise.incident + ny * noise.covariance) / width,
-            .velocity = place.velocity};
+            .by_damping = -(nx + ny * e) / width * place.by_damping};
 }
 
 }  // namespace ashimpact

@@ -38,12 +38,9 @@ class RestitutionCurve {
         double restitution;  ///< e of the nearest point
         double distance;     ///< signed, in standard uncertainties
         double by_damping;   ///< change of the distance with the damping at that e [s/kg]
-        double by_velocity;  ///< covariance of the distance with the error of v_in [m/s]
-        double velocity;     ///< v(e) of the nearest point [m/s]
     };
-    /// @param start e of a point close by
-    [[nodiscard]] Projection project(const Measurement& point, const VelocityNoise& noise,
-                                     double start) const;
+    /// @param point with its noise @param start e of a point close by
+    [[nodiscard]] Projection project(const Measurement& point, double start) const;
 
   private:
     explicit RestitutionCurve(double greatest_restitution) : greatest_(greatest_restitution) {}

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <utility>
 
 #include "core/tables/coverage.hpp"
@@ -11,7 +12,6 @@
 #include "core/text/text.hpp"
 #include "core/text/utf8.hpp"
 #include "core/units/units.hpp"
-#include "solver/inference/impacts/outcome_words.hpp"
 
 namespace ashimpact {
 
@@ -137,20 +137,6 @@ bool take_other(MeasurementHeading& heading, std::string_view name, std::size_t 
     return false;
 }
 
-}  // namespace
-
-bool names_incident_velocity(const std::vector<std::string>& cells) {
-    return std::any_of(cells.begin(), cells.end(), [](const std::string& cell) {
-        const StatedCoverage coverage = read_coverage(cell);
-        const std::string_view name = split(coverage.rest).name;
-        auto meaning = value_before_plus_minus(name);
-        if (!meaning) meaning = meaning_of(name);
-        return meaning && meaning->quantity == MeasuredQuantity::velocity && !meaning->is_uncertainty;
-    });
-}
-
-namespace {
-
 double factor_of(std::string_view unit, MeasuredQuantity quantity) {
     const bool is_ratio = quantity == MeasuredQuantity::restitution;
     return unit.empty() ? 1.0 : to_si(1.0, unit, is_ratio ? Dimension::fraction : Dimension::velocity);
@@ -203,6 +189,38 @@ void take_column(MeasurementHeading& heading, const std::string& cell, std::size
 }
 
 }  // namespace
+
+OutcomeWord outcome_word(std::string_view cell) {
+    static const WordLists words("outcomes", all_marks);
+    return meaning<OutcomeWord>(words, trimmed(cell)).value_or(OutcomeWord::none);
+}
+
+OutcomeWord outcome_of_remark(std::string_view remark) {
+    constexpr std::string_view dropped = ".!()[] ";
+    const auto first = remark.find_first_not_of(dropped);
+    if (first == std::string_view::npos) return OutcomeWord::none;
+    const std::string_view word = remark.substr(first, remark.find_last_not_of(dropped) - first + 1);
+    if (word.size() < 2) return OutcomeWord::none;
+    const OutcomeWord meaning = outcome_word(word);
+    return meaning == OutcomeWord::unknown ? OutcomeWord::none : meaning;
+}
+
+bool announces_remarks(std::string_view heading) {
+    static const WordLists words("remark columns", all_marks);
+    std::string_view text = trimmed(heading);
+    while (!text.empty() && std::ispunct(static_cast<unsigned char>(text.back())) != 0) text.remove_suffix(1);
+    return words.holds(text);
+}
+
+bool names_incident_velocity(const std::vector<std::string>& cells) {
+    return std::any_of(cells.begin(), cells.end(), [](const std::string& cell) {
+        const StatedCoverage coverage = read_coverage(cell);
+        const std::string_view name = split(coverage.rest).name;
+        auto meaning = value_before_plus_minus(name);
+        if (!meaning) meaning = meaning_of(name);
+        return meaning && meaning->quantity == MeasuredQuantity::velocity && !meaning->is_uncertainty;
+    });
+}
 
 MeasurementHeading read_measurement_heading(const std::vector<std::string>& cells) {
     MeasurementHeading heading{};

@@ -14,7 +14,6 @@
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "solver/inference/impacts/measurement_headings.hpp"
-#include "solver/inference/impacts/outcome_words.hpp"
 
 namespace ashimpact {
 

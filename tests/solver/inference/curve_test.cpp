@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "solver/inference/curve/headline.hpp"
-#include "solver/inference/curve/impact_groups.hpp"
+#include "solver/inference/curve/recorded_impacts.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/solver/inference/ash_laboratory.hpp"
 #include "tests/support/errors.hpp"

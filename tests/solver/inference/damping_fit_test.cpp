@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/inference/calibration/damping_fit.hpp"
-
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -8,6 +6,7 @@
 #include <Eigen/Dense>
 #include <doctest/doctest.h>
 
+#include "solver/inference/calibration/reconstruction.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/random.hpp"

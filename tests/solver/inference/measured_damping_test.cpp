@@ -11,8 +11,6 @@
 
 #include "core/text/counting.hpp"
 #include "materials/contact_properties.hpp"
-#include "solver/inference/extrapolation/rebound_selection.hpp"
-#include "solver/inference/outcomes/estimate_comparison.hpp"
 #include "solver/statistics/moments.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/solver/inference/ash_laboratory.hpp"
@@ -416,7 +414,7 @@ TEST_CASE("a rebound faster than its impact is excluded beyond three uncertainti
         MeasurementSet set = measured(40);
         set.points.push_back(
             {.velocity = 2.0, .rebound = 2.0 + uncertainties * std::sqrt(0.2e-4), .noise = noise});
-        CHECK(select_rebounds(model, set).excluded.size() == (uncertainties > 3 ? 1 : 0));
+        CHECK(fit_damping_curve(model, set).excluded.size() == (uncertainties > 3 ? 1 : 0));
     }
 }
 

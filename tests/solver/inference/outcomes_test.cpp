@@ -4,10 +4,9 @@
 #include <doctest/doctest.h>
 
 #include "core/text/error.hpp"
-#include "solver/inference/impacts/binning.hpp"
-#include "solver/inference/impacts/damping_parts.hpp"
-#include "solver/inference/outcomes/capture_transition.hpp"
-#include "solver/inference/outcomes/measured_critical_velocity.hpp"
+#include "solver/inference/impacts/damping_smoothing.hpp"
+#include "solver/inference/impacts/measurement.hpp"
+#include "solver/inference/measured_critical_velocity.hpp"
 #include "solver/numeric/gsl/interpolation.hpp"
 #include "solver/numeric/gsl/search.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
@@ -41,6 +40,22 @@ std::vector<Measurement> mixed_outcomes() {
     for (int i = 0; i < 20; ++i)
         points.push_back(impact(0.8 + 0.04 * i, i > 9 || i % 3 == 0 ? 0.1 : 0.0, 0.01));
     return points;
+}
+
+/// -2 ln L of each single impact, with a transition of this centre and width.
+double misfit(const std::vector<Measurement>& points, double center, double width) {
+    double sum = 0.0;
+    for (const Measurement& point : points) {
+        const double z = (center - point.velocity) / width;
+        sum -= 2.0 * gsl::normal_log_probability(point.captured() ? z : -z);
+    }
+    return sum;
+}
+
+/// The same with the likeliest centre [m/s] of mixed_outcomes().
+double least_misfit(const std::vector<Measurement>& points, double width) {
+    const auto at = [&](double center) { return misfit(points, center, width); };
+    return at(gsl::minimise_between(at, 0.8, 1.1, 1.6, 1e-7));
 }
 
 }  // namespace
@@ -150,18 +165,18 @@ TEST_CASE("captures and rebounds that overlap by about their noise: always a v_c
 }
 
 TEST_CASE("the most likely transition is where neither its centre nor its width can be bettered") {
-    const OutcomeLikelihood likelihood(set_of(mixed_outcomes()), 1e-3);
-    const auto best = likelihood.best();
-    REQUIRE(best);
-    const double least = likelihood.misfit(*best);
-    CHECK(best->extra_variance > 0.0);
+    const std::vector<Measurement> points = mixed_outcomes();
+    const auto measured = measured_from(points);
+    const double center = measured.value.value();
+    const double width = measured.width.value();
+    const double least = misfit(points, center, width);
+    CHECK(width > 0.01);  // the noise
     for (const double change : {0.9, 0.99, 1.01, 1.1}) {
         CAPTURE(change);
-        CHECK(likelihood.misfit({best->center * change, best->extra_variance}) > least);
-        const double variance = best->extra_variance * change * change;
-        CHECK(likelihood.misfit({likelihood.best_center(variance), variance}) > least - 1e-6);
+        CHECK(misfit(points, center * change, width) > least);
+        CHECK(least_misfit(points, width * change) > least - 1e-6);
     }
-    CHECK(likelihood.misfit({likelihood.best_center(0.0), 0.0}) > least);
+    CHECK(least_misfit(points, 0.01) > least);
 }
 
 TEST_CASE("captures faster than the rebounds are no threshold") {
@@ -344,17 +359,9 @@ TEST_CASE("the outcomes of many impacts are merged without a loss") {
     }
     const auto measured = measured_from(points);
     REQUIRE(measured.value);
-    // -2 ln L of each single impact, with the width found.
-    const auto misfit = [&](double center) {
-        double sum = 0.0;
-        for (const Measurement& point : points) {
-            const double z = (center - point.velocity) / *measured.width;
-            sum -= 2.0 * gsl::normal_log_probability(point.captured() ? z : -z);
-        }
-        return sum;
-    };
-    const double center = gsl::minimise_between(misfit, 1.3, *measured.value + 1e-4, 1.5);
+    const auto at = [&](double center) { return misfit(points, center, *measured.width); };
+    const double center = gsl::minimise_between(at, 1.3, *measured.value + 1e-4, 1.5);
     CHECK(std::abs(*measured.value - center) < 0.03 * *measured.standard_uncertainty);
-    CHECK(std::abs(misfit(*measured.upper) - misfit(center) - 3.84) < 0.1);
-    CHECK(std::abs(misfit(*measured.lower) - misfit(center) - 3.84) < 0.1);
+    CHECK(std::abs(at(*measured.upper) - at(center) - 3.84) < 0.1);
+    CHECK(std::abs(at(*measured.lower) - at(center) - 3.84) < 0.1);
 }

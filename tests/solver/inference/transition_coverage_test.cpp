@@ -5,7 +5,7 @@
 
 #include <doctest/doctest.h>
 
-#include "solver/inference/outcomes/measured_critical_velocity.hpp"
+#include "solver/inference/measured_critical_velocity.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
 #include "tests/support/random.hpp"
 

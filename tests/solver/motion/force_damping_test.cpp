@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "solver/contact/registry.hpp"
-#include "solver/critical_velocity/critical_impact.hpp"
+#include "solver/critical_velocity/backward_orbit.hpp"
 #include "solver/motion/follow.hpp"
 
 using namespace ashimpact;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/inference/curve/impact_groups.hpp"
+#include "solver/inference/curve/recorded_impacts.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,10 +3,29 @@
 
 #include <vector>
 
-#include "solver/inference/curve/impact_probability.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 
 namespace ashimpact {
+
+/// The recorded outcome of an impact.
+enum class Recorded {
+    rebound,  ///< with a velocity above zero
+    zero,     ///< no rebound was seen: a capture, or a rebound too slow for the camera
+    capture,  ///< seen to stick
+};
+
+/// One impact as the likelihood needs it.
+struct RecordedImpact {
+    Recorded recorded;
+    double velocity;           ///< v_in [m/s]
+    double log_velocity;       ///< ln v_in
+    double rebound;            ///< v_r as read; 0 where there is no reading [m/s]
+    double incident_u;         ///< standard uncertainty of v_in, in units of the noise scale
+    double rebound_u;          ///< of v_r
+    double correlation = 0.0;  ///< of the errors of both
+    double resolution;         ///< v_r from which on the camera always sees it move; 0: not known [m/s]
+    double count = 1.0;        ///< impacts merged into this one
+};
 
 /// The impacts of a set in the form that the likelihood takes.
 [[nodiscard]] std::vector<RecordedImpact> recorded_impacts(const MeasurementSet& set);

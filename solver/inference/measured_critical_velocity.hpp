@@ -37,6 +37,11 @@ struct MeasuredCriticalVelocity {
 /// @throws InputError for a set that is not valid
 [[nodiscard]] MeasuredCriticalVelocity measured_critical_velocity(const MeasurementSet& stated);
 
+/// Standard uncertainty of the difference of two estimates from the same impacts, which share most of their
+/// errors. If one of them is efficient, the variance of the difference is the difference of the variances
+/// (Hausman 1978). As neither quite is, at least a quarter of the larger variance is taken.
+[[nodiscard]] double shared_difference(double one, double other);
+
 enum class CriticalVelocityVerdict { agrees, model_too_low, model_too_high, not_comparable };
 
 template <>
