@@ -30,7 +30,7 @@
 #include "pipeline/present/text/comparison_table.hpp"
 #include "pipeline/present/text/remarks.hpp"
 #include "pipeline/run/stage.hpp"
-#include "solver/inference/impacts/measurement_reader.hpp"
+#include "solver/inference/impacts/measurement.hpp"
 
 // Tells the page a line while a computation goes on, if it listens.
 EM_JS(void, tell_page, (const char* line), {

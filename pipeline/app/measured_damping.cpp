@@ -20,7 +20,6 @@
 #include "pipeline/present/text/table.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/inference/impacts/measurement.hpp"
-#include "solver/inference/impacts/measurement_reader.hpp"
 #include "solver/inference/measured_damping.hpp"
 
 namespace ashimpact {

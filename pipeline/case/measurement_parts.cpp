@@ -7,7 +7,6 @@
 #include "core/quantities/readable.hpp"
 #include "pipeline/case/measurement_json.hpp"
 #include "solver/inference/impacts/measurement.hpp"
-#include "solver/inference/impacts/measurement_reader.hpp"
 
 namespace ashimpact {
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "core/text/counting.hpp"
@@ -16,9 +17,8 @@ namespace ashimpact {
 namespace {
 
 void note_impacts(MeasuredDamping& result, const MeasurementSet& set) {
-    const auto beyond = static_cast<std::size_t>(
-        std::count_if(result.impacts.begin(), result.impacts.end(),
-                      [](const InvertedImpact& i) { return i.restitution > 0.0 && !i.damping; }));
+    const auto beyond = std::ranges::count_if(
+        result.impacts, [](const InvertedImpact& i) { return i.restitution > 0.0 && !i.damping; });
     if (beyond > 0)
         result.findings.push_back({"faster-than-undamped", Severity::doubt,
                                    std::to_string(beyond) + " of " + counted(set.rebounds(), "rebound") +
@@ -155,13 +155,9 @@ MeasuredDamping analyse_impacts(const ContactModel& model, const MeasurementSet&
         note_parts(result, set, options.parts);
     }
     if (set.rebounds() == 0) return result;
-    result.estimate = attempt("estimate of v_c", "no-estimate", Severity::doubt, result.findings, [&] {
-        return estimate_critical_velocity(model, set, {.size_scatter = options.size_scatter});
-    });
-    if (result.estimate) {
-        const auto& found = result.estimate->findings;
-        result.findings.insert(result.findings.end(), found.begin(), found.end());
-    }
+    result.estimate = attempt("estimate of v_c", "no-estimate", Severity::doubt, result.findings,
+                              [&] { return estimate_critical_velocity(model, set, options.size_scatter); });
+    if (result.estimate) std::ranges::copy(result.estimate->findings, std::back_inserter(result.findings));
     result.extrapolated =
         attempt("extrapolated fit", "no-extrapolation", Severity::background, result.findings, [&] {
             result.rising = options.rising_to ? impacts_up_to(set, *options.rising_to)

@@ -8,8 +8,7 @@
 #include "core/finding.hpp"
 #include "solver/inference/curve/headline.hpp"
 #include "solver/inference/extrapolation/damping_curve_fit.hpp"
-#include "solver/inference/impacts/damping_smoothing.hpp"
-#include "solver/inference/impacts/inversion.hpp"
+#include "solver/inference/impacts/inverted_impacts.hpp"
 #include "solver/inference/measured_critical_velocity.hpp"
 
 namespace ashimpact {

@@ -19,7 +19,6 @@
 #include "solver/inference/curve/headline.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
 #include "tests/studies/laboratory.hpp"
-#include "tests/studies/model.hpp"
 
 using namespace ashimpact;
 

@@ -15,7 +15,6 @@
 #include "solver/inference/measured_damping.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
 #include "tests/studies/laboratory.hpp"
-#include "tests/studies/model.hpp"
 
 using namespace ashimpact;
 

@@ -5,10 +5,49 @@
 #include <cmath>
 
 #include "solver/numeric/gsl/statistics.hpp"
+#include "tests/oracles/time_domain.hpp"
 
 namespace ashimpact::studies {
 
 namespace {
+
+/// a, b, c of eta = a e^2 + b e + c, 96 um, Table 2 [kg/s].
+std::vector<double> table_2(oracles::Law law) {
+    if (law == oracles::Law::hertz) return {0.0104, -0.0229, 0.0155};
+    if (law == oracles::Law::dmt) return {0.0115, -0.0235, 0.0156};
+    return {0.0101, -0.0213, 0.0149};
+}
+
+oracles::ImpactCase ash(oracles::Law law, double diameter) {
+    const double radius = 48e-6 * diameter;
+    return {.law = law,
+            .detachment =
+                law == oracles::Law::jkr ? oracles::Detachment::pull_off : oracles::Detachment::zero_overlap,
+            .radius = radius,
+            .mass = oracles::sphere_mass(radius, 2158.5),
+            .contact_modulus = 90e9,
+            .work_of_adhesion = 0.2959,
+            .damping = 0.0,
+            .velocity = 1.0};
+}
+
+double restitution_of(oracles::ImpactCase impact, double velocity, double damping) {
+    impact.velocity = velocity;
+    impact.damping = damping;
+    const oracles::ImpactResult result = oracles::time_domain_impact(impact);
+    return result.rebound ? result.restitution.value : 0.0;
+}
+
+/// The velocity above which impacts rebound, by bisection between a capture and a rebound.
+double threshold(const std::function<double(double)>& restitution, double captured, double rebounds) {
+    while (rebounds > captured * (1.0 + 1e-6)) {
+        const double middle = std::sqrt(captured * rebounds);
+        (restitution(middle) > 0.0 ? rebounds : captured) = middle;
+    }
+    return std::sqrt(captured * rebounds);
+}
+
+constexpr int places = 70;
 
 constexpr double told = 0.03;  ///< standard uncertainty of both velocities [m/s]
 constexpr double size_scatter = 0.05;
@@ -29,6 +68,75 @@ double by_camera(test::Random& random, const Camera& camera, double velocity) {
 }
 
 }  // namespace
+
+TrueCurve::TrueCurve(oracles::Law law, TrueDamping damping, double diameter) {
+    const oracles::ImpactCase impact = ash(law, diameter);
+    const std::vector<double> abc = table_2(law);
+    if (damping == TrueDamping::quadratic_in_restitution) {
+        from_restitution(impact, abc);
+        return;
+    }
+    const oracles::ImpactCase nominal = ash(law, 1.0);
+    const double unit = threshold([&](double v) { return restitution_of(nominal, v, abc[2]); }, 0.02, 20.0);
+    const auto power = [=](double v) { return abc[2] * std::pow(v / unit, -0.35); };
+    const auto bump = [=](double v) {
+        return power(v) * (1.0 + 0.2 * std::exp(-0.5 * std::pow(std::log(v / (2.5 * unit)) / 0.3, 2)));
+    };
+    if (damping == TrueDamping::power_of_velocity)
+        from_velocity(impact, power, unit);
+    else
+        from_velocity(impact, bump, unit);
+}
+
+void TrueCurve::from_restitution(const oracles::ImpactCase& impact, const std::vector<double>& abc) {
+    critical_velocity_ = threshold([&](double v) { return restitution_of(impact, v, abc[2]); }, 0.005, 50.0);
+    velocity_ = {critical_velocity_};
+    restitution_ = {0.0};
+    double logarithm = std::log(critical_velocity_);
+    for (int i = 1; i <= places; ++i) {
+        const double e = 0.95 * std::pow(static_cast<double>(i) / places, 1.5);
+        const double damping = (abc[0] * e + abc[1]) * e + abc[2];
+        const auto excess = [&](double x) { return restitution_of(impact, std::exp(x), damping) - e; };
+        double low = logarithm;
+        double high = logarithm;
+        while (excess(low) > 0.0) low -= 0.05;
+        while (excess(high) < 0.0) high += 0.1;
+        for (int k = 0; k < 22; ++k) {
+            const double middle = 0.5 * (low + high);
+            (excess(middle) < 0.0 ? low : high) = middle;
+        }
+        logarithm = 0.5 * (low + high);
+        if (logarithm > std::log(12.0 * critical_velocity_)) break;
+        velocity_.push_back(std::exp(logarithm));
+        restitution_.push_back(e);
+    }
+}
+
+void TrueCurve::from_velocity(const oracles::ImpactCase& impact, const std::function<double(double)>& damping,
+                              double near) {
+    const auto restitution = [&](double v) { return restitution_of(impact, v, damping(v)); };
+    critical_velocity_ = threshold(restitution, 0.1 * near, 10.0 * near);
+    velocity_ = {critical_velocity_};
+    restitution_ = {0.0};
+    for (int i = 1; i <= 2 * places; ++i) {
+        const double share = static_cast<double>(i) / (2 * places);
+        velocity_.push_back(critical_velocity_ * (1.0 + 11.0 * share * share * share));
+        restitution_.push_back(restitution(velocity_.back()));
+    }
+}
+
+double TrueCurve::restitution(double velocity) const {
+    if (velocity <= critical_velocity_) return 0.0;
+    // The fastest branch: where v(e) folds back close to e = 0, e jumps.
+    for (std::size_t i = velocity_.size() - 1; i > 0; --i) {
+        if (velocity_[i - 1] > velocity) continue;
+        const std::size_t j = i;
+        if (velocity_[j] <= velocity_[j - 1]) continue;
+        const double share = std::min(1.0, (velocity - velocity_[j - 1]) / (velocity_[j] - velocity_[j - 1]));
+        return restitution_[j - 1] + share * (restitution_[j] - restitution_[j - 1]);
+    }
+    return restitution_.back();
+}
 
 const std::vector<Row>& rows() {
     using enum TrueDamping;

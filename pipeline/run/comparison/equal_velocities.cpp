@@ -9,7 +9,7 @@
 
 #include "solver/batch/in_parallel.hpp"
 #include "solver/damping/damping.hpp"
-#include "solver/inference/impacts/damping_smoothing.hpp"
+#include "solver/inference/impacts/inverted_impacts.hpp"
 #include "solver/motion/impact.hpp"
 #include "solver/numeric/gsl/interpolation.hpp"
 

@@ -7,8 +7,7 @@
 
 #include "pipeline/case/case.hpp"
 #include "pipeline/case/law_map.hpp"
-#include "solver/inference/impacts/damping_smoothing.hpp"
-#include "solver/inference/impacts/inversion.hpp"
+#include "solver/inference/impacts/inverted_impacts.hpp"
 
 namespace ashimpact {
 

@@ -272,7 +272,7 @@ std::optional<Finding> misfit_note(const Scatter& scatter, bool noise_known) {
 }  // namespace
 
 CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, const MeasurementSet& set,
-                                                    const EstimateOptions& options) {
+                                                    std::optional<double> size_scatter) {
     std::vector<RecordedImpact> impacts = recorded_impacts(set);
     bool noise_known = set.has_noise();
     require_enough(impacts, noise_known);
@@ -288,7 +288,7 @@ CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model, c
     CurvePrior prior{.noise_known = noise_known,
                      .noise = std::clamp(neighbours, 1e-6 * fastest->velocity, 0.2 * fastest->velocity),
                      .scatter = {}};
-    if (options.size_scatter) prior.scatter = std::max(1e-6, 2.0 * *options.size_scatter);
+    if (size_scatter) prior.scatter = std::max(1e-6, 2.0 * *size_scatter);
     const CurvePosterior posterior(table, impacts, prior);
     const Draws draws = sampled(posterior, modes_of(posterior, starts_of(impacts)));
     CriticalVelocityEstimate estimate{.curve = curve_estimate(table, posterior, draws),

@@ -20,12 +20,6 @@ struct CurveEstimate {
     Scatter scatter;
 };
 
-struct EstimateOptions {
-    /// Relative standard deviation of single diameters about their mean, if known, such as from the sieve; ln
-    /// eta then scatters by twice as much. None: the scatter is estimated from the impacts [1].
-    std::optional<double> size_scatter{};
-};
-
 /// v_c of one sample, estimated from its impacts through the dynamic model and a smooth curve of damping.
 struct CriticalVelocityEstimate {
     CurveEstimate curve;
@@ -43,9 +37,10 @@ inline constexpr const char* estimate_method =
 /// sampling (Cornuet et al. 2012, Scand. J. Stat. 39:798): draws come from normal densities, each fitted to
 /// the draws before; the first ones lie at the modes of the posterior. More than few_impacts impacts are
 /// merged into groups narrower than their noise, weighted by their numbers.
+/// @param size_scatter relative standard deviation of single diameters about their mean, if known, such as
+/// from the sieve; ln eta then scatters by twice as much. None: it is estimated from the impacts [1]
 /// @throws InputError with the reason if the impacts allow no estimate; ConvergenceError
-[[nodiscard]] CriticalVelocityEstimate estimate_critical_velocity(const ContactModel& model,
-                                                                  const MeasurementSet& set,
-                                                                  const EstimateOptions& options = {});
+[[nodiscard]] CriticalVelocityEstimate estimate_critical_velocity(
+    const ContactModel& model, const MeasurementSet& set, std::optional<double> size_scatter = std::nullopt);
 
 }  // namespace ashimpact

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/inference/impacts/measurement_reader.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +11,7 @@
 #include "core/text/counting.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
+#include "solver/inference/impacts/measurement.hpp"
 #include "solver/inference/impacts/measurement_headings.hpp"
 
 namespace ashimpact {

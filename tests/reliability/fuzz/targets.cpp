@@ -19,7 +19,7 @@
 #include "pipeline/files/schema.hpp"
 #include "pipeline/present/text/artifact_text.hpp"
 #include "solver/batch/impact_batch.hpp"
-#include "solver/inference/impacts/measurement_reader.hpp"
+#include "solver/inference/impacts/measurement.hpp"
 #include "tests/reliability/fuzz/stored_zip.hpp"
 #include "tests/support/solve_as_batch.hpp"
 

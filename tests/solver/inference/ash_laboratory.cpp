@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "materials/contact_properties.hpp"
-
 namespace ashimpact::test {
 
 namespace {
@@ -32,12 +30,17 @@ std::function<double(double)> true_damping(Law law, TrueDamping damping) {
 
 }  // namespace
 
+MeasurementSet set_of(const std::vector<std::pair<double, double>>& impacts, double u) {
+    MeasurementSet set{.source = "lab", .points = {}};
+    for (const auto& [velocity, rebound] : impacts) {
+        set.points.push_back({.velocity = velocity, .rebound = rebound});
+        if (u > 0.0) set.points.back().noise = VelocityNoise::of_velocities(u, u);
+    }
+    return set;
+}
+
 ContactModel ash_model(Law law) {
-    const ContactPair ash{.mass = sphere_mass(48e-6, 2158.5),
-                          .effective_radius = 48e-6,
-                          .contact_modulus = 90e9,
-                          .work_of_adhesion = 0.2959};
-    return make_contact_model(law, law.default_detachment(), ash, {0.01, 30.0});
+    return make_contact_model(law, law.default_detachment(), ash_pair, {0.01, 30.0});
 }
 
 SyntheticLaboratory ash_laboratory(const ContactModel& model, TrueDamping damping) {

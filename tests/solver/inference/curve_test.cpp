@@ -16,14 +16,6 @@ using namespace ashimpact::test;
 
 namespace {
 
-MeasurementSet set_of(const std::vector<std::pair<double, double>>& impacts, double u) {
-    MeasurementSet set{.source = "lab", .points = {}};
-    for (const auto& [velocity, rebound] : impacts)
-        set.points.push_back(
-            {.velocity = velocity, .rebound = rebound, .noise = VelocityNoise::of_velocities(u, u)});
-    return set;
-}
-
 MeasurementSet measured(const ContactModel& model, int impacts, unsigned long seed) {
     SyntheticLaboratory laboratory = ash_laboratory(model, TrueDamping::quadratic);
     laboratory.impacts = impacts;
@@ -34,7 +26,7 @@ MeasurementSet measured(const ContactModel& model, int impacts, unsigned long se
 }  // namespace
 
 TEST_CASE("the table of restitutions is the model's, for laws with and without adhesion") {
-    for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()}) {
+    for (const Law law : fitted_laws) {
         CAPTURE(law.name());
         const ContactModel model = ash_model(law);
         const CurveTable table(model, {0.1, 20.0});
@@ -161,7 +153,7 @@ TEST_CASE("impacts that scatter far less than they state give an estimate whatev
     const std::vector<std::pair<double, double>> impacts{
         {1.4, 0},     {1.55, 0},    {1.72, 0.12}, {1.81, 0.22}, {1.95, 0.33}, {2.1, 0.44},
         {2.31, 0.57}, {2.55, 0.73}, {2.9, 0.93},  {3.35, 1.2},  {3.9, 1.51},  {4.6, 1.84}};
-    for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()}) {
+    for (const Law law : fitted_laws) {
         const ContactModel model = ash_model(law);
         for (const double u : {0.02, 0.04, 0.065, 0.13, 0.25}) {
             CAPTURE(law.name());
@@ -188,7 +180,7 @@ TEST_CASE("one rebound of small uncertainty changes nothing but its own weight")
 }
 
 TEST_CASE("rounding of the impacts does not move the estimate") {
-    for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()}) {
+    for (const Law law : fitted_laws) {
         CAPTURE(law.name());
         const ContactModel model = ash_model(law);
         MeasurementSet set = measured(model, 30, 7);

@@ -10,7 +10,6 @@
 #include <doctest/doctest.h>
 
 #include "core/text/counting.hpp"
-#include "materials/contact_properties.hpp"
 #include "solver/statistics/moments.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/solver/inference/ash_laboratory.hpp"
@@ -21,22 +20,9 @@ using namespace ashimpact::test;
 
 namespace {
 
-constexpr double ash_density = 2158.5;  ///< of the 96 um sample [kg/m3]
-
 MeasuredDamping analysed(const MeasurementSet& set, Law law = Law::of<BrachDunn>(),
                          const MeasuredDampingOptions& options = {}) {
-    const ContactPair ash{.mass = sphere_mass(48e-6, ash_density),
-                          .effective_radius = 48e-6,
-                          .contact_modulus = 90e9,
-                          .work_of_adhesion = 0.2959};
-    return analyse_impacts(law, law.default_detachment(), ash, set, options);
-}
-
-MeasurementSet impacts_of(const std::vector<std::pair<double, double>>& impacts) {
-    MeasurementSet set{.source = "lab", .points = {}};
-    for (const auto& [velocity, rebound] : impacts)
-        set.points.push_back({.velocity = velocity, .rebound = rebound});
-    return set;
+    return analyse_impacts(law, law.default_detachment(), ash_pair, set, options);
 }
 
 /// What a laboratory of the 96 um sample measures, Brach-Dunn with its row of Table 2.
@@ -223,23 +209,19 @@ TEST_CASE("a robust extrapolation finds the truth among outliers, also where the
 
 TEST_CASE(
     "a robust extrapolation of few impacts that ends where there is no curve is refused with a reason") {
-    MeasurementSet set = impacts_of({{0.5275, 0.0},
-                                     {0.34465, 0.0},
-                                     {0.77887, 0.020484},
-                                     {0.86817, 0.078318},
-                                     {4.4816, 2.5958},
-                                     {1.1271, 0.060131},
-                                     {4.0528, 2.2132},
-                                     {0.50833, 0.0}});
-    for (Measurement& point : set.points) point.noise = VelocityNoise::of_velocities(0.03, 0.03);
+    const MeasurementSet set = set_of({{0.5275, 0.0},
+                                       {0.34465, 0.0},
+                                       {0.77887, 0.020484},
+                                       {0.86817, 0.078318},
+                                       {4.4816, 2.5958},
+                                       {1.1271, 0.060131},
+                                       {4.0528, 2.2132},
+                                       {0.50833, 0.0}},
+                                      0.03);
     MeasuredDampingOptions options;
     options.extrapolated.robust = true;
-    const ContactPair ash{.mass = sphere_mass(48e-6, 2158.5),
-                          .effective_radius = 48e-6,
-                          .contact_modulus = 90e9,
-                          .work_of_adhesion = 0.2959};
     const Law law = Law::of<Hertz>();
-    const ContactModel model = make_contact_model(law, law.default_detachment(), ash, {0.0142, 28.4});
+    const ContactModel model = make_contact_model(law, law.default_detachment(), ash_pair, {0.0142, 28.4});
     const MeasuredDamping result = analyse_impacts(model, set, options);
     check_finite(result);
     // Which of the two depends on the last digits.
@@ -268,7 +250,7 @@ MeasurementSet sharp_impacts() {
 TEST_CASE(
     "impacts that no damping of such an order describes within their noise are fitted with more of it") {
     const MeasurementSet set = sharp_impacts();
-    for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()}) {
+    for (const Law law : fitted_laws) {
         CAPTURE(law.name());
         const MeasuredDamping result = analysed(set, law);
         check_finite(result);
@@ -283,7 +265,7 @@ TEST_CASE(
 // false mode of the posterior would be off by a third or more.
 TEST_CASE("the estimate of sharp impacts of another truth is near it") {
     const MeasurementSet set = sharp_impacts();
-    for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()}) {
+    for (const Law law : fitted_laws) {
         CAPTURE(law.name());
         const MeasuredDamping result = analysed(set, law);
         REQUIRE(result.estimate);
@@ -337,29 +319,28 @@ TEST_CASE("degenerate series are analysed as far as they go, with the reason why
           Degenerate{few_falling, Law::of<Dmt>(), "there is no rising branch"}}) {
         CAPTURE(each.law.name());
         CAPTURE(each.finding);
-        const MeasuredDamping result = analysed(impacts_of(each.impacts), each.law);
+        const MeasuredDamping result = analysed(set_of(each.impacts), each.law);
         check_finite(result);
         CHECK_FALSE(result.extrapolated);
         CHECK(has_finding(result, each.finding));
         if (contains(each.finding, "rising")) CHECK_FALSE(result.rising);
     }
-    check_finite(analysed(impacts_of(every(13, 0.2, [](double) { return 0.4; }))));
+    check_finite(analysed(set_of(every(13, 0.2, [](double) { return 0.4; }))));
     // Two that scatter downwards in a series that rises do not make it fall.
-    CHECK(analysed(impacts_of({{1.5, 0.3}, {2.0, 0.6}, {2.5, 0.95}, {3.0, 1.1}, {3.5, 1.5}, {4.0, 1.7}}))
-              .rising);
+    CHECK(analysed(set_of({{1.5, 0.3}, {2.0, 0.6}, {2.5, 0.95}, {3.0, 1.1}, {3.5, 1.5}, {4.0, 1.7}})).rising);
 }
 
 TEST_CASE("captures alone bound v_c from below, a rebound from above, and each has its damping") {
-    const MeasuredDamping captured = analysed(impacts_of({{0.2, 0.0}, {0.5, 0.0}, {0.8, 0.0}}));
+    const MeasuredDamping captured = analysed(set_of({{0.2, 0.0}, {0.5, 0.0}, {0.8, 0.0}}));
     CHECK_FALSE(captured.estimate);
     CHECK_FALSE(captured.measured.value);
     CHECK(captured.measured.lower == 0.8);
     CHECK_FALSE(captured.measured.upper);
     CHECK(captured.impacts[2].damping);  // the least that captures
     // At velocities at which nothing can rebound no damping is the least.
-    const MeasuredDamping slow = analysed(impacts_of({{1e-4, 0.0}, {2e-4, 0.0}}), Law::of<Jkr>());
+    const MeasuredDamping slow = analysed(set_of({{1e-4, 0.0}, {2e-4, 0.0}}), Law::of<Jkr>());
     CHECK_FALSE(slow.impacts[0].damping);
-    const MeasuredDamping one = analysed(impacts_of({{2.0, 0.6}}));
+    const MeasuredDamping one = analysed(set_of({{2.0, 0.6}}));
     REQUIRE(one.impacts.size() == 1);
     CHECK(one.impacts[0].damping.value_or(0.0) > 0.0);
     CHECK(one.impacts[0].contact_time);
@@ -448,22 +429,19 @@ TEST_CASE("degenerate: numbers that are none are refused with their line") {
     for (const auto& [impact, message] : {std::pair{std::pair{nan, 0.5}, "line 3: v_in is nan"},
                                           {{2.0, nan}, "line 3: v_r is nan"},
                                           {{2.0, -0.5}, "line 3: v_r is -0.5"}}) {
-        MeasurementSet set = impacts_of({{2.0, 0.5}, impact});
+        MeasurementSet set = set_of({{2.0, 0.5}, impact});
         set.points[1].line = 3;
         CHECK(contains(refused(set), message));
     }
-    CHECK(contains(refused(impacts_of({})), "no measurement"));
+    CHECK(contains(refused(set_of({})), "no measurement"));
 }
 
 TEST_CASE("a contact that yields is inverted and not fitted") {
-    const ContactPair yielding{.mass = sphere_mass(48e-6, ash_density),
-                               .effective_radius = 48e-6,
-                               .contact_modulus = 90e9,
-                               .work_of_adhesion = 0.2959,
-                               .yield_pressure = 6e9};
+    ContactPair yielding = ash_pair;
+    yielding.yield_pressure = 6e9;
     const Law law = Law::of<ThorntonNing>();
     const MeasuredDamping result =
-        analyse_impacts(law, law.default_detachment(), yielding, impacts_of({{2.0, 0.7}, {3.0, 1.2}}));
+        analyse_impacts(law, law.default_detachment(), yielding, set_of({{2.0, 0.7}, {3.0, 1.2}}));
     check_finite(result);
     CHECK(result.impacts[1].damping.value_or(0.0) > 0.0);
     CHECK_FALSE(result.extrapolated);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/inference/impacts/measurement_reader.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -8,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "core/text/error.hpp"
+#include "solver/inference/impacts/measurement.hpp"
 
 using namespace ashimpact;
 

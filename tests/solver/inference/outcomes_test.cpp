@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "core/text/error.hpp"
-#include "solver/inference/impacts/damping_smoothing.hpp"
+#include "solver/inference/impacts/inverted_impacts.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 #include "solver/inference/measured_critical_velocity.hpp"
 #include "solver/numeric/gsl/interpolation.hpp"
@@ -13,7 +13,6 @@
 #include "tests/relative_difference.hpp"
 #include "tests/solver/inference/ash_laboratory.hpp"
 #include "tests/support/errors.hpp"
-#include "tests/support/random.hpp"
 
 using namespace ashimpact;
 using namespace ashimpact::test;
@@ -26,12 +25,12 @@ Measurement impact(double velocity, double rebound, double uncertainty = 0.0) {
     return point;
 }
 
-MeasurementSet set_of(std::vector<Measurement> points) {
+MeasurementSet series_of(std::vector<Measurement> points) {
     return {.source = "lab", .points = std::move(points)};
 }
 
 MeasuredCriticalVelocity measured_from(std::vector<Measurement> points) {
-    return measured_critical_velocity(set_of(std::move(points)));
+    return measured_critical_velocity(series_of(std::move(points)));
 }
 
 /// Captures and rebounds that mix over far more than their noise.
@@ -89,7 +88,7 @@ TEST_CASE("outcomes without stated noise get that of their scatter") {
 }
 
 TEST_CASE("outcomes with noise: symmetric ones put v_c in the middle, wider than the gap") {
-    const auto measured = measured_critical_velocity(set_of(
+    const auto measured = measured_critical_velocity(series_of(
         {impact(0.9, 0.0, 0.05), impact(1.0, 0.0, 0.05), impact(1.1, 0.1, 0.05), impact(1.2, 0.2, 0.05)}));
     REQUIRE(measured.value);
     CHECK(std::abs(*measured.value - 1.05) < 1e-4);
@@ -239,7 +238,7 @@ TEST_CASE("the camera's resolution: the slope of a line through whole pixels") {
 }
 
 TEST_CASE("bins hold the mean of their impacts and its uncertainty; captures stay") {
-    const MeasurementSet set = set_of({impact(2.0, 0.6, 0.04), impact(2.2, 0.8, 0.04), impact(3.0, 1.2, 0.04),
+    const MeasurementSet set = series_of({impact(2.0, 0.6, 0.04), impact(2.2, 0.8, 0.04), impact(3.0, 1.2, 0.04),
                                        impact(3.2, 1.4, 0.04), impact(1.0, 0.0, 0.04)});
     const MeasurementSet pairs = binned(set, {.impacts_per_bin = 2});
     CHECK(pairs.captures() == 1);
@@ -258,7 +257,7 @@ TEST_CASE("bins hold the mean of their impacts and its uncertainty; captures sta
 TEST_CASE("the uncertainty of a bin is that of its weighted mean, with what both velocities share") {
     const VelocityNoise good{.incident = 1e-4, .rebound = 2e-4, .covariance = 0.5e-4};
     const VelocityNoise poor{.incident = 4e-4, .rebound = 5e-4, .covariance = -2e-4};
-    const MeasurementSet pair = binned(set_of({{.velocity = 2.0, .rebound = 0.6, .noise = good},
+    const MeasurementSet pair = binned(series_of({{.velocity = 2.0, .rebound = 0.6, .noise = good},
                                                {.velocity = 2.2, .rebound = 0.8, .noise = poor}}),
                                        {.impacts_per_bin = 2});
     REQUIRE(pair.points.size() == 1);
@@ -278,7 +277,7 @@ TEST_CASE("three parts of eta(v_in): falling, flat, rising") {
     const ContactModel model = ash_model(Law::of<BrachDunn>());
     // eta falls as v^-1 to 2 m/s, is flat, and rises as v from 5 m/s on.
     const auto eta = [](double v) { return v < 2.0 ? 0.010 * 2.0 / v : v < 5.0 ? 0.010 : 0.010 * v / 5.0; };
-    MeasurementSet set = set_of({});
+    MeasurementSet set = {.source = "lab", .points = {}};
     for (int i = 0; i < 91; ++i) {
         const double v = 1.5 * std::pow(1.02, i);
         const double e = model.restitution(v, eta(v));
@@ -306,8 +305,6 @@ TEST_CASE("damping that falls all along has one part, and none of no length") {
                            .greatest_restitution = 1.0,
                            .damping = 0.01 / v,
                            .standard_uncertainty = 1e-5,
-                           .by_restitution = -0.01,
-                           .by_velocity = 0.001,
                            .contact_time = {}});
     }
     const DampingParts parts = find_parts(DampingSmoothing::of(impacts));

@@ -1,22 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The wrappers around GSL: roots, distributions, linear fits, and errors that come through.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 #include <gsl/gsl_errno.h>
+#include <nlohmann/json.hpp>
 
 #include "core/text/error.hpp"
 #include "solver/numeric/gsl/fit.hpp"
+#include "solver/numeric/gsl/interpolation.hpp"
 #include "solver/numeric/gsl/search.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
 #include "solver/numeric/gsl/support.hpp"
 #include "tests/relative_difference.hpp"
+#include "tests/support/data_file.hpp"
+#include "tests/support/errors.hpp"
+#include "tests/support/random.hpp"
 
 using namespace ashimpact;
-using ashimpact::test::relative_difference;
+using namespace ashimpact::test;
+
+// The wrappers around GSL: roots, distributions, linear fits, and errors that come through.
 
 TEST_CASE("a root is found to the tolerance asked for") {
     const auto cubic = [](double x) { return x * x * x - 2e-21; };  // root 1.26e-7
@@ -125,4 +134,213 @@ TEST_CASE("a failed status is an error with GSL's words") {
         CHECK_THROWS_WITH_AS(gsl::check(status, "a step"),
                              "a step: the function has no finite value there, or the search gets no further",
                              ConvergenceError);
+}
+
+namespace {
+
+/// Restitution over incident velocity, rising steeply from capture and falling slowly [m/s], [1].
+const std::vector<double> velocities{1.92, 2.0, 2.2, 3.1, 5.0, 9.0, 14.0};
+const std::vector<double> restitutions{0.0, 0.31, 0.52, 0.66, 0.68, 0.61, 0.50};
+
+}  // namespace
+
+TEST_CASE("a measured curve passes through its points") {
+    const MeasuredCurve curve(velocities, restitutions);
+    CHECK(curve.lower() == 1.92);
+    CHECK(curve.upper() == 14.0);
+    for (std::size_t i = 0; i < velocities.size(); ++i) {
+        CHECK(std::abs(curve(velocities[i]) - restitutions[i]) < 1e-15);
+    }
+}
+
+TEST_CASE("no value lies outside its two neighbours, and between them the curve is monotone") {
+    Random random(5);
+    for (int curve_number = 0; curve_number < 50; ++curve_number) {
+        std::vector<double> x;
+        std::vector<double> y;
+        for (int i = 0; i < 8; ++i) {
+            x.push_back((x.empty() ? 0.0 : x.back()) + random.log_uniform(1e-3, 10.0));
+            y.push_back(random.uniform(0.0, 1.0));
+        }
+        const MeasuredCurve curve(x, y);
+        for (std::size_t i = 0; i + 1 < x.size(); ++i) {
+            double before = y[i];
+            const double lower = std::min(y[i], y[i + 1]) - 1e-15;
+            const double upper = std::max(y[i], y[i + 1]) + 1e-15;
+            const double direction = y[i + 1] - y[i];
+            bool inside = true;
+            bool monotone = true;
+            for (int k = 1; k <= 40; ++k) {
+                const double value = curve(std::min(x[i] + (x[i + 1] - x[i]) * k / 40.0, x[i + 1]));
+                inside = inside && value >= lower && value <= upper;
+                monotone = monotone && (value - before) * direction >= -1e-15;
+                before = value;
+            }
+            CHECK(inside);
+            CHECK(monotone);
+        }
+    }
+}
+
+TEST_CASE("a straight line stays straight, a step stays a step") {
+    const std::vector<double> x{0.5, 1.0, 2.5, 4.0};
+    const std::vector<double> line{1.0, 2.0, 5.0, 8.0};
+    const MeasuredCurve straight(x, line);
+    for (int i = 0; i < 10; ++i) {
+        const double at = 0.5 + 0.37 * i;
+        CHECK(relative_difference(straight(at), 2.0 * at) < 1e-14);
+    }
+    const std::vector<double> step{0.0, 0.0, 1.0, 1.0};
+    const MeasuredCurve jump(x, step);
+    CHECK(jump(0.7) == 0.0);
+    CHECK(jump(3.3) == 1.0);
+    CHECK(std::abs(jump(1.75) - 0.5) < 1e-15);
+}
+
+TEST_CASE("nothing is extrapolated") {
+    const MeasuredCurve curve(velocities, restitutions);
+    CHECK(input_error_of([&] { static_cast<void>(curve(1.9)); }) ==
+          "a measured curve is asked for its value at 1.900000; allowed: 1.920000 to 14.000000, the measured "
+          "range");
+    CHECK_THROWS_AS(static_cast<void>(curve(14.1)), InputError);
+    CHECK_THROWS_AS(static_cast<void>(curve(std::numeric_limits<double>::quiet_NaN())), InputError);
+}
+
+TEST_CASE("curves that are none are refused") {
+    const auto message = [](std::vector<double> x, std::vector<double> y) {
+        return input_error_of([&] { MeasuredCurve(x, y); });
+    };
+    CHECK(message({1, 2}, {1, 2}) ==
+          "a measured curve has 2 abscissae and 2 values; allowed: as many of both, at least 3");
+    CHECK(contains(message({1, 2, 3}, {1, 2}), "has 3 abscissae and 2 values"));
+    CHECK(message({1, 3, 2}, {1, 2, 3}) ==
+          "point 3 of a measured curve is out of order or not finite; allowed: finite values, abscissae "
+          "strictly increasing");
+    CHECK(contains(message({1, 1, 2}, {1, 2, 3}), "point 2 of a measured curve"));
+    CHECK(contains(message({1, 2, 3}, {1, std::nan(""), 3}), "point 2 of a measured curve"));
+    CHECK(contains(message({std::nan(""), 2, 3}, {1, 2, 3}), "point 1 of a measured curve"));
+}
+
+TEST_CASE("a curve can be moved") {
+    MeasuredCurve first(velocities, restitutions);
+    const double value = first(2.7);
+    MeasuredCurve second(std::move(first));
+    CHECK(second(2.7) == value);
+    MeasuredCurve third(std::vector<double>{1, 2, 3}, std::vector<double>{1, 2, 3});
+    third = std::move(second);
+    CHECK(third(2.7) == value);
+}
+
+namespace {
+
+using Model = double (*)(const Eigen::VectorXd& b, double x);
+
+double misra1a(const Eigen::VectorXd& b, double x) {
+    return b[0] * (1.0 - std::exp(-b[1] * x));
+}
+
+double thurber(const Eigen::VectorXd& b, double x) {
+    return (b[0] + x * (b[1] + x * (b[2] + x * b[3]))) / (1.0 + x * (b[4] + x * (b[5] + x * b[6])));
+}
+
+double mgh09(const Eigen::VectorXd& b, double x) {
+    return b[0] * (x * x + x * b[1]) / (x * x + x * b[2] + b[3]);
+}
+
+Eigen::VectorXd vector_of(const nlohmann::json& column) {
+    const auto values = column.get<std::vector<double>>();
+    return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+/// A problem of NIST's Statistical Reference Datasets, tests/data/nist.
+struct Certified {
+    Model model;
+    nlohmann::json data;
+    Eigen::VectorXd x = vector_of(data["x"]);
+    Eigen::VectorXd y = vector_of(data["y"]);
+
+    [[nodiscard]] Eigen::VectorXd residuals(const Eigen::VectorXd& b) const {
+        Eigen::VectorXd r(x.size());
+        for (Eigen::Index i = 0; i < x.size(); ++i) r[i] = model(b, x[i]) - y[i];
+        return r;
+    }
+    [[nodiscard]] double number(const char* key) const { return data[key].get<double>(); }
+};
+
+Certified misra_problem() {
+    return {&misra1a, data_file("nist/misra1a.json")};
+}
+
+/// Six digits in everything that is certified, from one published start.
+void check_certified(const Certified& problem, const Eigen::VectorXd& start) {
+    const gsl::NonlinearFit fit = gsl::fit_nonlinear(
+        {[&](const Eigen::VectorXd& b) { return problem.residuals(b); }}, start, {.most_iterations = 2000});
+    const Eigen::VectorXd parameters = vector_of(problem.data["parameters"]);
+    const Eigen::VectorXd deviations = vector_of(problem.data["standard_deviations"]);
+    const double deviation = std::sqrt(fit.chi_squared / problem.number("degrees_of_freedom"));
+    CHECK(relative_difference(fit.chi_squared, problem.number("residual_sum_of_squares")) < 1e-9);
+    CHECK(relative_difference(deviation, problem.number("residual_standard_deviation")) < 1e-9);
+    for (Eigen::Index i = 0; i < parameters.size(); ++i) {
+        CAPTURE(i);
+        CHECK(relative_difference(fit.parameters[i], parameters[i]) < 1e-6);
+        CHECK(relative_difference(deviation * std::sqrt(fit.covariance(i, i)), deviations[i]) < 1e-6);
+    }
+    CHECK(relative_difference(fit.residuals.squaredNorm(), fit.chi_squared) < 1e-14);
+}
+
+}  // namespace
+
+TEST_CASE("NIST StRD: certified values to six digits from both published starts") {
+    const std::array<Certified, 3> problems{misra_problem(),
+                                            Certified{&thurber, data_file("nist/thurber.json")},
+                                            Certified{&mgh09, data_file("nist/mgh09.json")}};
+    for (const Certified& problem : problems) {
+        CAPTURE(problem.data["model"].get<std::string>());
+        REQUIRE(problem.data["starts"].size() == 2);
+        for (const nlohmann::json& start : problem.data["starts"]) {
+            CAPTURE(start.dump());
+            check_certified(problem, vector_of(start));
+        }
+    }
+}
+
+TEST_CASE("an exact model is recovered at any scale") {
+    const Eigen::Vector2d truth(3.2e-9, 47.0);
+    const auto residuals = [&](const Eigen::VectorXd& b) {
+        Eigen::VectorXd r(5);
+        for (int i = 0; i < 5; ++i) {
+            const double x = 0.01 * (i + 1);
+            r[i] = 1e9 * (b[0] * std::exp(-b[1] * x) - truth[0] * std::exp(-truth[1] * x));
+        }
+        return r;
+    };
+    const gsl::NonlinearFit fit = gsl::fit_nonlinear({residuals}, Eigen::Vector2d(1e-9, 30.0));
+    CHECK(relative_difference(fit.parameters[0], truth[0]) < 1e-9);
+    CHECK(relative_difference(fit.parameters[1], truth[1]) < 1e-9);
+    CHECK(fit.chi_squared < 1e-18);
+}
+
+TEST_CASE("too few iterations are a failure, not an answer, in whatever unit the residuals are") {
+    const Certified misra = misra_problem();
+    for (const double unit : {1e-6, 1.0, 1e6}) {
+        CAPTURE(unit);
+        const auto residuals = [&](const Eigen::VectorXd& b) -> Eigen::VectorXd {
+            return unit * misra.residuals(b);
+        };
+        const Eigen::Vector2d start(500.0, 1e-4);
+        CHECK_THROWS_AS(static_cast<void>(gsl::fit_nonlinear({residuals}, start, {.most_iterations = 2})),
+                        ConvergenceError);
+        CHECK(relative_difference(gsl::fit_nonlinear({residuals}, start).parameters[0],
+                                  misra.data["parameters"][0].get<double>()) < 1e-6);
+    }
+}
+
+TEST_CASE("what the residuals throw comes out of GSL unchanged") {
+    const Certified misra = misra_problem();
+    const auto throwing = [&](const Eigen::VectorXd& b) -> Eigen::VectorXd {
+        if (b[0] != 500.0) throw InputError("no such parameter");
+        return misra.residuals(b);
+    };
+    CHECK_THROWS_WITH_AS(static_cast<void>(gsl::fit_nonlinear({throwing}, Eigen::Vector2d(500.0, 1e-4))),
+                         "no such parameter", InputError);
 }

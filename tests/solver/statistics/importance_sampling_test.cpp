@@ -7,10 +7,10 @@
 
 #include "tests/relative_difference.hpp"
 
-namespace {
-
 using namespace ashimpact;
-using test::relative_difference;
+using namespace ashimpact::test;
+
+namespace {
 
 using Plane = ImportanceSampling<2>;
 
@@ -76,4 +76,17 @@ TEST_CASE("importance sampling finds both of two modes that were given") {
     // A quarter of the weight lies around -3.
     CHECK(std::abs(draws.marginal(0).quantile(0.125) + 3.0) < 0.15);
     CHECK(std::abs(draws.marginal(0).quantile(0.625) - 3.0) < 0.15);
+}
+
+TEST_CASE("quantiles of weighted values lie on lines between the middles of their weights") {
+    const MarginalSample sample({{3.0, 0.25}, {0.0, 0.25}, {1.0, 0.5}});
+    // Middles of the weights: 0.125, 0.5 and 0.875.
+    CHECK(sample.quantile(0.01) == 0.0);
+    CHECK(sample.quantile(0.125) == 0.0);
+    CHECK(sample.quantile(0.3125) == doctest::Approx(0.5).epsilon(1e-15));
+    CHECK(sample.quantile(0.5) == doctest::Approx(1.0).epsilon(1e-15));
+    CHECK(sample.quantile(0.6875) == doctest::Approx(2.0).epsilon(1e-15));
+    CHECK(sample.quantile(0.99) == 3.0);
+    CHECK(sample.mean() == doctest::Approx(1.25).epsilon(1e-15));
+    CHECK(sample.standard_deviation() == doctest::Approx(std::sqrt(1.1875)).epsilon(1e-15));
 }

@@ -1,68 +1,78 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/inference/impacts/damping_smoothing.hpp"
+#include "solver/inference/impacts/inverted_impacts.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <iterator>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <span>
 
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
+#include "solver/batch/parallel.hpp"
+#include "solver/motion/damping_inversion.hpp"
 #include "solver/numeric/gsl/fit.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
+#include "solver/statistics/distribution.hpp"
 #include "solver/statistics/moments.hpp"
 
 namespace ashimpact {
 
 namespace {
 
+/// Standard uncertainty of the damping from the noise of the velocities, e = v_r/v_in [kg/s].
+std::optional<double> propagated(const Measurement& point, const DampingAt& damping) {
+    if (!point.noise) return std::nullopt;
+    const double by_rebound = damping.by_restitution / point.velocity;
+    const double by_incident = damping.by_velocity - by_rebound * point.restitution();
+    const double variance = by_incident * by_incident * point.noise->incident +
+                            2.0 * by_incident * by_rebound * point.noise->covariance +
+                            by_rebound * by_rebound * point.noise->rebound;
+    return std::sqrt(variance);
+}
+
+/// An impact for which no damping has been found yet.
+InvertedImpact without_damping(std::size_t index, const Measurement& point, double greatest) {
+    return {.index = index,
+            .velocity = point.velocity,
+            .restitution = point.restitution(),
+            .greatest_restitution = greatest};
+}
+
 constexpr std::size_t rows_per_interval = 8;
 constexpr std::size_t most_rows = 200;  ///< more rebounds are averaged in groups before the curve is fitted
 
 double root_mean_square(const std::vector<double>& values) {
-    double sum = 0.0;
-    for (const double value : values) sum += value * value;
-    return std::sqrt(sum / static_cast<double>(values.size()));
+    return std::sqrt(std::inner_product(values.begin(), values.end(), values.begin(), 0.0) /
+                     static_cast<double>(values.size()));
 }
 
 constexpr int steps = 400;  ///< of the grid on which parts are looked for
 
 /// Velocities of the smoothed range, evenly spaced in their logarithm [m/s].
 std::vector<double> grid_of(const DampingSmoothing& smooth) {
-    std::vector<double> velocities;
-    for (int i = 0; i <= steps; ++i) {
-        const double share = static_cast<double>(i) / steps;
-        velocities.push_back(smooth.slowest() * std::pow(smooth.fastest() / smooth.slowest(), share));
-    }
-    return velocities;
-}
-
-std::size_t least_damping(const DampingSmoothing& smooth, const std::vector<double>& grid) {
-    const auto least = std::min_element(grid.begin(), grid.end(), [&](double a, double b) {
-        return smooth.at(a).damping < smooth.at(b).damping;
-    });
-    return static_cast<std::size_t>(least - grid.begin());
+    return logarithmic_grid(smooth.slowest(), smooth.fastest(), steps + 1);
 }
 
 /// The boundary of the flat part, searched from the least damping on.
 /// @param direction -1: towards the falling part, +1: towards the rising part
 std::optional<PartBoundary> boundary_of(const DampingSmoothing& smooth, const std::vector<double>& grid,
                                         double flatness, int direction) {
-    const auto last = direction > 0 ? grid.size() - 1 : std::size_t{0};
-    auto i = least_damping(smooth, grid);
-    while (i != last && direction * smooth.at(grid[i]).elasticity < flatness)
-        i = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + direction);
-    if (i == last) return std::nullopt;
-    const auto here = smooth.at(grid[i]);
-    const auto end = smooth.at(grid[last]);
+    const auto last = direction > 0 ? grid.end() - 1 : grid.begin();
+    auto place = std::ranges::min_element(grid, {}, [&](double v) { return smooth.at(v).damping; });
+    while (place != last && direction * smooth.at(*place).elasticity < flatness) place += direction;
+    if (place == last) return std::nullopt;
+    const auto here = smooth.at(*place);
+    const auto end = smooth.at(*last);
     if (end.damping - here.damping < 2.0 * std::hypot(end.standard_uncertainty, here.standard_uncertainty))
         return std::nullopt;
-    const auto next = smooth.at(grid[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + direction)]);
-    const double bend =
-        std::abs(next.elasticity - here.elasticity) / (std::log(smooth.fastest() / smooth.slowest()) / steps);
-    return PartBoundary{grid[i], grid[i] * here.elasticity_uncertainty / std::max(bend, 1e-3)};
+    const double bend = std::abs(smooth.at(place[direction]).elasticity - here.elasticity) /
+                        (std::log(smooth.fastest() / smooth.slowest()) / steps);
+    return PartBoundary{*place, *place * here.elasticity_uncertainty / std::max(bend, 1e-3)};
 }
 
 [[noreturn]] void refuse_falling(const MeasurementSet& set, double from) {
@@ -93,14 +103,66 @@ bool falls(const std::vector<Measurement>& rebounds) {
 /// Refuses a series too short for smoothing whose restitution falls. @throws InputError
 void refuse_short_falling(const MeasurementSet& set) {
     std::vector<Measurement> rebounds;
-    for (const Measurement& point : set.points)
-        if (!point.captured()) rebounds.push_back(point);
-    if (!falls(rebounds)) return;
-    const auto slower = [](const Measurement& a, const Measurement& b) { return a.velocity < b.velocity; };
-    refuse_falling(set, std::min_element(rebounds.begin(), rebounds.end(), slower)->velocity);
+    std::ranges::copy_if(set.points, std::back_inserter(rebounds), std::not_fn(&Measurement::captured));
+    if (falls(rebounds))
+        refuse_falling(set, std::ranges::min_element(rebounds, {}, &Measurement::velocity)->velocity);
 }
 
 }  // namespace
+
+std::vector<InvertedImpact> invert(const ContactModel& model, const MeasurementSet& set) {
+    std::vector<InvertedImpact> result(set.points.size());
+    const auto invert_one = [&](std::size_t i) {
+        const Measurement& point = set.points[i];
+        const double e = point.restitution();
+        InvertedImpact& inverted = result[i];
+        inverted = without_damping(i, point, model.greatest_restitution(point.velocity));
+        if (!model.range().contains(point.velocity) || e > inverted.greatest_restitution) return;
+        const DampingAt damping = model.damping(point.velocity, e);
+        inverted.damping = damping.value;
+        inverted.standard_uncertainty = propagated(point, damping);
+        if (!point.captured()) inverted.contact_time = model.contact_time(point.velocity, e);
+    };
+    constexpr std::size_t chunk = 1000;
+    batch::for_chunks(result.size(), chunk, 0, [&](std::size_t first, std::size_t size) {
+        for (std::size_t i = first; i < first + size; ++i) invert_one(i);
+    });
+    return result;
+}
+
+std::vector<InvertedImpact> invert_by_solving(Law law, Detachment detachment, const ContactPair& contact,
+                                              const MeasurementSet& set) {
+    constexpr double nudge = 1e-5;  // relative step of the differences
+    const auto solved = [&](double velocity, double restitution) {
+        return damping_from_restitution(
+            {law, detachment, DampingLaw::constant, contact, velocity, restitution});
+    };
+    const auto damping = [&](double velocity, double restitution) {
+        return solved(velocity, restitution).damping.coefficient;
+    };
+    std::vector<InvertedImpact> result;
+    for (std::size_t i = 0; i < set.points.size(); ++i) {
+        const Measurement& point = set.points[i];
+        const double v = point.velocity;
+        const double e = point.restitution();
+        const Impact undamped{law, detachment, {DampingLaw::constant, 0.0}, contact, v};
+        validate(undamped);
+        result.push_back(without_damping(i, point, restitution_of(undamped)));
+        InvertedImpact& inverted = result.back();
+        if (e >= inverted.greatest_restitution * (1.0 - nudge)) continue;
+        const DampingInversion found = solved(v, e);
+        inverted.damping = found.damping.coefficient;
+        inverted.contact_time = found.impact.contact_time;
+        const double lower = e * (1.0 - nudge);
+        const double upper = e == 0.0 ? nudge : e * (1.0 + nudge);
+        inverted.standard_uncertainty = propagated(
+            point, {.value = *inverted.damping,
+                    .by_restitution = (damping(v, upper) - damping(v, lower)) / (upper - lower),
+                    .by_velocity =
+                        (damping(v * (1.0 + nudge), e) - damping(v * (1.0 - nudge), e)) / (2 * nudge * v)});
+    }
+    return result;
+}
 
 /// The data of the smoothing, ordered by velocity.
 struct DampingSmoothing::Rows {
@@ -238,8 +300,7 @@ std::optional<DampingSmoothing> DampingSmoothing::of(const std::vector<InvertedI
         if (velocities.size() < least_velocities) velocities.insert(impact.velocity);
     }
     if (ordered.size() < least_smoothed || velocities.size() < least_velocities) return std::nullopt;
-    std::sort(ordered.begin(), ordered.end(),
-              [](const InvertedImpact* a, const InvertedImpact* b) { return a->velocity < b->velocity; });
+    std::ranges::sort(ordered, {}, &InvertedImpact::velocity);
     Rows rows;
     for (const InvertedImpact* impact : ordered) {
         rows.add(std::log(impact->velocity), *impact->damping,
@@ -311,8 +372,7 @@ DampingParts find_parts(const std::optional<DampingSmoothing>& smooth, const Par
 
 RisingBranch rising_branch(const ContactModel& model, const MeasurementSet& set,
                            const std::optional<DampingSmoothing>& smooth) {
-    double upper = 0.0;
-    for (const Measurement& point : set.points) upper = std::max(upper, point.velocity);
+    double upper = std::ranges::max(set.points, {}, &Measurement::velocity).velocity;
     if (smooth) {
         const std::vector<double> grid = grid_of(*smooth);
         std::vector<double> restitution;
