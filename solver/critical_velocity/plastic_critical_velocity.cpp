@@ -97,9 +97,8 @@ std::vector<double> critical_contacts(const PlasticCapture& capture, double yiel
     while (lower < farthest) {
         const double u = lower * scan_ratio;
         const double next = capture.margin(u);
-        if ((next > 0.0) != (margin > 0.0)) {
+        if ((next > 0.0) != (margin > 0.0))
             contacts.push_back(gsl::brent([&](double x) { return capture.margin(x); }, lower, u).root);
-        }
         lower = u;
         margin = next;
     }

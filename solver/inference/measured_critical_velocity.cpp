@@ -60,12 +60,11 @@ class OutcomeLikelihood {
         fastest_ = last->velocity;
         double capture = 0.0;
         double rebound = fastest_;
-        for (const Outcome& outcome : outcomes_) {
+        for (const Outcome& outcome : outcomes_)
             if (outcome.sign > 0.0)
                 capture = std::max(capture, outcome.velocity);
             else
                 rebound = std::min(rebound, outcome.velocity);
-        }
         middle_ = 0.5 * (capture + rebound);
         if (outcomes_.size() > few_outcomes) merge();
     }
@@ -276,12 +275,11 @@ void bound_one_side(const MeasurementSet& set, MeasuredCriticalVelocity& result)
 bool may_be_slow_rebounds(const MeasurementSet& set) {
     std::vector<const Measurement*> rebounds;
     bool seen_to_stick = true;
-    for (const Measurement& point : set.points) {
+    for (const Measurement& point : set.points)
         if (!point.captured())
             rebounds.push_back(&point);
         else if (point.outcome != NotedOutcome::capture)
             seen_to_stick = false;
-    }
     const std::size_t slowest = std::min(rebounds.size(), std::max<std::size_t>(3, rebounds.size() / 10));
     if (seen_to_stick || slowest < 3) return false;
     std::ranges::sort(rebounds, {}, &Measurement::velocity);

@@ -58,9 +58,8 @@ struct Polynomial {
     /// The polynomial p with p(x) = (*this)(x + offset).
     [[nodiscard]] Polynomial shifted(const Real& offset) const {
         Polynomial result = *this;
-        for (int i = 0; i < degree; ++i) {
+        for (int i = 0; i < degree; ++i)
             for (int j = degree - 1; j >= i; --j) result[j] = result[j] + offset * result[j + 1];
-        }
         return result;
     }
 
@@ -72,18 +71,16 @@ struct Polynomial {
             scale = scale * (b - a) * Real(i) / Real(degree - i + 1);
             c[static_cast<std::size_t>(i)] = c[static_cast<std::size_t>(i)] * scale;
         }
-        for (int i = 1; i <= degree; ++i) {  // sums over binomial(j, i), by Pascal's triangle
+        for (int i = 1; i <= degree; ++i)  // sums over binomial(j, i), by Pascal's triangle
             for (auto j = static_cast<std::size_t>(degree); j >= static_cast<std::size_t>(i); --j)
                 c[j] += c[j - 1];
-        }
         return *std::max_element(c.begin(), c.begin() + degree + 1);
     }
 
     /// Whether only even powers appear, so that it is a polynomial of x^2.
     [[nodiscard]] bool even() const {
-        for (int i = 1; i <= degree; i += 2) {
+        for (int i = 1; i <= degree; i += 2)
             if ((*this)[i] != Real(0)) return false;
-        }
         return true;
     }
 
@@ -108,9 +105,8 @@ struct Polynomial {
     friend Polynomial operator*(const Polynomial& a, const Polynomial& b) {
         assert(a.degree + b.degree < capacity);
         Polynomial result;
-        for (int i = 0; i <= a.degree; ++i) {
+        for (int i = 0; i <= a.degree; ++i)
             for (int j = 0; j <= b.degree; ++j) result[i + j] = result[i + j] + a[i] * b[j];
-        }
         result.degree = a.degree + b.degree;
         return result;
     }

@@ -60,9 +60,8 @@ template <class Real, std::size_t size>
     for (std::size_t n = size - last; n < size; ++n) {
         const double tail = log2_of(c[n]);
         double largest = -std::numeric_limits<double>::infinity();
-        for (std::size_t m = 0; m < leading; ++m) {
+        for (std::size_t m = 0; m < leading; ++m)
             largest = std::max(largest, (first[m] - tail) / static_cast<double>(n - m));
-        }
         if (tail > -std::numeric_limits<double>::infinity()) smallest = std::min(smallest, largest);
     }
     return std::exp2(static_cast<Real>(smallest));

@@ -95,10 +95,10 @@ struct Replicate {
 };
 
 /// Evaluates the model at the points of a design.
-class Sampler {
+class PropagationSampler {
   public:
-    Sampler(const std::vector<RandomInput>& inputs, const UncertainModel& model,
-            const PropagationOptions& options)
+    PropagationSampler(const std::vector<RandomInput>& inputs, const UncertainModel& model,
+                       const PropagationOptions& options)
         : model_(model), factors_(factors_of(inputs)), replicates_(size_of(options.replicates)) {
         if (factors_.empty()) throw InputError("no input is uncertain", "at least one uncertainty > 0");
         for (const RandomInput& input : inputs) nominal_.push_back(input.value);
@@ -244,7 +244,7 @@ std::vector<SobolIndices> sobol_indices(std::span<const SobolSums> groups) {
 Propagation propagate(const std::vector<RandomInput>& inputs, const UncertainModel& model,
                       const PropagationOptions& options) {
     validate(inputs, options);
-    const Sampler sampler(inputs, model, options);
+    const PropagationSampler sampler(inputs, model, options);
     const std::optional<double> value = model(sampler.nominal());
     if (!value) throw InputError("the propagated result does not exist at the values of the inputs");
 

@@ -173,11 +173,10 @@ Eigen::ArrayXd ScaledImpacts::contact_times(const Eigen::ArrayXd& damping_number
 RestitutionMap::RestitutionMap(Law law, Detachment detachment, ScaledVelocityRange range)
     : impacts_(law, detachment), range_(range) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    if (impacts_.adhesive()) {
+    if (impacts_.adhesive())
         range_.lower = std::max(range.lower, impacts_.lowest() + margin);
-    } else {
+    else
         range_ = {-infinity, infinity};
-    }
     if (!(range_.lower < range_.upper)) throw InputError("every impact is captured at these velocities");
     tabulate_damping();
     tabulate_times();

@@ -172,12 +172,10 @@ void require_solvable(const CalibrationProblem& problem) {
     const std::size_t constants = slots_of(problem).size();
     const std::size_t observations = problem.critical_velocities.size() + problem.contact_times.size();
     const auto known = [&](const auto& observation) { return observation.sample < problem.samples.size(); };
-    for (const auto& o : problem.critical_velocities) {
+    for (const auto& o : problem.critical_velocities)
         if (!known(o)) throw InputError("an observation names a sample that does not exist");
-    }
-    for (const auto& o : problem.contact_times) {
+    for (const auto& o : problem.contact_times)
         if (!known(o)) throw InputError("an observation names a sample that does not exist");
-    }
     if (constants == 0 || observations < constants) {
         throw InputError("the calibration has " + std::to_string(observations) + " observations for " +
                              std::to_string(constants) + " free constants",
@@ -191,9 +189,8 @@ std::vector<CalibrationSample> samples_with(const CalibrationProblem& problem,
     std::vector<CalibrationSample> samples = problem.samples;
     for (std::size_t i = 0; i < slots.size(); ++i) {
         const double value = std::exp(logarithms[static_cast<Eigen::Index>(i)]);
-        for (std::size_t s = 0; s < samples.size(); ++s) {
+        for (std::size_t s = 0; s < samples.size(); ++s)
             if (!slots[i].sample || *slots[i].sample == s) constant_of(samples[s], slots[i].quantity) = value;
-        }
     }
     return samples;
 }

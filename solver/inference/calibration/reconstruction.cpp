@@ -34,9 +34,8 @@ void require_usable(std::span<const DampingPoint> points) {
         throw InputError("the damping fit has " + std::to_string(distinct.size()) + " distinct restitutions",
                          "at least 3 for a quadratic");
     }
-    if (weighted != 0 && weighted != points.size()) {
+    if (weighted != 0 && weighted != points.size())
         throw InputError("only some points of the damping fit have an uncertainty", "all of them or none");
-    }
 }
 
 Impact impact_with(const PublishedDamping& published, double e, double velocity) {

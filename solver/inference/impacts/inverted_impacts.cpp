@@ -353,9 +353,8 @@ DampingParts find_parts(const std::optional<DampingSmoothing>& smooth, const Par
                       " rebounds within reach, or too few velocities, for parts to be told apart";
         return result;
     }
-    for (const auto& residual : smooth->residuals()) {
+    for (const auto& residual : smooth->residuals())
         if (std::abs(residual.value) > options.outlier) result.outliers.push_back(residual.index);
-    }
     std::sort(result.outliers.begin(), result.outliers.end());
     const std::vector<double> grid = grid_of(*smooth);
     const auto falling = boundary_of(*smooth, grid, options.flatness, -1);

@@ -240,10 +240,9 @@ std::vector<std::string> warnings_of(const MeasurementHeading& heading) {
     for (const TextColumn& column : heading.unused)
         warnings.push_back("column " + in_quotes(column.name) + " is not used");
     for (const auto* columns : {&heading.value, &heading.uncertainty}) {
-        for (const auto& column : *columns) {
+        for (const auto& column : *columns)
             if (column && !column->unit_given)
                 warnings.push_back("column " + in_quotes(column->name) + " has no unit: taken as m/s");
-        }
     }
     return warnings;
 }

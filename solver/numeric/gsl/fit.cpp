@@ -149,9 +149,8 @@ NonlinearFit fit_nonlinear(const NonlinearProblem& fitted, const Eigen::VectorXd
     // that are not smooth can pass them elsewhere.
     if (status != GSL_ENOPROG && status != GSL_EMAXITER) check(status, "nonlinear fit");
     const bool stationary = is_stationary(workspace.get());
-    if (!stationary && options.smooth) {
+    if (!stationary && options.smooth)
         throw ConvergenceError("nonlinear fit: no further progress where chi^2 is not at its minimum");
-    }
 
     NonlinearFit fit;
     fit.parameters = view_of(gsl_multifit_nlinear_position(workspace.get()));

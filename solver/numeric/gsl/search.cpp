@@ -75,9 +75,8 @@ RootSummary brent(const std::function<double(double)>& function, double lower, d
         check(iterated, "root finding");
         const double a = gsl_root_fsolver_x_lower(solver.get());
         const double b = gsl_root_fsolver_x_upper(solver.get());
-        if (gsl_root_test_interval(a, b, options.absolute, options.relative) == GSL_SUCCESS) {
+        if (gsl_root_test_interval(a, b, options.absolute, options.relative) == GSL_SUCCESS)
             return {gsl_root_fsolver_root(solver.get()), i};
-        }
     }
     throw ConvergenceError("root finding: iteration limit reached");
 }

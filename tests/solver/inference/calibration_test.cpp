@@ -153,11 +153,9 @@ TEST_CASE("chi^2 is that of the residuals it reports, where no rounding is share
     for (ContactTimeObservation& o : problem.contact_times) o.damping_fit_uncertainty = 0.0;
     const CalibrationSummary summary = calibrate(problem);
     double sum = 0.0;
-    for (const auto* residuals : {&summary.critical_velocities, &summary.contact_times}) {
-        for (const CalibrationResidual& r : *residuals) {
+    for (const auto* residuals : {&summary.critical_velocities, &summary.contact_times})
+        for (const CalibrationResidual& r : *residuals)
             sum += std::pow(std::log(r.predicted / r.observed) / r.relative_uncertainty, 2);
-        }
-    }
     CHECK(relative_difference(sum, summary.chi_squared) < 1e-4);  // the weights follow, weakly
     // Hertz: v_c goes with eta^5, so a rounding of eta counts five times.
     for (std::size_t i = 0; i < problem.critical_velocities.size(); ++i) {
@@ -185,9 +183,8 @@ TEST_CASE("constants behind exact observations are recovered from a start well o
     const CalibrationSummary summary = calibrate(problem);
     CHECK(summary.chi_squared < 1e-8);
     CHECK(relative_difference(summary.constants[0].value, truth_w) < 1e-6);
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i)
         CHECK(relative_difference(summary.constants[i + 1].value, truth_density[i]) < 1e-6);
-    }
     CHECK(worst_of(summary.critical_velocities) < 1e-6);
     CHECK(worst_of(summary.contact_times) < 1e-6);
 }

@@ -238,8 +238,9 @@ TEST_CASE("the camera's resolution: the slope of a line through whole pixels") {
 }
 
 TEST_CASE("bins hold the mean of their impacts and its uncertainty; captures stay") {
-    const MeasurementSet set = series_of({impact(2.0, 0.6, 0.04), impact(2.2, 0.8, 0.04), impact(3.0, 1.2, 0.04),
-                                       impact(3.2, 1.4, 0.04), impact(1.0, 0.0, 0.04)});
+    const MeasurementSet set =
+        series_of({impact(2.0, 0.6, 0.04), impact(2.2, 0.8, 0.04), impact(3.0, 1.2, 0.04),
+                   impact(3.2, 1.4, 0.04), impact(1.0, 0.0, 0.04)});
     const MeasurementSet pairs = binned(set, {.impacts_per_bin = 2});
     CHECK(pairs.captures() == 1);
     REQUIRE(pairs.rebounds() == 2);
@@ -258,7 +259,7 @@ TEST_CASE("the uncertainty of a bin is that of its weighted mean, with what both
     const VelocityNoise good{.incident = 1e-4, .rebound = 2e-4, .covariance = 0.5e-4};
     const VelocityNoise poor{.incident = 4e-4, .rebound = 5e-4, .covariance = -2e-4};
     const MeasurementSet pair = binned(series_of({{.velocity = 2.0, .rebound = 0.6, .noise = good},
-                                               {.velocity = 2.2, .rebound = 0.8, .noise = poor}}),
+                                                  {.velocity = 2.2, .rebound = 0.8, .noise = poor}}),
                                        {.impacts_per_bin = 2});
     REQUIRE(pair.points.size() == 1);
     const double first = 1 / 3e-4;  // weights

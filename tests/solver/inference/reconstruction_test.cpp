@@ -42,11 +42,9 @@ PublishedDamping published_damping(std::size_t sample, Law law) {
 
 template <class Action>
 void for_each_published(Action&& action) {
-    for (std::size_t sample = 0; sample < 3; ++sample) {
-        for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>()}) {
+    for (std::size_t sample = 0; sample < 3; ++sample)
+        for (const Law law : {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>()})
             action(published_damping(sample, law));
-        }
-    }
 }
 
 }  // namespace
@@ -207,9 +205,8 @@ TEST_CASE("restitutions that no velocity has are refused") {
     const auto message = [](const Impact& i, double e) {
         return input_error_of([&] { static_cast<void>(velocity_of_restitution(i, e)); });
     };
-    for (const double e : {0.0, 1.0, -0.2, 1.7, std::nan("")}) {
+    for (const double e : {0.0, 1.0, -0.2, 1.7, std::nan("")})
         CHECK(contains(message(impact, e), "is not reached at any velocity; allowed: 0 < e < 1"));
-    }
     Impact never =
         impact_of({Law::of<Hertz>(), DampingLaw::constant, Detachment::zero_force}, ash(0.0), 0.3, 2.0);
     CHECK(contains(message(never, 0.5), "never-captured"));

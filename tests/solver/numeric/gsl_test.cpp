@@ -148,9 +148,8 @@ TEST_CASE("a measured curve passes through its points") {
     const MeasuredCurve curve(velocities, restitutions);
     CHECK(curve.lower() == 1.92);
     CHECK(curve.upper() == 14.0);
-    for (std::size_t i = 0; i < velocities.size(); ++i) {
+    for (std::size_t i = 0; i < velocities.size(); ++i)
         CHECK(std::abs(curve(velocities[i]) - restitutions[i]) < 1e-15);
-    }
 }
 
 TEST_CASE("no value lies outside its two neighbours, and between them the curve is monotone") {

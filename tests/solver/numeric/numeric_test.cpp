@@ -245,11 +245,9 @@ TEST_CASE("product coefficients are those of the product") {
 }
 
 TEST_CASE("the radius of a geometric series is its own, whatever its size") {
-    for (const double r : {1e-9, 0.37, 5.0e3}) {
-        for (const double factor : {1e-12, 1.0, 3e7}) {
+    for (const double r : {1e-9, 0.37, 5.0e3})
+        for (const double factor : {1e-12, 1.0, 3e7})
             CHECK(relative_difference(radius(geometric(factor, r)), r) < 1e-13);
-        }
-    }
 }
 
 TEST_CASE("the radius sees past gaps in the series, and is infinite where nothing follows") {
