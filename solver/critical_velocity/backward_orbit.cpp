@@ -6,9 +6,68 @@
 #include <cstddef>
 #include <numbers>
 
+#include "solver/motion/legs.hpp"
+#include "solver/numeric/gsl/search.hpp"
+
 namespace ashimpact {
 
 namespace {
+
+/// Where a critical orbit is followed backward from: at, or just before, the end of contact.
+struct Arrival {
+    MotionState<Extended> state;
+    Extended dissipated_after = 0;           ///< work of damping from that state to the end
+    std::optional<Extended> time_after = 0;  ///< from that state to the end; none if infinite
+};
+
+/// Beyond this coordinate, in units of the equilibrium or of the damping length, a backward orbit has
+/// escaped. So it has where the coefficients of its series leave the range of numbers, as those of a damping
+/// that grows with a high power of the contact radius do before.
+constexpr Extended escape = 1e25_ext;
+
+/// Expands for a step backward in time.
+template <class Branch>
+MotionExpansion<Extended> backward_expansion(const Branch& branch, const MotionState<Extended>& state,
+                                             int& steps) {
+    MotionExpansion<Extended> x = counted_expansion(branch, state, steps);
+    x.step = -x.step;
+    return x;
+}
+
+/// Follows the outward leg on a branch backward in time to its turning point; none if the orbit escapes, so
+/// that no velocity is high enough to rebound.
+/// @param equilibrium coordinate of static equilibrium. @throws ConvergenceError
+template <class Branch>
+std::optional<MotionState<Extended>> back_to_turn(const Branch& branch, MotionState<Extended> state,
+                                                  Extended equilibrium) {
+    const Extended farthest = escape * std::max({1.0_ext, equilibrium, state.position});
+    int steps = 0;
+    while (state.position < farthest) {
+        const MotionExpansion<Extended> x = backward_expansion(branch, state, steps);
+        if (!std::isfinite(x.position.back()) || !std::isfinite(x.velocity.back())) return std::nullopt;
+        const auto turn = event_within(x, x.step, [](const MotionState<Extended>& s) { return -s.velocity; });
+        state = x.at(turn.value_or(x.step));
+        if (!turn) continue;
+        state.velocity = 0;
+        return state;
+    }
+    return std::nullopt;
+}
+
+/// Follows the inward leg on a branch backward in time to the coordinate @p place; or to rest, where rounding
+/// leaves the orbit just short of it. @throws ConvergenceError
+template <class Branch>
+MotionState<Extended> back_to(const Branch& branch, MotionState<Extended> state, Extended place) {
+    int steps = 0;
+    while (true) {
+        const MotionExpansion<Extended> x = backward_expansion(branch, state, steps);
+        const auto rest = event_within(x, x.step, [](const MotionState<Extended>& s) { return s.velocity; });
+        const Extended part = rest.value_or(x.step);
+        const auto there = event_within(x, part, way_to(place, -1.0_ext));
+        state = x.at(there.value_or(part));
+        if (there || rest) return state;
+    }
+}
 
 using Terms = Series<Extended>;
 
@@ -145,8 +204,8 @@ bool ends_at_rest_point(const Motion<Extended>& motion) {
     return std::abs(motion.slope(*motion.end)) <= 1e-12_ext * std::abs(motion.slope(motion.equilibrium));
 }
 
-}  // namespace
-
+/// The orbit that arrives at the end of contact with no velocity left; none if no orbit does. Without
+/// adhesion there is one only if the damping does not vanish with the contact radius.
 std::optional<Arrival> critical_arrival(const Motion<Extended>& motion) {
     const bool adhesive = motion.equilibrium > *motion.end;
     if (adhesive && ends_at_rest_point(motion)) return RestPoint(motion).arrival(*motion.end);
@@ -155,6 +214,7 @@ std::optional<Arrival> critical_arrival(const Motion<Extended>& motion) {
     return motion.damping.degree == 0 ? at_damped_end(motion) : RestPoint(motion).arrival(*motion.end);
 }
 
+/// The critical impact of an orbit followed backward from @p arrival to the state @p touch at first touch.
 CriticalImpact critical_impact(const Arrival& arrival, const MotionState<Extended>& touch, Extended plastic,
                                Extended break_energy, Extended maximum_overlap) {
     CriticalImpact impact{.dissipated = arrival.dissipated_after - touch.dissipation,
@@ -167,6 +227,190 @@ CriticalImpact critical_impact(const Arrival& arrival, const MotionState<Extende
     return impact;
 }
 
+/// The critical orbit near the fold of the touching branch, where delta'(q) = 0: v is a power series of
+/// x = q - q_fold with v dv/dx = -delta' (eta v + F), the root that arrives (v < 0 for x > 0).
+class FoldArrival {
+  public:
+    FoldArrival(const TouchingBranch& branch, Extended fold) : statics_(branch.statics(fold)) {
+        statics_.slope[0] = 0;
+        // v_1^2 = -delta''(fold) F(fold)
+        velocity_[1] = -std::sqrt(-statics_.slope[1] * statics_.force[0]);
+        total_[0] = statics_.force[0];
+        for (std::size_t n = 2; n < velocity_.size(); ++n) {
+            total_[n - 1] = statics_.force[n - 1] + product_coefficient(statics_.damping, velocity_, n - 1);
+            Extended rest = -product_coefficient(statics_.slope, total_, n);  // total_[n] meets slope[0] = 0
+            for (std::size_t i = 2; i < n; ++i)
+                rest -= static_cast<Extended>(n + 1) / 2 * velocity_[i] * velocity_[n + 1 - i];
+            velocity_[n] = rest / (static_cast<Extended>(n + 1) * velocity_[1]);
+        }
+    }
+
+    /// The orbit where its series still hold to rounding.
+    [[nodiscard]] Arrival arrival(Extended fold) const {
+        const Extended e = std::numbers::e_v<Extended>;
+        const Extended x = convergence() / (e * e);
+        Arrival arrival;
+        arrival.state.position = fold + x;
+        arrival.state.velocity = value(velocity_, x);
+        // From x to the fold: work of eta v over d(delta), time of d(delta)/v.
+        Terms work{};
+        Terms pace{};
+        for (std::size_t n = 0; n + 1 < velocity_.size(); ++n) {
+            Terms drag{};
+            for (std::size_t i = 0; i <= n; ++i)
+                drag[i] = product_coefficient(statics_.damping, velocity_, i);
+            work[n + 1] = -product_coefficient(drag, statics_.slope, n) / static_cast<Extended>(n + 1);
+        }
+        Terms quotient{};  // delta'/v, both without their leading power
+        for (std::size_t n = 0; n + 1 < velocity_.size(); ++n) {
+            Extended rest = statics_.slope[n + 1];
+            for (std::size_t k = 0; k < n; ++k) rest -= quotient[k] * velocity_[n - k + 1];
+            quotient[n] = rest / velocity_[1];
+            pace[n + 1] = -quotient[n] / static_cast<Extended>(n + 1);
+        }
+        arrival.dissipated_after = value(work, x);
+        arrival.time_after = value(pace, x);
+        return arrival;
+    }
+
+  private:
+    [[nodiscard]] Extended convergence() const {
+        Terms pace{};  // without the leading zero, which has no bearing on the radius
+        std::copy(velocity_.begin() + 1, velocity_.end(), pace.begin());
+        pace.back() = velocity_.back() / radius(statics_.slope);
+        return std::min({radius(pace), radius(statics_.slope), radius(statics_.force)});
+    }
+
+    TouchingBranch::Statics statics_;
+    Terms velocity_{};
+    Terms total_{};
+};
+
+/// Time that the critical orbit takes from cohesive radius @p c to rest at the fold of the gap branch, c_f:
+/// with U(c_f) - U(c) = (pi lambda/8) (c - c_f)^2 (c^2 + 2 c c_f/3 + c_f^2/3) the integral of delta'(c)/v is
+/// an arsinh.
+Extended gap_time_to_rest(const CohesiveZone& zone, Extended c) {
+    const Extended fold = zone.pull_off().cohesive_radius;
+    const auto primitive = [&](Extended x) {
+        return std::asinh((3 * x + fold) / (std::numbers::sqrt2_v<Extended> * fold));
+    };
+    return (primitive(c) - primitive(fold)) / std::sqrt(std::numbers::pi_v<Extended> * zone.lambda() / 4);
+}
+
+/// The orbit just before the end of contact, on the touching branch.
+Arrival arrival_of(const CohesiveMotion& motion) {
+    const TouchingBranch& branch = motion.touching();
+    const CohesiveState& end = motion.end();
+    if (!end.touching()) {
+        const CohesiveState join = motion.zone().join();
+        const Extended fall = motion.potential_at_end() - motion.zone().potential(join);
+        return {.state = {.position = branch.coordinate(join), .velocity = -std::sqrt(2 * fall)},
+                .time_after = gap_time_to_rest(motion.zone(), join.cohesive_radius)};
+    }
+    const Extended place = branch.coordinate(end);
+    if (end.angle == motion.zone().pull_off().angle) return FoldArrival(branch, place).arrival(place);
+    return {.state = {.position = place}};
+}
+
+/// Ratio of successive greatest contacts (in u) searched for a change of verdict.
+constexpr double scan_ratio = 1.02;
+
+/// The arrival at rest after unloading from a greatest contact.
+struct Unloading {
+    Motion<Extended> motion;
+    std::optional<Arrival> arrival{};
+    std::optional<MotionState<Extended>> turn{};
+};
+
+/// The arrival of an impact that turns at @p u, with work and time counted from there.
+Arrival arrival_from(const Unloading& unloading, double u) {
+    const Motion<Extended>& motion = unloading.motion;
+    constexpr double near = 1e-9;
+    const auto& turn = unloading.turn;
+    if (turn && std::abs(motion.root_radius(turn->position) / u - 1) < near) {
+        Arrival arrival = *unloading.arrival;
+        arrival.dissipated_after -= turn->dissipation;
+        if (arrival.time_after) *arrival.time_after -= turn->time;
+        return arrival;
+    }
+    // Damping draws the orbits together until backward they either turn far below u or escape. Forward they
+    // are the same orbit, whose work is the fall of the potential.
+    const MotionState<Extended> start{.position = motion.coordinate(u)};
+    Orbit<Extended> orbit;
+    const Unobserved unobserved;
+    Legs(orbit, unobserved).rebound(motion, start, CaptureTest<Extended>(motion));
+    return {.state = orbit.end,
+            .dissipated_after = motion.potential(start.position) - motion.potential(*motion.end),
+            .time_after = orbit.end.time};
+}
+
+class PlasticCapture {
+  public:
+    explicit PlasticCapture(const PlasticMotion<Extended>& motion) : motion_(motion) {}
+
+    /// How far beyond the greatest contact @p u the orbit that just arrives at the end would have to turn:
+    /// positive if an impact that turns at u is captured, negative if it rebounds.
+    [[nodiscard]] double margin(double u) const {
+        const Unloading unloading = from(u);
+        if (!unloading.arrival) return motion_.elastic().overdamped ? 1.0 : -1.0;
+        if (!unloading.turn) return 1.0;
+        return static_cast<double>(unloading.motion.root_radius(unloading.turn->position) / u - 1);
+    }
+
+    /// The impact that turns at @p u and arrives at the end at rest.
+    [[nodiscard]] CriticalImpact impact_through(double u) const {
+        const Unloading unloading = from(u);
+        const Motion<Extended>& loading = motion_.loading();
+        const Motion<Extended>& elastic = motion_.elastic();
+        const Extended yield = motion_.yield();
+        MotionState<Extended> state{.position = loading.coordinate(u)};
+        Extended plastic_work = 0;
+        if (u > yield) {
+            state = back_to(loading, state, loading.coordinate(yield));
+            plastic_work =
+                motion_.loading_potential(u) - unloading.motion.potential(unloading.motion.coordinate(u));
+        }
+        if (!motion_.yields_at_touch()) {
+            state.position = elastic.coordinate(std::min<Extended>(yield, u));
+            state = back_to(elastic, state, elastic.touch);
+        }
+        return critical_impact(arrival_from(unloading, u), state, plastic_work,
+                               unloading.motion.potential(*unloading.motion.end) - motion_.touch_potential(),
+                               loading.overlap(loading.coordinate(u)));
+    }
+
+  private:
+    [[nodiscard]] Unloading from(double u) const {
+        Unloading unloading{u > motion_.yield() ? motion_.unloading(u) : motion_.elastic()};
+        unloading.arrival = critical_arrival(unloading.motion);
+        if (unloading.arrival)
+            unloading.turn =
+                back_to_turn(unloading.motion, unloading.arrival->state, unloading.motion.equilibrium);
+        return unloading;
+    }
+
+    const PlasticMotion<Extended>& motion_;
+};
+
+/// Every greatest contact, in u, at which captured and rebounding impacts meet, ascending.
+std::vector<double> critical_contacts(const PlasticCapture& capture, double yield, double farthest) {
+    std::vector<double> contacts;
+    double lower = yield;
+    double margin = capture.margin(lower);
+    if (margin < 0.0 && margin > -1.0) contacts.push_back(lower * (1.0 + margin));  // on the elastic branch
+    while (lower < farthest) {
+        const double u = lower * scan_ratio;
+        const double next = capture.margin(u);
+        if ((next > 0.0) != (margin > 0.0))
+            contacts.push_back(gsl::brent([&](double x) { return capture.margin(x); }, lower, u).root);
+        lower = u;
+        margin = next;
+    }
+    return contacts;
+}
+
+}  // namespace
+
 CriticalImpacts critical_impacts(const Motion<Extended>& motion) {
     const std::optional<Arrival> arrival = critical_arrival(motion);
     if (!arrival) return {.verdict = CaptureVerdict::never_captured};
@@ -175,6 +419,38 @@ CriticalImpacts critical_impacts(const Motion<Extended>& motion) {
     return {.impacts = {critical_impact(*arrival, back_to(motion, *turn, motion.touch), 0,
                                         motion.potential(*motion.end) - motion.potential(motion.touch),
                                         motion.overlap(turn->position))}};
+}
+
+CriticalImpacts critical_impacts(const CohesiveMotion& motion) {
+    const TouchingBranch& branch = motion.touching();
+    const Arrival arrival = arrival_of(motion);
+    const auto turn = back_to_turn(branch, arrival.state, motion.rest().position);
+    if (!turn) return {.verdict = CaptureVerdict::always_captured};
+    const bool begins_in_gap = !motion.begin().touching();
+    const CohesiveState first = begins_in_gap ? motion.zone().join() : motion.begin();
+    MotionState<Extended> state = back_to(branch, *turn, branch.coordinate(first));
+    if (begins_in_gap) {
+        state.position = first.cohesive_radius;
+        state = back_to(motion.gap(), state, motion.begin().cohesive_radius);
+    }
+    return {.impacts = {critical_impact(arrival, state, 0,
+                                        motion.potential_at_end() - motion.potential_at_begin(),
+                                        branch.overlap(turn->position))}};
+}
+
+CriticalImpacts critical_impacts(const PlasticMotion<Extended>& motion, Extended farthest) {
+    const PlasticCapture capture(motion);
+    const Motion<Extended>& loading = motion.loading();
+    const auto yield = static_cast<double>(motion.yield());
+    double farthest_contact = yield;
+    while (loading.overlap(loading.coordinate(farthest_contact)) < farthest) farthest_contact *= scan_ratio;
+    CriticalImpacts found;
+    for (const double u : critical_contacts(capture, yield, farthest_contact))
+        found.impacts.push_back(capture.impact_through(u));
+    if (found.impacts.empty())
+        found.verdict =
+            capture.margin(yield) > 0.0 ? CaptureVerdict::always_captured : CaptureVerdict::never_captured;
+    return found;
 }
 
 }  // namespace ashimpact

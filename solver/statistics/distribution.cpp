@@ -323,11 +323,6 @@ Distribution lognormal_around(double value, double standard_uncertainty) {
     return LogNormal{.median = value, .geometric_standard_deviation = std::exp(standard_uncertainty / value)};
 }
 
-Distribution uniform_around(double value, double standard_uncertainty) {
-    const double half = std::sqrt(3.0) * standard_uncertainty;
-    return Uniform{.from = value - half, .to = value + half};
-}
-
 void to_quantiles(const Distribution& distribution, std::span<double> probabilities) {
     std::visit([&](const auto& kind) { convert(kind, probabilities); }, distribution);
 }

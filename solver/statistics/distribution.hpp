@@ -55,8 +55,6 @@ using Distribution = std::variant<Choice, Uniform, LogUniform, Normal, LogNormal
 /// The value is the median; the logarithm has the standard deviation standard_uncertainty/value. Never
 /// negative; needs value > 0.
 [[nodiscard]] Distribution lognormal_around(double value, double standard_uncertainty);
-/// Half width sqrt(3) standard_uncertainty.
-[[nodiscard]] Distribution uniform_around(double value, double standard_uncertainty);
 
 /// Replaces probabilities in (0, 1) by the quantiles of the distribution.
 void to_quantiles(const Distribution& distribution, std::span<double> probabilities);

@@ -82,26 +82,6 @@ HWY_INLINE hn::Vec<hn::ScalableTag<double>> unit_interval_of(Word lower, Word up
     return hn::Add(from_zero, hn::Set(doubles, 0x1p-53));
 }
 
-/// The numbers 0, 1, ... of the counters in lanes, in the order for store_pairs(): registers interleave in
-/// blocks of two lanes, so the first lanes of blocks count through the lower half and the second ones through
-/// the upper.
-HWY_INLINE Word numbers_in_blocks() {
-    const Words d;
-    const Word lane = hn::Iota(d, 0);
-    const auto is_second = hn::TestBit(lane, hn::Set(d, 1));
-    const Word block = hn::ShiftRight<1>(lane);
-    return hn::IfThenElse(is_second, hn::Add(block, hn::Set(d, hn::Lanes(d) / 2)), block);
-}
-
-/// The two samples of each counter, side by side.
-HWY_INLINE void store_pairs(const Counters& of, double* values) {
-    const hn::ScalableTag<double> doubles;
-    const auto first = unit_interval_of(of.part[0], of.part[1]);
-    const auto second = unit_interval_of(of.part[2], of.part[3]);
-    hn::StoreU(hn::InterleaveLower(doubles, first, second), doubles, values);
-    hn::StoreU(hn::InterleaveUpper(doubles, first, second), doubles, values + hn::Lanes(doubles));
-}
-
 /// Fills in the pairs of some registers of counters.
 template <std::size_t registers>
 HWY_INLINE void fill_registers(const Keys& keys, Word first, std::uint32_t axis, std::uint32_t stream,
@@ -116,7 +96,10 @@ HWY_INLINE void fill_registers(const Keys& keys, Word first, std::uint32_t axis,
         for (std::size_t k = 0; k < registers; ++k) counters[k].round(keys.first[round], keys.second[round]);
     }
 #pragma GCC unroll 8
-    for (std::size_t k = 0; k < registers; ++k) store_pairs(counters[k], values + 2 * k * hn::Lanes(d));
+    for (std::size_t k = 0; k < registers; ++k)  // the two samples of each counter, side by side
+        hn::StoreInterleaved2(unit_interval_of(counters[k].part[0], counters[k].part[1]),
+                              unit_interval_of(counters[k].part[2], counters[k].part[3]),
+                              hn::ScalableTag<double>(), values + 2 * k * hn::Lanes(d));
 }
 
 }  // namespace
@@ -127,7 +110,7 @@ std::size_t fill_pairs(std::uint64_t seed, std::uint64_t first_pair, std::uint32
     const Words d;
     const std::size_t lanes = hn::Lanes(d);
     const Keys keys(seed);
-    const Word first_pairs = hn::Add(numbers_in_blocks(), hn::Set(d, first_pair));
+    const Word first_pairs = hn::Iota(d, first_pair);
     std::size_t done = 0;
     const auto fill = [&](auto registers) HWY_ATTR {
         const std::size_t together = 2 * lanes * registers();

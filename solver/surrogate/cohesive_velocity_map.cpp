@@ -15,7 +15,7 @@ namespace {
 
 constexpr int first_degree = 6;
 constexpr int greatest_degree = 24;
-constexpr double narrowest = 1e-3;  // half width of an axis along which nothing is uncertain
+constexpr double narrowest_axis = 1e-3;  // half width of an axis along which nothing is uncertain
 
 /// ln v_c, in units of Maugis, of the pair with these logarithms of damping and transition parameter.
 std::optional<double> scaled_logarithm(const CriticalVelocityProblem& nominal, double x, double y) {
@@ -42,7 +42,7 @@ CohesiveVelocityMap::CohesiveVelocityMap(const CriticalVelocityProblem& nominal,
     const CohesiveNumbers centre = cohesive_numbers(nominal);
     if (!(centre.damping > 0)) return;
     centre_ = {std::log(centre.damping), std::log(centre.lambda)};
-    spread_ = {std::max(spread[0], narrowest), std::max(spread[1], narrowest)};
+    spread_ = {std::max(spread[0], narrowest_axis), std::max(spread[1], narrowest_axis)};
     for (int degree = first_degree; degree <= greatest_degree; degree *= 2) {
         const ChebyshevAxis x{centre_[0] - spread_[0], centre_[0] + spread_[0], degree};
         const ChebyshevAxis y{centre_[1] - spread_[1], centre_[1] + spread_[1], degree / 2};

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "core/text/error.hpp"
@@ -98,14 +97,9 @@ std::optional<VelocityAt> ContactModel::velocity(double restitution, double damp
     return std::nullopt;
 }
 
-std::optional<double> ContactModel::critical_velocity(double damping) const {
-    const auto at = velocity(0.0, damping);
-    return at ? std::optional(at->value) : std::nullopt;
-}
-
 std::optional<double> ContactModel::critical_velocity_anywhere(double damping) const {
     if (!(damping > 0.0)) return std::nullopt;
-    if (const auto read = critical_velocity(damping)) return read;
+    if (const auto read = velocity(0.0, damping)) return read->value;
     const ScaledImpacts& impacts = map_->impacts();
     return ashimpact::critical_velocity(
                {impacts.law(), impacts.detachment(), {DampingLaw::constant, damping}, contact_})
@@ -139,28 +133,21 @@ double ContactModel::contact_time(double velocity, double restitution) const {
 }
 
 std::shared_ptr<const RestitutionMap> make_restitution_map(Law law, Detachment detachment,
-                                                           const std::vector<ContactPair>& contacts,
+                                                           const ContactPair& contact,
                                                            VelocityRange velocities) {
-    ScaledVelocityRange range{std::numeric_limits<double>::infinity(),
-                              -std::numeric_limits<double>::infinity()};
-    bool adhesive = false;
-    for (const ContactPair& contact : contacts) {
-        validate(contact);
-        require_memoryless(law, contact);
-        const double unit = velocity_of_adhesion(law, contact);
-        if (unit == 0.0) continue;
-        adhesive = true;
-        range.lower = std::min(range.lower, std::log(velocities.lower / unit));
-        range.upper = std::max(range.upper, std::log(velocities.upper / unit));
-    }
-    if (!adhesive)
-        return std::make_shared<RestitutionMap>(Law::without_attraction(), Detachment::zero_overlap, range);
-    return std::make_shared<RestitutionMap>(law, detachment, range);
+    validate(contact);
+    require_memoryless(law, contact);
+    const double unit = velocity_of_adhesion(law, contact);
+    if (unit == 0.0)
+        return std::make_shared<RestitutionMap>(Law::without_attraction(), Detachment::zero_overlap,
+                                                velocities);
+    return std::make_shared<RestitutionMap>(
+        law, detachment, VelocityRange{std::log(velocities.lower / unit), std::log(velocities.upper / unit)});
 }
 
 ContactModel make_contact_model(Law law, Detachment detachment, const ContactPair& contact,
                                 VelocityRange velocities) {
-    return {make_restitution_map(law, detachment, {contact}, velocities), contact};
+    return {make_restitution_map(law, detachment, contact, velocities), contact};
 }
 
 }  // namespace ashimpact

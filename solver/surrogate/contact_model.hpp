@@ -3,20 +3,11 @@
 
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include "solver/contact/pair.hpp"
 #include "solver/surrogate/restitution_map.hpp"
 
 namespace ashimpact {
-
-/// Velocities [m/s].
-struct VelocityRange {
-    double lower;
-    double upper;
-
-    [[nodiscard]] bool contains(double velocity) const { return velocity >= lower && velocity <= upper; }
-};
 
 /// Damping and its slopes at one (velocity, restitution).
 struct DampingAt {
@@ -56,10 +47,8 @@ class ContactModel {
     /// @param damping > 0 [kg/s] @param guess start of the search, if one is known [m/s]
     [[nodiscard]] std::optional<VelocityAt> velocity(double restitution, double damping,
                                                      std::optional<double> guess = std::nullopt) const;
-    /// The velocity up to which impacts are captured; none if it lies outside range() [m/s].
-    [[nodiscard]] std::optional<double> critical_velocity(double damping) const;
-    /// Like critical_velocity(), but solved by integration if it lies outside range(); none if there is no
-    /// finite critical velocity, or the damping is not positive [m/s].
+    /// The velocity up to which impacts are captured, solved by integration if it lies outside range(); none
+    /// if there is no finite critical velocity, or the damping is not positive [m/s].
     [[nodiscard]] std::optional<double> critical_velocity_anywhere(double damping) const;
     /// Restitution of an impact, 0 for a capture [1]. @param velocity within range() [m/s]
     [[nodiscard]] double restitution(double velocity, double damping) const;
@@ -83,11 +72,11 @@ class ContactModel {
     double damping_unit_;   ///< m^(3/5) k^(2/5), unit of damping at 1 m/s [kg/s (s/m)^(1/5)]
 };
 
-/// A map of @p law that covers @p velocities for each of @p contacts; for contacts without adhesion a map of
-/// Hertz.
-/// @throws InputError
-[[nodiscard]] std::shared_ptr<const RestitutionMap> make_restitution_map(
-    Law law, Detachment detachment, const std::vector<ContactPair>& contacts, VelocityRange velocities);
+/// A map of @p law that covers @p velocities for @p contact; without adhesion a map of Hertz. @throws
+/// InputError
+[[nodiscard]] std::shared_ptr<const RestitutionMap> make_restitution_map(Law law, Detachment detachment,
+                                                                         const ContactPair& contact,
+                                                                         VelocityRange velocities);
 
 /// The model of one contact, with a map of its own.
 [[nodiscard]] ContactModel make_contact_model(Law law, Detachment detachment, const ContactPair& contact,

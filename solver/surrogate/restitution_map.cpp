@@ -67,11 +67,11 @@ double falling_root(const std::function<double(double)>& function, const ScaledI
 constexpr int root_degree = 26;      ///< along the cube root of the restitution
 constexpr int time_degree = 14;      ///< the same for contact times
 constexpr double least_timed = 0.3;  ///< cube root of e below which contact times are solved, not tabulated
-constexpr double least_in_batch = 0.3;  ///< cube root of e below which dampings are searched for one by one
-constexpr double margin = 0.05;         ///< distance in x from where every impact is captured
+constexpr double least_in_batch = 0.3;   ///< cube root of e below which dampings are searched for one by one
+constexpr double capture_margin = 0.05;  ///< distance in x from where every impact is captured
 
 /// Degree along x: the dependence on adhesion is smooth over factors of velocity.
-int degree_for(ScaledVelocityRange range) {
+int degree_for(VelocityRange range) {
     const double wanted = 6.0 + 2.0 * (range.upper - range.lower);
     return static_cast<int>(std::clamp(wanted, 8.0, 30.0));
 }
@@ -170,11 +170,11 @@ Eigen::ArrayXd ScaledImpacts::contact_times(const Eigen::ArrayXd& damping_number
            x.unaryExpr([this](double each) { return Scale::of(unit_pair, velocity(each)).time(); });
 }
 
-RestitutionMap::RestitutionMap(Law law, Detachment detachment, ScaledVelocityRange range)
+RestitutionMap::RestitutionMap(Law law, Detachment detachment, VelocityRange range)
     : impacts_(law, detachment), range_(range) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if (impacts_.adhesive())
-        range_.lower = std::max(range.lower, impacts_.lowest() + margin);
+        range_.lower = std::max(range.lower, impacts_.lowest() + capture_margin);
     else
         range_ = {-infinity, infinity};
     if (!(range_.lower < range_.upper)) throw InputError("every impact is captured at these velocities");

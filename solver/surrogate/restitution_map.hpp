@@ -63,8 +63,8 @@ class ScaledImpacts {
     double lowest_;
 };
 
-/// Range of x = ln(v/V_a) that a map covers.
-struct ScaledVelocityRange {
+/// A range of velocities [m/s], or of x = ln(v/V_a) [1].
+struct VelocityRange {
     double lower;
     double upper;
 
@@ -86,13 +86,13 @@ struct DampingNumber {
 /// cube root, which is smooth enough. The constructor compares the map with solved impacts, see accuracy().
 class RestitutionMap {
   public:
-    /// Solves the impacts, in some hundredths of a second. The range is cut off where every impact is
-    /// captured.
+    /// Solves the impacts, in some hundredths of a second. @param range of x, cut off where every impact is
+    /// captured
     /// @throws InputError for a detachment that does not capture or a range that is empty
-    RestitutionMap(Law law, Detachment detachment, ScaledVelocityRange range);
+    RestitutionMap(Law law, Detachment detachment, VelocityRange range);
 
     [[nodiscard]] const ScaledImpacts& impacts() const { return impacts_; }
-    [[nodiscard]] ScaledVelocityRange range() const { return range_; }
+    [[nodiscard]] VelocityRange range() const { return range_; }
     /// Largest error in restitution found when the map was checked [1].
     [[nodiscard]] double accuracy() const { return accuracy_; }
 
@@ -110,7 +110,7 @@ class RestitutionMap {
     [[nodiscard]] double root_of_share(double restitution, double x) const;
 
     ScaledImpacts impacts_;
-    ScaledVelocityRange range_;
+    VelocityRange range_;
     ChebyshevSurface damping_;
     ChebyshevSurface time_;
     double accuracy_ = std::numeric_limits<double>::infinity();

@@ -21,8 +21,8 @@ namespace ashimpact {
 
 namespace {
 
-constexpr double reach = 0.995;  ///< of the greatest restitution: the upper end of any curve
-constexpr double beyond = 0.02;  ///< how far a curve extends above the greatest measured restitution
+constexpr double curve_reach = 0.995;  ///< of the greatest restitution: the upper end of any curve
+constexpr double extension = 0.02;     ///< how far a curve extends above the greatest measured restitution
 
 constexpr double no_curve = 1e4;              ///< residual of every row if the curve does not exist
 constexpr std::size_t many_rebounds = 20000;  ///< rebounds, from which some of them give the start of the fit
@@ -97,7 +97,7 @@ ReboundSelection select_rebounds(const ContactModel& model, const MeasurementSet
     if (robust) greatest = greatest_common_restitution(selection.data.rebounds);
     if (!selection.indices.empty()) {
         selection.data.greatest_restitution =
-            std::min(greatest + beyond, reach * model.greatest_restitution(fastest));
+            std::min(greatest + extension, curve_reach * model.greatest_restitution(fastest));
     }
     return selection;
 }
@@ -135,7 +135,7 @@ Eigen::VectorXd starting_coefficients(const ContactModel& model, const Restituti
     batch::for_chunks(rebounds.size(), rebounds_together, 0, [&](std::size_t first, std::size_t size) {
         for (std::size_t i = first; i < first + size; ++i) {
             const Measurement& point = *rebounds[i];
-            const double most = reach * model.greatest_restitution(point.velocity);
+            const double most = curve_reach * model.greatest_restitution(point.velocity);
             const double e = std::min(point.restitution(), most);
             const auto row = static_cast<Eigen::Index>(i);
             design.row(row) = DampingPolynomial::powers(e, order).transpose();

@@ -51,11 +51,11 @@ double root_mean_square(const std::vector<double>& values) {
                      static_cast<double>(values.size()));
 }
 
-constexpr int steps = 400;  ///< of the grid on which parts are looked for
+constexpr int grid_steps = 400;  ///< of the grid on which parts are looked for
 
 /// Velocities of the smoothed range, evenly spaced in their logarithm [m/s].
 std::vector<double> grid_of(const DampingSmoothing& smooth) {
-    return logarithmic_grid(smooth.slowest(), smooth.fastest(), steps + 1);
+    return logarithmic_grid(smooth.slowest(), smooth.fastest(), grid_steps + 1);
 }
 
 /// The boundary of the flat part, searched from the least damping on.
@@ -71,7 +71,7 @@ std::optional<PartBoundary> boundary_of(const DampingSmoothing& smooth, const st
     if (end.damping - here.damping < 2.0 * std::hypot(end.standard_uncertainty, here.standard_uncertainty))
         return std::nullopt;
     const double bend = std::abs(smooth.at(place[direction]).elasticity - here.elasticity) /
-                        (std::log(smooth.fastest() / smooth.slowest()) / steps);
+                        (std::log(smooth.fastest() / smooth.slowest()) / grid_steps);
     return PartBoundary{*place, *place * here.elasticity_uncertainty / std::max(bend, 1e-3)};
 }
 

@@ -8,7 +8,6 @@
 #include "core/quantities/checks.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
-#include "solver/numeric/gsl/statistics.hpp"
 
 namespace ashimpact {
 
@@ -43,17 +42,17 @@ bool is_physical(const VelocityNoise& noise) {
 constexpr double least_width = 1e-6;  ///< of a bin, in fastest velocities
 
 Measurement mean_of(const std::vector<Measurement>& bin) {
-    std::vector<double> velocities;
-    std::vector<double> rebounds;
-    std::vector<double> weights;
     Measurement mean{.velocity = 0.0, .rebound = 0.0, .noise = {}, .line = 0, .count = 0};
     VelocityNoise noise{0.0, 0.0, 0.0};
     double sum = 0.0;
+    long double velocity = 0.0L;  // means of the points so far
+    long double rebound = 0.0L;
+    long double weights = 0.0L;
     for (const Measurement& point : bin) {
         const double weight = point.noise ? 1.0 / (point.noise->incident + point.noise->rebound) : 1.0;
-        velocities.push_back(point.velocity);
-        rebounds.push_back(point.rebound);
-        weights.push_back(weight);
+        weights += weight;
+        velocity += (point.velocity - velocity) * (weight / weights);
+        rebound += (point.rebound - rebound) * (weight / weights);
         sum += weight;
         mean.count += point.count;
         if (!point.noise) continue;
@@ -61,8 +60,8 @@ Measurement mean_of(const std::vector<Measurement>& bin) {
         noise.rebound += weight * weight * point.noise->rebound;
         noise.covariance += weight * weight * point.noise->covariance;
     }
-    mean.velocity = gsl::weighted_mean(velocities, weights);
-    mean.rebound = gsl::weighted_mean(rebounds, weights);
+    mean.velocity = static_cast<double>(velocity);
+    mean.rebound = static_cast<double>(rebound);
     if (bin.front().noise) mean.noise = noise.scaled(1.0 / (sum * sum));
     return mean;
 }

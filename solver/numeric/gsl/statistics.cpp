@@ -48,10 +48,6 @@ std::vector<double> quantiles(std::vector<double> values, std::span<const double
     return result;
 }
 
-double weighted_mean(std::span<const double> values, std::span<const double> weights) {
-    return gsl_stats_wmean(weights.data(), 1, values.data(), 1, values.size());
-}
-
 double robust_deviation(std::span<const double> values) {
     std::vector<double> work(values.size());
     return gsl_stats_mad(values.data(), 1, values.size(), work.data());

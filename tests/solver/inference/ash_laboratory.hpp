@@ -25,7 +25,9 @@ struct SyntheticLaboratory {
     Camera camera;
 
     [[nodiscard]] double critical_damping() const { return damping(0.0); }
-    [[nodiscard]] double critical_velocity() const { return *model.critical_velocity(critical_damping()); }
+    [[nodiscard]] double critical_velocity() const {
+        return *model.critical_velocity_anywhere(critical_damping());
+    }
 
     /// Restitution at a velocity: the impact with eta(e) gives e back.
     [[nodiscard]] double restitution(double velocity) const {

@@ -7,31 +7,16 @@
 
 #include <doctest/doctest.h>
 
-#include "materials/contact_properties.hpp"
 #include "solver/motion/impact.hpp"
 #include "tests/relative_difference.hpp"
+#include "tests/solver/inference/ash_laboratory.hpp"
 
 using namespace ashimpact;
 using namespace ashimpact::test;
 
-namespace {
-
-const ContactPair ash{.mass = sphere_mass(48e-6, 2158.5),
-                      .effective_radius = 48e-6,
-                      .contact_modulus = 90e9,
-                      .work_of_adhesion = 0.2959};
-
-ContactModel model_of(Law law) {
-    return make_contact_model(law, law.default_detachment(), ash, {0.01, 30.0});
-}
-
-const Law laws[] = {Law::of<Hertz>(), Law::of<Dmt>(), Law::of<BrachDunn>(), Law::of<Jkr>()};
-
-}  // namespace
-
 TEST_CASE("a contact model is the solver's impact: its restitution and contact time at the model's damping") {
-    for (const Law law : laws) {
-        const ContactModel model = model_of(law);
+    for (const Law law : fitted_laws) {
+        const ContactModel model = ash_model(law);
         for (const double v : {0.5, 2.0, 11.0})
             for (const double share : {0.1, 0.5, 0.9}) {
                 CAPTURE(law.name());
@@ -50,8 +35,8 @@ TEST_CASE("a contact model is the solver's impact: its restitution and contact t
 }
 
 TEST_CASE("velocity, restitution and damping of a contact model follow from one another, from any start") {
-    for (const Law law : laws) {
-        const ContactModel model = model_of(law);
+    for (const Law law : fitted_laws) {
+        const ContactModel model = ash_model(law);
         // That of Hertz has no end.
         const VelocityRange range{std::max(model.range().lower, 0.01), std::min(model.range().upper, 30.0)};
         for (const double v : {1.2 * range.lower, 0.5, 2.0, 0.8 * range.upper})
