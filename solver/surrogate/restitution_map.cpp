@@ -107,11 +107,10 @@ ScaledImpacts::ScaledImpacts(Law law, Detachment detachment)
       adhesion_velocity_(velocity_of_adhesion(law, unit_pair_of(law))),
       lowest_(-std::numeric_limits<double>::infinity()) {
     validate(impact_at(*this, 0.1, 1.0));
-    if (critical_of(impact_at(*this, 0.1, 1.0)).verdict == CaptureVerdict::never_captured) {
+    if (critical_of(impact_at(*this, 0.1, 1.0)).verdict == CaptureVerdict::never_captured)
         throw InputError("law '" + std::string(law.name()) + "' with " + std::string(name_of(detachment)) +
                              " detachment never captures",
                          admissible_detachments(law));
-    }
     const CriticalVelocity undamped = critical_of(impact_at(*this, 0.0, 1.0));
     if (undamped.value) lowest_ = std::log(*undamped.value / adhesion_velocity_);
 }

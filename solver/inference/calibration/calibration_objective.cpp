@@ -43,10 +43,9 @@ Eigen::VectorXd with(const Eigen::VectorXd& rest, Eigen::Index place, double val
 double predicted_velocity(const CalibrationSample& sample, Law law, double damping) {
     const CriticalVelocity critical =
         critical_velocity({law, law.default_detachment(), {DampingLaw::constant, damping}, sample.contact()});
-    if (!critical.value) {
+    if (!critical.value)
         throw InputError("law '" + std::string(law.name()) + "' has no finite critical velocity here",
                          "damping > 0 kg/s");
-    }
     return *critical.value;
 }
 

@@ -30,10 +30,9 @@ void require_usable(std::span<const DampingPoint> points) {
         distinct.insert(point.restitution);
         weighted += point.standard_uncertainty > 0.0 ? 1 : 0;
     }
-    if (distinct.size() < coefficient_count) {
+    if (distinct.size() < coefficient_count)
         throw InputError("the damping fit has " + std::to_string(distinct.size()) + " distinct restitutions",
                          "at least 3 for a quadratic");
-    }
     if (weighted != 0 && weighted != points.size())
         throw InputError("only some points of the damping fit have an uncertainty", "all of them or none");
 }
@@ -81,6 +80,16 @@ double least_argument(const std::function<double(double)>& function, double a, d
                      allowed);
 }
 
+/// v_c at the impact's damping [m/s]. @throws InputError for @p restitution if there is none
+double finite_critical_velocity(const Impact& impact, double restitution) {
+    const CriticalVelocity critical =
+        critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact});
+    if (critical.verdict != CaptureVerdict::finite)
+        not_reached(restitution, "a damping with a finite critical velocity; here: " +
+                                     std::string(name_of(critical.verdict)));
+    return *critical.value;
+}
+
 }  // namespace
 
 DampingFit fit_damping(std::span<const DampingPoint> points) {
@@ -110,28 +119,22 @@ DampingFit fit_damping(std::span<const DampingPoint> points) {
 }
 
 double velocity_of_restitution(const Impact& impact, double restitution) {
-    if (impact.damping.law != DampingLaw::constant) {
+    if (impact.damping.law != DampingLaw::constant)
         throw InputError("restitution need not rise with velocity for damping law '" +
                              std::string(name_of(impact.damping.law)) + "'",
                          std::string(name_of(DampingLaw::constant)));
-    }
     if (can_yield(impact.law, impact.contact))
         throw InputError("restitution need not rise with velocity where the contact yields",
                          "a contact without yield pressure");
     if (!(restitution > 0.0 && restitution < 1.0)) not_reached(restitution, "0 < e < 1");
-    const CriticalVelocity critical =
-        critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact});
-    if (critical.verdict != CaptureVerdict::finite) {
-        not_reached(restitution, "a damping with a finite critical velocity; here: " +
-                                     std::string(name_of(critical.verdict)));
-    }
+    const double critical = finite_critical_velocity(impact, restitution);
     const auto miss = [&](double log_velocity) {
         Impact at = impact;
         at.velocity = std::exp(log_velocity);
         return restitution_of(at) - restitution;
     };
-    const double lower = std::log(*critical.value);
-    if (miss(lower) >= 0.0) return *critical.value;  // v_c itself, to rounding
+    const double lower = std::log(critical);
+    if (miss(lower) >= 0.0) return critical;  // v_c itself, to rounding
     double width = 1.0;
     while (miss(lower + width) < 0.0) {
         width *= 2.0;
@@ -145,14 +148,7 @@ double reconstructed_velocity(const PublishedDamping& published, double e) {
 }
 
 CurvePoint least_rebound(const PublishedDamping& published) {
-    const Impact start = impact_with(published, 0.0, 1.0);
-    const CriticalVelocity critical =
-        critical_velocity({start.law, start.detachment, start.damping, start.contact});
-    if (critical.verdict != CaptureVerdict::finite) {
-        not_reached(0.0, "a damping with a finite critical velocity; here: " +
-                             std::string(name_of(critical.verdict)));
-    }
-    const CurvePoint onset{*critical.value, 0.0};
+    const CurvePoint onset{finite_critical_velocity(impact_with(published, 0.0, 1.0), 0.0), 0.0};
     CurvePoint least = onset;
     double lower = 0.0;
     double upper = branch_step;

@@ -95,10 +95,9 @@ ReboundSelection select_rebounds(const ContactModel& model, const MeasurementSet
     }
     selection.data.weights.assign(selection.indices.size(), 1.0);
     if (robust) greatest = greatest_common_restitution(selection.data.rebounds);
-    if (!selection.indices.empty()) {
+    if (!selection.indices.empty())
         selection.data.greatest_restitution =
             std::min(greatest + extension, curve_reach * model.greatest_restitution(fastest));
-    }
     return selection;
 }
 

@@ -302,10 +302,9 @@ std::optional<DampingSmoothing> DampingSmoothing::of(const std::vector<InvertedI
     if (ordered.size() < least_smoothed || velocities.size() < least_velocities) return std::nullopt;
     std::ranges::sort(ordered, {}, &InvertedImpact::velocity);
     Rows rows;
-    for (const InvertedImpact* impact : ordered) {
+    for (const InvertedImpact* impact : ordered)
         rows.add(std::log(impact->velocity), *impact->damping,
                  1.0 / impact->standard_uncertainty.value_or(*ordered.front()->damping), impact->index);
-    }
     auto smooth = robust(rows.averaged());
     if (!smooth) return std::nullopt;
     std::vector<double> scaled = smooth->scaled_residuals(rows);

@@ -125,10 +125,9 @@ constexpr double points[] = {-1.7, -0.3, 0.0, 0.4, 2.6};
 }  // namespace
 
 TEST_CASE("a polynomial's value is the sum of its terms") {
-    for (const double x : points) {
+    for (const double x : points)
         CHECK(std::abs(cubic(x) - (-3.5e-9 + 0.25 * x + 7.0 * x * x - 2.0 * x * x * x)) <
               1e-14 * (0.25 * std::abs(x) + 7.0 * x * x + 2.0 * std::abs(x * x * x) + 3.5e-9));
-    }
     CHECK(Polynomial<double>(4.25)(1e9) == 4.25);
     CHECK(Polynomial<double>::identity()(-0.7) == -0.7);
 }
