@@ -147,8 +147,7 @@ MeasuredDamping analyse_impacts(Law law, Detachment detachment, const ContactPai
 
 MeasuredDamping analyse_impacts(const ContactModel& model, const MeasurementSet& set,
                                 const MeasuredDampingOptions& options) {
-    const ScaledImpacts& scaled = model.map().impacts();
-    MeasuredDamping result = begun(scaled.law(), scaled.detachment(), model.contact(), set);
+    MeasuredDamping result = begun(model.map().law(), model.map().detachment(), model.contact(), set);
     result.accuracy = model.map().accuracy();
     if (!options.rising_to) {
         result.impacts = invert(model, set);

@@ -41,8 +41,8 @@ void require_memoryless(Law law, const ContactPair& contact) {
 ContactModel::ContactModel(std::shared_ptr<const RestitutionMap> map, const ContactPair& contact)
     : map_(std::move(map)), contact_(contact) {
     validate(contact);
-    require_memoryless(map_->impacts().law(), contact);
-    velocity_unit_ = map_->impacts().adhesive() ? velocity_of_adhesion(map_->impacts().law(), contact) : 1.0;
+    require_memoryless(map_->law(), contact);
+    velocity_unit_ = map_->adhesive() ? velocity_of_adhesion(map_->law(), contact) : 1.0;
     if (!(velocity_unit_ > 0.0)) throw InputError("work_of_adhesion is 0 J/m2", "> 0 for an adhesive law");
     damping_unit_ = std::pow(contact.mass, 0.6) * std::pow(hertz_stiffness(contact), 0.4);
 }
@@ -74,7 +74,7 @@ std::optional<VelocityAt> ContactModel::velocity(double restitution, double damp
     double upper = map_->range().upper;
     if (restitution > 0.0 &&
         restitution < 1.0) {  // below this velocity even an undamped impact has less restitution
-        const double undamped = map_->impacts().lowest() - 0.5 * std::log1p(-restitution * restitution);
+        const double undamped = map_->lowest() - 0.5 * std::log1p(-restitution * restitution);
         lower = std::max(lower, undamped);
     }
     const double wanted = std::log(damping / damping_unit_) - 0.2 * std::log(velocity_unit_);
@@ -100,9 +100,8 @@ std::optional<VelocityAt> ContactModel::velocity(double restitution, double damp
 std::optional<double> ContactModel::critical_velocity_anywhere(double damping) const {
     if (!(damping > 0.0)) return std::nullopt;
     if (const auto read = velocity(0.0, damping)) return read->value;
-    const ScaledImpacts& impacts = map_->impacts();
     return ashimpact::critical_velocity(
-               {impacts.law(), impacts.detachment(), {DampingLaw::constant, damping}, contact_})
+               {map_->law(), map_->detachment(), {DampingLaw::constant, damping}, contact_})
         .value;
 }
 

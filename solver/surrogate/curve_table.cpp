@@ -18,7 +18,7 @@ constexpr double columns_per_x = 8;  ///< the dependence on ln v at fixed phi is
 CurveTable::CurveTable(const ContactModel& model, VelocityRange velocities) {
     first_ = std::log(std::max(velocities.lower, model.range().lower));
     const double last = std::log(std::min(velocities.upper, model.range().upper));
-    const bool adhesive = model.map().impacts().adhesive();
+    const bool adhesive = model.map().adhesive();
     const auto columns =
         adhesive ? std::max<Eigen::Index>(8, static_cast<Eigen::Index>((last - first_) * columns_per_x)) : 6;
     step_ = (last - first_) / static_cast<double>(columns - 1);

@@ -10,8 +10,10 @@
 #include <vector>
 
 #include "core/text/error.hpp"
+#include "solver/batch/impact_batch.hpp"
 #include "solver/batch/inversion_batch.hpp"
 #include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/follow.hpp"
 #include "solver/motion/impact.hpp"
@@ -34,13 +36,13 @@ ContactPair unit_pair_of(Law law) {
     return pair;
 }
 
-Impact impact_at(const ScaledImpacts& impacts, double damping_number, double velocity) {
+Impact impact_at(const RestitutionMap& map, double damping_number, double velocity) {
     const Scale scale = Scale::of(unit_pair, velocity);
     const double coefficient = scale.damping_coefficient(DampingLaw::constant, damping_number);
-    return {.law = impacts.law(),
-            .detachment = impacts.detachment(),
+    return {.law = map.law(),
+            .detachment = map.detachment(),
             .damping = {DampingLaw::constant, coefficient},
-            .contact = unit_pair_of(impacts.law()),
+            .contact = unit_pair_of(map.law()),
             .velocity = velocity};
 }
 
@@ -48,8 +50,14 @@ CriticalVelocity critical_of(const Impact& impact) {
     return critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact});
 }
 
+/// Where a damping number is searched.
+struct Search {
+    double guess;
+    double width;  ///< of the first bracket about the guess, to either side
+};
+
 /// Root of a decreasing function near a guess. The bracket is widened until the sign changes.
-double falling_root(const std::function<double(double)>& function, const ScaledImpacts::Search& search) {
+double falling_root(const std::function<double(double)>& function, const Search& search) {
     double lower = std::max(0.0, search.guess - search.width);
     double upper = search.guess + search.width;
     for (double width = search.width; lower > 0.0 && function(lower) <= 0.0; width *= 4.0) {
@@ -61,7 +69,52 @@ double falling_root(const std::function<double(double)>& function, const ScaledI
         lower = upper;
         upper += 4.0 * width;
     }
-    return gsl::brent(function, lower, upper, {.relative = 0.0, .absolute = search.tolerance}).root;
+    return gsl::brent(function, lower, upper, {.relative = 0.0, .absolute = 1e-10}).root;
+}
+
+double solved_restitution(const RestitutionMap& map, double damping_number, double x) {
+    return restitution_of(impact_at(map, damping_number, map.unit_velocity(x)));
+}
+
+/// Damping number that gives a restitution; for restitution 0 the smallest that captures [1].
+double solved_damping_number(const RestitutionMap& map, double restitution, double x, const Search& search) {
+    if (restitution > 0.0)
+        return falling_root([&](double number) { return solved_restitution(map, number, x) - restitution; },
+                            search);
+    const double velocity = map.unit_velocity(x);
+    return falling_root(
+        [&](double number) {
+            const CriticalVelocity critical = critical_of(impact_at(map, number, velocity));
+            return critical.value ? std::log(velocity / *critical.value) : 1.0;
+        },
+        search);
+}
+
+ImpactList impacts_at(const RestitutionMap& map, const Eigen::ArrayXd& damping_number,
+                      const Eigen::ArrayXd& x) {
+    std::vector<Impact> impacts;
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+        impacts.push_back(impact_at(map, damping_number[i], map.unit_velocity(x[i])));
+    return ImpactList(impacts);
+}
+
+/// Damping numbers of many impacts by the batch solver, to its accuracy: all digits at e above about 0.02.
+/// @param restitution 0 < e <= greatest_restitution(x) [1]; @param x of the same length
+Eigen::ArrayXd batch_damping_numbers(const RestitutionMap& map, const Eigen::ArrayXd& restitution,
+                                     const Eigen::ArrayXd& x) {
+    const ImpactList list_of_ones = impacts_at(map, Eigen::ArrayXd::Ones(x.size()), x);
+    const ImpactBatch ones = list_of_ones.batch();
+    const auto found = dampings_from_restitutions(
+        {map.law(), map.detachment(), ones.damping_law, ones.contact, ones.velocity, restitution});
+    return found.damping / ones.damping;
+}
+
+/// Contact times of many impacts that rebound, in units of L/v [1].
+Eigen::ArrayXd batch_contact_times(const RestitutionMap& map, const Eigen::ArrayXd& damping_number,
+                                   const Eigen::ArrayXd& x) {
+    const auto solved = solve_impacts(impacts_at(map, damping_number, x).batch(), {.turning_point = false});
+    return solved.contact_time /
+           x.unaryExpr([&](double each) { return Scale::of(unit_pair, map.unit_velocity(each)).time(); });
 }
 
 constexpr int root_degree = 26;      ///< along the cube root of the restitution
@@ -101,11 +154,12 @@ struct NodePlaces {
 
 }  // namespace
 
-ScaledImpacts::ScaledImpacts(Law law, Detachment detachment)
+RestitutionMap::RestitutionMap(Law law, Detachment detachment, VelocityRange range)
     : law_(law),
       detachment_(detachment),
       adhesion_velocity_(velocity_of_adhesion(law, unit_pair_of(law))),
-      lowest_(-std::numeric_limits<double>::infinity()) {
+      range_(range) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
     validate(impact_at(*this, 0.1, 1.0));
     if (critical_of(impact_at(*this, 0.1, 1.0)).verdict == CaptureVerdict::never_captured)
         throw InputError("law '" + std::string(law.name()) + "' with " + std::string(name_of(detachment)) +
@@ -113,77 +167,26 @@ ScaledImpacts::ScaledImpacts(Law law, Detachment detachment)
                          admissible_detachments(law));
     const CriticalVelocity undamped = critical_of(impact_at(*this, 0.0, 1.0));
     if (undamped.value) lowest_ = std::log(*undamped.value / adhesion_velocity_);
-}
-
-double ScaledImpacts::velocity(double x) const {
-    return adhesive() ? adhesion_velocity_ * std::exp(x) : 1.0;
-}
-
-double ScaledImpacts::restitution(double damping_number, double x) const {
-    return restitution_of(impact_at(*this, damping_number, velocity(x)));
-}
-
-double ScaledImpacts::greatest_restitution(double x) const {
-    return std::sqrt(std::max(0.0, -std::expm1(2.0 * (lowest_ - x))));
-}
-
-double ScaledImpacts::contact_time(double damping_number, double x) const {
-    const Impact impact = impact_at(*this, damping_number, velocity(x));
-    const auto motion = scaled_motion<double>(impact, Scale::of(unit_pair, impact.velocity));
-    return follow<double>(motion, 1.0).end.time;
-}
-
-double ScaledImpacts::damping_number(double restitution, double x, const Search& search) const {
-    if (restitution > 0.0) {
-        return falling_root([&](double number) { return this->restitution(number, x) - restitution; },
-                            search);
-    }
-    return falling_root(
-        [&](double number) {
-            const CriticalVelocity critical = critical_of(impact_at(*this, number, velocity(x)));
-            return critical.value ? std::log(velocity(x) / *critical.value) : 1.0;
-        },
-        search);
-}
-
-ImpactList ScaledImpacts::columns(const Eigen::ArrayXd& damping_number, const Eigen::ArrayXd& x) const {
-    std::vector<Impact> impacts;
-    for (Eigen::Index i = 0; i < x.size(); ++i)
-        impacts.push_back(impact_at(*this, damping_number[i], velocity(x[i])));
-    return ImpactList(impacts);
-}
-
-Eigen::ArrayXd ScaledImpacts::damping_numbers(const Eigen::ArrayXd& restitution,
-                                              const Eigen::ArrayXd& x) const {
-    const ImpactList columns_of_ones = columns(Eigen::ArrayXd::Ones(x.size()), x);
-    const ImpactBatch ones = columns_of_ones.batch();
-    const auto found = dampings_from_restitutions(
-        {law_, detachment_, ones.damping_law, ones.contact, ones.velocity, restitution});
-    return found.damping / ones.damping;
-}
-
-Eigen::ArrayXd ScaledImpacts::contact_times(const Eigen::ArrayXd& damping_number,
-                                            const Eigen::ArrayXd& x) const {
-    const auto solved = solve_impacts(columns(damping_number, x).batch(), {.turning_point = false});
-    return solved.contact_time /
-           x.unaryExpr([this](double each) { return Scale::of(unit_pair, velocity(each)).time(); });
-}
-
-RestitutionMap::RestitutionMap(Law law, Detachment detachment, VelocityRange range)
-    : impacts_(law, detachment), range_(range) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    if (impacts_.adhesive())
-        range_.lower = std::max(range.lower, impacts_.lowest() + capture_margin);
+    if (adhesive())
+        range_.lower = std::max(range.lower, lowest_ + capture_margin);
     else
-        range_ = {-infinity, infinity};
+        range_ = {-infinite, infinite};
     if (!(range_.lower < range_.upper)) throw InputError("every impact is captured at these velocities");
     tabulate_damping();
     tabulate_times();
     check();
 }
 
+double RestitutionMap::unit_velocity(double x) const {
+    return adhesive() ? adhesion_velocity_ * std::exp(x) : 1.0;
+}
+
+double RestitutionMap::greatest_restitution(double x) const {
+    return std::sqrt(std::max(0.0, -std::expm1(2.0 * (lowest_ - x))));
+}
+
 ChebyshevAxis RestitutionMap::axis_of_x() const {
-    if (!impacts_.adhesive()) return {0.0, 0.0, 0};
+    if (!adhesive()) return {0.0, 0.0, 0};
     return {range_.lower, range_.upper, degree_for(range_)};
 }
 
@@ -195,20 +198,21 @@ void RestitutionMap::tabulate_damping() {
     Eigen::MatrixXd numbers = Eigen::MatrixXd::Zero(root.degree + 1, along.degree + 1);
     const NodePlaces places(root, along, weak, root.degree);
     const Eigen::ArrayXd restitution = places.root.binaryExpr(
-        places.x, [&](double each, double x) { return cube(each) * impacts_.greatest_restitution(x); });
-    numbers.middleRows(weak, root.degree - weak) = impacts_.damping_numbers(restitution, places.x)
+        places.x, [&](double each, double x) { return cube(each) * greatest_restitution(x); });
+    numbers.middleRows(weak, root.degree - weak) = batch_damping_numbers(*this, restitution, places.x)
                                                        .reshaped(root.degree - weak, along.degree + 1)
                                                        .matrix();
     // From fast to slow impacts and towards e = 0, so that the last solutions predict the next one.
     for (int j = along.degree; j >= 0; --j) {
         const double x = along.node(j);
         for (int i = weak - 1; i >= 0; --i) {
-            const double e = cube(root.node(i)) * impacts_.greatest_restitution(x);
+            const double e = cube(root.node(i)) * greatest_restitution(x);
             const bool first = j == along.degree;
             const double shift = first ? 0.0 : numbers(i + 1, j) - numbers(i + 1, j + 1);
             const double guess = first ? numbers(i + 1, j) : numbers(i, j + 1) + shift;
             const double width = first ? 0.1 : std::max(2e-4, 0.1 * std::abs(shift));
-            numbers(i, j) = impacts_.damping_number(e, x, {.guess = std::max(0.0, guess), .width = width});
+            numbers(i, j) =
+                solved_damping_number(*this, e, x, {.guess = std::max(0.0, guess), .width = width});
         }
     }
     damping_ = ChebyshevSurface(root, along, numbers);
@@ -222,7 +226,7 @@ void RestitutionMap::tabulate_times() {
         places.x, [&](double each, double x) { return std::max(0.0, damping_(each, x).value); });
     time_ = ChebyshevSurface(
         root, along,
-        impacts_.contact_times(numbers, places.x).reshaped(root.degree + 1, along.degree + 1).matrix());
+        batch_contact_times(*this, numbers, places.x).reshaped(root.degree + 1, along.degree + 1).matrix());
 }
 
 void RestitutionMap::check() {
@@ -230,17 +234,17 @@ void RestitutionMap::check() {
     constexpr std::array places{0.07, 0.36, 0.88};
     accuracy_ = 0.0;
     for (const double place : places) {
-        const double x = impacts_.adhesive() ? range_.lower + place * (range_.upper - range_.lower) : 0.0;
+        const double x = adhesive() ? range_.lower + place * (range_.upper - range_.lower) : 0.0;
         for (const double share : shares) {
-            const double e = share * impacts_.greatest_restitution(x);
-            const double found = impacts_.restitution(damping_number(e, x).value, x);
+            const double e = share * greatest_restitution(x);
+            const double found = solved_restitution(*this, damping_number(e, x).value, x);
             accuracy_ = std::max(accuracy_, std::abs(found - e));
         }
     }
 }
 
 double RestitutionMap::root_of_share(double restitution, double x) const {
-    return std::cbrt(std::max(0.0, restitution) / impacts_.greatest_restitution(x));
+    return std::cbrt(std::max(0.0, restitution) / greatest_restitution(x));
 }
 
 DampingNumber RestitutionMap::damping_number(double restitution, double x) const {
@@ -250,7 +254,7 @@ DampingNumber RestitutionMap::damping_number(double restitution, double x) const
     // dominates.
     const double safe = std::max(root, 1e-2);
     const double slope = root < safe ? damping_(safe, x).by_x : at.by_x;
-    const double greatest = impacts_.greatest_restitution(x);
+    const double greatest = greatest_restitution(x);
     const double by_restitution = slope / (3.0 * safe * safe * greatest);
     double by_x = at.by_y;
     if (greatest < 1.0) by_x -= at.by_x * root / 3.0 * (1.0 - greatest * greatest) / (greatest * greatest);
@@ -260,7 +264,9 @@ DampingNumber RestitutionMap::damping_number(double restitution, double x) const
 double RestitutionMap::contact_time(double restitution, double x) const {
     const double root = root_of_share(restitution, x);
     if (root >= least_timed) return time_(root, x).value;
-    return impacts_.contact_time(damping_(root, x).value, x);
+    const Impact impact = impact_at(*this, damping_(root, x).value, unit_velocity(x));
+    const auto motion = scaled_motion<double>(impact, Scale::of(unit_pair, impact.velocity));
+    return follow<double>(motion, 1.0).end.time;
 }
 
 }  // namespace ashimpact

@@ -3,65 +3,11 @@
 
 #include <limits>
 
-#include <Eigen/Core>
-
-#include "solver/batch/impact_batch.hpp"
 #include "solver/contact/detachment.hpp"
 #include "solver/contact/law.hpp"
-#include "solver/contact/pair.hpp"
 #include "solver/numeric/chebyshev.hpp"
 
 namespace ashimpact {
-
-/// The impacts of one law with constant damping. Scaled, an impact of any material depends on two numbers:
-/// the logarithm x = ln(v/V_a) of the velocity over the law's adhesion velocity (without effect for Hertz,
-/// which has none), and the damping number beta = eta m^(-3/5) k^(-2/5) v^(-1/5).
-class ScaledImpacts {
-  public:
-    /// @throws InputError for a detachment that the law does not admit, or that never captures
-    ScaledImpacts(Law law, Detachment detachment);
-
-    [[nodiscard]] Law law() const { return law_; }
-    [[nodiscard]] Detachment detachment() const { return detachment_; }
-    /// Whether the law has adhesion; otherwise x has no effect.
-    [[nodiscard]] bool adhesive() const { return adhesion_velocity_ > 0.0; }
-
-    /// Restitution [1].
-    [[nodiscard]] double restitution(double damping_number, double x) const;
-    /// Restitution without damping, the greatest there is [1].
-    [[nodiscard]] double greatest_restitution(double x) const;
-    /// x below which every impact is captured, damped or not; minus infinity if there is none.
-    [[nodiscard]] double lowest() const { return lowest_; }
-    /// Contact time in units of the scale's time L/v; the impact must rebound [1].
-    [[nodiscard]] double contact_time(double damping_number, double x) const;
-
-    /// Where and how accurately a damping number is searched.
-    struct Search {
-        double guess;
-        double width;              ///< of the first bracket about the guess, to either side
-        double tolerance = 1e-10;  ///< absolute error of the damping number
-    };
-    /// Damping number that gives a restitution; for restitution 0 the smallest that captures [1].
-    [[nodiscard]] double damping_number(double restitution, double x, const Search& search) const;
-
-    /// Damping numbers of many impacts by the batch solver, to its accuracy: all digits at e above about
-    /// 0.02.
-    /// @param restitution 0 < e <= greatest_restitution(x) [1]; @param x of the same length
-    [[nodiscard]] Eigen::ArrayXd damping_numbers(const Eigen::ArrayXd& restitution,
-                                                 const Eigen::ArrayXd& x) const;
-    /// Contact times of many impacts that rebound, as contact_time() [1].
-    [[nodiscard]] Eigen::ArrayXd contact_times(const Eigen::ArrayXd& damping_number,
-                                               const Eigen::ArrayXd& x) const;
-
-  private:
-    [[nodiscard]] double velocity(double x) const;
-    [[nodiscard]] ImpactList columns(const Eigen::ArrayXd& damping_number, const Eigen::ArrayXd& x) const;
-
-    Law law_;
-    Detachment detachment_;
-    double adhesion_velocity_;
-    double lowest_;
-};
 
 /// A range of velocities [m/s], or of x = ln(v/V_a) [1].
 struct VelocityRange {
@@ -78,8 +24,11 @@ struct DampingNumber {
     double by_x;            ///< d beta/dx
 };
 
-/// beta(e, x), the damping number that gives a restitution, for one law and all materials. It takes a
-/// microsecond, where solving the impact takes milliseconds.
+/// The impacts of one law with constant damping. Scaled, an impact of any material depends on two numbers:
+/// the logarithm x = ln(v/V_a) of the velocity over the law's adhesion velocity (without effect for Hertz,
+/// which has none), and the damping number beta = eta m^(-3/5) k^(-2/5) v^(-1/5). The map is beta(e, x), the
+/// damping number that gives a restitution. It takes a microsecond, where solving the impact takes
+/// milliseconds.
 ///
 /// beta is interpolated over the cube root of e/e_greatest. Near capture beta of an adhesive law expands in
 /// powers of e^(1/3), which are whole powers of the cube root. Hertz has e and e^(3/2), the power 4.5 of the
@@ -88,17 +37,26 @@ class RestitutionMap {
   public:
     /// Solves the impacts, in some hundredths of a second. @param range of x, cut off where every impact is
     /// captured
-    /// @throws InputError for a detachment that does not capture or a range that is empty
+    /// @throws InputError for a detachment that the law does not admit or that never captures, or an empty
+    /// range
     RestitutionMap(Law law, Detachment detachment, VelocityRange range);
 
-    [[nodiscard]] const ScaledImpacts& impacts() const { return impacts_; }
+    [[nodiscard]] Law law() const { return law_; }
+    [[nodiscard]] Detachment detachment() const { return detachment_; }
+    /// Whether the law has adhesion; otherwise x has no effect.
+    [[nodiscard]] bool adhesive() const { return adhesion_velocity_ > 0.0; }
+    /// x below which every impact is captured, damped or not; minus infinity if there is none.
+    [[nodiscard]] double lowest() const { return lowest_; }
+    /// Velocity of a pair whose mass, radius, stiffness and work of adhesion are 1.
+    [[nodiscard]] double unit_velocity(double x) const;
     [[nodiscard]] VelocityRange range() const { return range_; }
     /// Largest error in restitution found when the map was checked [1].
     [[nodiscard]] double accuracy() const { return accuracy_; }
 
     /// @param restitution 0 <= e <= greatest_restitution(x); @param x within range()
     [[nodiscard]] DampingNumber damping_number(double restitution, double x) const;
-    [[nodiscard]] double greatest_restitution(double x) const { return impacts_.greatest_restitution(x); }
+    /// Restitution without damping, the greatest there is [1].
+    [[nodiscard]] double greatest_restitution(double x) const;
     /// Contact time in units of L/v, e > 0 [1].
     [[nodiscard]] double contact_time(double restitution, double x) const;
 
@@ -109,7 +67,10 @@ class RestitutionMap {
     void check();
     [[nodiscard]] double root_of_share(double restitution, double x) const;
 
-    ScaledImpacts impacts_;
+    Law law_;
+    Detachment detachment_;
+    double adhesion_velocity_;  ///< of the unit pair
+    double lowest_ = -std::numeric_limits<double>::infinity();
     VelocityRange range_;
     ChebyshevSurface damping_;
     ChebyshevSurface time_;

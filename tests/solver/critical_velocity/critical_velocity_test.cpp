@@ -141,14 +141,13 @@ TEST_CASE("inadmissible problems are refused") {
     CriticalVelocityProblem problem{
         Law::of<Dmt>(), Detachment::zero_overlap, {DampingLaw::constant, 0.0153}, paper_88()};
     problem.damping.coefficient = -1.0;
-    CHECK(contains(input_error_of([&] { static_cast<void>(critical_velocity(problem)); }),
-                   "damping is -1 kg/s"));
+    CHECK(contains(input_error_of([&] { return critical_velocity(problem); }), "damping is -1 kg/s"));
     problem.damping.coefficient = 0.0153;
     problem.contact.mass = 0.0;
-    CHECK(contains(input_error_of([&] { static_cast<void>(critical_velocity(problem)); }), "mass is 0 kg"));
+    CHECK(contains(input_error_of([&] { return critical_velocity(problem); }), "mass is 0 kg"));
     problem.contact = paper_88();
     problem.detachment = Detachment::zero_force;
-    CHECK(contains(input_error_of([&] { static_cast<void>(critical_velocity(problem)); }),
+    CHECK(contains(input_error_of([&] { return critical_velocity(problem); }),
                    "zero-force does not end a contact of law dmt"));
 }
 

@@ -46,7 +46,7 @@ ContactModel ash_model(Law law) {
 SyntheticLaboratory ash_laboratory(const ContactModel& model, TrueDamping damping) {
     SyntheticLaboratory laboratory{
         .model = model,
-        .damping = true_damping(model.map().impacts().law(), damping),
+        .damping = true_damping(model.map().law(), damping),
         .slowest = 0.0,
         .fastest = 0.0,
         .impacts = 60,

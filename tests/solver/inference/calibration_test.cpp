@@ -319,7 +319,7 @@ TEST_CASE("a sample's contact: sphere on a wall, Eq. 7 unless the contact modulu
 
 TEST_CASE("problems that cannot be solved are refused") {
     const auto message = [](const CalibrationProblem& problem) {
-        return input_error_of([&] { static_cast<void>(calibrate(problem)); });
+        return input_error_of([&] { return calibrate(problem); });
     };
     CalibrationProblem problem = paper_problem();
     CHECK(message(problem) ==

@@ -228,8 +228,7 @@ TEST_CASE("recorded captures that may be slow rebounds are said") {
 TEST_CASE("too few rebounds give no estimate, and why") {
     const ContactModel model = ash_model(Law::of<Hertz>());
     const auto refused = input_error_of([&] {
-        static_cast<void>(
-            estimate_critical_velocity(model, set_of({{0.5, 0.0}, {2.0, 0.4}, {3.0, 0.9}}, 0.03)));
+        return estimate_critical_velocity(model, set_of({{0.5, 0.0}, {2.0, 0.4}, {3.0, 0.9}}, 0.03));
     });
     CHECK(contains(refused, "2 different restitutions"));
 }
