@@ -25,10 +25,14 @@ MeasuredDamping analysed(const MeasurementSet& set, Law law = Law::of<BrachDunn>
     return analyse_impacts(law, law.default_detachment(), ash_pair, set, options);
 }
 
+const ContactModel& brach_dunn() {
+    static const ContactModel model = ash_model(Law::of<BrachDunn>());
+    return model;
+}
+
 /// What a laboratory of the 96 um sample measures, Brach-Dunn with its row of Table 2.
 MeasurementSet measured(int impacts, int frames = 20, unsigned long seed = 7) {
-    const ContactModel model = ash_model(Law::of<BrachDunn>());
-    SyntheticLaboratory laboratory = ash_laboratory(model, TrueDamping::quadratic);
+    SyntheticLaboratory laboratory = ash_laboratory(brach_dunn(), TrueDamping::quadratic);
     laboratory.impacts = impacts;
     laboratory.camera.frames = frames;
     Random random(seed);
@@ -109,7 +113,6 @@ TEST_CASE("the whole analysis of a good series") {
 }
 
 TEST_CASE("uncertainties of inverted impacts are the scatter of repeated ones") {
-    const ContactModel model = ash_model(Law::of<BrachDunn>());
     const Camera camera{.frame_rate = 80e3, .pixel_size = 8e-6, .frames = 20};
     Random random(3);
     const double u = camera.velocity_uncertainty();
@@ -117,7 +120,7 @@ TEST_CASE("uncertainties of inverted impacts are the scatter of repeated ones") 
     for (int i = 0; i < 2000; ++i)
         set.points.push_back({.velocity = 2.5 + random.normal(u), .rebound = 0.9 + random.normal(u)});
     set = with_camera(set, camera);
-    const std::vector<InvertedImpact> inverted = invert(model, set);
+    const std::vector<InvertedImpact> inverted = invert(brach_dunn(), set);
     std::vector<double> damping;
     damping.reserve(inverted.size());
     for (const InvertedImpact& impact : inverted) damping.push_back(impact.damping.value());
@@ -126,9 +129,8 @@ TEST_CASE("uncertainties of inverted impacts are the scatter of repeated ones") 
 }
 
 TEST_CASE("the fit's leverage and influence are those of fits without a point") {
-    const ContactModel model = ash_model(Law::of<BrachDunn>());
     const MeasurementSet set = measured(30);
-    const DampingCurveFit whole = fit_damping_curve(model, set);
+    const DampingCurveFit whole = fit_damping_curve(brach_dunn(), set);
     double leverage = 0.0;
     for (const FittedRebound& point : whole.rebounds) {
         CHECK(point.leverage > 0.0);
@@ -141,13 +143,13 @@ TEST_CASE("the fit's leverage and influence are those of fits without a point") 
         [](const auto& a, const auto& b) { return std::abs(a.influence) < std::abs(b.influence); });
     MeasurementSet without = set;
     without.points.erase(without.points.begin() + static_cast<std::ptrdiff_t>(strongest->index));
-    const DampingCurveFit other = fit_damping_curve(model, without);
+    const DampingCurveFit other = fit_damping_curve(brach_dunn(), without);
     const double change = other.critical_damping.value - whole.critical_damping.value;
     CHECK(std::abs(change - strongest->influence) < 0.3 * std::abs(change));
 }
 
 TEST_CASE("the fitted v_c is as uncertain, as a part of its interval, as the damping it comes from") {
-    const DampingCurveFit fit = fit_damping_curve(ash_model(Law::of<BrachDunn>()), measured(80));
+    const DampingCurveFit fit = fit_damping_curve(brach_dunn(), measured(80));
     const auto part = [](const Interval& interval) {
         return interval.standard_uncertainty / (interval.upper.value() - interval.lower.value());
     };
@@ -171,8 +173,7 @@ TEST_CASE("one wild impact is flagged, stays in, and a robust fit takes it back"
     CHECK(has_finding(result, numbered("impact", counted)));
     CHECK(result.rising->set.points.size() == set.points.size());
 
-    const ContactModel model = ash_model(Law::of<BrachDunn>());
-    const DampingCurveFit robust = fit_damping_curve(model, set, {.order = 2, .robust = true});
+    const DampingCurveFit robust = fit_damping_curve(brach_dunn(), set, {.order = 2, .robust = true});
     const auto fitted = std::find_if(robust.rebounds.begin(), robust.rebounds.end(),
                                      [&](const FittedRebound& point) { return point.index == index; });
     REQUIRE(fitted != robust.rebounds.end());
@@ -349,9 +350,8 @@ TEST_CASE("captures alone bound v_c from below, a rebound from above, and each h
 }
 
 TEST_CASE("a fitted v_c above clear rebounds is refused, and which rebound contradicts it is said") {
-    const ContactModel model = ash_model(Law::of<BrachDunn>());
     const MeasurementSet set = measured(40);
-    const DampingCurveFit fit = fit_damping_curve(model, set);
+    const DampingCurveFit fit = fit_damping_curve(brach_dunn(), set);
     CHECK_NOTHROW(require_rebounds_above(fit, set));
     MeasurementSet other = set;
     other.points.push_back({.velocity = 0.4, .rebound = 0.3, .noise = set.points.front().noise});
@@ -389,13 +389,12 @@ TEST_CASE("degenerate: restitution above one is set aside and counted") {
 TEST_CASE("a rebound faster than its impact is excluded beyond three uncertainties of their difference") {
     // Both velocities err alike: their difference is known better than each.
     const VelocityNoise noise{.incident = 1e-4, .rebound = 1e-4, .covariance = 0.9e-4};
-    const ContactModel model = ash_model(Law::of<BrachDunn>());
     for (const double uncertainties : {2.95, 3.05}) {
         CAPTURE(uncertainties);
         MeasurementSet set = measured(40);
         set.points.push_back(
             {.velocity = 2.0, .rebound = 2.0 + uncertainties * std::sqrt(0.2e-4), .noise = noise});
-        CHECK(fit_damping_curve(model, set).excluded.size() == (uncertainties > 3 ? 1 : 0));
+        CHECK(fit_damping_curve(brach_dunn(), set).excluded.size() == (uncertainties > 3 ? 1 : 0));
     }
 }
 

@@ -120,12 +120,12 @@ Polynomial<double> polynomial(std::initializer_list<double> coefficients) {
 const Polynomial<double> cubic = polynomial({-3.5e-9, 0.25, 7.0, -2.0});
 const Polynomial<double> quadratic = polynomial({0.5, -1.25, 3.0});
 
-constexpr double points[] = {-1.7, -0.3, 0.0, 0.4, 2.6};
+constexpr double abscissae[] = {-1.7, -0.3, 0.0, 0.4, 2.6};
 
 }  // namespace
 
 TEST_CASE("a polynomial's value is the sum of its terms") {
-    for (const double x : points)
+    for (const double x : abscissae)
         CHECK(std::abs(cubic(x) - (-3.5e-9 + 0.25 * x + 7.0 * x * x - 2.0 * x * x * x)) <
               1e-14 * (0.25 * std::abs(x) + 7.0 * x * x + 2.0 * std::abs(x * x * x) + 3.5e-9));
     CHECK(Polynomial<double>(4.25)(1e9) == 4.25);
@@ -133,7 +133,7 @@ TEST_CASE("a polynomial's value is the sum of its terms") {
 }
 
 TEST_CASE("sums, differences, products and multiples of polynomials are those of their values") {
-    for (const double x : points) {
+    for (const double x : abscissae) {
         CAPTURE(x);
         CHECK(relative_difference((cubic + quadratic)(x), cubic(x) + quadratic(x)) < 1e-14);
         CHECK(relative_difference((quadratic - cubic)(x), quadratic(x) - cubic(x)) < 1e-14);
@@ -157,7 +157,7 @@ TEST_CASE("the derivative undoes the antiderivative, which vanishes at zero") {
 
 TEST_CASE("a shifted polynomial has the value of the offset place") {
     for (const double offset : {-2.0, 0.125, 3.0}) {
-        for (const double x : points) {
+        for (const double x : abscissae) {
             CAPTURE(offset);
             CAPTURE(x);
             CHECK(std::abs(cubic.shifted(offset)(x) - cubic(x + offset)) < 1e-13);
@@ -171,7 +171,7 @@ TEST_CASE("an even polynomial is one of the square") {
     CHECK(!cubic.even());
     CHECK(Polynomial<double>(1.0).even());
     CHECK(even.of_square().degree == 2);
-    for (const double x : points) CHECK(relative_difference(even.of_square()(x * x), even(x)) < 1e-15);
+    for (const double x : abscissae) CHECK(relative_difference(even.of_square()(x * x), even(x)) < 1e-15);
 }
 
 TEST_CASE("powers by multiplication and their roots") {
@@ -188,7 +188,7 @@ TEST_CASE("powers by multiplication and their roots") {
 TEST_CASE("an upper bound between two points is above every value there, and close on a short stretch") {
     for (const Polynomial<double>& p :
          {cubic, quadratic, polynomial({0.3}), polynomial({-1.0, 0.0, 0.0, 0.0, 2.0})}) {
-        for (const double a : points) {
+        for (const double a : abscissae) {
             for (const double width : {3.0, 0.2, 1e-4}) {
                 double greatest = p(a);
                 for (int i = 0; i <= 100; ++i) greatest = std::max(greatest, p(a + width * i / 100.0));
