@@ -155,15 +155,11 @@ class Rereading {
     Eigen::MatrixXd to_coefficients_;
 };
 
-/// Cache of the last two curves, because each row of the propagation uses two of them many times.
-struct CurveMemory {
-    struct Entry {
-        std::vector<double> key;
-        Eigen::VectorXd coefficients;
-        std::vector<double> velocities;
-    };
-    std::array<Entry, 2> entries;
-    std::size_t oldest = 0;
+/// A curve of damping that was drawn, with its places in velocity.
+struct DrawnCurve {
+    std::vector<double> key;
+    Eigen::VectorXd coefficients;
+    std::vector<double> velocities;
 };
 
 void require_same(const ContactPair& a, const ContactPair& b) {
@@ -260,19 +256,20 @@ Propagation propagate_critical_velocity(const DampingCurveFit& fit, const Contac
                           .factor = fit_factor});
     inputs.insert(inputs.end(), contact.inputs.begin(), contact.inputs.end());
     const auto count = static_cast<std::size_t>(sampler.size());
-    CurveMemory memory;
-    const auto entry_of = [&](std::span<const double> normal) -> const CurveMemory::Entry& {
-        for (const CurveMemory::Entry& entry : memory.entries)
-            if (std::equal(entry.key.begin(), entry.key.end(), normal.begin(), normal.end())) return entry;
-        CurveMemory::Entry& entry = memory.entries[memory.oldest];
-        memory.oldest = 1 - memory.oldest;
+    std::array<DrawnCurve, 2> last;  // each row of the propagation uses two curves many times
+    std::size_t oldest = 0;
+    const auto curve_of = [&](std::span<const double> normal) -> const DrawnCurve& {
+        for (const DrawnCurve& curve : last)
+            if (std::ranges::equal(curve.key, normal)) return curve;
+        DrawnCurve& entry = last[oldest];
+        oldest = 1 - oldest;
         entry.key.assign(normal.begin(), normal.end());
         entry.coefficients = sampler.coefficients(normal);
         if (change == DampingUnderChange::reread) entry.velocities = rereading.velocities(entry.coefficients);
         return entry;
     };
     const auto critical = [&](std::span<const double> values) -> std::optional<double> {
-        const CurveMemory::Entry& entry = entry_of(values.first(count));
+        const DrawnCurve& entry = curve_of(values.first(count));
         const ContactModel other(model.shared_map(), contact.contact(values.subspan(count)));
         if (change == DampingUnderChange::held)
             return other.critical_velocity_anywhere(entry.coefficients[0]);

@@ -28,18 +28,6 @@ double& constant_of(CalibrationSample& sample, CalibrationQuantity quantity) {
     return *sample.contact_modulus;
 }
 
-Eigen::VectorXd without(const Eigen::VectorXd& all, Eigen::Index left_out) {
-    Eigen::VectorXd rest(all.size() - 1);
-    rest << all.head(left_out), all.tail(all.size() - left_out - 1);
-    return rest;
-}
-
-Eigen::VectorXd with(const Eigen::VectorXd& rest, Eigen::Index place, double value) {
-    Eigen::VectorXd all(rest.size() + 1);
-    all << rest.head(place), value, rest.tail(rest.size() - place);
-    return all;
-}
-
 double predicted_velocity(const CalibrationSample& sample, Law law, double damping) {
     const CriticalVelocity critical =
         critical_velocity({law, law.default_detachment(), {DampingLaw::constant, damping}, sample.contact()});
@@ -257,11 +245,15 @@ gsl::NonlinearFit CalibrationObjective::fit(const Eigen::VectorXd& start,
                                             std::optional<Eigen::Index> held) const {
     const gsl::NonlinearFitOptions options{
         .parameter_tolerance = 1e-9, .gradient_tolerance = 1e-10, .difference_step = 1e-5};
-    if (!held)
-        return gsl::fit_nonlinear({[&](const Eigen::VectorXd& x) { return residuals(x); }}, start, options);
-    const double value = start[*held];
-    return gsl::fit_nonlinear({[&](const Eigen::VectorXd& x) { return residuals(with(x, *held, value)); }},
-                              without(start, *held), options);
+    std::vector<Eigen::Index> moved;
+    for (Eigen::Index i = 0; i < start.size(); ++i)
+        if (i != held) moved.push_back(i);
+    const auto with_moved = [&](const Eigen::VectorXd& x) {
+        Eigen::VectorXd all = start;
+        all(moved) = x;
+        return residuals(all);
+    };
+    return gsl::fit_nonlinear({with_moved}, start(moved), options);
 }
 
 }  // namespace ashimpact

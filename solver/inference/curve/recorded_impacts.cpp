@@ -82,16 +82,14 @@ std::vector<RecordedImpact> recorded_impacts(const MeasurementSet& set) {
                                   : point.captured()                     ? Recorded::zero
                                                                          : Recorded::rebound;
         const auto count = static_cast<double>(point.count);
+        const VelocityNoise noise = point.noise.value_or(VelocityNoise{1.0, 1.0});
         impacts.push_back({.recorded = recorded,
                            .velocity = point.velocity,
                            .log_velocity = std::log(point.velocity),
                            .rebound = point.rebound,
-                           .incident_u = point.noise ? std::sqrt(point.noise->incident) : 1.0,
-                           .rebound_u = point.noise ? std::sqrt(point.noise->rebound) : 1.0,
-                           .correlation = point.noise
-                                              ? point.noise->covariance /
-                                                    std::sqrt(point.noise->incident * point.noise->rebound)
-                                              : 0.0,
+                           .incident_u = std::sqrt(noise.incident),
+                           .rebound_u = std::sqrt(noise.rebound),
+                           .correlation = noise.covariance / std::sqrt(noise.incident * noise.rebound),
                            .resolution = point.resolution,
                            .count = recorded == Recorded::rebound ? 1.0 : count});
     }

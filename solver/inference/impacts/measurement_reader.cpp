@@ -124,19 +124,13 @@ std::optional<NotedOutcome> stated_outcome(const MeasurementHeading& heading, co
     if (!heading.outcome) return NotedOutcome::from_reading;
     const std::string& cell = row.cells[*heading.outcome];
     if (cell.empty()) return NotedOutcome::from_reading;
-    switch (outcome_word(cell)) {
-        case OutcomeWord::capture:
-            return NotedOutcome::capture;
-        case OutcomeWord::rebound:
-            return NotedOutcome::rebound;
-        case OutcomeWord::unknown:
-            return std::nullopt;
-        case OutcomeWord::none:
-            break;
-    }
-    throw InputError(in_quotes(cell) + " in the column of outcomes is none",
-                     "rebound, capture, unknown, or an empty cell")
-        .at(at_cell(row.line, *heading.outcome));
+    const OutcomeWord word = outcome_word(cell);
+    if (word == OutcomeWord::none)
+        throw InputError(in_quotes(cell) + " in the column of outcomes is none",
+                         "rebound, capture, unknown, or an empty cell")
+            .at(at_cell(row.line, *heading.outcome));
+    if (word == OutcomeWord::unknown) return std::nullopt;
+    return word == OutcomeWord::capture ? NotedOutcome::capture : NotedOutcome::rebound;
 }
 
 /// The outcome that the remarks of a row state, each in one word. @throws InputError if they differ
