@@ -19,16 +19,12 @@ namespace ashimpact {
 
 namespace {
 
-/// Reads values in the order in which the inputs were added.
-class Values {
-  public:
-    explicit Values(std::span<const double> values) : values_(values) {}
-    double next() { return values_[used_++]; }
-
-  private:
-    std::span<const double> values_;
-    std::size_t used_ = 0;
-};
+/// Takes the next value, in the order in which the inputs were added.
+double next(std::span<const double>& values) {
+    const double value = values.front();
+    values = values.subspan(1);
+    return value;
+}
 
 void add_mixture(std::vector<RandomInput>& inputs, const Composition& composition) {
     const std::string basis = composition.basis == FractionBasis::weight ? "weight" : "volume";
@@ -52,11 +48,10 @@ void add_mixture(std::vector<RandomInput>& inputs, const Composition& compositio
 }
 
 /// @param at is left at the values: copying a mixture would cost more than its modulus
-double mixed_modulus(PhaseMixture& at, Values& values) {
-    for (double& amount : at.composition.model.amounts) amount = std::max(0.0, values.next());
-    at.composition.model.parameter = std::max(0.0, values.next());
-    for (Component& component : at.composition.components)
-        component.phase.young_modulus.value = values.next();
+double mixed_modulus(PhaseMixture& at, std::span<const double>& values) {
+    for (double& amount : at.composition.model.amounts) amount = std::max(0.0, next(values));
+    at.composition.model.parameter = std::max(0.0, next(values));
+    for (Component& component : at.composition.components) component.phase.young_modulus.value = next(values);
     return young_modulus_of(at.composition, at.options);
 }
 
@@ -65,15 +60,15 @@ double stable_poisson_ratio(double value) {
 }
 
 /// The contact modulus that the next values give.
-void set_modulus(ContactPair& pair, SphereInContact& sphere, Values& values) {
+void set_modulus(ContactPair& pair, SphereInContact& sphere, std::span<const double>& values) {
     if (sphere.contact_modulus) {
-        pair.contact_modulus = values.next();
+        pair.contact_modulus = next(values);
         return;
     }
-    ElasticBody particle{.young_modulus = 0.0, .poisson_ratio = stable_poisson_ratio(values.next())};
-    ElasticBody wall{.young_modulus = values.next(), .poisson_ratio = 0.0};
-    wall.poisson_ratio = stable_poisson_ratio(values.next());
-    particle.young_modulus = sphere.mixture ? mixed_modulus(*sphere.mixture, values) : values.next();
+    ElasticBody particle{.young_modulus = 0.0, .poisson_ratio = stable_poisson_ratio(next(values))};
+    ElasticBody wall{.young_modulus = next(values), .poisson_ratio = 0.0};
+    wall.poisson_ratio = stable_poisson_ratio(next(values));
+    particle.young_modulus = sphere.mixture ? mixed_modulus(*sphere.mixture, values) : next(values);
     pair.contact_modulus = contact_modulus(particle, wall);
 }
 
@@ -221,22 +216,21 @@ RandomContact random_contact(const SphereInContact& sphere) {
     if (sphere.partner)
         result.inputs.insert(result.inputs.end(), {sphere.partner->diameter, sphere.partner->mass});
     for (const auto& [parameter, input] : sphere.parameters) result.inputs.push_back(input);
-    result.contact = [sphere = SphereInContact(sphere)](std::span<const double> all) mutable {
-        Values values(all);
-        const double radius = 0.5 * values.next();
-        ContactPair pair{.mass = sphere_mass(radius, values.next()),
+    result.contact = [sphere = SphereInContact(sphere)](std::span<const double> values) mutable {
+        const double radius = 0.5 * next(values);
+        ContactPair pair{.mass = sphere_mass(radius, next(values)),
                          .effective_radius = radius,
                          .contact_modulus = 0.0,
-                         .work_of_adhesion = values.next(),
+                         .work_of_adhesion = next(values),
                          .yield_pressure = sphere.yield_pressure,
                          .parameters = sphere.other_parameters};
         set_modulus(pair, sphere, values);
         if (sphere.partner) {
-            pair.effective_radius = effective_radius(radius, 0.5 * values.next());
-            pair.mass = effective_mass(pair.mass, values.next());
+            pair.effective_radius = effective_radius(radius, 0.5 * next(values));
+            pair.mass = effective_mass(pair.mass, next(values));
         }
         for (const auto& [parameter, input] : sphere.parameters)
-            pair.parameters.set(parameter.name, values.next());
+            pair.parameters.set(parameter.name, next(values));
         return pair;
     };
     return result;

@@ -23,12 +23,6 @@ double normal_density(double difference, double variance) {
     return std::exp(-0.5 * difference * difference / variance) / (root_two_pi * std::sqrt(variance));
 }
 
-/// Quadrature nodes on [0, 1].
-const auto& unit_nodes() {
-    static const auto nodes = gsl::gauss_legendre(16, 0.0, 1.0);
-    return nodes;
-}
-
 class Probability {
   public:
     Probability(const SmoothDamping& curve, const Scatter& scatter, const RecordedImpact& impact)
@@ -109,8 +103,9 @@ class Probability {
         double low = 0.0;
         double high = std::sqrt(to - from);
         if (narrow) narrow_down(from, low, high);
+        static const auto unit_nodes = gsl::gauss_legendre(16, 0.0, 1.0);
         double sum = 0.0;
-        for (const auto& node : unit_nodes()) {
+        for (const auto& node : unit_nodes) {
             const double q = low + (high - low) * node.position;
             const double y = from + q * q;
             const double r = rebound_at(y);

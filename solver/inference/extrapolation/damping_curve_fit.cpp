@@ -306,31 +306,27 @@ Eigen::MatrixXd covariance_from(const Eigen::MatrixXd& jacobian) {
 
 constexpr double least_probability = 0.01;  ///< of the scatter, below which the noise is enlarged
 
-/// Goodness of a fit, with the noise as given.
-struct Goodness {
-    double chi_squared;
-    int degrees_of_freedom;
-    double probability;
-    double scatter;
-};
-
 /// @param rows with the noise as it was measured, or 1 m/s
-Goodness goodness_of(const RestitutionDistances::Rows& rows, const std::vector<double>& weights,
-                     Eigen::Index parameters, bool noise_known) {
+void add_goodness(DampingCurveFit& fit, const RestitutionDistances::Rows& rows,
+                  const std::vector<double>& weights) {
     constexpr double rounding = 1e-13;
     const double effective = std::accumulate(weights.begin(), weights.end(), 0.0);
-    const int freedom = std::max(0, static_cast<int>(std::lround(effective)) - static_cast<int>(parameters));
-    const double chi_squared = rows.residuals.squaredNorm();
-    const double probability = noise_known ? gsl::chi_squared_exceedance(chi_squared, freedom) : 1.0;
-    const bool enlarge = !noise_known || probability < least_probability;
-    const double scatter = enlarge && freedom > 0 ? std::sqrt(chi_squared / freedom) : 1.0;
-    return {chi_squared, freedom, probability, std::max(scatter, rounding)};
+    const int freedom = std::max(0, static_cast<int>(std::lround(effective)) - fit.options.order - 1);
+    fit.degrees_of_freedom = freedom;
+    fit.chi_squared = rows.residuals.squaredNorm();
+    fit.probability = fit.noise_known ? gsl::chi_squared_exceedance(fit.chi_squared, freedom) : 1.0;
+    const bool enlarge = !fit.noise_known || fit.probability < least_probability;
+    const double scatter = enlarge && freedom > 0 ? std::sqrt(fit.chi_squared / freedom) : 1.0;
+    fit.scatter = std::max(scatter, rounding);
 }
 
-Interval curvature_interval(double value, double deviation, const Goodness& goodness) {
-    const bool estimated = goodness.scatter != 1.0;
+/// The interval of eta_c from the curvature of the fit.
+Interval curvature_interval(const DampingCurveFit& fit) {
+    const double value = fit.damping.coefficients[0];
+    const double deviation = std::sqrt(fit.covariance(0, 0));
+    const bool estimated = fit.scatter != 1.0;
     const double quantile =
-        gsl::student_quantile(0.5 + 0.5 * confidence, estimated ? goodness.degrees_of_freedom : 0);
+        gsl::student_quantile(0.5 + 0.5 * confidence, estimated ? fit.degrees_of_freedom : 0);
     Interval interval{value, deviation, value - quantile * deviation, value + quantile * deviation};
     if (*interval.lower <= 0.0) interval.lower = std::nullopt;
     return interval;
@@ -387,17 +383,6 @@ void add_range(DampingCurveFit& fit, const RestitutionData& data) {
     fit.extrapolation = fit.restitutions[0] / (fit.restitutions[1] - fit.restitutions[0]);
 }
 
-/// Standard uncertainties of the velocities of an impact in a fit [m/s].
-struct FittedNoise {
-    double incident;
-    double rebound;
-};
-
-FittedNoise noise_in(const DampingCurveFit& fit, const Measurement& point) {
-    if (!fit.noise_known || !point.noise) return {fit.scatter, fit.scatter};
-    return {fit.scatter * std::sqrt(point.noise->incident), fit.scatter * std::sqrt(point.noise->rebound)};
-}
-
 }  // namespace
 
 DampingCurveFit fit_damping_curve(const ContactModel& model, const MeasurementSet& set,
@@ -413,22 +398,18 @@ DampingCurveFit fit_damping_curve(const ContactModel& model, const MeasurementSe
     if (rows.restitutions.empty())
         throw ConvergenceError("the polynomial closest to the rebounds gives some of them at no velocity");
     if (!(near[0] > 0.0)) throw ConvergenceError("the polynomial gives no positive damping at e = 0");
-    const Goodness goodness = goodness_of(rows, data.weights, near.size(), selection.noise_known);
-    rows.residuals /= goodness.scatter;
-    rows.jacobian /= goodness.scatter;
 
     DampingCurveFit fit{};
     fit.options = options;
     fit.damping = {near};
-    fit.covariance = covariance_from(rows.jacobian);
-    fit.critical_damping = curvature_interval(near[0], std::sqrt(fit.covariance(0, 0)), goodness);
-    fit.critical_velocity = critical_velocity_of(model, fit.critical_damping);
     fit.excluded = selection.excluded;
-    fit.chi_squared = goodness.chi_squared;
-    fit.degrees_of_freedom = goodness.degrees_of_freedom;
-    fit.probability = goodness.probability;
-    fit.scatter = goodness.scatter;
     fit.noise_known = selection.noise_known;
+    add_goodness(fit, rows, data.weights);
+    rows.residuals /= fit.scatter;
+    rows.jacobian /= fit.scatter;
+    fit.covariance = covariance_from(rows.jacobian);
+    fit.critical_damping = curvature_interval(fit);
+    fit.critical_velocity = critical_velocity_of(model, fit.critical_damping);
     add_rebounds(fit, rows, selection);
     add_range(fit, data);
     return fit;
@@ -445,10 +426,11 @@ void require_rebounds_above(const DampingCurveFit& fit, const MeasurementSet& se
     for (std::size_t i = 0; i < set.points.size(); ++i) {
         if (outlying[i]) continue;
         const Measurement& point = set.points[i];
-        const FittedNoise noise = noise_in(fit, point);
-        if (point.captured() || point.rebound <= 3.0 * noise.rebound) continue;
+        const VelocityNoise noise =
+            fit.noise_known ? point.noise.value_or(VelocityNoise{1.0, 1.0}) : VelocityNoise{1.0, 1.0};
+        if (point.captured() || point.rebound <= 3.0 * (fit.scatter * std::sqrt(noise.rebound))) continue;
         if (!slowest || point.velocity < *slowest) slowest = point.velocity;
-        const double most = point.velocity + extreme * noise.incident;
+        const double most = point.velocity + extreme * (fit.scatter * std::sqrt(noise.incident));
         if (!bound || most < *bound) bound = most;
     }
     const Interval& fitted = fit.critical_velocity;

@@ -174,11 +174,10 @@ void take_column(MeasurementHeading& heading, const std::string& cell, std::size
     if (meaning->is_uncertainty && !coverage.problem.empty()) return;
     const bool named = meaning_of(name).has_value();
     const auto& value = heading.of(meaning->quantity);
-    MeasuredColumn column{.position = position,
-                          .name = named ? std::string(name) : cell,
-                          .to_si = factor_of(unit, meaning->quantity),
-                          .unit_given = !unit.empty() || meaning->quantity == MeasuredQuantity::restitution,
-                          .coverage = coverage.problem.empty() ? coverage.factor : 0};
+    MeasuredColumn column{{position, named ? std::string(name) : cell},
+                          factor_of(unit, meaning->quantity),
+                          !unit.empty() || meaning->quantity == MeasuredQuantity::restitution,
+                          coverage.problem.empty() ? coverage.factor : 0};
     if (unit.empty() && !named && meaning->is_uncertainty && value) {
         column.to_si = value->to_si;
         column.unit_given = value->unit_given;

@@ -44,17 +44,15 @@ struct Names<MeasuredQuantity> {
     static constexpr std::array<std::string_view, 3> all{"velocity", "rebound", "restitution"};
 };
 
-struct MeasuredColumn {
-    std::size_t position;
-    std::string name;  ///< as in the file, without its unit
-    double to_si;      ///< factor
-    bool unit_given;
-    double coverage = 1;  ///< its uncertainties over standard ones; 0: they cannot be read
-};
-
 struct TextColumn {
     std::size_t position;
-    std::string name;
+    std::string name;  ///< as in the file, without its unit
+};
+
+struct MeasuredColumn : TextColumn {
+    double to_si;  ///< factor
+    bool unit_given;
+    double coverage;  ///< its uncertainties over standard ones; 0: they cannot be read
 };
 
 /// The columns of a heading.

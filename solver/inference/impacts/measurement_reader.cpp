@@ -53,17 +53,13 @@ class TableCells {
 
     [[nodiscard]] double number(const TableRow& row, std::size_t position, const std::string& name) const {
         const auto number = read_number(row.cells[position], decimal_comma_);
-        if (!number)
-            throw InputError(
-                in_quotes(row.cells[position]) + " in column " + in_quotes(name) + " is not a number",
-                "a finite number")
-                .at(at_cell(row.line, position));
+        if (!number) fail({position, name}, row, "is not a number", "a finite number");
         return number->value;
     }
 
   private:
-    [[noreturn]] static void fail(const MeasuredColumn& column, const TableRow& row,
-                                  const std::string& problem, const std::string& allowed) {
+    [[noreturn]] static void fail(const TextColumn& column, const TableRow& row, const std::string& problem,
+                                  const std::string& allowed) {
         throw InputError(
             in_quotes(row.cells[column.position]) + " in column " + in_quotes(column.name) + " " + problem,
             allowed)
