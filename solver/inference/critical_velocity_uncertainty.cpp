@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
@@ -12,7 +11,6 @@
 #include "solver/batch/critical_batch.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/extrapolation/restitution_curve.hpp"
-#include "solver/numeric/gsl/statistics.hpp"
 #include "solver/surrogate/cohesive_velocity_map.hpp"
 
 namespace ashimpact {

@@ -3,7 +3,6 @@
 
 #include <bit>
 #include <limits>
-#include <stdexcept>
 
 #include <boost/random/niederreiter_base2.hpp>
 #include <boost/random/sobol.hpp>

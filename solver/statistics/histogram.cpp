@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 
 // This file once more for each instruction set.
 #undef HWY_TARGET_INCLUDE
@@ -158,10 +157,6 @@ void Histogram::cover(std::uint32_t lowest, std::uint32_t highest) {
         first_ = lowest;
     }
     if (highest - first_ >= counts_.size()) counts_.resize(highest - first_ + 1, 0);
-}
-
-std::uint64_t Histogram::total() const {
-    return std::accumulate(counts_.begin(), counts_.end(), zeros_);
 }
 
 QuantileBounds Histogram::quantile(const Bins& bins, double probability) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -66,7 +67,9 @@ class Histogram {
     /// The bins from the first to the last that holds a value; the first one's number is first().
     [[nodiscard]] const std::vector<std::uint64_t>& counts() const { return counts_; }
     [[nodiscard]] std::uint32_t first() const { return first_; }
-    [[nodiscard]] std::uint64_t total() const;
+    [[nodiscard]] std::uint64_t total() const {
+        return std::accumulate(counts_.begin(), counts_.end(), zeros_);
+    }
 
     /// Bounds of the quantile at @p probability: the least value such that at least this part of all values
     /// is not above it. Needs a value.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -297,18 +296,6 @@ void Moments::merge(const Moments& other) {
     count += other.count;
     minimum = std::min(minimum, other.minimum);
     maximum = std::max(maximum, other.maximum);
-}
-
-double Moments::variance() const {
-    return second / static_cast<double>(count - 1);
-}
-
-double Moments::skewness() const {
-    return std::sqrt(static_cast<double>(count)) * third / (second * std::sqrt(second));
-}
-
-double Moments::excess_kurtosis() const {
-    return static_cast<double>(count) * fourth / (second * second) - 3;
 }
 
 std::vector<Moments> moments_by_group(std::span<const double> values, std::uint32_t groups,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -43,10 +44,14 @@ struct Moments {
     void merge(const Moments& other);
 
     /// Unbiased variance; needs two values.
-    [[nodiscard]] double variance() const;
+    [[nodiscard]] double variance() const { return second / static_cast<double>(count - 1); }
     /// Skewness m3/m2^(3/2) and excess kurtosis m4/m2^2 - 3 [1]; need a variance that is not zero.
-    [[nodiscard]] double skewness() const;
-    [[nodiscard]] double excess_kurtosis() const;
+    [[nodiscard]] double skewness() const {
+        return std::sqrt(static_cast<double>(count)) * third / (second * std::sqrt(second));
+    }
+    [[nodiscard]] double excess_kurtosis() const {
+        return static_cast<double>(count) * fourth / (second * second) - 3;
+    }
 
     template <class Archive>
     void transfer(Archive& archive) {

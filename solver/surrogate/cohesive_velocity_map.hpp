@@ -3,7 +3,6 @@
 
 #include <array>
 #include <optional>
-#include <vector>
 
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/numeric/chebyshev.hpp"

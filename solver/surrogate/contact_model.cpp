@@ -47,10 +47,6 @@ ContactModel::ContactModel(std::shared_ptr<const RestitutionMap> map, const Cont
     damping_unit_ = std::pow(contact.mass, 0.6) * std::pow(hertz_stiffness(contact), 0.4);
 }
 
-double ContactModel::x_of(double velocity) const {
-    return std::log(velocity / velocity_unit_);
-}
-
 VelocityRange ContactModel::range() const {
     return {velocity_unit_ * std::exp(map_->range().lower), velocity_unit_ * std::exp(map_->range().upper)};
 }
@@ -61,10 +57,6 @@ DampingAt ContactModel::damping(double velocity, double restitution) const {
     return {.value = unit * number.value,
             .by_restitution = unit * number.by_restitution,
             .by_velocity = unit / velocity * (0.2 * number.value + number.by_x)};
-}
-
-double ContactModel::greatest_restitution(double velocity) const {
-    return map_->greatest_restitution(x_of(velocity));
 }
 
 std::optional<VelocityAt> ContactModel::velocity(double restitution, double damping,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -41,7 +42,9 @@ class ContactModel {
     /// @param velocity within range() [m/s] @param restitution within [0, greatest_restitution(velocity)]
     [[nodiscard]] DampingAt damping(double velocity, double restitution) const;
     /// Restitution without damping, the greatest that can be reached [1].
-    [[nodiscard]] double greatest_restitution(double velocity) const;
+    [[nodiscard]] double greatest_restitution(double velocity) const {
+        return map_->greatest_restitution(x_of(velocity));
+    }
     /// The velocity at which an impact with this damping has this restitution; none if it lies outside
     /// range().
     /// @param damping > 0 [kg/s] @param guess start of the search, if one is known [m/s]
@@ -64,7 +67,7 @@ class ContactModel {
     [[nodiscard]] double contact_time(double velocity, double restitution) const;
 
   private:
-    [[nodiscard]] double x_of(double velocity) const;
+    [[nodiscard]] double x_of(double velocity) const { return std::log(velocity / velocity_unit_); }
 
     std::shared_ptr<const RestitutionMap> map_;
     ContactPair contact_;

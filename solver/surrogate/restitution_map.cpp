@@ -177,14 +177,6 @@ RestitutionMap::RestitutionMap(Law law, Detachment detachment, VelocityRange ran
     check();
 }
 
-double RestitutionMap::unit_velocity(double x) const {
-    return adhesive() ? adhesion_velocity_ * std::exp(x) : 1.0;
-}
-
-double RestitutionMap::greatest_restitution(double x) const {
-    return std::sqrt(std::max(0.0, -std::expm1(2.0 * (lowest_ - x))));
-}
-
 ChebyshevAxis RestitutionMap::axis_of_x() const {
     if (!adhesive()) return {0.0, 0.0, 0};
     return {range_.lower, range_.upper, degree_for(range_)};
@@ -241,10 +233,6 @@ void RestitutionMap::check() {
             accuracy_ = std::max(accuracy_, std::abs(found - e));
         }
     }
-}
-
-double RestitutionMap::root_of_share(double restitution, double x) const {
-    return std::cbrt(std::max(0.0, restitution) / greatest_restitution(x));
 }
 
 DampingNumber RestitutionMap::damping_number(double restitution, double x) const {

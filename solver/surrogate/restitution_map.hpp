@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "solver/contact/detachment.hpp"
@@ -48,7 +50,9 @@ class RestitutionMap {
     /// x below which every impact is captured, damped or not; minus infinity if there is none.
     [[nodiscard]] double lowest() const { return lowest_; }
     /// Velocity of a pair whose mass, radius, stiffness and work of adhesion are 1.
-    [[nodiscard]] double unit_velocity(double x) const;
+    [[nodiscard]] double unit_velocity(double x) const {
+        return adhesive() ? adhesion_velocity_ * std::exp(x) : 1.0;
+    }
     [[nodiscard]] VelocityRange range() const { return range_; }
     /// Largest error in restitution found when the map was checked [1].
     [[nodiscard]] double accuracy() const { return accuracy_; }
@@ -56,7 +60,9 @@ class RestitutionMap {
     /// @param restitution 0 <= e <= greatest_restitution(x); @param x within range()
     [[nodiscard]] DampingNumber damping_number(double restitution, double x) const;
     /// Restitution without damping, the greatest there is [1].
-    [[nodiscard]] double greatest_restitution(double x) const;
+    [[nodiscard]] double greatest_restitution(double x) const {
+        return std::sqrt(std::max(0.0, -std::expm1(2.0 * (lowest_ - x))));
+    }
     /// Contact time in units of L/v, e > 0 [1].
     [[nodiscard]] double contact_time(double restitution, double x) const;
 
@@ -65,7 +71,9 @@ class RestitutionMap {
     void tabulate_damping();
     void tabulate_times();
     void check();
-    [[nodiscard]] double root_of_share(double restitution, double x) const;
+    [[nodiscard]] double root_of_share(double restitution, double x) const {
+        return std::cbrt(std::max(0.0, restitution) / greatest_restitution(x));
+    }
 
     Law law_;
     Detachment detachment_;

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "materials/contact_properties.hpp"
 #include "solver/contact/law.hpp"
 #include "solver/inference/measured_damping.hpp"
 #include "solver/numeric/gsl/statistics.hpp"

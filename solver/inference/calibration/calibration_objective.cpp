@@ -231,10 +231,6 @@ CalibrationObjective::CalibrationObjective(const CalibrationProblem& problem,
     covariance_.compute(calibration_residuals(problem, samples_with(problem, slots_, logarithms)).covariance);
 }
 
-Eigen::VectorXd CalibrationObjective::residuals(const Eigen::VectorXd& logarithms) const {
-    return residuals(*problem_, logarithms);
-}
-
 Eigen::VectorXd CalibrationObjective::residuals(const CalibrationProblem& problem,
                                                 const Eigen::VectorXd& logarithms) const {
     return covariance_.matrixL().solve(

@@ -48,7 +48,9 @@ class CalibrationObjective {
   public:
     CalibrationObjective(const CalibrationProblem& problem, const Eigen::VectorXd& logarithms);
 
-    [[nodiscard]] Eigen::VectorXd residuals(const Eigen::VectorXd& logarithms) const;
+    [[nodiscard]] Eigen::VectorXd residuals(const Eigen::VectorXd& logarithms) const {
+        return residuals(*problem_, logarithms);
+    }
     /// Those of another problem with the same observations, with the weights of this one.
     [[nodiscard]] Eigen::VectorXd residuals(const CalibrationProblem& problem,
                                             const Eigen::VectorXd& logarithms) const;

@@ -9,7 +9,6 @@
 
 #include <Eigen/Dense>
 
-#include "core/quantities/names.hpp"
 #include "solver/damping/damping_polynomial.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 #include "solver/statistics/interval.hpp"

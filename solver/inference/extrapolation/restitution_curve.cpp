@@ -65,10 +65,6 @@ class ClosestPlace {
 
 }  // namespace
 
-ChebyshevAxis RestitutionCurve::axis(double greatest_restitution) {
-    return {0.0, std::cbrt(greatest_restitution), degree};
-}
-
 std::optional<RestitutionCurve> RestitutionCurve::implied_by(const ContactModel& model,
                                                              const DampingPolynomial& damping,
                                                              double greatest_restitution,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include <Eigen/Dense>
@@ -46,7 +47,9 @@ class RestitutionCurve {
     explicit RestitutionCurve(double greatest_restitution) : greatest_(greatest_restitution) {}
 
     /// Axis of the cube root of e, in which the curve is a Chebyshev series.
-    [[nodiscard]] static ChebyshevAxis axis(double greatest_restitution);
+    [[nodiscard]] static ChebyshevAxis axis(double greatest_restitution) {
+        return {0.0, std::cbrt(greatest_restitution), degree};
+    }
 
     double greatest_;
     static constexpr int degree = 20;

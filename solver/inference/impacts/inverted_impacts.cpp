@@ -326,18 +326,10 @@ std::optional<DampingSmoothing> DampingSmoothing::of(const std::vector<InvertedI
     return smooth;
 }
 
-double DampingSmoothing::slowest() const {
-    return std::exp(first_);
-}
-
-double DampingSmoothing::fastest() const {
-    return std::exp(last_);
-}
-
 DampingSmoothing::Value DampingSmoothing::at(double velocity) const {
     const double x = std::clamp(std::log(velocity), first_, last_);
     const Eigen::VectorXd values = splines_.values(x);
-    const Eigen::VectorXd slopes = splines_.slopes(x);
+    const Eigen::VectorXd slopes = splines_.values(x, 1);
     const double damping = values.dot(coefficients_);
     return {.damping = damping,
             .standard_uncertainty = std::sqrt(values.dot(covariance_ * values)),

@@ -61,8 +61,8 @@ class DampingSmoothing {
     };
     /// @param velocity within [slowest(), fastest()] [m/s]
     [[nodiscard]] Value at(double velocity) const;
-    [[nodiscard]] double slowest() const;
-    [[nodiscard]] double fastest() const;
+    [[nodiscard]] double slowest() const { return std::exp(first_); }
+    [[nodiscard]] double fastest() const { return std::exp(last_); }
     /// Residual of each rebound in robust standard deviations, with its index in the set.
     struct Residual {
         std::size_t index;

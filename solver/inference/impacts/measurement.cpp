@@ -78,15 +78,6 @@ VelocityNoise VelocityNoise::of_restitution(double velocity, double restitution,
             .covariance = restitution * u * u};
 }
 
-std::size_t MeasurementSet::captures() const {
-    return static_cast<std::size_t>(
-        std::count_if(points.begin(), points.end(), [](const Measurement& m) { return m.captured(); }));
-}
-
-bool MeasurementSet::has_noise() const {
-    return !points.empty() && points.front().noise.has_value();
-}
-
 void validate(const MeasurementSet& set) {
     if (set.points.empty()) throw InputError("there is no measurement", "at least one");
     for (const Measurement& point : set.points) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -60,10 +61,12 @@ struct MeasurementSet {
     std::vector<std::string> warnings{};
     std::size_t unknown = 0;  ///< impacts of the file left out because their outcome is not known
 
-    [[nodiscard]] std::size_t captures() const;
+    [[nodiscard]] std::size_t captures() const {
+        return static_cast<std::size_t>(std::ranges::count_if(points, &Measurement::captured));
+    }
     [[nodiscard]] std::size_t rebounds() const { return points.size() - captures(); }
     /// Whether the uncertainties are known, which holds for all points or for none.
-    [[nodiscard]] bool has_noise() const;
+    [[nodiscard]] bool has_noise() const { return !points.empty() && points.front().noise.has_value(); }
 };
 
 /// Checks that there is at least one point, that numbers are finite, v_in > 0, v_r >= 0, and that

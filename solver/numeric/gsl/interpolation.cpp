@@ -21,10 +21,6 @@ struct BSpline::Workspace {
         if (!state) check(GSL_EINVAL, "B-spline");
         derivatives.reset(gsl_matrix_alloc(gsl_bspline_ncoeffs(state.get()), 2));
     }
-    [[nodiscard]] Eigen::VectorXd column(double x, Eigen::Index derivative) const {
-        check(gsl_bspline_deriv_eval(x, 1, derivatives.get(), state.get()), "B-spline");
-        return view_of(derivatives.get()).col(derivative);
-    }
 };
 
 BSpline::BSpline(std::span<const double> breaks)
@@ -39,12 +35,10 @@ Eigen::Index BSpline::size() const {
     return index_of(gsl_bspline_ncoeffs(workspace_->state.get()));
 }
 
-Eigen::VectorXd BSpline::values(double x) const {
-    return workspace_->column(x, 0);
-}
-
-Eigen::VectorXd BSpline::slopes(double x) const {
-    return workspace_->column(x, 1);
+Eigen::VectorXd BSpline::values(double x, int derivative) const {
+    gsl_matrix* derivatives = workspace_->derivatives.get();
+    check(gsl_bspline_deriv_eval(x, 1, derivatives, workspace_->state.get()), "B-spline");
+    return view_of(derivatives).col(derivative);
 }
 
 std::vector<QuadratureNode> gauss_legendre(int count, double lower, double upper) {

@@ -16,10 +16,8 @@ class BSpline {
     explicit BSpline(std::span<const double> breaks);
 
     [[nodiscard]] Eigen::Index size() const;
-    /// The splines at @p x within the breaks. [1]
-    [[nodiscard]] Eigen::VectorXd values(double x) const;
-    /// Their first derivatives. [1/unit of x]
-    [[nodiscard]] Eigen::VectorXd slopes(double x) const;
+    /// The splines at @p x within the breaks, or their derivative of order 1 [1/unit of x^derivative].
+    [[nodiscard]] Eigen::VectorXd values(double x, int derivative = 0) const;
 
   private:
     struct Workspace;

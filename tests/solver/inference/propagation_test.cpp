@@ -9,7 +9,6 @@
 #include "solver/contact/maugis_dugdale.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/critical_velocity_uncertainty.hpp"
-#include "solver/motion/velocity_scales.hpp"
 #include "solver/surrogate/cohesive_velocity_map.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/solver/inference/ash_laboratory.hpp"
