@@ -2,17 +2,155 @@
 #include "solver/surrogate/contact_model.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <string>
+#include <vector>
 
 #include "core/text/error.hpp"
+#include "solver/batch/impact_batch.hpp"
+#include "solver/batch/inversion_batch.hpp"
+#include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/motion/follow.hpp"
 #include "solver/motion/impact.hpp"
+#include "solver/motion/scaled_impact.hpp"
 #include "solver/motion/velocity_scales.hpp"
+#include "solver/numeric/gsl/search.hpp"
 
 namespace ashimpact {
 
 namespace {
+
+/// The pair in place of all others: mass, radius, stiffness and work of adhesion are 1.
+constexpr ContactPair unit_pair{
+    .mass = 1.0, .effective_radius = 1.0, .contact_modulus = 0.75, .work_of_adhesion = 1.0};
+
+/// The unit pair with any values of the law's own parameters: scaled impacts do not depend on them.
+ContactPair unit_pair_of(Law law) {
+    ContactPair pair = unit_pair;
+    pair.parameters = typical_parameters(law);
+    return pair;
+}
+
+Impact impact_at(const RestitutionMap& map, double damping_number, double velocity) {
+    const Scale scale = Scale::of(unit_pair, velocity);
+    const double coefficient = scale.damping_coefficient(DampingLaw::constant, damping_number);
+    return {.law = map.law(),
+            .detachment = map.detachment(),
+            .damping = {DampingLaw::constant, coefficient},
+            .contact = unit_pair_of(map.law()),
+            .velocity = velocity};
+}
+
+CriticalVelocity critical_of(const Impact& impact) {
+    return critical_velocity({impact.law, impact.detachment, impact.damping, impact.contact});
+}
+
+/// Where a damping number is searched.
+struct Search {
+    double guess;
+    double width;  ///< of the first bracket about the guess, to either side
+};
+
+/// Root of a decreasing function near a guess. The bracket is widened until the sign changes.
+double falling_root(const std::function<double(double)>& function, const Search& search) {
+    double lower = std::max(0.0, search.guess - search.width);
+    double upper = search.guess + search.width;
+    for (double width = search.width; lower > 0.0 && function(lower) <= 0.0; width *= 4.0) {
+        upper = lower;
+        lower = std::max(0.0, lower - 4.0 * width);
+    }
+    for (double width = search.width; function(upper) > 0.0; width *= 4.0) {
+        if (!(upper < 1e6)) throw ConvergenceError("restitution does not fall with damping");
+        lower = upper;
+        upper += 4.0 * width;
+    }
+    return gsl::brent(function, lower, upper, {.relative = 0.0, .absolute = 1e-10}).root;
+}
+
+double solved_restitution(const RestitutionMap& map, double damping_number, double x) {
+    return restitution_of(impact_at(map, damping_number, map.unit_velocity(x)));
+}
+
+/// Damping number that gives a restitution; for restitution 0 the smallest that captures [1].
+double solved_damping_number(const RestitutionMap& map, double restitution, double x, const Search& search) {
+    if (restitution > 0.0)
+        return falling_root([&](double number) { return solved_restitution(map, number, x) - restitution; },
+                            search);
+    const double velocity = map.unit_velocity(x);
+    return falling_root(
+        [&](double number) {
+            const CriticalVelocity critical = critical_of(impact_at(map, number, velocity));
+            return critical.value ? std::log(velocity / *critical.value) : 1.0;
+        },
+        search);
+}
+
+ImpactList impacts_at(const RestitutionMap& map, const Eigen::ArrayXd& damping_number,
+                      const Eigen::ArrayXd& x) {
+    std::vector<Impact> impacts;
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+        impacts.push_back(impact_at(map, damping_number[i], map.unit_velocity(x[i])));
+    return ImpactList(impacts);
+}
+
+/// Damping numbers of many impacts by the batch solver, to its accuracy: all digits at e above about 0.02.
+/// @param restitution 0 < e <= greatest_restitution(x) [1]; @param x of the same length
+Eigen::ArrayXd batch_damping_numbers(const RestitutionMap& map, const Eigen::ArrayXd& restitution,
+                                     const Eigen::ArrayXd& x) {
+    const ImpactList list_of_ones = impacts_at(map, Eigen::ArrayXd::Ones(x.size()), x);
+    const ImpactBatch ones = list_of_ones.batch();
+    const auto found = dampings_from_restitutions(
+        {map.law(), map.detachment(), ones.damping_law, ones.contact, ones.velocity, restitution});
+    return found.damping / ones.damping;
+}
+
+/// Contact times of many impacts that rebound, in units of L/v [1].
+Eigen::ArrayXd batch_contact_times(const RestitutionMap& map, const Eigen::ArrayXd& damping_number,
+                                   const Eigen::ArrayXd& x) {
+    const auto solved = solve_impacts(impacts_at(map, damping_number, x).batch(), {.turning_point = false});
+    return solved.contact_time /
+           x.unaryExpr([&](double each) { return Scale::of(unit_pair, map.unit_velocity(each)).time(); });
+}
+
+constexpr int root_degree = 26;      ///< along the cube root of the restitution
+constexpr int time_degree = 14;      ///< the same for contact times
+constexpr double least_timed = 0.3;  ///< cube root of e below which contact times are solved, not tabulated
+constexpr double least_in_batch = 0.3;   ///< cube root of e below which dampings are searched for one by one
+constexpr double capture_margin = 0.05;  ///< distance in x from where every impact is captured
+
+/// Degree along x: the dependence on adhesion is smooth over factors of velocity.
+int degree_for(VelocityRange range) {
+    const double wanted = 6.0 + 2.0 * (range.upper - range.lower);
+    return static_cast<int>(std::clamp(wanted, 8.0, 30.0));
+}
+
+double cube(double x) {
+    return x * x * x;
+}
+
+/// Nodes of a table with the roots from @p first_root to @p end_root, the latter excluded; all roots of one x
+/// stand together.
+struct NodePlaces {
+    Eigen::ArrayXd root;
+    Eigen::ArrayXd x;
+
+    NodePlaces(const ChebyshevAxis& roots, const ChebyshevAxis& along, int first_root, int end_root) {
+        const int rows = end_root - first_root;
+        root.resize(static_cast<Eigen::Index>(rows) * (along.degree + 1));
+        x.resize(root.size());
+        for (int j = 0; j <= along.degree; ++j) {
+            for (int i = 0; i < rows; ++i) {
+                root[j * rows + i] = roots.node(first_root + i);
+                x[j * rows + i] = along.node(j);
+            }
+        }
+    }
+};
 
 constexpr int most_iterations = 60;
 
@@ -37,6 +175,109 @@ void require_memoryless(Law law, const ContactPair& contact) {
 }
 
 }  // namespace
+
+RestitutionMap::RestitutionMap(Law law, Detachment detachment, VelocityRange range)
+    : law_(law),
+      detachment_(detachment),
+      adhesion_velocity_(velocity_of_adhesion(law, unit_pair_of(law))),
+      range_(range) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    validate(impact_at(*this, 0.1, 1.0));
+    if (critical_of(impact_at(*this, 0.1, 1.0)).verdict == CaptureVerdict::never_captured)
+        throw InputError("law '" + std::string(law.name()) + "' with " + std::string(name_of(detachment)) +
+                             " detachment never captures",
+                         admissible_detachments(law));
+    const CriticalVelocity undamped = critical_of(impact_at(*this, 0.0, 1.0));
+    if (undamped.value) lowest_ = std::log(*undamped.value / adhesion_velocity_);
+    if (adhesive())
+        range_.lower = std::max(range.lower, lowest_ + capture_margin);
+    else
+        range_ = {-infinite, infinite};
+    if (!(range_.lower < range_.upper)) throw InputError("every impact is captured at these velocities");
+    tabulate_damping();
+    tabulate_times();
+    check();
+}
+
+ChebyshevAxis RestitutionMap::axis_of_x() const {
+    if (!adhesive()) return {0.0, 0.0, 0};
+    return {range_.lower, range_.upper, degree_for(range_)};
+}
+
+void RestitutionMap::tabulate_damping() {
+    const ChebyshevAxis root{0.0, 1.0, root_degree};
+    const ChebyshevAxis along = axis_of_x();
+    int weak = 0;  // nodes whose rebound is too slow for the batch solver's accuracy
+    while (root.node(weak) < least_in_batch) ++weak;
+    Eigen::MatrixXd numbers = Eigen::MatrixXd::Zero(root.degree + 1, along.degree + 1);
+    const NodePlaces places(root, along, weak, root.degree);
+    const Eigen::ArrayXd restitution = places.root.binaryExpr(
+        places.x, [&](double each, double x) { return cube(each) * greatest_restitution(x); });
+    numbers.middleRows(weak, root.degree - weak) = batch_damping_numbers(*this, restitution, places.x)
+                                                       .reshaped(root.degree - weak, along.degree + 1)
+                                                       .matrix();
+    // From fast to slow impacts and towards e = 0, so that the last solutions predict the next one.
+    for (int j = along.degree; j >= 0; --j) {
+        const double x = along.node(j);
+        for (int i = weak - 1; i >= 0; --i) {
+            const double e = cube(root.node(i)) * greatest_restitution(x);
+            const bool first = j == along.degree;
+            const double shift = first ? 0.0 : numbers(i + 1, j) - numbers(i + 1, j + 1);
+            const double guess = first ? numbers(i + 1, j) : numbers(i, j + 1) + shift;
+            const double width = first ? 0.1 : std::max(2e-4, 0.1 * std::abs(shift));
+            numbers(i, j) =
+                solved_damping_number(*this, e, x, {.guess = std::max(0.0, guess), .width = width});
+        }
+    }
+    damping_ = ChebyshevSurface(root, along, numbers);
+}
+
+void RestitutionMap::tabulate_times() {
+    const ChebyshevAxis root{least_timed, 1.0, time_degree};
+    const ChebyshevAxis along = axis_of_x();
+    const NodePlaces places(root, along, 0, root.degree + 1);
+    const Eigen::ArrayXd numbers = places.root.binaryExpr(
+        places.x, [&](double each, double x) { return std::max(0.0, damping_(each, x).value); });
+    time_ = ChebyshevSurface(
+        root, along,
+        batch_contact_times(*this, numbers, places.x).reshaped(root.degree + 1, along.degree + 1).matrix());
+}
+
+void RestitutionMap::check() {
+    constexpr std::array shares{0.004, 0.05, 0.31, 0.77};
+    constexpr std::array places{0.07, 0.36, 0.88};
+    accuracy_ = 0.0;
+    for (const double place : places) {
+        const double x = adhesive() ? range_.lower + place * (range_.upper - range_.lower) : 0.0;
+        for (const double share : shares) {
+            const double e = share * greatest_restitution(x);
+            const double found = solved_restitution(*this, damping_number(e, x).value, x);
+            accuracy_ = std::max(accuracy_, std::abs(found - e));
+        }
+    }
+}
+
+DampingNumber RestitutionMap::damping_number(double restitution, double x) const {
+    const double root = root_of_share(restitution, x);
+    const SurfacePoint at = damping_(root, x);
+    // d(root)/de = root/(3 e). Near e = 0 the slope is taken at a small e, where the same power of e
+    // dominates.
+    const double safe = std::max(root, 1e-2);
+    const double slope = root < safe ? damping_(safe, x).by_x : at.by_x;
+    const double greatest = greatest_restitution(x);
+    const double by_restitution = slope / (3.0 * safe * safe * greatest);
+    double by_x = at.by_y;
+    if (greatest < 1.0) by_x -= at.by_x * root / 3.0 * (1.0 - greatest * greatest) / (greatest * greatest);
+    return {at.value, by_restitution, by_x};
+}
+
+double RestitutionMap::contact_time(double restitution, double x) const {
+    const double root = root_of_share(restitution, x);
+    if (root >= least_timed) return time_(root, x).value;
+    const Impact impact = impact_at(*this, damping_(root, x).value, unit_velocity(x));
+    const auto motion = scaled_motion<double>(impact, Scale::of(unit_pair, impact.velocity));
+    return follow<double>(motion, 1.0).end.time;
+}
 
 ContactModel::ContactModel(std::shared_ptr<const RestitutionMap> map, const ContactPair& contact)
     : map_(std::move(map)), contact_(contact) {
