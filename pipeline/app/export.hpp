@@ -6,7 +6,7 @@
 #include <string>
 
 #include "pipeline/app/options/contact_options.hpp"
-#include "pipeline/present/export/codes/tables.hpp"
+#include "pipeline/present/export/codes/codes.hpp"
 
 namespace ashimpact {
 

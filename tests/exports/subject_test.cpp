@@ -9,9 +9,8 @@
 #include <doctest/doctest.h>
 
 #include "core/text/error.hpp"
-#include "pipeline/present/export/codes/dem.hpp"
-#include "pipeline/present/export/codes/tables.hpp"
-#include "pipeline/present/export/expected.hpp"
+#include "pipeline/present/export/codes/codes.hpp"
+#include "pipeline/present/export/folder.hpp"
 #include "tests/exports/ash.hpp"
 #include "tests/relative_difference.hpp"
 
@@ -90,10 +89,10 @@ TEST_CASE("a partner gives R* and m* of both spheres, at every size; a large one
 }
 
 TEST_CASE("a code refuses what it cannot do, with the reason") {
-    const auto refused = [](ExportFolder (*folder)(const ExportSubject&), const ExportSubject& subject,
-                            const std::string& reason) {
+    const auto refused = [](ExportFolder (*folder)(const ExportSubject&, const TableImage&),
+                            const ExportSubject& subject, const std::string& reason) {
         try {
-            static_cast<void>(folder(subject));
+            static_cast<void>(folder(subject, {}));
             FAIL("not refused: " << reason);
         } catch (const InputError& error) {
             CHECK_MESSAGE(std::string(error.what()).find(reason) != std::string::npos, error.what());

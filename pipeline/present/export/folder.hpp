@@ -2,15 +2,15 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/json/document.hpp"
 #include "pipeline/present/export/subject.hpp"
 
 namespace ashimpact {
-
-struct ImpactTable;
 
 /// A file of an exported folder, its name without any folder.
 struct ExportFile {
@@ -40,5 +40,22 @@ using TemplateValues = std::map<std::string, std::string, std::less<>>;
 /// @param conversions a line each
 [[nodiscard]] ExportFile assumptions(const ExportSubject& subject,
                                      const std::vector<std::string>& conversions);
+
+/// An impact that the other code has to reproduce.
+struct ExpectedImpact {
+    double diameter;  ///< [m]
+    double velocity;  ///< [m/s]
+    Outcome outcome;
+    double restitution;                     ///< 0 for a capture [1]
+    std::optional<double> contact_time;     ///< none for a capture [s]
+    std::optional<double> maximum_overlap;  ///< [m]
+};
+
+/// Impacts of the smallest, the largest, the reference size and one between, at 0.99 and 1.01 v_c, at
+/// multiples of v_c up to the largest velocity, and at the subject's own velocity.
+[[nodiscard]] std::vector<ExpectedImpact> expected_impacts(const ExportSubject& subject);
+
+/// expected.json. @p more has what the comparing script of a code needs beside the impacts.
+[[nodiscard]] ExportFile expected_json(const ExportSubject& subject, std::string_view code, const Json& more);
 
 }  // namespace ashimpact

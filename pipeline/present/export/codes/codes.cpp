@@ -5,26 +5,14 @@
 
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
-#include "pipeline/present/export/codes/dem.hpp"
 
 namespace ashimpact {
 
-namespace {
-
-template <ExportFolder (*folder)(const ExportSubject&)>
-ExportFolder without_image(const ExportSubject& subject, const TableImage& /*image*/) {
-    return folder(subject);
-}
-
-}  // namespace
-
 std::span<const ExportCode> export_codes() {
-    static constexpr std::array codes{ExportCode{"openfoam", without_image<openfoam_folder>},
-                                      ExportCode{"lammps", without_image<lammps_folder>},
-                                      ExportCode{"liggghts", without_image<liggghts_folder>},
-                                      ExportCode{"yade", without_image<yade_folder>},
-                                      ExportCode{"fluent", without_image<fluent_folder>},
-                                      ExportCode{"table", table_folder, "compare.py"}};
+    static constexpr std::array codes{
+        ExportCode{"openfoam", openfoam_folder}, ExportCode{"lammps", lammps_folder},
+        ExportCode{"liggghts", liggghts_folder}, ExportCode{"yade", yade_folder},
+        ExportCode{"fluent", fluent_folder},     ExportCode{"table", table_folder, "compare.py"}};
     return codes;
 }
 

@@ -2,36 +2,45 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "pipeline/present/export/folder.hpp"
 
+/// What DEM codes can represent: models of their own, tables of each code, and for one sphere on one wall
+/// Hertz's repulsion with the forces added that the wall of the code lacks.
 namespace ashimpact {
 
-/// Files that the DEM codes with LAMMPS's input language share, of which one sphere on one wall is the check.
-/// impacts.in: the impacts as index variables; ash_wall_z or partner_z last.
-[[nodiscard]] ExportFile impact_variables(const ExportSubject& subject);
+/// How a code represents a contact law, or why it cannot.
+struct ContactModel {
+    std::string_view law;
+    std::string_view name{};              ///< in the code's input
+    bool attracts = false;                ///< by itself; else the attraction of the law is an added force
+    std::optional<DampingLaw> damping{};  ///< that it has itself; another one is an added force
+    Detachment end = Detachment::zero_overlap;
+    std::string_view end_words = "zero overlap";
+    std::string_view refusal{};  ///< why there is no such model
+};
 
-/// Values of the decks: box, skin, time step of the cloud.
-[[nodiscard]] TemplateValues dem_values(const ExportSubject& subject);
+/// The row of a law, null without any.
+[[nodiscard]] const ContactModel* model_of(std::span<const ContactModel> models, const Law& law);
 
-/// Commands of ash_wall.in that add forces which the wall of the code lacks, by atom-style variables:
-/// attraction if @p attraction, damping if @p damping. If the subject has damping, by whichever force, a last
-/// force makes it second order in the time step.
-[[nodiscard]] std::string added_forces(const ExportSubject& subject, bool attraction, bool damping);
+/// Which forces are added to the model of a wall.
+struct AddedForces {
+    bool attraction;
+    bool damping;
+};
 
-/// Whether the law attracts: by a work of adhesion or by a parameter of its own.
-[[nodiscard]] bool attracts(const ExportSubject& subject);
-
-/// What these codes cannot do on a wall, in words; none: they can.
-[[nodiscard]] std::optional<std::string> added_forces_refusal(const ExportSubject& subject);
-
-/// @throws InputError with that reason. @param code its name
-void require_added_forces(const ExportSubject& subject, std::string_view code);
+/// Commands of ash_wall.in that add these forces by atom-style variables. If the subject has damping, by
+/// whichever force, a last force makes it second order in the time step.
+[[nodiscard]] std::string added_force_lines(const ExportSubject& subject, AddedForces added);
 
 /// Conversions that these forces make, for assumptions.md.
-[[nodiscard]] std::vector<std::string> added_force_conversions(const ExportSubject& subject, bool attraction,
-                                                               bool damping);
+[[nodiscard]] std::vector<std::string> added_force_conversions(const ExportSubject& subject,
+                                                               AddedForces added);
+
+/// What these forces cannot do on a wall, in words; none: they can.
+[[nodiscard]] std::optional<std::string> added_forces_refusal(const ExportSubject& subject);
 
 /// How the runs of a code are compared.
 struct DemCheck {
@@ -43,9 +52,5 @@ struct DemCheck {
 
 /// expected.json with the powers of the time step in the error of the restitution.
 [[nodiscard]] ExportFile dem_expected(const ExportSubject& subject, const DemCheck& check);
-
-[[nodiscard]] ExportFolder lammps_folder(const ExportSubject& subject);
-[[nodiscard]] ExportFolder liggghts_folder(const ExportSubject& subject);
-[[nodiscard]] ExportFolder yade_folder(const ExportSubject& subject);
 
 }  // namespace ashimpact

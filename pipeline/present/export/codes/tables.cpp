@@ -1,24 +1,128 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/present/export/codes/tables.hpp"
-
+// Codes that look impacts up in a table: OpenFOAM, Fluent, and the table by itself.
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "core/quantities/readable.hpp"
-#include "core/text/text.hpp"
-#include "pipeline/present/export/expected.hpp"
+#include "pipeline/present/export/codes/codes.hpp"
 
 namespace ashimpact {
 
 namespace {
 
-/// Empty where there is no number.
-std::string cell(double value) {
-    return std::isfinite(value) ? exact(value) : std::string();
+constexpr double flight = 1e-3;  // duration of OpenFOAM's check; a parcel meets the wall in its middle [s]
+
+/// Numbers, a line each, with what ends a number.
+template <class Values>
+std::string lines_of(const Values& values, std::string_view end) {
+    std::string text;
+    for (const double value : values) text.append("    ").append(exact(value)).append(end) += '\n';
+    return text;
 }
 
-}  // namespace
+/// The restitutions in rows of one diameter.
+Eigen::ArrayXd restitutions(const ImpactTable& table) {
+    return table.restitution.reshaped<Eigen::RowMajor>();
+}
+
+/// The subject with the velocities that its table has.
+ExportSubject within(ExportSubject subject, const ImpactTable& table) {
+    subject.to_velocity = table.to_velocity;
+    return subject;
+}
+
+ExportFile table_expected(const ExportSubject& subject, std::string_view code, const ImpactTable& table) {
+    return expected_json(within(subject, table), code,
+                         {{"tolerance", table_accuracy}, {"largest_error_found", table.largest_error}});
+}
+
+template <class Values>
+std::string c_array(std::string_view name, const Values& values) {
+    return fmt::format("static const double {}[] = {{\n{}}};\n", name, lines_of(values, ","));
+}
+
+std::string fluent_header(const ExportSubject& subject, const ImpactTable& table) {
+    return fmt::format(
+               "/* Table of ash_wall: e over ln(diameter) and t = asinh(sqrt(v/start_velocity - 1)); SI "
+               "units. */\nstatic const double ash_density = {}; /* of the ash [kg/m3] */\n",
+               exact(subject.density)) +
+           c_array("ash_diameters", table.diameter) + c_array("ash_start_velocities", table.start_velocity) +
+           c_array("ash_slopes", table.slope) + c_array("ash_restitutions", restitutions(table)) +
+           fmt::format(
+               "static const AshTable ash_table = {{{}, {}, ash_diameters, ash_start_velocities, ash_slopes, "
+               "ash_restitutions,\n    {}, {}, {}, {}}};\n",
+               table.diameter.size(), table.t.size(), exact(table.t[1]), exact(table.from_velocity),
+               exact(table.to_velocity), table.captures ? 1 : 0);
+}
+
+template <class Values>
+std::string foam_list(std::string_view name, const Values& values) {
+    return fmt::format("{}\n(\n{});\n", name, lines_of(values, ""));
+}
+
+std::string foam_table(const ImpactTable& table, double density) {
+    return fmt::format(
+               "// Table of ashImpact: e over ln(diameter) and t = asinh(sqrt(v/startVelocity - 1)); SI "
+               "units.\ndensity         {};\nnodes           {};\nstep            {};\n"
+               "fromVelocity    {};\ntoVelocity      {};\ncaptures        {};\n",
+               exact(density), table.t.size(), exact(table.t[1]), exact(table.from_velocity),
+               exact(table.to_velocity), table.captures ? "yes" : "no") +
+           foam_list("diameter", table.diameter) + foam_list("startVelocity", table.start_velocity) +
+           foam_list("slope", table.slope) + foam_list("restitution", restitutions(table));
+}
+
+/// What libashimpact needs: the parameters by its names, and the damping by size and velocity.
+std::string foam_solver(const ExportSubject& subject) {
+    std::string text = fmt::format(
+        "// Model of ashImpact with `solver yes;`; SI units.\nlaw             {};\n"
+        "detachment      {};\ndampingLaw      {};\nparameters\n{{\n",
+        subject.law.name(), name_of(subject.detachment), name_of(subject.damping.law));
+    const auto add = [&](std::string_view name, double value) {
+        text += fmt::format("    {} {};\n", name, exact(value));
+    };
+    add("density", subject.density);
+    add("contact_modulus", subject.contact.contact_modulus);
+    add("work_of_adhesion", subject.contact.work_of_adhesion);
+    if (std::isfinite(subject.contact.yield_pressure)) add("yield_pressure", subject.contact.yield_pressure);
+    for (const LawParameter& parameter : subject.law.parameters())
+        if (subject.contact.parameters.has(parameter))
+            add(parameter.name, subject.contact.parameters[parameter]);
+    std::vector<double> velocities;
+    std::vector<double> coefficients;
+    for (const DampingNode& node : subject.damping.nodes) {
+        velocities.push_back(node.velocity);
+        coefficients.push_back(node.coefficient);
+    }
+    text += fmt::format(
+        "}}\n// coefficient(d, v) = c(v) (d/referenceDiameter)^exponent, c linear between these velocities\n"
+        "referenceDiameter {};\nexponent        {};\n",
+        exact(subject.damping.reference_diameter), exact(subject.damping.exponent));
+    return text + foam_list("velocity", velocities) + foam_list("damping", coefficients);
+}
+
+/// One injector a parcel, each with its own velocity, and the file of its place.
+std::string injections(const std::vector<ExpectedImpact>& impacts, ExportFolder& folder) {
+    std::string text;
+    for (std::size_t i = 0; i < impacts.size(); ++i) {
+        text += fmt::format(
+            "        impact{0}\n        {{\n            type            manualInjection;\n"
+            "            massTotal       0;\n            parcelBasisType fixed;\n            nParticle       "
+            "1;\n"
+            "            SOI             0;\n            positionsFile   \"impact{0}\";\n"
+            "            U0              (0 0 {1});\n"
+            "            sizeDistribution {{ type fixedValue; fixedValueDistribution {{ value {2}; }} }}\n"
+            "        }}\n",
+            i, exact(-impacts[i].velocity), exact(impacts[i].diameter));
+        folder.push_back(
+            {fmt::format("check/constant/impact{}", i),
+             fmt::format("FoamFile {{ version 2.0; format ascii; class vectorField; object impact{}; }}\n\n"
+                         "((0.0037 0.0052 {}))\n",
+                         i, exact(0.5 * flight * impacts[i].velocity))});
+    }
+    return text;
+}
 
 ExportFile critical_velocity_csv(const ImpactTable& table) {
     std::string csv = "diameter [m],critical_velocity [m/s],start_velocity [m/s],slope [1]\n";
@@ -34,21 +138,18 @@ ExportFile table_csv(const ExportSubject& subject, const ImpactTable& table) {
         "diameter [m],t [1],velocity [m/s],outcome,restitution [1],contact_time [s],damping [{}]\n",
         unit_of(subject.damping.law));
     for (Eigen::Index i = 0; i < table.velocity.rows(); ++i)
-        for (Eigen::Index j = 0; j < table.velocity.cols(); ++j)
+        for (Eigen::Index j = 0; j < table.velocity.cols(); ++j) {
+            const double time = table.contact_time(i, j);
             csv += fmt::format("{},{},{},{},{},{},{}\n", exact(table.diameter[static_cast<std::size_t>(i)]),
                                exact(table.t[static_cast<std::size_t>(j)]), exact(table.velocity(i, j)),
                                table.restitution(i, j) > 0 ? "rebound" : "capture",
-                               exact(table.restitution(i, j)), cell(table.contact_time(i, j)),
+                               exact(table.restitution(i, j)), std::isfinite(time) ? exact(time) : "",
                                exact(table.damping(i, j)));
+        }
     return {"table.csv", csv};
 }
 
-ExportFile table_expected(const ExportSubject& subject, std::string_view code, const ImpactTable& table) {
-    ExportSubject within = subject;
-    within.to_velocity = table.to_velocity;
-    return expected_json(within, code,
-                         {{"tolerance", table_accuracy}, {"largest_error_found", table.largest_error}});
-}
+}  // namespace
 
 ExportFolder table_folder(const ExportSubject& subject, const TableImage& image) {
     const ImpactTable table = make_impact_table(subject);
@@ -73,6 +174,74 @@ ExportFolder table_folder(const ExportSubject& subject, const TableImage& image)
                                    "both centres at first touch"
                                  : "none: SI units, v_in and e normal to the wall at first touch, R* = d/2"}),
             table_expected(subject, "table", table)};
+}
+
+ExportFolder fluent_folder(const ExportSubject& subject, const TableImage& /*image*/) {
+    require_wall(subject, "Fluent: its particles meet walls, and no second sphere");
+    const ImpactTable table = make_impact_table(subject);
+    TemplateValues values = common_values(subject);
+    values["to_velocity"] = readable(table.to_velocity, "m/s");
+    return {
+        {"README.md", filled("fluent/README.md", values)},
+        unchanged("fluent/ash_wall.c"),
+        unchanged("common/ash_table.h"),
+        {"ash_table_data.h", fluent_header(subject, table)},
+        {"stand_in/udf.h", unchanged("fluent/stand_in/udf.h").content},
+        {"stand_in/check.c", unchanged("fluent/stand_in/check.c").content},
+        unchanged("fluent/run.sh"),
+        unchanged("fluent/compare.py"),
+        assumptions(
+            subject,
+            {"TP_DIAM is d, the velocity along the face normal is v, R* = d/2; the wall is at rest",
+             "TP_RHO must be the density above; ash_wall warns where it differs by more than 1 %",
+             "e and v_c from the table; the tangential velocity loses ASH_TANGENTIAL_LOSS, 0 by default"}),
+        table_expected(subject, "fluent", table)};
+}
+
+ExportFolder openfoam_folder(const ExportSubject& subject, const TableImage& /*image*/) {
+    require_wall(subject, "OpenFOAM: its parcels meet walls, and no second sphere");
+    const ImpactTable table = make_impact_table(subject);
+    const auto impacts = expected_impacts(within(subject, table));
+    double fastest = 0;
+    for (const ExpectedImpact& each : impacts) fastest = std::max(fastest, each.velocity);
+
+    ExportFolder folder;
+    TemplateValues values = common_values(subject);
+    values["to_velocity"] = readable(table.to_velocity, "m/s");
+    values["height"] = exact(flight * fastest);
+    values["injections"] = injections(impacts, folder);
+    const auto add = [&](const std::string& place, std::string_view path) {
+        folder.push_back({place + unchanged(path).name, filled(path, values)});
+    };
+    const auto copy = [&](std::string name, std::string_view path) {
+        folder.push_back({std::move(name), unchanged(path).content});
+    };
+    add("", "openfoam/README.md");
+    copy("run.sh", "openfoam/run.sh");
+    copy("compare.py", "openfoam/compare.py");
+    for (const std::string file : {"AshImpact.H", "AshImpact.C", "makeAshImpact.C", "build.sh"})
+        copy("src/" + file, "openfoam/src/" + file);
+    copy("src/ash_table.h", "common/ash_table.h");
+    copy("src/Make/files", "openfoam/src/Make_files");
+    copy("src/Make/options", "openfoam/src/Make_options");
+    for (const std::string file : {"controlDict", "blockMeshDict", "fvSchemes", "fvSolution"})
+        add("check/system/", "openfoam/check/" + file);
+    for (const std::string file :
+         {"g", "transportProperties", "turbulenceProperties", "kinematicCloudProperties"})
+        add("check/constant/", "openfoam/check/" + file);
+    add("check/0/", "openfoam/check/U");
+    for (const auto& [name, content] : {ExportFile{"ashTable", foam_table(table, subject.density)},
+                                        ExportFile{"ashSolver", foam_solver(subject)}}) {
+        folder.push_back({name, content});
+        folder.push_back({"check/constant/" + name, content});
+    }
+    folder.push_back(assumptions(
+        subject,
+        {"d is the parcel's diameter, v the velocity normal to the wall and relative to it, R* = d/2",
+         "e and v_c from the table `ashTable`; the tangential velocity loses the share mu, 0 by default",
+         "a parcel of nParticle particles sticks or rebounds as one; its mass counts nParticle times"}));
+    folder.push_back(table_expected(subject, "openfoam", table));
+    return folder;
 }
 
 }  // namespace ashimpact
