@@ -24,7 +24,7 @@
 #include "pipeline/document/results/run_artifacts.hpp"
 #include "pipeline/document/results/run_json.hpp"
 #include "pipeline/files/file.hpp"
-#include "pipeline/present/report/drawing/figure_file.hpp"
+#include "pipeline/present/report/drawing/figure.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/report.hpp"
 #include "pipeline/present/text/comparison_table.hpp"

@@ -19,7 +19,7 @@
 #include "pipeline/document/run_identity.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/files/schema.hpp"
-#include "pipeline/present/report/drawing/figure_file.hpp"
+#include "pipeline/present/report/drawing/figure.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/page/run_page.hpp"
 #include "pipeline/present/report/sweep/sweep_page.hpp"

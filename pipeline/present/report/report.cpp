@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/present/report/report.hpp"
 
-#include "pipeline/present/report/drawing/figure_file.hpp"
+#include "pipeline/present/report/drawing/figure.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/page/run_page.hpp"
 #include "pipeline/run/stage.hpp"

@@ -45,7 +45,7 @@ TEST_CASE("ticks are round numbers within the axis, few enough to be read") {
         for (const Spacing spacing : {Spacing::linear, Spacing::logarithmic}) {
             if (spacing == Spacing::logarithmic && range.from <= 0) continue;
             for (const int most : {3, 5, 9}) {
-                const Scale scale(spacing, range, {0, 300});
+                const Scale scale{spacing, range, {0, 300}};
                 const auto ticks = scale.ticks(most);
                 CAPTURE(range.from);
                 CAPTURE(range.to);
@@ -78,11 +78,11 @@ TEST_CASE("a range of one value is drawn a tenth of it to both sides, in the log
 }
 
 TEST_CASE("a scale takes its ends to its pixels, straight or in the logarithm") {
-    const Scale straight(Spacing::linear, {2, 4}, {100, 0});
+    const Scale straight{Spacing::linear, {2, 4}, {100, 0}};
     CHECK(straight(2) == doctest::Approx(100));
     CHECK(straight(3) == doctest::Approx(50));
     CHECK(straight(4) == doctest::Approx(0));
-    const Scale logarithmic(Spacing::logarithmic, {0.01, 100}, {10, 50});
+    const Scale logarithmic{Spacing::logarithmic, {0.01, 100}, {10, 50}};
     CHECK(logarithmic(1) == doctest::Approx(30));
     CHECK(drawable({3, 3}, Spacing::linear).from < 3);
     CHECK(drawable({NAN, 3}, Spacing::linear).to > drawable({NAN, 3}, Spacing::linear).from);

@@ -38,26 +38,26 @@ struct DemCode {
     std::string_view setup;    ///< lines of the deck before the box: atom style, communication
     bool sets_mass;            ///< the deck sets the mass of a sphere; else its density
     double tolerance;
-    std::span<const ContactModel> walls;
-    std::span<const ContactModel> pairs;
+    std::span<const DemModel> walls;
+    std::span<const DemModel> pairs;
     std::string_view pair_laws;  ///< for messages
 };
 
 constexpr std::array lammps_walls{
-    ContactModel{.law = "hertz", .name = "hertz", .damping = DampingLaw::constant},
-    ContactModel{.law = "dmt", .name = "dmt", .attracts = true, .damping = DampingLaw::constant},
-    ContactModel{.law = "brach-dunn", .name = "hertz", .damping = DampingLaw::constant},
-    ContactModel{.law = "sjkr", .name = "hertz", .damping = DampingLaw::constant},
-    ContactModel{.law = "jkr", .refusal = "LAMMPS of Debian 12 gives NaN for JKR on a wall past pull-off"}};
+    DemModel{.law = "hertz", .name = "hertz", .damping = DampingLaw::constant},
+    DemModel{.law = "dmt", .name = "dmt", .attracts = true, .damping = DampingLaw::constant},
+    DemModel{.law = "brach-dunn", .name = "hertz", .damping = DampingLaw::constant},
+    DemModel{.law = "sjkr", .name = "hertz", .damping = DampingLaw::constant},
+    DemModel{.law = "jkr", .refusal = "LAMMPS of Debian 12 gives NaN for JKR on a wall past pull-off"}};
 constexpr std::array lammps_pairs{
-    ContactModel{.law = "hertz", .name = "hertz", .damping = DampingLaw::constant},
-    ContactModel{.law = "dmt", .name = "dmt", .attracts = true, .damping = DampingLaw::constant},
-    ContactModel{.law = "jkr",
-                 .name = "jkr",
-                 .attracts = true,
-                 .damping = DampingLaw::constant,
-                 .end = Detachment::load_controlled,
-                 .end_words = "the greatest tension, load-controlled"}};
+    DemModel{.law = "hertz", .name = "hertz", .damping = DampingLaw::constant},
+    DemModel{.law = "dmt", .name = "dmt", .attracts = true, .damping = DampingLaw::constant},
+    DemModel{.law = "jkr",
+             .name = "jkr",
+             .attracts = true,
+             .damping = DampingLaw::constant,
+             .end = Detachment::load_controlled,
+             .end_words = "the greatest tension, load-controlled"}};
 constexpr DemCode lammps{.name = "LAMMPS",
                          .key = "lammps",
                          .program = "lmp",
@@ -71,14 +71,14 @@ constexpr DemCode lammps{.name = "LAMMPS",
                          .pair_laws = "hertz, dmt, or jkr with load-controlled; damping constant"};
 
 constexpr std::array liggghts_walls{
-    ContactModel{.law = "hertz", .name = "hertz"}, ContactModel{.law = "dmt", .name = "hertz"},
-    ContactModel{.law = "brach-dunn", .name = "hertz"}, ContactModel{.law = "sjkr", .name = "hertz"},
-    ContactModel{
+    DemModel{.law = "hertz", .name = "hertz"}, DemModel{.law = "dmt", .name = "hertz"},
+    DemModel{.law = "brach-dunn", .name = "hertz"}, DemModel{.law = "sjkr", .name = "hertz"},
+    DemModel{
         .law = "jkr",
         .refusal = "LIGGGHTS has no JKR: its `cohesion sjkr` is an energy density times an area, law sjkr"}};
 constexpr std::array liggghts_pairs{
-    ContactModel{.law = "hertz", .name = "edinburgh", .damping = DampingLaw::constant},
-    ContactModel{.law = "dmt", .name = "edinburgh", .attracts = true, .damping = DampingLaw::constant}};
+    DemModel{.law = "hertz", .name = "edinburgh", .damping = DampingLaw::constant},
+    DemModel{.law = "dmt", .name = "edinburgh", .attracts = true, .damping = DampingLaw::constant}};
 constexpr DemCode liggghts{.name = "LIGGGHTS",
                            .key = "liggghts",
                            .program = "liggghts",
@@ -94,8 +94,8 @@ constexpr DemCode liggghts{.name = "LIGGGHTS",
                            .pair_laws = "hertz, dmt; damping constant"};
 
 /// The model of a wall. @throws InputError for what neither it nor added forces can do, with the reason
-const ContactModel& wall_model(const ExportSubject& subject, const DemCode& code) {
-    const ContactModel* model = model_of(code.walls, subject.law);
+const DemModel& wall_model(const ExportSubject& subject, const DemCode& code) {
+    const DemModel* model = model_of(code.walls, subject.law);
     if (model != nullptr && !model->refusal.empty())
         throw InputError(std::string(model->refusal), "hertz, dmt, brach-dunn, sjkr").at("--law");
     const auto reason = added_forces_refusal(subject);
@@ -107,13 +107,13 @@ const ContactModel& wall_model(const ExportSubject& subject, const DemCode& code
 
 /// The model of two spheres, which has all of the contact.
 /// @throws InputError for any other subject, with the reason
-const ContactModel& pair_model(const ExportSubject& subject, const DemCode& code) {
+const DemModel& pair_model(const ExportSubject& subject, const DemCode& code) {
     const SizedDamping& damping = subject.damping;
     const auto refuse = [&](const std::string& reason) {
         throw InputError(fmt::format("{}: its contact of two spheres {}", code.name, reason),
                          std::string(code.pair_laws));
     };
-    const ContactModel* model = model_of(code.pairs, subject.law);
+    const DemModel* model = model_of(code.pairs, subject.law);
     if (model == nullptr) refuse(fmt::format("knows no {}", subject.law.name()));
     const bool elastic_end = model->end == Detachment::zero_overlap &&
                              subject.detachment == Detachment::zero_force && damping.is_zero();
@@ -134,11 +134,11 @@ double pair_damping(const ExportSubject& subject) {
 }
 
 /// Whether the model of a wall has the damping itself: one coefficient for every size and velocity.
-bool damps_itself(const ContactModel& model, const SizedDamping& damping) {
+bool damps_itself(const DemModel& model, const SizedDamping& damping) {
     return damping.law == model.damping && !damping.depends_on_velocity() && damping.exponent == 0;
 }
 
-AddedForces added_to(const ContactModel& model, const ExportSubject& subject) {
+AddedForces added_to(const DemModel& model, const ExportSubject& subject) {
     return {.attraction = subject.law.is_adhesive() && !model.attracts,
             .damping = !damps_itself(model, subject.damping) && !subject.damping.is_zero()};
 }
@@ -283,7 +283,7 @@ std::vector<std::string> with_added(std::vector<std::string> lines, const Export
 
 /// The model's name and coefficients in LAMMPS. It takes half of w as surface energy; E = 2 E* with nu = 0 is
 /// E* on a wall, whose effective modulus is E/(2(1 - nu)), and between spheres, where it is E/(2(1 - nu^2)).
-std::string lammps_model(const ContactModel& model, const ContactPair& contact, double damping) {
+std::string lammps_model(const DemModel& model, const ContactPair& contact, double damping) {
     if (!model.attracts)
         return fmt::format("{} {} {}", model.name, exact(4.0 / 3.0 * contact.contact_modulus),
                            exact(damping));
@@ -291,7 +291,7 @@ std::string lammps_model(const ContactModel& model, const ContactPair& contact, 
                        exact(contact.work_of_adhesion / 2));
 }
 
-std::string lammps_conversion(const ContactModel& model, std::string_view body, std::string_view modulus) {
+std::string lammps_conversion(const DemModel& model, std::string_view body, std::string_view modulus) {
     if (!model.attracts) return fmt::format("`{}`: K_n = (4/3) E*", model.name);
     return fmt::format(
         "`{}`: E = 2 E* with nu = 0, since {} takes {} as effective modulus; surface energy gamma = w/2",
@@ -299,7 +299,7 @@ std::string lammps_conversion(const ContactModel& model, std::string_view body, 
 }
 
 ExportFolder lammps_pair_folder(const ExportSubject& subject) {
-    const ContactModel& model = pair_model(subject, lammps);
+    const DemModel& model = pair_model(subject, lammps);
     const bool breaks = model.end == Detachment::load_controlled;
     const std::string file = fmt::format(
         "# Ash and its partner: law {}, contact ends at {}. Needs `pair_style granular` and the variables\n"
@@ -343,7 +343,7 @@ double edinburgh_restitution(const ExportSubject& subject, const ContactPair& co
 }
 
 ExportFolder liggghts_pair_folder(const ExportSubject& subject) {
-    const ContactModel& model = pair_model(subject, liggghts);
+    const DemModel& model = pair_model(subject, liggghts);
     if (!subject.one_size() && (model.attracts || !subject.damping.is_zero()))
         throw InputError(
             "LIGGGHTS: its `model edinburgh` takes attraction and damping as numbers of two types, which are "
@@ -375,7 +375,7 @@ ExportFolder liggghts_pair_folder(const ExportSubject& subject) {
 
 ExportFolder lammps_folder(const ExportSubject& subject, const TableImage& /*image*/) {
     if (subject.partner) return lammps_pair_folder(subject);
-    const ContactModel& model = wall_model(subject, lammps);
+    const DemModel& model = wall_model(subject, lammps);
     const AddedForces added = added_to(model, subject);
     const double damping =
         damps_itself(model, subject.damping) ? subject.damping.nodes.front().coefficient : 0;
@@ -404,7 +404,7 @@ ExportFolder lammps_folder(const ExportSubject& subject, const TableImage& /*ima
 
 ExportFolder liggghts_folder(const ExportSubject& subject, const TableImage& /*image*/) {
     if (subject.partner) return liggghts_pair_folder(subject);
-    const ContactModel& model = wall_model(subject, liggghts);
+    const DemModel& model = wall_model(subject, liggghts);
     const AddedForces added = added_to(model, subject);
     const std::string file =
         fmt::format(

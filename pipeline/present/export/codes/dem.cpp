@@ -159,8 +159,8 @@ constexpr const char* lag_correction =
 
 }  // namespace
 
-const ContactModel* model_of(std::span<const ContactModel> models, const Law& law) {
-    const auto found = std::ranges::find(models, law.name(), &ContactModel::law);
+const DemModel* model_of(std::span<const DemModel> models, const Law& law) {
+    const auto found = std::ranges::find(models, law.name(), &DemModel::law);
     return found == models.end() ? nullptr : &*found;
 }
 

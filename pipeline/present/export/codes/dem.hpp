@@ -12,7 +12,7 @@
 namespace ashimpact {
 
 /// How a code represents a contact law, or why it cannot.
-struct ContactModel {
+struct DemModel {
     std::string_view law;
     std::string_view name{};              ///< in the code's input
     bool attracts = false;                ///< by itself; else the attraction of the law is an added force
@@ -23,7 +23,7 @@ struct ContactModel {
 };
 
 /// The row of a law, null without any.
-[[nodiscard]] const ContactModel* model_of(std::span<const ContactModel> models, const Law& law);
+[[nodiscard]] const DemModel* model_of(std::span<const DemModel> models, const Law& law);
 
 /// Which forces are added to the model of a wall.
 struct AddedForces {

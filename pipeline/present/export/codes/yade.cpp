@@ -13,7 +13,7 @@ namespace ashimpact {
 namespace {
 
 /// YADE's own damping is Tsuji's, cut at zero total force.
-constexpr ContactModel betan{
+constexpr DemModel betan{
     .law = "hertz", .name = "betan", .damping = DampingLaw::tsuji, .end = Detachment::zero_force};
 
 /// Whether that model has all of the contact; else Hertz's repulsion and added forces do it.

@@ -21,6 +21,10 @@ struct LawData {
     const std::vector<History>* histories = nullptr;
     const LawCurve* drawn = nullptr;
 
+    /// Whether the impacts of this law were reconstructed.
+    [[nodiscard]] bool is_reconstructed() const {
+        return measured != nullptr && measured->origin != Origin::measured;
+    }
     /// The critical velocity of this law with its interval.
     [[nodiscard]] std::optional<VelocityEstimate> headline() const {
         return velocity != nullptr ? velocity->velocity : std::nullopt;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "pipeline/present/report/drawing/panel.hpp"
 
@@ -14,6 +15,31 @@ inline constexpr double title_size =
     13.5;  ///< of a bold title, whose letters are wider, as a plain font size [px]
 inline constexpr double title_height = 20;  ///< [px]
 inline constexpr double axis_height = 36;   ///< ticks and label below a plot [px]
+
+struct Tick {
+    double value;
+    std::string label;
+};
+
+/// Maps numbers to pixels along an axis.
+struct Scale {
+    Spacing spacing;
+    Range values;  ///< from < to, both > 0 where logarithmic
+    Range at;      ///< pixels of the two ends
+
+    [[nodiscard]] double operator()(double value) const;
+    /// Round numbers within the range, at most @p most (but two at least), with labels.
+    [[nodiscard]] std::vector<Tick> ticks(int most) const;
+};
+
+/// Grows an empty or reversed range so that it can be an axis, and keeps a logarithmic one above 0.
+[[nodiscard]] Range drawable(Range range, Spacing spacing);
+
+/// The range as that of an axis, with a margin of that share at either end that is not zero.
+[[nodiscard]] Range with_margin(Range extent, const Axis& axis, double share);
+
+/// A number as a label: "0.25", "2e-05" as "2·10⁻⁵".
+[[nodiscard]] std::string number_label(double value);
 
 /// "v_in [m/s]" as SVG text.
 [[nodiscard]] std::string axis_label(const Axis& axis);

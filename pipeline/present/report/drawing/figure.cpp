@@ -2,10 +2,17 @@
 #include "pipeline/present/report/drawing/figure.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstdio>
+#include <memory>
+#include <system_error>
 
 #include <fmt/format.h>
+#include <sys/wait.h>
 
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "pipeline/present/report/drawing/axes.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
 
@@ -54,11 +61,6 @@ std::vector<LegendEntry> legend_of(const Figure& figure) {
     return entries;
 }
 
-struct Legend {
-    std::string svg;
-    double height;
-};
-
 std::string swatch(const LegendEntry& entry, double x, double y) {
     std::string svg = fmt::format("<g class=\"{}\">", classes(entry.look));
     if (entry.area)
@@ -75,7 +77,8 @@ std::string swatch(const LegendEntry& entry, double x, double y) {
     return svg + "</g>";
 }
 
-Legend drawn_legend(const Figure& figure, double width) {
+/// The legend, and its height.
+std::pair<std::string, double> drawn_legend(const Figure& figure, double width) {
     const auto entries = legend_of(figure);
     if (entries.empty()) return {"", 0};
     double x = 4;
@@ -95,11 +98,6 @@ Legend drawn_legend(const Figure& figure, double width) {
     return {"<g class=\"legend\">" + svg + "</g>", y + legend_row - 4};
 }
 
-double height_of(const Panel& panel, double of_xy) {
-    if (const auto* rows = std::get_if<RowPanel>(&panel)) return height_of(*rows);
-    return of_xy;
-}
-
 std::string cell_text(const Cell& cell) {
     if (const auto* number = std::get_if<double>(&cell))
         return std::isfinite(*number) ? fmt::format("{:.7g}", *number) : "";
@@ -113,6 +111,37 @@ std::string csv_cell(const std::string& text) {
     return quoted + "\"";
 }
 
+constexpr const char* converter = "rsvg-convert";
+
+/// What the converter makes of an SVG. A pipe leads out of it alone, a file without a name into it, so that
+/// neither waits for the other.
+std::string converted(const std::string& svg, std::string_view options) {
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::tmpfile(), std::fclose);
+    if (!in || std::fwrite(svg.data(), 1, svg.size(), in.get()) != svg.size() || std::fflush(in.get()) != 0)
+        throw std::system_error(errno, std::generic_category(), "temporary file");
+    // The variable is the date that PDF files carry.
+    const std::string command =
+        fmt::format("command -v {0} >/dev/null || exit 127; SOURCE_DATE_EPOCH=0 exec {0} {1} </dev/fd/{2}",
+                    converter, options, fileno(in.get()));
+    std::FILE* const out = popen(command.c_str(), "r");
+    if (out == nullptr)
+        throw InputError("cannot be started: " + std::generic_category().message(errno)).at(converter);
+    std::string output;
+    std::vector<char> block(65536);
+    while (const std::size_t count = std::fread(block.data(), 1, block.size(), out))
+        output.append(block.data(), count);
+    const int status = pclose(out);
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
+        throw InputError(std::string(converter) + " is missing, which makes PDF and PNG of an SVG",
+                         "the Debian package librsvg2-bin, or a file that ends in .svg")
+            .at(converter);
+    if (status != 0 || output.empty())
+        throw InputError("failed to convert the figure",
+                         "a working librsvg2-bin, or a file that ends in .svg")
+            .at(converter);
+    return output;
+}
+
 }  // namespace
 
 std::string svg_of(const Figure& figure, Width form, const std::string& style) {
@@ -121,14 +150,15 @@ std::string svg_of(const Figure& figure, Width form, const std::string& style) {
                                              static_cast<int>(figure.panels.size())));
     const double gap = 14;
     const double panel_width = (width - gap * (columns - 1)) / columns;
-    const Legend legend = drawn_legend(figure, width);
-    std::string body = legend.svg;
-    double top = legend.height + 4;
+    auto [body, top] = drawn_legend(figure, width);
+    top += 4;
     for (std::size_t first = 0; first < figure.panels.size(); first += static_cast<std::size_t>(columns)) {
         const std::size_t end = std::min(figure.panels.size(), first + static_cast<std::size_t>(columns));
         double row = 0;
-        for (std::size_t i = first; i < end; ++i)
-            row = std::max(row, height_of(figure.panels[i], figure.panel_height));
+        for (std::size_t i = first; i < end; ++i) {
+            const auto* rows = std::get_if<RowPanel>(&figure.panels[i]);
+            row = std::max(row, rows != nullptr ? height_of(*rows) : figure.panel_height);
+        }
         for (std::size_t i = first; i < end; ++i) {
             const Box box{static_cast<double>(i - first) * (panel_width + gap), top, panel_width, row};
             body += std::visit([&](const auto& panel) { return drawn(panel, box); }, figure.panels[i]);
@@ -149,24 +179,40 @@ std::string svg_of(const Figure& figure, Width form, const std::string& style) {
         marker_definitions(), body, own_mark);
 }
 
-std::string svg_file(const Figure& figure, Width width) {
-    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + svg_of(figure, width, drawing_style());
-}
-
 bool is_own_svg(std::string_view svg) {
     return svg.find(own_mark) != std::string_view::npos;
 }
 
 std::string csv_of(const NumberTable& table) {
     std::string text;
-    for (std::size_t i = 0; i < table.columns.size(); ++i)
-        text += (i > 0 ? "," : "") + csv_cell(table.columns[i]);
-    text += "\n";
-    for (const auto& row : table.rows) {
-        for (std::size_t i = 0; i < row.size(); ++i) text += (i > 0 ? "," : "") + csv_cell(cell_text(row[i]));
-        text += "\n";
-    }
+    const auto add = [&](const auto& row) {
+        for (const auto& cell : row) text += csv_cell(cell_text(cell)) + ",";
+        text.back() = '\n';
+    };
+    add(table.columns);
+    for (const auto& row : table.rows) add(row);
     return text;
+}
+
+FigureFormat format_of(const std::filesystem::path& file) {
+    const std::string ending = lower_case(file.extension().string());
+    if (ending == ".svg") return FigureFormat::svg;
+    if (ending == ".pdf") return FigureFormat::pdf;
+    if (ending == ".png") return FigureFormat::png;
+    throw InputError("the file name " + in_quotes(file.filename().string()) + " tells no format",
+                     "one that ends in .svg, .pdf or .png")
+        .at("-o");
+}
+
+void require_converter(FigureFormat format) {
+    if (format != FigureFormat::svg) static_cast<void>(converted("", "--version"));
+}
+
+std::string figure_bytes(const Figure& figure, Width width, FigureFormat format) {
+    std::string svg = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + svg_of(figure, width, drawing_style());
+    if (format == FigureFormat::svg) return svg;
+    if (format == FigureFormat::pdf) return converted(svg, "--format=pdf");
+    return converted(svg, "--format=png --dpi-x=600 --dpi-y=600");
 }
 
 }  // namespace ashimpact::report

@@ -7,9 +7,16 @@
 #include <vector>
 
 #include "pipeline/present/report/drawing/look.hpp"
-#include "pipeline/present/report/drawing/scale.hpp"
 
 namespace ashimpact::report {
+
+enum class Spacing { linear, logarithmic };
+
+/// Ends of an axis.
+struct Range {
+    double from;
+    double to;
+};
 
 /// An axis; what is drawn along it comes in SI.
 struct Axis {

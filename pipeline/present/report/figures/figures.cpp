@@ -1,10 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/present/report/figures/figures.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 
 namespace ashimpact::report {
+
+namespace {
+
+struct Prefix {
+    std::string_view name;
+    double scale;
+};
+
+constexpr std::array prefixes{Prefix{"T", 1e12},  Prefix{"G", 1e9},   Prefix{"M", 1e6},  Prefix{"k", 1e3},
+                              Prefix{"", 1},      Prefix{"m", 1e-3},  Prefix{"µ", 1e-6}, Prefix{"n", 1e-9},
+                              Prefix{"p", 1e-12}, Prefix{"f", 1e-15}, Prefix{"a", 1e-18}};
+
+constexpr std::array<std::string_view, 5> prefixed{"Pa", "m", "s", "N", "J"};
+
+}  // namespace
 
 const std::vector<FigureMaker>& figure_makers() {
     static const std::vector<FigureMaker> makers{
@@ -31,6 +52,60 @@ Figure figure_named(std::string_view id, const RunData& run) {
         ids.emplace_back(maker.id);
     }
     throw InputError("no figure is called " + in_quotes(id) + did_you_mean(id, ids), joined(ids));
+}
+
+Axis quantity_axis(std::string label, std::string_view si, double greatest) {
+    Axis axis{.label = std::move(label), .unit = std::string(si)};
+    const auto in = [&](std::string unit, double scale) {
+        axis.unit = std::move(unit);
+        axis.scale = scale;
+        return axis;
+    };
+    if (si == "1") return in("", 1);
+    if (si == "kg/s" && greatest > 0 && greatest < 0.1)
+        return greatest < 1e-4 ? in("mg/s", 1e-6) : in("g/s", 1e-3);
+    if (!(greatest > 0) || std::ranges::find(prefixed, si) == prefixed.end()) return axis;
+    for (const Prefix& prefix : prefixes)
+        if (greatest >= prefix.scale) return in(std::string(prefix.name) + axis.unit, prefix.scale);
+    return axis;
+}
+
+double greatest_of(const std::vector<double>& values) {
+    double greatest = 0;
+    for (const double value : values)
+        if (std::isfinite(value)) greatest = std::max(greatest, std::abs(value));
+    return greatest;
+}
+
+Look look_of(const LawData& law, bool hollow) {
+    return Look::of(law.choice.law.index(), hollow);
+}
+
+Cell cell_of(const std::optional<double>& value) {
+    return value ? Cell(*value) : Cell(std::string());
+}
+
+Row sobol_row(const std::string& label, const std::string& name, const Look& look, double first, double total,
+              const std::optional<double>& total_error) {
+    Row row{.label = label,
+            .items = {{.kind = RowItem::Kind::bar,
+                       .from = 0,
+                       .to = total,
+                       .look = look,
+                       .name = fmt::format("{}: total {:.3g} %", name, 100 * total)}}};
+    if (total_error)
+        row.items.push_back({.kind = RowItem::Kind::interval,
+                             .from = total - *total_error,
+                             .to = total + *total_error,
+                             .look = look,
+                             .name = fmt::format("{}: ± {:.2g} %", name, 100 * *total_error)});
+    row.items.push_back({.kind = RowItem::Kind::mark,
+                         .from = 0,
+                         .to = first,
+                         .look = Look::plain(3),
+                         .name = fmt::format("{}: first order {:.3g} %", name, 100 * first),
+                         .legend = "first order; bar: total"});
+    return row;
 }
 
 }  // namespace ashimpact::report

@@ -35,4 +35,24 @@ struct FigureMaker {
 /// The figure of that id. @throws InputError naming the others
 [[nodiscard]] Figure figure_named(std::string_view id, const RunData& run);
 
+// What figures share.
+
+/// An axis of a quantity in SI with the prefix to its unit with which @p greatest reads as 1 to 1000; units
+/// without prefixes, and 1, stay.
+[[nodiscard]] Axis quantity_axis(std::string label, std::string_view si, double greatest);
+
+/// The largest magnitude among numbers that are finite, 0 without any.
+[[nodiscard]] double greatest_of(const std::vector<double>& values);
+
+/// Look of a law: by its place in the registry, the same in every figure.
+[[nodiscard]] Look look_of(const LawData& law, bool hollow = false);
+
+/// A number of a table, or an empty cell.
+[[nodiscard]] Cell cell_of(const std::optional<double>& value);
+
+/// A bar of the total Sobol index of a variable, its standard error, and a mark for the first order.
+/// @param name begins their readouts
+[[nodiscard]] Row sobol_row(const std::string& label, const std::string& name, const Look& look, double first,
+                            double total, const std::optional<double>& total_error = {});
+
 }  // namespace ashimpact::report

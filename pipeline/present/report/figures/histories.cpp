@@ -5,9 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/quantities/readable.hpp"
-#include "pipeline/present/report/figures/axis_units.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
-#include "pipeline/present/report/figures/law_series.hpp"
 
 namespace ashimpact::report {
 
@@ -129,10 +127,8 @@ Figure histories_figure(const RunData& run) {
                       "laws of a sample have the same axes. At v_c the "
                       "particle comes to rest as the contact ends, so its curve ends flat; a faster impact "
                       "presses deeper and leaves at a slope.",
-                  .panels = {},
                   .numbers = {.columns = {"sample", "law", "part", "v_in [m/s]", "time [s]", "overlap [m]",
                                           "force [N]"},
-                              .rows = {},
                               .shown_every = 4},
                   .columns = 4,
                   .narrow_columns = 2,

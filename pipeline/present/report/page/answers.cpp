@@ -6,7 +6,7 @@
 
 #include "core/quantities/readable.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
-#include "pipeline/present/report/figures/law_series.hpp"
+#include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/page/html.hpp"
 #include "pipeline/present/report/page/run_page.hpp"
 #include "pipeline/present/text/answer.hpp"
@@ -203,10 +203,7 @@ std::string comparison_html(const RunData& run) {
     std::vector<std::size_t> shown;
     for (std::size_t i = 0; i < page_columns.size(); ++i)
         if (is_shown(i, samples)) shown.push_back(i);
-    std::string html = fmt::format(
-        "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{}\"><table><thead><tr><th "
-        "scope=\"col\">sample</th>",
-        region_label("Critical velocities", run));
+    std::string html = "<table><thead><tr><th scope=\"col\">sample</th>";
     const auto text_class = [](const Column& column) { return column.text ? " class=\"text\"" : ""; };
     for (const std::size_t i : shown)
         html += fmt::format("<th scope=\"col\"{}>{}</th>", text_class(page_columns[i]), page_columns[i].head);
@@ -224,7 +221,7 @@ std::string comparison_html(const RunData& run) {
                                         page_columns[i].of_sample ? span : "", row[i]);
             html += "</tr>\n";
         }
-    html += "</tbody></table></div>\n";
+    html = html_scroll(region_label("Critical velocities", run), html + "</tbody></table>") + "\n";
     html += extrapolation_notes(run);
     for (const SampleData& sample : run.samples())
         for (const LawData& law : sample.laws)

@@ -66,22 +66,46 @@ std::string with_subscripts(std::string text) {
     return text;
 }
 
-std::string link_words(std::string_view id) {
-    std::string words(id);
-    std::replace(words.begin(), words.end(), '-', ' ');
-    words.front() = static_cast<char>(words.front() - 'a' + 'A');
-    return words;
-}
-
 std::string html_name(std::string_view name) {
     return is_ascii(name) ? escaped(name) : "<bdi>" + escaped(name) + "</bdi>";
 }
 
+std::string html_scroll(const std::string& label, const std::string& content, std::string_view look) {
+    return fmt::format("<div class=\"{}\" role=\"region\" tabindex=\"0\" aria-label=\"{}\">{}</div>", look,
+                       label, content);
+}
+
+std::string html_section(std::string_view id, std::string_view title, const std::string& content) {
+    return fmt::format("<section><h2 id=\"{}\">{}</h2>\n{}</section>\n", id, title, content);
+}
+
+std::string html_notes(const std::vector<std::string>& notes) {
+    std::string html = "<ul class=\"notes\">\n";
+    for (const std::string& note : notes) html += "<li>" + note + "</li>\n";
+    return html + "</ul>";
+}
+
+std::string html_contents(const std::vector<std::string_view>& figures) {
+    std::string html = "<nav aria-label=\"Figures\">";
+    for (const std::string_view id : figures) {
+        std::string words(id);
+        std::ranges::replace(words, '-', ' ');
+        words.front() = static_cast<char>(words.front() - 'a' + 'A');
+        html += fmt::format("<a href=\"#{}\">{}</a>", id, words);
+    }
+    return html + "<a href=\"#provenance\">Provenance</a></nav>\n";
+}
+
+std::string html_sketch() {
+    std::string html = embedded("report/sketch.html");
+    std::erase(html, '\n');
+    return html + "\n";
+}
+
 std::string html_table(const NumberTable& table, const std::string& label) {
     const std::size_t texts = text_columns(table);
-    std::string html = fmt::format(
-        "<div class=\"scroll tall\" role=\"region\" tabindex=\"0\" aria-label=\"{}\"><table{}><thead><tr>",
-        escaped(label), texts > 1 ? fmt::format(" class=\"text{}\"", texts) : "");
+    std::string html =
+        fmt::format("<table{}><thead><tr>", texts > 1 ? fmt::format(" class=\"text{}\"", texts) : "");
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         const bool text = !table.rows.empty() && std::holds_alternative<std::string>(table.rows.front()[i]);
         html += fmt::format("<th scope=\"col\"{}>{}</th>", text ? " class=\"text\"" : "",
@@ -93,7 +117,7 @@ std::string html_table(const NumberTable& table, const std::string& label) {
         for (std::size_t i = 0; i < table.rows[r].size(); ++i)
             html += cell_html(table.rows[r][i], i == 0, i < texts);
     }
-    return html + "</tbody></table></div>";
+    return html_scroll(escaped(label), html + "</tbody></table>", "scroll tall");
 }
 
 std::string html_of(const Figure& figure, const std::string& id) {

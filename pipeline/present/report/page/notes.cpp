@@ -7,7 +7,7 @@
 #include "core/quantities/readable.hpp"
 #include "pipeline/document/case_json.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
-#include "pipeline/present/report/figures/law_series.hpp"
+#include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/page/html.hpp"
 #include "pipeline/present/report/page/run_page.hpp"
 
@@ -51,27 +51,23 @@ std::string with_ranges(const std::vector<std::string>& texts) {
 class Grouped {
   public:
     void add(const std::string& key, const std::string& text, const std::string& where) {
-        const auto found = std::find_if(entries_.begin(), entries_.end(),
-                                        [&](const Entry& entry) { return entry.key == key; });
-        Entry& entry = found == entries_.end() ? entries_.emplace_back(Entry{key, {}, {}}) : *found;
-        entry.texts.push_back(text);
-        if (!where.empty() && std::find(entry.where.begin(), entry.where.end(), where) == entry.where.end())
-            entry.where.push_back(where);
+        auto entry = std::ranges::find(entries_, key, &Entry::key);
+        if (entry == entries_.end()) entry = entries_.insert(entry, {key, {}, {}});
+        entry->texts.push_back(text);
+        if (!where.empty() && std::ranges::find(entry->where, where) == entry->where.end())
+            entry->where.push_back(where);
     }
     [[nodiscard]] bool empty() const { return entries_.empty(); }
     [[nodiscard]] std::string html() const {
-        std::string html = "<ul class=\"notes\">\n";
+        std::vector<std::string> notes;
         for (const Entry& entry : entries_) {
-            html += "<li>" + with_ranges(entry.texts);
-            if (!entry.where.empty()) {
-                html += " <span class=\"where\">(";
-                for (std::size_t i = 0; i < entry.where.size(); ++i)
-                    html += (i > 0 ? "; " : "") + html_name(entry.where[i]);
-                html += ")</span>";
-            }
-            html += "</li>\n";
+            std::string names;
+            for (const std::string& name : entry.where)
+                names += (names.empty() ? "" : "; ") + html_name(name);
+            notes.push_back(with_ranges(entry.texts) +
+                            (names.empty() ? "" : " <span class=\"where\">(" + names + ")</span>"));
         }
-        return html + "</ul>\n";
+        return html_notes(notes) + "\n";
     }
 
   private:
@@ -131,7 +127,7 @@ std::string assumptions_html(const RunData& run) {
         collect(sample, "", sample.at("name").get<std::string>(), notes);
     for (const SampleData& sample : run.samples())
         for (const LawData& law : sample.laws)
-            if (is_reconstructed(law)) {
+            if (law.is_reconstructed()) {
                 const std::string text =
                     fmt::format("<b>restitution</b> {}: {}", escaped(name_of(law.measured->origin)),
                                 escaped(law.measured->source));
@@ -192,25 +188,26 @@ std::string warnings_html(const RunData& run) {
 
 std::string provenance_html(const RunData& data) {
     const Run& run = data.run();
-    std::string html = fmt::format(
-        "<p>ashimpact {}, revision <span class=\"hash\">{}</span>.</p>\n<div class=\"scroll\" "
-        "role=\"region\" tabindex=\"0\" aria-label=\"{}\"><table><thead><tr><th scope=\"col\">file</th>"
-        "<th scope=\"col\" class=\"text\">SHA-256</th></tr></thead><tbody>\n",
-        escaped(run.version), escaped(run.revision), region_label("Files", data));
-    const auto row = [&](const std::string& file, const std::string& hash) {
-        html += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"hash text\">{}</td></tr>\n",
+    std::string rows;
+    const auto add = [&](const std::string& file, const std::string& hash) {
+        rows += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"hash text\">{}</td></tr>\n",
                             html_name(file), escaped(hash));
     };
-    for (const InputFile& input : run.inputs) row(input.file, input.sha256);
+    for (const InputFile& input : run.inputs) add(input.file, input.sha256);
     std::vector<std::string> citations;
     for (const StageRecord& record : run.records) {
-        row(record.file, record.sha256);
+        add(record.file, record.sha256);
         for (const std::string& citation : record.citations)
-            if (std::ranges::find(citations, citation) == citations.end()) citations.push_back(citation);
+            if (std::ranges::find(citations, escaped(citation)) == citations.end())
+                citations.push_back(escaped(citation));
     }
-    html += "</tbody></table></div>\n<details><summary>Sources</summary><ul class=\"notes\">\n";
-    for (const std::string& citation : citations) html += "<li>" + escaped(citation) + "</li>\n";
-    return html + "</ul></details>\n";
+    return fmt::format("<p>ashimpact {}, revision <span class=\"hash\">{}</span>.</p>\n{}\n",
+                       escaped(run.version), escaped(run.revision),
+                       html_scroll(region_label("Files", data),
+                                   "<table><thead><tr><th scope=\"col\">file</th><th scope=\"col\" "
+                                   "class=\"text\">SHA-256</th></tr></thead><tbody>\n" +
+                                       rows + "</tbody></table>")) +
+           "<details><summary>Sources</summary>" + html_notes(citations) + "</details>\n";
 }
 
 }  // namespace ashimpact::report

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/present/report/page/run_page.hpp"
 
+#include <algorithm>
 #include <functional>
 
 #include <fmt/format.h>
 
+#include "core/quantities/readable.hpp"
+#include "core/text/text.hpp"
+#include "core/text/utf8.hpp"
 #include "core/version.hpp"
+#include "pipeline/document/case_json.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/page/html.hpp"
@@ -37,25 +42,102 @@ std::string heading(const std::vector<RunData>& runs) {
     return html;
 }
 
-std::string contents() {
-    std::string html = "<nav aria-label=\"Figures\">";
-    for (const FigureMaker& maker : figure_makers())
-        html += fmt::format("<a href=\"#{}\">{}</a>", maker.id, link_words(maker.id));
-    return html + "<a href=\"#provenance\">Provenance</a></nav>\n";
+/// A quantity, number or word as a reader takes it in.
+std::string shown(const Json& value) {
+    if (value.is_object() && value.contains("value") && value.at("value").is_number())
+        return readable(value.at("value").get<double>(), value.value("unit", "1"));
+    if (value.is_string()) return value.get<std::string>();
+    if (value.is_number()) return shortest(value.get<double>());
+    const std::string text = value.dump();
+    return text.size() > 60 ? fmt::format("{} values", value.size()) : text;
+}
+
+/// The values of a list, and how many they are where not all fit.
+std::string listed(const Json& list) {
+    std::string text;
+    for (const Json& value : list) {
+        if (text.size() > 50) return text + fmt::format(", … ({} values)", list.size());
+        text += (text.empty() ? "" : ", ") + shown(value);
+    }
+    return text.empty() ? "none" : text;
+}
+
+/// The beginning of a long text, whole characters.
+std::string shortened(const std::string& text) {
+    if (text.size() <= 200) return text;
+    return std::string(whole_start(text, 180)) + "…";
+}
+
+/// An input by its path; entries of lists with names go by these.
+using Inputs = std::vector<std::pair<std::string, std::string>>;
+
+void flatten(const Json& node, const std::string& path, Inputs& into) {
+    const bool quantity = node.is_object() && node.contains("value");
+    if (node.is_object() && !quantity) {
+        for (const auto& [key, value] : node.items())
+            if (key != "published" && key != "name")
+                flatten(value, path.empty() ? key : fmt::format("{}, {}", path, key), into);
+        return;
+    }
+    const bool named =
+        node.is_array() && !node.empty() && node.front().is_object() && node.front().contains("name");
+    const bool structured = node.is_array() && !node.empty() && node.front().is_structured();
+    if (!named && !structured) {
+        into.emplace_back(path, node.is_array() ? listed(node) : shown(node));
+        return;
+    }
+    for (std::size_t i = 0; i < node.size(); ++i)
+        flatten(node[i], path + ", " + (named ? node[i].value("name", "?") : std::to_string(i + 1)), into);
+}
+
+std::string value_at(const Inputs& inputs, const std::string& path) {
+    for (const auto& [key, value] : inputs)
+        if (key == path) return value;
+    return "–";
+}
+
+/// Where the inputs of several runs differ.
+std::string differences_html(const std::vector<RunData>& runs) {
+    std::vector<Inputs> all;
+    std::vector<std::string> paths;
+    for (const RunData& run : runs) {
+        Inputs inputs;
+        flatten(case_json(run.data()), "", inputs);
+        for (const auto& [path, value] : inputs)
+            if (std::find(paths.begin(), paths.end(), path) == paths.end()) paths.push_back(path);
+        all.push_back(std::move(inputs));
+    }
+    NumberTable table{.columns = {"input"}};
+    for (const RunData& run : runs) table.columns.push_back(run.label());
+    for (const std::string& path : paths) {
+        std::vector<Cell> row{path};
+        bool differs = false;
+        const std::string first = value_at(all.front(), path);
+        for (const Inputs& inputs : all) {
+            std::string value = value_at(inputs, path);
+            differs = differs || value != first;
+            row.emplace_back(shortened(value));
+        }
+        if (differs) table.rows.push_back(std::move(row));
+    }
+    constexpr std::string_view title = "What differs between the inputs";
+    return html_section("differences", title,
+                        table.rows.empty() ? "<p>Nothing: the runs have the same inputs.</p>"
+                                           : html_table(table, std::string(title)));
 }
 
 std::string per_run(const std::vector<RunData>& runs, const std::string& title, const std::string& id,
                     std::string (*part)(const RunData&)) {
-    std::string html = fmt::format("<section><h2 id=\"{}\">{}</h2>\n", id, title);
+    std::string html;
     for (const RunData& run : runs) {
         if (runs.size() > 1) html += fmt::format("<h3>{}</h3>\n", html_name(run.label()));
         html += part(run);
     }
-    return html + "</section>\n";
+    return html_section(id, title, html);
 }
 
 std::string figures_html(const std::vector<RunData>& runs) {
-    std::string html = "<section><h2 id=\"figures\">Figures</h2>\n" + sketch_html("impact");
+    std::string html = html_sketch();
     std::vector<std::pair<const FigureMaker*, std::size_t>> wanted;
     for (const FigureMaker& maker : figure_makers())
         for (std::size_t i = 0; i < runs.size(); ++i) wanted.emplace_back(&maker, i);
@@ -66,7 +148,7 @@ std::string figures_html(const std::vector<RunData>& runs) {
         return html_of(figure, std::string(maker->id) + suffix(i));
     });
     for (const std::string& figure : drawn) html += figure;
-    return html + "</section>\n";
+    return html_section("figures", "Figures", html);
 }
 
 std::string notes(const std::vector<RunData>& runs) {
@@ -87,7 +169,9 @@ std::string run_page(const std::vector<RunData>& runs) {
         body += differences_html(runs);
         body += per_run(runs, "Answers", "answers", answers_html);
     }
-    body += contents();
+    std::vector<std::string_view> ids;
+    for (const FigureMaker& maker : figure_makers()) ids.push_back(maker.id);
+    body += html_contents(ids);
     const std::vector<std::function<std::string()>> parts{
         [&] { return figures_html(runs); },
         [&] { return per_run(runs, "Provenance", "provenance", provenance_html); },

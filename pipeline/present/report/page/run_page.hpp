@@ -27,10 +27,4 @@ namespace ashimpact::report {
 /// The label of a part of a run's page, escaped; with the label of the run if the page shows several.
 [[nodiscard]] std::string region_label(const std::string& label, const RunData& run);
 
-/// Where the inputs of several runs differ.
-[[nodiscard]] std::string differences_html(const std::vector<RunData>& runs);
-
-/// Sketch of an impact with the names of its quantities, in place of the paper's Figures 1 and 2.
-[[nodiscard]] std::string sketch_html(const std::string& id);
-
 }  // namespace ashimpact::report

@@ -1,19 +1,161 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/present/report/sweep/sweep_page.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "core/json/writer.hpp"
 #include "core/quantities/readable.hpp"
-#include "pipeline/present/report/data/run_data.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
+#include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/page/html.hpp"
 
 namespace ashimpact::report {
 
 namespace {
 
-std::string answers(const Json& result) {
+std::string words(std::string_view name) {
+    std::string text(name);
+    std::ranges::replace(text, '_', ' ');
+    return text;
+}
+
+Figure capture_figure(const CaptureFractions& captured) {
+    Figure figure{
+        .id = "capture",
+        .title = "Captured impacts against each variable",
+        .caption = fmt::format(
+            "The share of impacts that stay on the wall, against one variable while the others are spread as "
+            "the sweep says. From {} impacts of its "
+            "design, solved again for this figure; bars are one standard uncertainty.",
+            captured.impacts),
+        .numbers = {.columns = {"law", "variable", "value [SI]", "captured", "standard uncertainty"}},
+        .columns = 2,
+        .panel_height = 260};
+    for (const CaptureVariable& variable : captured.variables) {
+        std::vector<double> values;
+        for (const CaptureCurve& curve : variable.curves)
+            for (const CaptureShare& share : curve.shares) values.push_back(share.value);
+        XyPanel panel{.title = words(variable.name),
+                      .x = quantity_axis(words(variable.name), variable.unit, greatest_of(values)),
+                      .y = {.label = "captured", .unit = "%", .scale = 0.01, .from = -0.03, .to = 1.03}};
+        for (const CaptureCurve& curve : variable.curves) {
+            const std::string name = display_name(curve.law.name());
+            Series series{.name = name, .legend = name, .look = Look::of(curve.law.index())};
+            for (const CaptureShare& share : curve.shares) {
+                series.line.push_back({share.value, share.fraction});
+                series.marks.push_back({share.value, share.fraction, 0, share.standard_uncertainty});
+                figure.numbers.rows.push_back({std::string(curve.law.name()), variable.name, share.value,
+                                               share.fraction, share.standard_uncertainty});
+            }
+            panel.series.push_back(std::move(series));
+        }
+        figure.panels.emplace_back(std::move(panel));
+    }
+    return figure;
+}
+
+/// A histogram as the outline of its bars, in at most fifty of them.
+std::vector<Point> outline(const std::vector<double>& edges, const std::vector<double>& counts,
+                           double whole) {
+    std::vector<Point> line;
+    const std::size_t together = counts.size() / 50 + 1;
+    for (std::size_t i = 0; i < counts.size(); i += together) {
+        const std::size_t end = std::min(counts.size(), i + together);
+        double sum = 0;
+        for (std::size_t k = i; k < end; ++k) sum += counts[k];
+        line.push_back({edges[i], sum / whole});
+        line.push_back({edges[end], sum / whole});
+    }
+    return line;
+}
+
+Figure histogram_figure(const Json& result) {
+    Figure figure{
+        .id = "histogram",
+        .title = "How the results are spread",
+        .caption =
+            "Histograms: the share of impacts in each bin. Captures, whose restitution is 0, are left out of "
+            "the bins:",
+        .numbers = {.columns = {"law", "observable", "lower edge [SI]", "upper edge [SI]", "count"}},
+        .columns = 2,
+        .panel_height = 260};
+    std::vector<std::string> titles;
+    for (const Json& law : result.at("laws")) {
+        const std::string name = law.at("law").get<std::string>();
+        for (const Json& observable : law.at("observables")) {
+            if (!observable.contains("histogram")) continue;
+            const std::string of = observable.at("name").get<std::string>();
+            const Json& histogram = observable.at("histogram");
+            const auto edges = histogram.at("edges").at("values").get<std::vector<double>>();
+            const auto counts = histogram.at("counts").get<std::vector<double>>();
+            const auto found = std::find(titles.begin(), titles.end(), of);
+            const auto place = static_cast<std::size_t>(found - titles.begin());
+            if (found == titles.end()) {
+                titles.push_back(of);
+                figure.panels.emplace_back(
+                    XyPanel{.title = words(of),
+                            .x = quantity_axis(words(of), histogram.at("edges").value("unit", "1"),
+                                               greatest_of(edges)),
+                            .y = {.label = "share", .unit = "%", .scale = 0.01, .from_zero = true}});
+            }
+            const double whole = std::max(1.0, observable.value("count", 1.0));
+            const Law known = Law::named(name);
+            std::get<XyPanel>(figure.panels[place])
+                .series.push_back({.name = display_name(name),
+                                   .legend = display_name(name),
+                                   .look = Look::of(known.index()),
+                                   .line = outline(edges, counts, whole)});
+            for (std::size_t i = 0; i < counts.size(); ++i)
+                figure.numbers.rows.push_back({name, of, edges[i], edges[i + 1], counts[i]});
+            if (of == "restitution")
+                figure.caption += fmt::format(" {} {:.3g} %,", display_name(name),
+                                              100 * histogram.value("zeros", 0.0) / whole);
+        }
+    }
+    figure.caption.back() = '.';
+    figure.numbers.shown_every =
+        figure.numbers.rows.size() > 400 ? static_cast<int>(figure.numbers.rows.size() / 200) : 1;
+    return figure;
+}
+
+Figure sweep_sensitivity_figure(const Json& result) {
+    Figure figure{.id = "sensitivity",
+                  .title = "Which variable matters",
+                  .caption =
+                      "Sobol indices: the share of the variance of each observable that a variable makes by "
+                      "itself (first order, mark), and with all that it does together "
+                      "with others (total, bar); intervals are one standard uncertainty of the total.",
+                  .numbers = {.columns = {"law", "observable", "variable", "first order",
+                                          "its standard uncertainty", "total", "its standard uncertainty"}},
+                  .columns = 2};
+    for (const Json& law : result.at("laws")) {
+        const std::string name = law.at("law").get<std::string>();
+        if (!law.contains("sensitivity")) continue;
+        RowPanel panel{
+            .title = display_name(name),
+            .x = {.label = "share of the variance", .unit = "%", .scale = 0.01, .from = -0.02, .to = 1.05}};
+        for (const Json& of : law.at("sensitivity")) {
+            panel.rows.push_back({.label = words(of.at("of").get<std::string>()), .heading = true});
+            for (const Json& index : of.at("indices")) {
+                const std::string variable = index.at("variable").get<std::string>();
+                const Quantity first = shown_quantity(index.at("first"));
+                const Quantity total = shown_quantity(index.at("total"));
+                panel.rows.push_back(sobol_row(words(variable), variable, Look::of(Law::named(name).index()),
+                                               first.value, total.value, total.standard_uncertainty));
+                figure.numbers.rows.push_back({name, of.at("of").get<std::string>(), variable, first.value,
+                                               cell_of(first.standard_uncertainty), total.value,
+                                               cell_of(total.standard_uncertainty)});
+            }
+        }
+        if (!panel.rows.empty()) figure.panels.emplace_back(std::move(panel));
+    }
+    return figure;
+}
+
+std::string sweep_answers(const Json& result) {
     std::string html = "<ul class=\"answers\">\n";
     for (const Json& law : result.at("laws")) {
         const Quantity fraction = shown_quantity(law.at("capture_fraction"));
@@ -26,46 +168,48 @@ std::string answers(const Json& result) {
     return html + "</ul>\n";
 }
 
-std::string provenance(const Json& artifact) {
+/// Escaped texts of a list.
+std::vector<std::string> escaped_texts(const Json& list) {
+    std::vector<std::string> texts;
+    for (const Json& text : list) texts.push_back(escaped(text.get<std::string>()));
+    return texts;
+}
+
+std::string sweep_provenance(const Json& artifact) {
     const Json& from = artifact.at("provenance");
-    std::string html = fmt::format(
-        "<section><h2 id=\"provenance\">Provenance</h2>\n<p>{} {}, revision <span "
-        "class=\"hash\">{}</span>.</p>\n",
-        escaped(from.value("program", "")), escaped(from.value("version", "")),
-        escaped(from.value("revision", "")));
+    std::string html = fmt::format("<p>{} {}, revision <span class=\"hash\">{}</span>.</p>\n",
+                                   escaped(from.value("program", "")), escaped(from.value("version", "")),
+                                   escaped(from.value("revision", "")));
     for (const Json& input : from.at("inputs"))
         html += fmt::format("<p>{} <span class=\"hash\">{}</span></p>\n", html_name(input.value("file", "")),
                             escaped(input.value("sha256", "")));
-    html +=
-        "<details open><summary>What was asked for</summary><div class=\"scroll tall\" role=\"region\" "
-        "tabindex=\"0\" aria-label=\"What was asked for\"><pre>" +
-        escaped(write_json(from.at("options"))) + "</pre></div></details>\n<ul class=\"notes\">\n";
-    for (const Json& citation : artifact.at("citations"))
-        html += "<li>" + escaped(citation.get<std::string>()) + "</li>\n";
-    return html + "</ul></section>\n";
+    html += "<details open><summary>What was asked for</summary>" +
+            html_scroll("What was asked for", "<pre>" + escaped(write_json(from.at("options"))) + "</pre>",
+                        "scroll tall") +
+            "</details>\n" + html_notes(escaped_texts(artifact.at("citations")));
+    return html_section("provenance", "Provenance", html);
 }
 
 }  // namespace
 
 std::string sweep_page(const Json& artifact, const CaptureFractions& captured, const std::string& name) {
     const Json& result = artifact.at("result");
+    std::vector<std::string_view> ids;
+    std::string drawn;
+    const std::vector<Figure> figures{capture_figure(captured), histogram_figure(result),
+                                      sweep_sensitivity_figure(result)};
+    for (const Figure& figure : figures) {
+        if (figure.panels.empty()) continue;
+        ids.emplace_back(figure.id);
+        drawn += html_of(figure, figure.id);
+    }
     std::string body = fmt::format(
         "<header>\n<h1>{}</h1>\n<p class=\"kind\">Report of an ashimpact sweep.</p>\n{}</header>\n<main>\n",
-        html_name(name), answers(result));
-    const auto figures = sweep_figures(artifact, captured);
-    body += "<nav aria-label=\"Figures\">";
-    for (const Figure& figure : figures)
-        body += fmt::format("<a href=\"#{}\">{}</a>", figure.id, link_words(figure.id));
-    body += "<a href=\"#provenance\">Provenance</a></nav>\n<section><h2 id=\"figures\">Figures</h2>\n";
-    for (const Figure& figure : figures) body += html_of(figure, figure.id);
-    body += "</section>\n";
-    if (!artifact.at("warnings").empty()) {
-        body += "<section><h2 id=\"warnings\">Warnings</h2>\n<ul class=\"notes\">\n";
-        for (const Json& warning : artifact.at("warnings"))
-            body += "<li>" + escaped(warning.get<std::string>()) + "</li>\n";
-        body += "</ul></section>\n";
-    }
-    return html_page(name, body + provenance(artifact) + "</main>\n");
+        html_name(name), sweep_answers(result));
+    body += html_contents(ids) + html_section("figures", "Figures", drawn);
+    if (!artifact.at("warnings").empty())
+        body += html_section("warnings", "Warnings", html_notes(escaped_texts(artifact.at("warnings"))));
+    return html_page(name, body + sweep_provenance(artifact) + "</main>\n");
 }
 
 }  // namespace ashimpact::report

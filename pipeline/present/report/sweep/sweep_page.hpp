@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/json/document.hpp"
-#include "pipeline/present/report/drawing/figure.hpp"
 #include "solver/contact/law.hpp"
 
 namespace ashimpact::report {
@@ -37,11 +36,9 @@ struct CaptureFractions {
     std::vector<CaptureVariable> variables{};
 };
 
-/// The figures of a sweep: capture fraction against each variable, histograms, sensitivity.
+/// The report of a sweep as one self-contained HTML file: capture fraction against each variable, histograms,
+/// sensitivity. The same result gives the same bytes.
 /// @param artifact the whole of a sweep's result
-[[nodiscard]] std::vector<Figure> sweep_figures(const Json& artifact, const CaptureFractions& captured);
-
-/// The report of a sweep as one self-contained HTML file. The same result gives the same bytes.
 [[nodiscard]] std::string sweep_page(const Json& artifact, const CaptureFractions& captured,
                                      const std::string& name);
 

@@ -21,8 +21,8 @@ struct Frame {
     double x_unit;
     double y_unit;
 
-    [[nodiscard]] double across(double value) const { return held(x(value / x_unit), x.at()); }
-    [[nodiscard]] double up(double value) const { return held(y(value / y_unit), y.at()); }
+    [[nodiscard]] double across(double value) const { return held(x(value / x_unit), x.at); }
+    [[nodiscard]] double up(double value) const { return held(y(value / y_unit), y.at); }
     [[nodiscard]] bool holds(const Point& point) const {
         return std::isfinite(point.x) && std::isfinite(point.y) && within(point.x / x_unit, x) &&
                within(point.y / y_unit, y);
@@ -34,11 +34,25 @@ struct Frame {
         return std::clamp(pixel, std::min(at.from, at.to), std::max(at.from, at.to));
     }
     static bool within(double value, const Scale& scale) {
-        const Range& range = scale.values();
+        const Range& range = scale.values;
         const double slack = 1e-9 * (range.to - range.from);
         return value >= range.from - slack && value <= range.to + slack;
     }
 };
+
+/// The smallest range with all values that are finite.
+struct Extent {
+    Range range{infinity, -infinity};
+
+    void take(double value) {
+        if (std::isfinite(value)) range = {std::min(range.from, value), std::max(range.to, value)};
+    }
+};
+
+std::string frame_of(const Box& plot) {
+    return fmt::format("<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></g>",
+                       pixels(plot.left), pixels(plot.top), pixels(plot.width), pixels(plot.height));
+}
 
 struct Pixel {
     double x;
@@ -159,22 +173,69 @@ std::string rules_of(const XyPanel& panel, const Frame& frame, const Box& plot) 
 
 template <class Coordinate, class Error>
 Range extent(const XyPanel& panel, Coordinate&& of, Error&& error) {
-    Range range{infinity, -infinity};
-    const auto take = [&](double value) {
-        if (!std::isfinite(value)) return;
-        range.from = std::min(range.from, value);
-        range.to = std::max(range.to, value);
-    };
+    Extent extent;
     for (const Series& series : panel.series) {
-        for (const Point& point : series.line) take(of(point));
-        for (const Point& point : series.band) take(of(point));
+        for (const Point& point : series.line) extent.take(of(point));
+        for (const Point& point : series.band) extent.take(of(point));
         for (const Mark& mark : series.marks) {
             const double value = of(Point{mark.x, mark.y});
-            take(value - error(mark));
-            take(value + error(mark));
+            extent.take(value - error(mark));
+            extent.take(value + error(mark));
         }
     }
-    return range;
+    return extent.range;
+}
+
+constexpr double row_height = 21;
+constexpr double bar_height = 15;
+
+Range extent(const RowPanel& panel) {
+    Extent extent;
+    for (const Row& row : panel.rows)
+        for (const RowItem& item : row.items) {
+            if (item.kind != RowItem::Kind::mark) extent.take(item.from);
+            extent.take(item.to);
+        }
+    return extent.range;
+}
+
+std::string bar(const RowItem& item, double from, double to, double middle) {
+    const double left = std::min(from, to);
+    const double width = std::abs(to - from);
+    std::string svg = fmt::format(
+        "<rect class=\"area\" x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\"/><path class=\"bar\" d=\"M{0} "
+        "{1}h{2}v{3}h-{2}z\"/>",
+        pixels(left), pixels(middle - bar_height / 2), pixels(width), pixels(bar_height));
+    if (text_width(item.legend, tick_size) < width - 6)
+        svg += fmt::format("<text class=\"tick mid\" x=\"{}\" y=\"{}\">{}</text>", pixels(left + width / 2),
+                           pixels(middle + 4), isolated(item.legend));
+    return svg;
+}
+
+std::string item_of(const RowItem& item, const Scale& scale, double unit, double row_middle) {
+    const double middle = row_middle + item.shift;
+    const auto at = [&](double value) {
+        const Range& ends = scale.at;
+        const double pixel = scale(value / unit);
+        return std::isfinite(pixel) ? std::clamp(pixel, ends.from, ends.to) : ends.from;
+    };
+    std::string svg = fmt::format("<g class=\"series {}\" data-name=\"{}\" data-row=\"{}\">",
+                                  classes(item.look), escaped(item.name), pixels(middle));
+    switch (item.kind) {
+        case RowItem::Kind::bar:
+            svg += bar(item, at(item.from), at(item.to), middle);
+            break;
+        case RowItem::Kind::interval:
+            svg += fmt::format("<path class=\"bar\" d=\"M{} {}H{}M{} {}v8M{} {}v8\"/>", pixels(at(item.from)),
+                               pixels(middle), pixels(at(item.to)), pixels(at(item.from)), pixels(middle - 4),
+                               pixels(at(item.to)), pixels(middle - 4));
+            break;
+        case RowItem::Kind::mark:
+            svg += fmt::format("<use class=\"mark\" href=\"#{}\" x=\"{}\" y=\"{}\"/>",
+                               marker_name(item.look.marker), pixels(at(item.to)), pixels(middle));
+            break;
+    }
+    return svg + "</g>";
 }
 
 }  // namespace
@@ -182,10 +243,7 @@ Range extent(const XyPanel& panel, Coordinate&& of, Error&& error) {
 Range x_extent(const XyPanel& panel) {
     Range range = extent(
         panel, [](const Point& p) { return p.x; }, [](const Mark& m) { return m.x_error; });
-    for (const Rule& rule : panel.rules) {
-        range.from = std::min(range.from, rule.x);
-        range.to = std::max(range.to, rule.x);
-    }
+    for (const Rule& rule : panel.rules) range = {std::min(range.from, rule.x), std::max(range.to, rule.x)};
     return range;
 }
 
@@ -211,9 +269,7 @@ std::string drawn(const XyPanel& panel, const Box& box) {
                        pixels(box.left + 11), pixels(plot.top + plot.height / 2), axis_label(panel.y));
     svg += rules_of(panel, frame, plot);
     for (const Series& series : panel.series) svg += series_of(series, frame);
-    svg += fmt::format("<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></g>",
-                       pixels(plot.left), pixels(plot.top), pixels(plot.width), pixels(plot.height));
-    return svg;
+    return svg + frame_of(plot);
 }
 
 void share_axes(std::vector<Panel>& panels, bool x, bool y) {
@@ -227,22 +283,44 @@ void share_axes(std::vector<Panel>& panels, bool x, bool y) {
             join(across, x_extent(*xy));
             join(up, y_extent(*xy));
         }
+    const auto fix = [](Axis& axis, const Range& extent) {
+        const Range ends = with_margin(extent, axis, 0.04);
+        if (!axis.from) axis.from = ends.from;
+        if (!axis.to) axis.to = ends.to;
+    };
     for (Panel& panel : panels)
         if (auto* xy = std::get_if<XyPanel>(&panel)) {
-            const auto fix = [](Axis& axis, Range range) {
-                range = drawable(range, axis.spacing);
-                const bool logarithmic = axis.spacing == Spacing::logarithmic;
-                const double margin =
-                    logarithmic ? std::pow(range.to / range.from, 0.04) : 0.04 * (range.to - range.from);
-                if (!axis.from)
-                    axis.from = logarithmic                         ? range.from / margin
-                                : axis.from_zero && range.from >= 0 ? 0.0
-                                                                    : range.from - margin;
-                if (!axis.to) axis.to = logarithmic ? range.to * margin : range.to + margin;
-            };
             if (x) fix(xy->x, across);
             if (y) fix(xy->y, up);
         }
+}
+
+double height_of(const RowPanel& panel) {
+    return title_height + static_cast<double>(panel.rows.size()) * row_height + 8 + axis_height;
+}
+
+std::string drawn(const RowPanel& panel, const Box& box) {
+    double labels = 0;
+    for (const Row& row : panel.rows) labels = std::max(labels, text_width(row.label, tick_size) + 8);
+    labels = std::min(labels, 0.58 * box.width);
+    const Box plot{box.left + labels, box.top + title_height, box.width - labels - 12,
+                   static_cast<double>(panel.rows.size()) * row_height + 8};
+    const Scale x = scale_of(panel.x, extent(panel), {plot.left, plot.left + plot.width});
+    std::string svg = fmt::format("<g class=\"panel\" data-title=\"{}\"{}>", escaped(panel.title),
+                                  axis_data('x', panel.x, x));
+    svg += title_text(panel.title, {box.left, box.left, box.left + box.width, box.top + 13});
+    svg += horizontal_axis(panel.x, x, plot);
+    double middle = plot.top + 4 + row_height / 2;
+    for (const Row& row : panel.rows) {
+        const std::string label = fitted(row.label, tick_size, labels - 6);
+        svg += fmt::format("<text class=\"tick {}\" x=\"{}\" y=\"{}\">{}{}</text>",
+                           row.heading ? "title" : "end soft", pixels(row.heading ? box.left : plot.left - 6),
+                           pixels(middle + 4), isolated(label),
+                           label == row.label ? "" : "<title>" + escaped(row.label) + "</title>");
+        for (const RowItem& item : row.items) svg += item_of(item, x, panel.x.scale, middle);
+        middle += row_height;
+    }
+    return svg + frame_of(plot);
 }
 
 }  // namespace ashimpact::report
