@@ -132,16 +132,16 @@ XyPanel restitution_panel(const SampleData& sample, NumberTable& table) {
 
 // Damping and contact time.
 
-using Column = std::vector<double> DampingSeries::*;
+using SeriesColumn = std::vector<double> DampingSeries::*;
 
 /// What a figure shows of the impacts that were inverted to dampings.
 struct InvertedImpacts {
     Axis x;
     Axis y;
-    Column x_values;
-    Column y_values;
+    SeriesColumn x_values;
+    SeriesColumn y_values;
     Series (*line)(const SampleData&, const LawData&);
-    std::vector<Column> listed;  ///< in the table, after sample, law and origin
+    std::vector<SeriesColumn> listed;  ///< in the table, after sample, law and origin
 };
 
 std::optional<double> value_at(const std::vector<double>& values, std::size_t i) {
@@ -167,7 +167,7 @@ XyPanel inverted_panel(const SampleData& sample, const InvertedImpacts& shown, N
             points.marks.push_back({x[i], y[i], 0, std::isfinite(u) ? u : 0});
             auto& row = table.rows.emplace_back(
                 std::vector<Cell>{sample.name(), law.name, std::string(name_of(law.damping->origin))});
-            for (const Column column : shown.listed)
+            for (const SeriesColumn column : shown.listed)
                 row.push_back(cell_of(value_at(law.damping->*column, i)));
         }
         panel.series.push_back(std::move(points));
@@ -200,9 +200,10 @@ std::vector<Rule> boundaries(const SampleData& sample) {
     return rules;
 }
 
-const std::vector<Column>& damping_columns() {
-    static const std::vector<Column> columns{&DampingSeries::velocity, &DampingSeries::restitution,
-                                             &DampingSeries::damping, &DampingSeries::damping_uncertainty};
+const std::vector<SeriesColumn>& damping_columns() {
+    static const std::vector<SeriesColumn> columns{&DampingSeries::velocity, &DampingSeries::restitution,
+                                                   &DampingSeries::damping,
+                                                   &DampingSeries::damping_uncertainty};
     return columns;
 }
 
