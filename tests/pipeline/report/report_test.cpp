@@ -16,7 +16,6 @@
 #include "pipeline/document/results/run_json.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/files/sha256.hpp"
-#include "pipeline/present/report/drawing/figure_file.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "solver/contact/law_parameters.hpp"
