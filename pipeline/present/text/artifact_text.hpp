@@ -4,9 +4,19 @@
 #include <string>
 
 #include "core/json/document.hpp"
-#include "pipeline/present/text/result_text.hpp"
+#include "pipeline/present/text/layout.hpp"
 
 namespace ashimpact {
+
+/// How much of a result is shown.
+struct ResultView {
+    bool all = false;  ///< every row and every part; else long ones are shortened, with a note
+    std::size_t width = output_width();  ///< characters of a line
+};
+
+/// Any JSON result for a reader: quantities in convenient units, columns as tables, histograms as bars,
+/// entries of one kind (such as those of contact laws) side by side, the rest as an indented list.
+[[nodiscard]] std::string result_text(const Json& result, const ResultView& view = {});
 
 /// What is shown of an artifact.
 struct ArtifactView {

@@ -9,7 +9,6 @@
 #include "core/quantities/readable.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/document/results/results_json.hpp"
-#include "pipeline/present/text/answer.hpp"
 #include "pipeline/present/text/layout.hpp"
 #include "pipeline/present/text/table.hpp"
 
@@ -106,10 +105,11 @@ std::string assumptions_text(const ComparisonResult& result, std::size_t width) 
 
 /// By how much a law misses the v_c of maugis-dugdale, which lies between DMT and JKR.
 std::string miss_cell(const SampleComparison& sample, Law law, const LawComparison& of) {
-    const Law between = Law::of<MaugisDugdale>();
-    const LawComparison* reference = sample.laws.find(between);
-    if (reference == nullptr || !reference->velocity || law == between || !of.velocity) return "-";
-    return fmt::format("{:+.1f}", 100 * (of.velocity->value / reference->velocity->value - 1));
+    const auto reference =
+        std::ranges::find_if(sample.laws, [](const auto& each) { return each.first.has_cohesive_zone(); });
+    if (reference == sample.laws.end() || law.has_cohesive_zone() || !of.velocity) return "-";
+    const auto& between = reference->second.velocity;
+    return between ? fmt::format("{:+.1f}", 100 * (of.velocity->value / between->value - 1)) : "-";
 }
 
 std::string velocity_cell(const LawComparison& law) {
@@ -189,6 +189,52 @@ std::string contacts_text(const ComparisonResult& result, std::size_t width) {
 }
 
 }  // namespace
+
+std::string velocity_text(double velocity) {
+    return fmt::format("{:#.3g}", velocity);
+}
+
+std::string bounds_text(const std::optional<Bounds>& bounds) {
+    if (!bounds || (!bounds->lower && !bounds->upper)) return {};
+    const auto end = [](const std::optional<double>& value) {
+        return value ? velocity_text(*value) : std::string("open");
+    };
+    return end(bounds->lower) + " to " + end(bounds->upper);
+}
+
+std::string estimate_text(const std::optional<VelocityEstimate>& velocity) {
+    if (!velocity) return "no finite value";
+    const std::string bounds = bounds_text(velocity->interval);
+    return velocity_text(velocity->value) + " m/s" + (bounds.empty() ? "" : " (95 %: " + bounds + " m/s)");
+}
+
+std::string_view verdict_words(const std::optional<CriticalVelocityCheck>& check) {
+    if (!check) return {};
+    switch (check->verdict) {
+        case CriticalVelocityVerdict::agrees:
+            return "agrees";
+        case CriticalVelocityVerdict::model_too_low:
+            return "too low";
+        case CriticalVelocityVerdict::model_too_high:
+            return "too high";
+        case CriticalVelocityVerdict::not_comparable:
+            break;
+    }
+    return {};
+}
+
+bool is_extrapolated(const LawComparison& law) {
+    return law.velocity && law.extrapolated && law.velocity->method == VelocityMethod::extrapolation;
+}
+
+Answer answer_of(const ReportedVelocity& reported) {
+    if (reported.velocity) return {Answer::Kind::velocity, reported.velocity->value};
+    if (reported.interval && reported.interval->lower)
+        return {Answer::Kind::above, *reported.interval->lower};
+    if (reported.interval && reported.interval->upper)
+        return {Answer::Kind::below, *reported.interval->upper};
+    return {};
+}
 
 std::string comparison_text(const ComparisonResult& result, std::size_t width) {
     const std::string title = result.name.empty() ? "" : wrapped_line(result.name, width, 0) + "\n";

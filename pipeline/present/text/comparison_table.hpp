@@ -1,13 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/json/document.hpp"
 #include "pipeline/present/text/layout.hpp"
 #include "pipeline/run/results/comparison.hpp"
 
 namespace ashimpact {
+
+// What the summary in a terminal and the report have in common about critical velocities.
+
+/// Three digits, trailing zeros kept, so that the velocities of a column line up [m/s].
+[[nodiscard]] std::string velocity_text(double velocity);
+
+/// "1.85 to 2.01"; an end without a bound is "open". Empty if neither end is known.
+[[nodiscard]] std::string bounds_text(const std::optional<Bounds>& bounds);
+
+/// "1.93 m/s (95 %: 1.68 to 2.21 m/s)", or "no finite value".
+[[nodiscard]] std::string estimate_text(const std::optional<VelocityEstimate>& velocity);
+
+/// "agrees", "too low" or "too high"; empty if there is nothing to compare with.
+[[nodiscard]] std::string_view verdict_words(const std::optional<CriticalVelocityCheck>& check);
+
+/// Whether the velocity of a law is the paper's extrapolation, because its impacts give no estimate.
+[[nodiscard]] bool is_extrapolated(const LawComparison& law);
+
+/// What is reported of a sample: its critical velocity, or the bound that the impacts give instead.
+struct Answer {
+    enum class Kind { none, velocity, above, below };
+    Kind kind = Kind::none;
+    double velocity = 0;  ///< that or the bound [m/s]
+};
+[[nodiscard]] Answer answer_of(const ReportedVelocity& reported);
 
 /// The comparison as the summary that ends a run, in lines of at most @p width characters: which critical
 /// velocity to report of each sample, by which law and why; what was assumed; the velocities of all laws

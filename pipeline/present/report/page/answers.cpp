@@ -9,7 +9,7 @@
 #include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/page/html.hpp"
 #include "pipeline/present/report/page/run_page.hpp"
-#include "pipeline/present/text/answer.hpp"
+#include "pipeline/present/text/comparison_table.hpp"
 
 namespace ashimpact::report {
 
