@@ -114,6 +114,19 @@ def ashimpact(*arguments):
                           universal_newlines=True)
 
 
+def exported(name, code, *options):
+    """An export into a new folder of that name: (folder, what the program said)."""
+    folder = os.path.join(WORK, name)
+    shutil.rmtree(folder, ignore_errors=True)
+    return folder, ashimpact("export", code, *options, "-o", folder)
+
+
+def copy_of_run(name):
+    folder = os.path.join(WORK, name)
+    shutil.rmtree(folder, ignore_errors=True)
+    return shutil.copytree(os.path.join(WORK, "run"), folder)
+
+
 def run(name, *case):
     """A run of ashimpact that is exported."""
     ran = ashimpact("run", "-q", *case, "-o", os.path.join(WORK, name))
@@ -179,23 +192,19 @@ def describe_library():
 
 def beads():
     """An export for the beads of a tutorial of OpenFOAM, 2.5 mm."""
-    folder = os.path.join(WORK, "openfoam-beads")
-    shutil.rmtree(folder, ignore_errors=True)
-    exported = ashimpact("export", "openfoam", *DMT, *CONSTANT, "--from-diameter", "2 mm", "--to-diameter", "3 mm",
-                         "--damping-exponent", "2", "-o", folder)
-    if exported.returncode != 0:
-        fail("openfoam beads: not exported: " + exported.stderr.strip())
+    folder, said = exported("openfoam-beads", "openfoam", *DMT, *CONSTANT, "--from-diameter", "2 mm", "--to-diameter",
+                            "3 mm", "--damping-exponent", "2")
+    if said.returncode != 0:
+        fail("openfoam beads: not exported: " + said.stderr.strip())
     library(folder, "")
     return folder
 
 
 def check(code, name, options):
     code, _, variant = code.partition(" ")
-    folder = os.path.join(WORK, "-".join([code] + variant.split() + [name]))
-    shutil.rmtree(folder, ignore_errors=True)
-    exported = ashimpact("export", code, *options, "-o", folder)
-    if exported.returncode != 0:
-        return fail("%s %s: not exported: %s" % (code, name, exported.stderr.strip()))
+    folder, said = exported("-".join([code] + variant.split() + [name]), code, *options)
+    if said.returncode != 0:
+        return fail("%s %s: not exported: %s" % (code, name, said.stderr.strip()))
     with open(os.path.join(folder, "expected.json")) as file:
         impacts = json.load(file)["impacts"]
     if len(impacts) < 3 or not all({"diameter", "velocity", "outcome", "restitution"} <= set(i) for i in impacts):
@@ -236,18 +245,14 @@ def check_refusals():
             ("openfoam", ["--law", "maugis-dugdale", "--tabor", "2"] + ASH + ADHESION + CONSTANT + SIZES + ["2"],
              "--cohesion-range"),
             ("table", DMT + CONSTANT + ["--to-velocity", "1 mm/s"], "--to-velocity")):
-        folder = os.path.join(WORK, "refused")
-        shutil.rmtree(folder, ignore_errors=True)
-        refused = ashimpact("export", code, *options, "-o", folder)
+        folder, refused = exported("refused", code, *options)
         if refused.returncode != 2 or reason not in refused.stderr or os.path.exists(folder):
             fail("%s is not refused with %r: %s" % (code, reason, refused.stderr))
 
 
 def check_names():
     """A sample's name reaches no input, whatever it holds."""
-    run, evil = os.path.join(WORK, "evil"), "a`intruder`$(intruder)\";}\n fix 1 #"
-    shutil.rmtree(run, ignore_errors=True)
-    shutil.copytree(os.path.join(WORK, "run"), run)
+    run, evil = copy_of_run("evil"), "a`intruder`$(intruder)\";}\n fix 1 #"
     for name in os.listdir(run):
         path = os.path.join(run, name)
         with open(path) as file:
@@ -255,11 +260,9 @@ def check_names():
         with open(path, "w") as file:
             file.write(text.replace('"name": "88 um"', '"name": ' + json.dumps(evil)))
     for code in ("lammps", "openfoam", "yade"):
-        folder = os.path.join(WORK, "evil-" + code)
-        shutil.rmtree(folder, ignore_errors=True)
-        exported = ashimpact("export", code, run, "--sample", evil, "--law", "dmt", "-o", folder)
-        if exported.returncode != 0:
-            fail("a strange name of a sample: " + exported.stderr)
+        folder, said = exported("evil-" + code, code, run, "--sample", evil, "--law", "dmt")
+        if said.returncode != 0:
+            fail("a strange name of a sample: " + said.stderr)
         for place, _, files in os.walk(folder):
             for name in files:
                 with open(os.path.join(place, name)) as file:
@@ -269,9 +272,7 @@ def check_names():
 
 def check_headline():
     """The exported critical velocity is the headline of the run, by the fit's damping or by another."""
-    run = os.path.join(WORK, "headline")
-    shutil.rmtree(run, ignore_errors=True)
-    shutil.copytree(os.path.join(WORK, "run"), run)
+    run = copy_of_run("headline")
     path = os.path.join(run, "7-critical-velocity.json")
     for factor in (1.0, 1.25):
         with open(os.path.join(WORK, "run", "7-critical-velocity.json")) as file:
@@ -283,11 +284,9 @@ def check_headline():
             sample["dmt"]["critical_velocity"]["interval"] = sample["dmt"]["interval"] = None
         with open(path, "w") as file:
             json.dump(artifact, file)
-        folder = os.path.join(WORK, "headline-table")
-        shutil.rmtree(folder, ignore_errors=True)
-        exported = ashimpact("export", "table", run, "--sample", "88 um", "--law", "dmt", "-o", folder)
-        if exported.returncode != 0:
-            fail("an edited headline: " + exported.stderr)
+        folder, said = exported("headline-table", "table", run, "--sample", "88 um", "--law", "dmt")
+        if said.returncode != 0:
+            fail("an edited headline: " + said.stderr)
             continue
         with open(os.path.join(folder, "critical_velocity.csv")) as file:
             critical = float(file.readlines()[1].split(",")[1])
@@ -318,13 +317,11 @@ def check_cloud():
 
 def check_tube():
     """A jet of 100,000 particles on a tube in OpenFOAM, on one process and on two ranks."""
-    folder = os.path.join(WORK, "openfoam-tube")
-    shutil.rmtree(folder, ignore_errors=True)
-    exported = ashimpact("export", "openfoam", os.path.join(WORK, "run"), "--sample", "88 um", "--law", "brach-dunn",
-                         "--from-diameter", "2 um", "--to-diameter", "120 um", "--damping-exponent", "2",
-                         "--to-velocity", "60 m/s", "-o", folder)
-    if exported.returncode != 0:
-        fail("tube: not exported: " + exported.stderr.strip())
+    folder, said = exported("openfoam-tube", "openfoam", os.path.join(WORK, "run"), "--sample", "88 um", "--law",
+                            "brach-dunn", "--from-diameter", "2 um", "--to-diameter", "120 um", "--damping-exponent", "2",
+                            "--to-velocity", "60 m/s")
+    if said.returncode != 0:
+        fail("tube: not exported: " + said.stderr.strip())
         return
     library(folder, "")
     worked_case("tube", folder, os.path.join(WORK, "tube"))
