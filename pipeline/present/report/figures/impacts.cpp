@@ -9,7 +9,7 @@
 
 #include "core/text/error.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
-#include "solver/numeric/gsl/spline.hpp"
+#include "solver/numeric/gsl/interpolation.hpp"
 #include "solver/statistics/interval.hpp"
 
 namespace ashimpact::report {
