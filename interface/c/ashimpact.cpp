@@ -2,25 +2,164 @@
 #include "interface/include/ashimpact.h"
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <new>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "core/quantities/checks.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "core/version.hpp"
+#include "interface/c/calls.hpp"
 #include "interface/c/floating_point.hpp"
-#include "interface/c/model.hpp"
-#include "interface/c/solve.hpp"
+#include "solver/batch/single_impacts.hpp"
+#include "solver/contact/law_parameters.hpp"
+#include "solver/motion/impact.hpp"
+
+namespace ashimpact {
 
 namespace {
 
-using ashimpact::Call;
-using ashimpact::InputError;
-using ashimpact::OwnFloatingPoint;
-using ashimpact::Parameter;
+/// Impacts of spheres one by one, with the constants of a model.
+struct SphereImpacts {
+    SingleImpacts impacts;
+    ContactPair contact;              ///< mass and effective radius are those of the sphere
+    double damping = 0.0;             ///< [unit of the damping law]
+    std::optional<double> density{};  ///< [kg/m3]; none: every sphere has the mass of the contact
+
+    /// e_n [1] and v_c [m/s] as SingleImpacts gives them; none: let a batch of one solve it.
+    [[nodiscard]] std::optional<double> restitution(double diameter, double velocity) const {
+        return impacts.restitution(contact_of(diameter), damping, velocity);
+    }
+    [[nodiscard]] std::optional<double> critical_velocity(double diameter) const {
+        return impacts.critical_velocity(contact_of(diameter), damping);
+    }
+
+  private:
+    /// The contact of a sphere of a diameter [m].
+    [[nodiscard]] ContactPair contact_of(double diameter) const {
+        ContactPair pair = contact;
+        pair.effective_radius = diameter / 2.0;
+        if (density) pair.mass = mass_of_sphere(*density, diameter);
+        return pair;
+    }
+};
+
+}  // namespace
+
+}  // namespace ashimpact
+
+/// What a handle of the C interface stands for. It never changes once it is made.
+struct ashimpact_model {  // NOLINT(readability-identifier-naming): the name of the C interface
+    ashimpact::Choice choice;
+    std::array<std::optional<double>, ashimpact::most_parameters> constants{};
+    std::optional<ashimpact::SphereImpacts> spheres{};  ///< none: constants for a sphere are missing
+
+    [[nodiscard]] const std::optional<double>& operator[](ashimpact::Parameter parameter) const {
+        return constants[ashimpact::place_of(parameter)];
+    }
+    /// The sources of a call without columns: the constants.
+    [[nodiscard]] ashimpact::Parameters parameters() const {
+        ashimpact::Parameters sources;
+        for (std::size_t place = 0; place < constants.size(); ++place)
+            if (constants[place])
+                sources.set(static_cast<ashimpact::Parameter>(place), {&*constants[place], 0});
+        return sources;
+    }
+};
+
+namespace {
+
+using namespace ashimpact;
+
+/// As parameter_named(); NULL is unknown.
+Parameter parameter_of(const char* name) {
+    return parameter_named(name == nullptr ? "(null)" : name);
+}
+
+void take_constants(ashimpact_model& model, const ashimpact_parameter* parameters, std::size_t count) {
+    if (count > 0 && parameters == nullptr)
+        throw InputError("parameters is NULL", "an array of count of them");
+    for (std::size_t i = 0; i < count; ++i) {
+        const Parameter parameter = parameter_of(parameters[i].name);
+        const std::string name(name_of(parameter));
+        if (model[parameter]) throw InputError(name + " is given twice");
+        if (model[alternative_to(parameter)]) {
+            throw InputError(name + " is given beside " + std::string(name_of(alternative_to(parameter))),
+                             "one of them");
+        }
+        model.constants[place_of(parameter)] = parameters[i].value;
+    }
+}
+
+/// The contact of a model's constants, admissible numbers in the place of those that are missing; without
+/// parameters of its law.
+ContactPair contact_of(const ashimpact_model& model) {
+    ContactPair pair{.mass = model[Parameter::mass].value_or(1.0),
+                     .effective_radius = model[Parameter::effective_radius].value_or(1.0),
+                     .contact_modulus = model[Parameter::contact_modulus].value_or(1.0),
+                     .work_of_adhesion = model[Parameter::work_of_adhesion].value_or(0.0)};
+    if (model[Parameter::yield_pressure]) pair.yield_pressure = *model[Parameter::yield_pressure];
+    return pair;
+}
+
+/// The model's constants as a contact of a sphere; none if a constant that it needs is missing.
+std::optional<SphereImpacts> sphere_impacts(const ashimpact_model& model) {
+    const auto& [law, detachment, damping_law] = model.choice;
+    const auto& density = model[Parameter::density];
+    const auto is_given = [&](const LawParameter& parameter) {
+        return model[parameter_named(parameter.name)].has_value();
+    };
+    if ((!density && !model[Parameter::mass]) || parameter_fault(law, is_given)) return std::nullopt;
+    SphereImpacts spheres{.impacts = {law, detachment, damping_law},
+                          .contact = contact_of(model),
+                          .damping = model[Parameter::damping].value_or(0.0),
+                          .density = density};
+    for (const LawParameter& parameter : law.parameters()) {
+        if (const auto value = model[parameter_named(parameter.name)])
+            spheres.contact.parameters.set(parameter.name, *value);
+    }
+    return spheres;
+}
+
+/// The constants that are given are checked in an impact whose other numbers are admissible.
+void check_constants(const ashimpact_model& model) {
+    const auto& [law, detachment, damping_law] = model.choice;
+    if (!model[Parameter::contact_modulus]) throw InputError("contact_modulus is missing", "its value in Pa");
+    if (const auto density = model[Parameter::density])
+        require_positive("density", *density, Dimension::density);
+    if (const auto diameter = model[Parameter::diameter])
+        require_positive("diameter", *diameter, Dimension::length);
+    for (const LawParameter& parameter : law_parameters()) {
+        const Parameter named = parameter_named(parameter.name);
+        if (!model[named]) continue;
+        require_taken(law, named);
+        require_allowed(parameter, *model[named]);
+    }
+    ContactPair pair = contact_of(model);
+    pair.parameters = typical_parameters(law);
+    validate(Impact{law,
+                    detachment,
+                    {damping_law, model[Parameter::damping].value_or(0.0)},
+                    pair,
+                    model[Parameter::velocity].value_or(1.0)});
+}
+
+/// Makes a model from what ashimpact_open() takes, null pointers included.
+/// @throws InputError for a name that is unknown, a constant that is not admissible, missing or given twice
+ashimpact_model make_model(const char* law, const char* detachment, const char* damping_law,
+                           const ashimpact_parameter* parameters, std::size_t count) {
+    ashimpact_model model{.choice = choice_named(law, detachment, damping_law)};
+    if (const auto reason = refusal(model.choice.law, model.choice.detachment))
+        throw InputError(*reason, admissible_detachments(model.choice.law));
+    take_constants(model, parameters, count);
+    check_constants(model);
+    model.spheres = sphere_impacts(model);
+    return model;
+}
 
 ashimpact_status report(ashimpact_status status, std::string_view message, ashimpact_error* error) noexcept {
     if (error == nullptr) return status;
@@ -45,7 +184,7 @@ ashimpact_status guarded(ashimpact_error* error, const Work& work) noexcept {
         return report(ASHIMPACT_OK, {}, error);
     } catch (const InputError& refused) {
         return report(ASHIMPACT_INPUT_ERROR, refused.what(), error);
-    } catch (const ashimpact::ConvergenceError& failed) {
+    } catch (const ConvergenceError& failed) {
         return report(ASHIMPACT_NOT_CONVERGED, failed.what(), error);
     } catch (const std::bad_alloc&) {
         return report(ASHIMPACT_DEFECT, "no memory left", error);
@@ -65,7 +204,7 @@ void require(const void* pointer, std::string_view name) {
 Call call_of(const ashimpact_model* model, std::size_t count, const double* diameter,
              const double* velocity) {
     require(model, "model");
-    Call call{*model, model->parameters(), count};
+    Call call{model->choice, model->parameters(), count};
     require(diameter, "diameter");
     call.parameters.set(Parameter::diameter, {diameter, 1});
     if (velocity != nullptr) call.parameters.set(Parameter::velocity, {velocity, 1});
@@ -76,9 +215,9 @@ Call call_of(const ashimpact_model* model, std::size_t count, const ashimpact_co
              std::size_t column_count) {
     require(model, "model");
     if (column_count > 0) require(columns, "columns");
-    Call call{*model, model->parameters(), count};
+    Call call{model->choice, model->parameters(), count};
     for (std::size_t i = 0; i < column_count; ++i) {
-        const Parameter parameter = ashimpact::parameter_named(columns[i].name);
+        const Parameter parameter = parameter_of(columns[i].name);
         if (count > 0) require(columns[i].values, "values of column " + std::string(columns[i].name));
         call.parameters.set(parameter, {columns[i].values, columns[i].stride});
     }
@@ -103,7 +242,7 @@ void take_outputs(const ashimpact_output* outputs, std::size_t count,
             std::string names;
             for (const NamedOutput& output : known)
                 names += (names.empty() ? "" : ", ") + std::string(output.name);
-            throw InputError("unknown output " + ashimpact::in_quotes(wanted), names);
+            throw InputError("unknown output " + in_quotes(wanted), names);
         }
         require(outputs[i].values, "values of output " + std::string(wanted));
         *found->values = outputs[i].values;
@@ -122,7 +261,7 @@ ashimpact_status ashimpact_open(const char* law, const char* detachment, const c
     return guarded(error, [&] {
         require(model, "model");
         *model = nullptr;
-        *model = new ashimpact_model(ashimpact::make_model(law, detachment, damping_law, parameters, count));
+        *model = new ashimpact_model(make_model(law, detachment, damping_law, parameters, count));
     });
 }
 
@@ -182,7 +321,7 @@ ashimpact_status ashimpact_solve_impacts(const ashimpact_model* model, size_t co
                                          ashimpact_error* error) {
     return guarded(error, [&] {
         const Call call = call_of(model, count, columns, column_count);
-        ashimpact::ImpactOutputs out;
+        BatchOutputs out;
         take_outputs(outputs, output_count,
                      {{"restitution", &out.restitution},
                       {"contact_time", &out.contact_time},
@@ -210,7 +349,7 @@ ashimpact_status ashimpact_solve_dampings(const ashimpact_model* model, size_t c
                                           ashimpact_error* error) {
     return guarded(error, [&] {
         const Call call = call_of(model, count, columns, column_count);
-        ashimpact::DampingOutputs out;
+        DampingOutputs out;
         take_outputs(outputs, output_count,
                      {{"damping", &out.damping}, {"greatest_restitution", &out.greatest_restitution}});
         solve_dampings(call, out);

@@ -23,8 +23,7 @@ from ashimpact._batch import (
 )
 from ashimpact._core import ConvergenceError, InputError
 from ashimpact._core import version as __version__
-from ashimpact._program import analyse_impacts, calibrate, modulus, run, sweep
-from ashimpact._tables import columns, to_pandas
+from ashimpact._program import analyse_impacts, calibrate, columns, modulus, run, sweep, to_pandas
 
 __all__ = [
     "ConvergenceError",

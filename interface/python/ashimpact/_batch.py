@@ -3,14 +3,16 @@
 
 from __future__ import annotations
 
+import functools
+import inspect
+import textwrap
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Optional, Union
+from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, TypeVar, Union, cast
 
 import numpy as np
 import numpy.typing as npt
 
 from ashimpact import _core
-from ashimpact._laws import takes_law_parameters
 
 if TYPE_CHECKING:
     import pandas
@@ -18,16 +20,7 @@ if TYPE_CHECKING:
 Numbers = npt.NDArray[np.float64]
 Truths = npt.NDArray[np.bool_]
 NumbersLike = Union[float, npt.ArrayLike]
-
-__all__ = [
-    "CriticalVelocities",
-    "Dampings",
-    "Impacts",
-    "critical_velocities",
-    "dampings",
-    "impacts",
-    "laws",
-]
+Function = TypeVar("Function", bound=Callable[..., Any])
 
 
 @dataclass(frozen=True)
@@ -83,8 +76,7 @@ class Dampings:
     """Damping coefficients that give measured restitutions back."""
 
     damping: Numbers
-    """Coefficient; NaN if no damping gives the restitution
-    [kg/s constant, Pa s contact-radius, 1 tsuji]."""
+    """Coefficient; NaN if no damping gives the restitution [unit of the damping law]."""
     greatest_restitution: Numbers
     """Restitution without damping, the greatest there is [1]."""
 
@@ -94,53 +86,71 @@ def laws() -> dict[str, tuple[str, list[str]]]:
     return _core.laws()
 
 
-class _Columns:
-    """Arguments brought to one shape: arrays of one number, or of all numbers in their order."""
+def takes_law_parameters(function: Function) -> Function:
+    """Completes a function with **parameters by the parameters of all laws.
 
-    def __init__(self, **arguments: NumbersLike) -> None:
-        self._arrays = {}
-        for name, value in arguments.items():
-            try:
-                self._arrays[name] = np.asarray(value, dtype=np.float64)
-            except (TypeError, ValueError) as error:
-                raise _core.InputError(f"{name} is no number: {error}; allowed: numbers in SI units") from None
+    They are in its signature and, in place of the line "{law parameters}", in its documentation, where "{laws}",
+    "{damping laws}" and "{damping units}" are replaced as well. Other names are refused as Python refuses an unknown
+    argument.
+    """
+    table = _core.law_parameters()
+    signature = inspect.signature(function)
+    stated = [each for each in signature.parameters.values() if each.kind is not inspect.Parameter.VAR_KEYWORD]
+    annotation = signature.parameters["parameters"].annotation
+    own = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None, annotation=annotation) for name in table]
+    complete = signature.replace(parameters=[*stated, *own])
+
+    @functools.wraps(function)
+    def checked(*arguments: Any, **given: Any) -> Any:
+        for name in given:
+            if name not in complete.parameters:
+                raise TypeError(f"{function.__name__}() got an unexpected keyword argument {name!r}")
+        return function(*arguments, **given)
+
+    lines = [
+        textwrap.fill(f"{name}: {text} [{unit}]; law {', '.join(laws)}.", 110, initial_indent=8 * " ", subsequent_indent=12 * " ")
+        for name, (unit, text, laws, _, _) in table.items()
+    ]
+    dampings = _core.damping_laws()
+    documentation = function.__doc__ or ""
+    for place, text in (
+        (8 * " " + "{law parameters}", "\n".join(lines)),
+        ("{laws}", ", ".join(_core.laws())),
+        ("{damping laws}", ", ".join(dampings)),
+        ("{damping units}", ", ".join(f"{unit} {name}" for name, unit in dampings.items())),
+    ):
+        documentation = documentation.replace(place, text)
+    checked.__doc__ = documentation
+    checked.__signature__ = complete  # type: ignore[attr-defined]
+    return cast(Function, checked)
+
+
+def _flat_arrays(arguments: Mapping[str, NumbersLike]) -> tuple[dict[str, Numbers], tuple[int, ...]]:
+    """Flat arrays of one number, or of all numbers in their order, and the shape that the arguments broadcast to."""
+    arrays = {}
+    for name, value in arguments.items():
         try:
-            self.shape = np.broadcast_shapes(*(array.shape for array in self._arrays.values()))
-        except ValueError:
-            shapes = ", ".join(f"{name} {array.shape}" for name, array in self._arrays.items() if array.ndim)
-            raise _core.InputError(f"shapes do not fit: {shapes}; allowed: shapes that broadcast") from None
-        self.count = int(np.prod(self.shape, dtype=np.int64))
+            arrays[name] = np.asarray(value, dtype=np.float64)
+        except (TypeError, ValueError) as error:
+            raise _core.InputError(f"{name} is no number: {error}; allowed: numbers in SI units") from None
+    try:
+        shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
+    except ValueError:
+        shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items() if array.ndim)
+        raise _core.InputError(f"shapes do not fit: {shapes}; allowed: shapes that broadcast") from None
+    return {
+        name: np.ascontiguousarray(array if array.size == 1 else np.broadcast_to(array, shape)).reshape(-1)
+        for name, array in arrays.items()
+    }, shape
 
-    def __getitem__(self, name: str) -> Numbers:
-        array = self._arrays[name]
-        if array.size == 1 or array.shape == self.shape:
-            return np.ascontiguousarray(array).reshape(-1)
-        return np.ascontiguousarray(np.broadcast_to(array, self.shape)).reshape(-1)
 
-    def shaped(self, numbers: Numbers) -> Numbers:
-        return numbers.reshape(self.shape)
-
-    def _mass(self, whose: str) -> Numbers:
-        if f"{whose}mass" in self._arrays:
-            return self[f"{whose}mass"]
-        diameter = 2.0 * self[f"{whose}radius"]
-        # Multiplied in the order of the library, so that results agree bit by bit.
-        mass: Numbers = self[f"{whose}density"] * np.pi / 6.0 * diameter * diameter * diameter
-        return mass
-
-    def contact(self) -> tuple[Numbers, Numbers, Numbers, Numbers, Numbers, dict[str, Numbers]]:
-        radius, mass = self["radius"], self._mass("")
-        if "partner_radius" in self._arrays:
-            mass = _joint("mass", mass, self._mass("partner_"))
-            radius = _joint("radius", radius, self["partner_radius"])
-        return (
-            mass,
-            radius,
-            self["contact_modulus"],
-            self["work_of_adhesion"],
-            self["yield_pressure"],
-            {name: self[name] for name in _core.law_parameters() if name in self._arrays},
-        )
+def _mass(arrays: Mapping[str, Numbers], whose: str = "") -> Numbers:
+    if f"{whose}mass" in arrays:
+        return arrays[f"{whose}mass"]
+    diameter = 2.0 * arrays[f"{whose}radius"]
+    # Multiplied in the order of the library, so that results agree bit by bit.
+    mass: Numbers = arrays[f"{whose}density"] * np.pi / 6.0 * diameter * diameter * diameter
+    return mass
 
 
 def _joint(name: str, one: Numbers, other: Numbers) -> Numbers:
@@ -151,24 +161,32 @@ def _joint(name: str, one: Numbers, other: Numbers) -> Numbers:
     return np.asarray(1.0 / (1.0 / one + 1.0 / other))
 
 
-def _columns(arguments: dict[str, Any], *numbers: str) -> _Columns:
-    """The columns of a call's arguments: those of the contact and these numbers. None was not given."""
+def _require_one(given: Mapping[str, Any], first: str, second: str) -> None:
+    if (first in given) == (second in given):
+        fault = "both are" if first in given else "neither is"
+        raise _core.InputError(f"{first}, {second}: {fault} given; allowed: one of the two")
+
+
+def _call(arguments: dict[str, Any], *numbers: str) -> tuple[_core.Call, tuple[int, ...]]:
+    """The call of a function's arguments, with these numbers beside the contact, and the shape of its results."""
     given = {name: value for name, value in arguments.items() if value is not None}
     _require_one(given, "density", "mass")
     if "partner_radius" in given:
         _require_one(given, "partner_density", "partner_mass")
     elif "partner_density" in given or "partner_mass" in given:
         raise _core.InputError("partner_radius is not given; allowed: a radius [m] for the second sphere")
-    columns = {name: arguments[name] for name in ("radius", "contact_modulus", "work_of_adhesion", *numbers)}
-    spheres = ("density", "mass", "partner_radius", "partner_density", "partner_mass")
-    columns |= {name: given[name] for name in (*spheres, *_core.law_parameters()) if name in given}
-    return _Columns(yield_pressure=given.get("yield_pressure", np.inf), **columns)
-
-
-def _require_one(given: dict[str, Any], first: str, second: str) -> None:
-    if (first in given) == (second in given):
-        fault = "both are" if first in given else "neither is"
-        raise _core.InputError(f"{first}, {second}: {fault} given; allowed: one of the two")
+    needed = ("contact_modulus", "work_of_adhesion", *numbers)
+    own = [name for name in _core.law_parameters() if name in given]
+    spheres = [name for name in ("density", "mass", "partner_radius", "partner_density", "partner_mass") if name in given]
+    arrays, shape = _flat_arrays({name: arguments[name] for name in ("radius", *needed, *spheres, *own)})
+    radius, mass = arrays["radius"], _mass(arrays)
+    if "partner_radius" in arrays:
+        mass = _joint("mass", mass, _mass(arrays, "partner_"))
+        radius = _joint("radius", radius, arrays["partner_radius"])
+    columns = {"mass": mass, "effective_radius": radius, **{name: arrays[name] for name in (*needed, *own)}}
+    count = int(np.prod(shape, dtype=np.int64))
+    choice = (arguments["law"], arguments["detachment"], arguments["damping_law"])
+    return _core.Call(*choice, columns, count, arguments["threads"]), shape
 
 
 @takes_law_parameters
@@ -182,7 +200,6 @@ def impacts(
     mass: Optional[NumbersLike] = None,
     work_of_adhesion: NumbersLike = 0.0,
     damping: NumbersLike = 0.0,
-    yield_pressure: Optional[NumbersLike] = None,
     partner_radius: Optional[NumbersLike] = None,
     partner_density: Optional[NumbersLike] = None,
     partner_mass: Optional[NumbersLike] = None,
@@ -195,20 +212,19 @@ def impacts(
     """Normal impacts of spheres on a flat wall, or on a second sphere; every number may be an array.
 
     Args:
-        law: contact law: hertz, dmt, brach-dunn, jkr, ...; laws() lists them.
+        law: contact law, {laws}.
         radius: of the sphere [m].
         contact_modulus: E* of both bodies, not a Young's modulus [Pa].
         velocity: of approach, normal to the wall, > 0 [m/s].
         density: of the sphere [kg/m3]; or
         mass: of the sphere [kg].
         work_of_adhesion: energy to separate unit area, not a surface energy [J/m2].
-        damping: coefficient of the damping law [kg/s constant, Pa s contact-radius, 1 tsuji].
-        yield_pressure: p_y, for the law thornton-ning; without it the sphere never yields [Pa].
+        damping: coefficient of the damping law [{damping units}].
         partner_radius: of a second sphere in place of the wall; velocities are relative ones then [m].
         partner_density: of the second sphere [kg/m3]; or
         partner_mass: of the second sphere [kg].
         detachment: where the contact ends; without it as the law does by default.
-        damping_law: constant, contact-radius, tsuji.
+        damping_law: {damping laws}.
         method: integration, or table, some ten times as fast from 100,000 impacts on; a table has neither
             approach times nor overlaps.
         threads: 0 for one a core; no bit of a result depends on it.
@@ -218,23 +234,17 @@ def impacts(
         InputError: naming the first impact it concerns.
         ConvergenceError: where an impact could not be solved.
     """
-    columns = _columns({**locals(), **parameters}, "velocity", "damping")
-    restitution, contact_time, approach_time, maximum_overlap = _core.impacts(
-        _core.Choice(law, detachment, damping_law),
-        columns.contact(),
-        columns["damping"],
-        columns["velocity"],
-        columns.count,
-        method,
-        threads,
-    )
-    tabulated = method == "table"
+    if method not in ("integration", "table"):
+        raise _core.InputError(f"unknown method '{method}'; allowed: integration, table")
+    call, shape = _call({**locals(), **parameters}, "velocity", "damping")
+    restitution, contact_time, approach_time, maximum_overlap = call.impacts(method == "integration")
+    restitution = restitution.reshape(shape)
     return Impacts(
-        restitution=columns.shaped(restitution),
-        contact_time=columns.shaped(contact_time),
-        captured=columns.shaped(restitution) == 0.0,
-        approach_time=None if tabulated else columns.shaped(approach_time),
-        maximum_overlap=None if tabulated else columns.shaped(maximum_overlap),
+        restitution=restitution,
+        contact_time=contact_time.reshape(shape),
+        captured=restitution == 0.0,
+        approach_time=None if approach_time is None else approach_time.reshape(shape),
+        maximum_overlap=None if maximum_overlap is None else maximum_overlap.reshape(shape),
     )
 
 
@@ -248,7 +258,6 @@ def critical_velocities(
     mass: Optional[NumbersLike] = None,
     work_of_adhesion: NumbersLike = 0.0,
     damping: NumbersLike = 0.0,
-    yield_pressure: Optional[NumbersLike] = None,
     partner_radius: Optional[NumbersLike] = None,
     partner_density: Optional[NumbersLike] = None,
     partner_mass: Optional[NumbersLike] = None,
@@ -263,15 +272,8 @@ def critical_velocities(
         InputError: naming the first sphere it concerns.
         ConvergenceError: if a velocity could not be found.
     """
-    columns = _columns({**locals(), **parameters}, "damping")
-    velocity = _core.critical_velocities(
-        _core.Choice(law, detachment, damping_law),
-        columns.contact(),
-        columns["damping"],
-        columns.count,
-        threads,
-    )
-    return CriticalVelocities(columns.shaped(velocity))
+    call, shape = _call({**locals(), **parameters}, "damping")
+    return CriticalVelocities(call.critical_velocities().reshape(shape))
 
 
 @takes_law_parameters
@@ -285,7 +287,6 @@ def dampings(
     density: Optional[NumbersLike] = None,
     mass: Optional[NumbersLike] = None,
     work_of_adhesion: NumbersLike = 0.0,
-    yield_pressure: Optional[NumbersLike] = None,
     partner_radius: Optional[NumbersLike] = None,
     partner_density: Optional[NumbersLike] = None,
     partner_mass: Optional[NumbersLike] = None,
@@ -303,13 +304,6 @@ def dampings(
         InputError: naming the first impact it concerns.
         ConvergenceError: if a damping could not be found.
     """
-    columns = _columns({**locals(), **parameters}, "velocity", "restitution")
-    damping, greatest = _core.dampings(
-        _core.Choice(law, detachment, damping_law),
-        columns.contact(),
-        columns["velocity"],
-        columns["restitution"],
-        columns.count,
-        threads,
-    )
-    return Dampings(columns.shaped(damping), columns.shaped(greatest))
+    call, shape = _call({**locals(), **parameters}, "velocity", "restitution")
+    damping, greatest = call.dampings()
+    return Dampings(damping.reshape(shape), greatest.reshape(shape))

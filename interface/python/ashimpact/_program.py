@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The commands that read files: each runs the program ashimpact, whose documents come back as dicts.
+"""The commands that read files: each runs the program ashimpact, whose documents come back as dicts; tables of them.
 
 They run in a process of their own: Python goes on in its other threads, and an interrupt ends them.
 """
 
 from __future__ import annotations
 
+import csv
+import io
 import json
 import os
 import shutil
@@ -13,19 +15,19 @@ import subprocess
 import tempfile
 import warnings
 from pathlib import Path
-from typing import Any, Mapping, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from ashimpact import _core
-from ashimpact._laws import takes_law_parameters
-from ashimpact._tables import csv_text
+from ashimpact._batch import takes_law_parameters
+
+if TYPE_CHECKING:
+    import pandas
 
 PathLike = Union[str, "os.PathLike[str]"]
 Document = dict[str, Any]
-
-__all__ = ["analyse_impacts", "calibrate", "modulus", "run", "sweep"]
 
 _WRONG_INPUT = 2
 _NOT_CONVERGED = 3
@@ -74,11 +76,11 @@ def _call(command: str, *arguments: str) -> str:
     raise RuntimeError(message)
 
 
-def _options(**given: Any) -> list[str]:
+def _options(given: Mapping[str, Any]) -> list[str]:
     """Options of the command line from arguments; those that are None are left out."""
     words: list[str] = []
     for name, value in given.items():
-        option = "--" + name.rstrip("_").replace("_", "-")
+        option = "--" + name.replace("_", "-")
         if value is None or value is False:
             continue
         if value is True:
@@ -130,22 +132,11 @@ def modulus(
     Raises:
         InputError: naming file and line.
     """
-    words = _options(
-        amorphous_fraction=amorphous_fraction,
-        crystalline_total=crystalline_total,
-        internal_standard=internal_standard,
-        added_fraction=added_fraction,
-        sample=sample,
-        sheet=sheet,
-        phase_set=phase_set,
-        phases=None if phases is None else _path(phases),
-        rule=rule,
-        porosity_law=porosity_law,
-        porosity=porosity,
-        porosity_coefficient=porosity_coefficient,
-        particle_density=particle_density,
-    )
-    document: Document = json.loads(_call("modulus", _path(file), *words, "--json"))
+    options = {**locals()}
+    del options["file"]
+    if phases is not None:
+        options["phases"] = _path(phases)
+    document: Document = json.loads(_call("modulus", _path(file), *_options(options), "--json"))
     return document
 
 
@@ -176,8 +167,8 @@ def run(
     with tempfile.TemporaryDirectory() as scratch:
         target = Path(scratch) / "run" if folder is None else Path(os.fspath(folder))
         words = [] if case is None else [_path(case)]
-        options = _options(only=only, allow_outside=allow_outside, no_report=folder is None, **{"from": start})
-        _call("run", *words, "-o", _path(target), *options)
+        options = {"only": only, "allow_outside": allow_outside, "no_report": folder is None, "from": start}
+        _call("run", *words, "-o", _path(target), *_options(options))
         return {path.stem: _read(path) for path in sorted(target.glob("*.json"))}
 
 
@@ -199,7 +190,8 @@ def calibrate(
     words = [] if case is None else [_path(case)]
     for name in [free] if isinstance(free, str) else free:
         words += ["--free", name]
-    document: Document = json.loads(_call("calibrate", *words, *_options(compare=compare, allow_outside=allow_outside), "--json"))
+    words += _options({"compare": compare, "allow_outside": allow_outside})
+    document: Document = json.loads(_call("calibrate", *words, "--json"))
     return document
 
 
@@ -230,8 +222,7 @@ def sweep(
         else:
             spec_file = _path(spec)
         result = os.path.join(scratch, "sweep.json") if output is None else _path(output)
-        words = [spec_file, "-o", result, "--threads", str(threads)] + _options(restart=restart)
-        _call("sweep", *words)
+        _call("sweep", spec_file, "-o", result, *_options({"threads": threads, "restart": restart}))
         return _read(result)
 
 
@@ -245,7 +236,6 @@ def analyse_impacts(
     density: Optional[float] = None,
     mass: Optional[float] = None,
     work_of_adhesion: Optional[float] = None,
-    yield_pressure: Optional[float] = None,
     detachment: Optional[str] = None,
     damping_law: Optional[str] = None,
     velocity: Optional[npt.ArrayLike] = None,
@@ -269,7 +259,7 @@ def analyse_impacts(
         rebound_velocity: magnitude, 0 for a capture [m/s]; or
         restitution: 0 for a capture [1].
         law, radius, contact_modulus, density, mass: as impacts(), one of each.
-        work_of_adhesion, yield_pressure, detachment, damping_law: as impacts(), one of each.
+        work_of_adhesion, detachment, damping_law: as impacts(), one of each.
         frame_rate: of the camera, frames per second, with
         pixel_size: in the object [m]: the uncertainty of the velocities.
         frames: positions that each velocity is the slope of; 2 unless given.
@@ -283,26 +273,9 @@ def analyse_impacts(
     Returns:
         The document of the command: damping of each impact, fits, critical velocity with its interval.
     """
-    words = _options(
-        law=law,
-        radius=radius,
-        contact_modulus=contact_modulus,
-        density=density,
-        mass=mass,
-        work_of_adhesion=work_of_adhesion,
-        yield_pressure=yield_pressure,
-        detachment=detachment,
-        damping_law=damping_law,
-        frame_rate=frame_rate,
-        pixel_size=pixel_size,
-        frames=frames,
-        size_scatter=size_scatter,
-        order=order,
-        robust=robust,
-        bin=bin,
-        sheet=sheet,
-        **parameters,
-    )
+    options = {**locals(), **parameters}
+    for name in ("impacts", "velocity", "rebound_velocity", "restitution", "parameters"):
+        del options[name]
     with tempfile.TemporaryDirectory() as scratch:
         if isinstance(impacts, (str, os.PathLike)):
             file = _path(impacts)
@@ -311,7 +284,7 @@ def analyse_impacts(
             text = _table_of(impacts, velocity, rebound_velocity, restitution)
             with open(file, "w", encoding="utf-8") as out:
                 out.write(text)
-        document: Document = json.loads(_call("damping", *words, "--impacts", file, "--json"))
+        document: Document = json.loads(_call("damping", *_options(options), "--impacts", file, "--json"))
         return document
 
 
@@ -327,7 +300,7 @@ def _table_of(
             raise _core.InputError(
                 f"impacts is a {type(impacts).__name__}; allowed: a file name, a pandas table, or velocity"
             )
-        return csv_text([str(name) for name in impacts.columns], list(impacts.itertuples(index=False)))
+        return _csv_text([str(name) for name in impacts.columns], list(impacts.itertuples(index=False)))
     if velocity is None or (rebound_velocity is None) == (restitution is None):
         raise _core.InputError(
             "no impacts are given; allowed: a file, a pandas table, or velocity with rebound_velocity or restitution"
@@ -335,4 +308,44 @@ def _table_of(
     second = rebound_velocity if rebound_velocity is not None else restitution
     heading = "v_r [m/s]" if rebound_velocity is not None else "e_n [1]"
     pair = np.broadcast_arrays(np.asarray(velocity, dtype=np.float64), np.asarray(second, dtype=np.float64))
-    return csv_text(["v_in [m/s]", heading], [list(row) for row in zip(*(column.ravel() for column in pair))])
+    return _csv_text(["v_in [m/s]", heading], [list(row) for row in zip(*(column.ravel() for column in pair))])
+
+
+def _csv_text(headings: Sequence[str], rows: Sequence[Sequence[Any]]) -> str:
+    """A table of measured impacts as the program reads it; numbers with all their digits."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(headings)
+    for row in rows:
+        writer.writerow([repr(float(cell)) if isinstance(cell, (int, float)) else cell for cell in row])
+    return text.getvalue()
+
+
+def columns(node: Mapping[str, Any]) -> dict[str, npt.NDArray[np.float64]]:
+    """The columns of a part of an artifact, {"values": [...], "unit": "..."}, by name, in SI.
+
+    A value that there is not (null) becomes NaN.
+    """
+    found: dict[str, npt.NDArray[np.float64]] = {}
+    for name, value in node.items():
+        if isinstance(value, Mapping) and isinstance(value.get("values"), list):
+            numbers = [np.nan if number is None else number for number in value["values"]]
+            if all(isinstance(number, (int, float)) for number in numbers):
+                found[name] = np.asarray(numbers, dtype=np.float64)
+    return found
+
+
+def to_pandas(node: Mapping[str, Any]) -> "pandas.DataFrame":
+    """The columns of a part of an artifact as a table, units in the headings. Needs pandas.
+
+    Columns must have one length; those of another length than the first are left out.
+    """
+    import pandas
+
+    table: dict[str, Any] = {}
+    length = None
+    for name, numbers in columns(node).items():
+        length = len(numbers) if length is None else length
+        if len(numbers) == length:
+            table[f"{name} [{node[name].get('unit', '1')}]"] = numbers
+    return pandas.DataFrame(table)

@@ -43,6 +43,8 @@ _STYLES = (
     ("#000000", (0, (7, 2))),
 )
 
+_VELOCITY = "incident velocity [m/s]"
+
 
 def _style(law: str) -> dict[str, Any]:
     place = list(_batch.laws()).index(law) if law in _batch.laws() else -1
@@ -95,21 +97,9 @@ def composition(artifacts: Artifacts, axes: Optional["Axes"] = None) -> "Axes":
     bottom = np.zeros(len(samples))
     hatches = ("", "//", "..", "xx", "\\\\", "++")
     for place, name in enumerate(phases):
-        share = np.array(
-            [
-                sum(phase["volume_fraction"] for phase in sample["phases"] if phase["name"] == name)
-                for sample in samples
-            ]
-        )
-        axes.bar(
-            range(len(samples)),
-            share,
-            bottom=bottom,
-            label=name,
-            color=_STYLES[place % len(_STYLES)][0],
-            hatch=hatches[place % len(hatches)],
-            edgecolor="white",
-        )
+        share = np.array([sum(each["volume_fraction"] for each in sample["phases"] if each["name"] == name) for sample in samples])
+        look = {"color": _STYLES[place % len(_STYLES)][0], "hatch": hatches[place % len(hatches)], "edgecolor": "white"}
+        axes.bar(range(len(samples)), share, bottom=bottom, label=name, **look)
         bottom += share
     axes.set_xticks(range(len(samples)), [sample["name"] for sample in samples])
     axes.set_ylabel("volume fraction [1]")
@@ -123,7 +113,7 @@ def restitution(artifacts: Artifacts, sample: Optional[str] = None, axes: Option
     for series in _sample(artifacts, "4-restitution", sample)["series"]:
         label = ", ".join(series["laws"]) if series["origin"] == "reconstructed" else series["origin"]
         axes.plot(_values(series["velocity"]), _values(series["restitution"]), "o", label=label, markersize=4)
-    axes.set(xlabel="incident velocity [m/s]", ylabel="restitution $e_n$ [1]", ylim=(0.0, 1.0))
+    axes.set(xlabel=_VELOCITY, ylabel="restitution $e_n$ [1]", ylim=(0.0, 1.0))
     axes.legend()
     return axes
 
@@ -141,73 +131,68 @@ def restitution_curve(
     critical = float(_batch.critical_velocities(**threads_free).critical_velocity)
     if 0.0 < critical < np.inf:
         axes.axvline(critical, linewidth=0.8, **style)
-    axes.set(xlabel="incident velocity [m/s]", ylabel="restitution $e_n$ [1]")
+    axes.set(xlabel=_VELOCITY, ylabel="restitution $e_n$ [1]")
+    axes.legend()
+    return axes
+
+
+def _curves(axes: "Axes", nodes: Iterator[tuple[str, Any]], key: str, quantity: str) -> "Axes":
+    """Draws a column of each law's node against incident velocity; its unit is that of the artifact."""
+    unit = "1"
+    for law, node in nodes:
+        unit = node[key]["unit"]
+        axes.plot(_values(node["velocity"]), _values(node[key]), marker="o", markersize=3, label=law, **_style(law))
+    axes.set(xlabel=_VELOCITY, ylabel=f"{quantity} [{unit}]")
     axes.legend()
     return axes
 
 
 def damping(artifacts: Artifacts, sample: Optional[str] = None, axes: Optional["Axes"] = None) -> "Axes":
     """Damping of each impact against incident velocity, by law."""
-    axes = _axes(axes)
-    for law, node in _by_law(_sample(artifacts, "5-damping", sample), "damping"):
-        style = _style(law)
-        axes.plot(_values(node["velocity"]), _values(node["damping"]), marker="o", markersize=3, label=law, **style)
-    axes.set(xlabel="incident velocity [m/s]", ylabel=r"damping $\eta$ [kg/s]")
-    axes.legend()
-    return axes
+    return _curves(_axes(axes), _by_law(_sample(artifacts, "5-damping", sample), "damping"), "damping", r"damping $\eta$")
 
 
 def damping_fit(artifacts: Artifacts, sample: Optional[str] = None, axes: Optional["Axes"] = None) -> "Axes":
     """Damping against restitution with the fit eta = a e^2 + b e + c of each law, drawn down to e = 0."""
     axes = _axes(axes)
     points = dict(_by_law(_sample(artifacts, "5-damping", sample), "damping"))
+    unit = "1"
     for law, fit in _by_law(_sample(artifacts, "6-fit", sample), "c"):
-        style = _style(law)
+        style, unit = _style(law), fit["c"]["unit"]
         e = np.linspace(0.0, max(fit["restitution_range"]), 100)
         curve = (fit["a"]["value"] * e + fit["b"]["value"]) * e + fit["c"]["value"]
         axes.plot(e, curve, label=law, **style)
         if law in points:
             node = points[law]
             axes.plot(_values(node["restitution"]), _values(node["damping"]), "o", markersize=3, color=style["color"])
-    axes.set(xlabel="restitution $e_n$ [1]", ylabel=r"damping $\eta$ [kg/s]")
+    axes.set(xlabel="restitution $e_n$ [1]", ylabel=rf"damping $\eta$ [{unit}]")
     axes.legend()
     return axes
 
 
 def contact_time(artifacts: Artifacts, sample: Optional[str] = None, axes: Optional["Axes"] = None) -> "Axes":
     """Contact time of each impact against incident velocity, by law."""
-    axes = _axes(axes)
-    for law, node in _by_law(_sample(artifacts, "5-damping", sample), "contact_time"):
-        style = _style(law)
-        time = _values(node["contact_time"])
-        axes.plot(_values(node["velocity"]), time, marker="o", markersize=3, label=law, **style)
-    axes.set(xlabel="incident velocity [m/s]", ylabel="contact time [s]")
-    axes.legend()
-    return axes
+    nodes = _by_law(_sample(artifacts, "5-damping", sample), "contact_time")
+    return _curves(_axes(axes), nodes, "contact_time", "contact time")
 
 
 def critical_velocity(artifacts: Artifacts, axes: Optional["Axes"] = None) -> "Axes":
     """Critical velocities of each sample: by law with its interval, analytic, measured; logarithmic."""
     axes = _axes(axes)
-    if "comparison" not in artifacts:
-        raise InputError("no artifact comparison; allowed: what ashimpact.run() returns")
-    samples = artifacts["comparison"]["result"]["samples"]
-    for law in _batch.laws():
-        places, values, errors = [], [], []
+    samples = _samples(artifacts, "comparison")
+    for index, law in enumerate(_batch.laws()):
+        points = []
         for place, sample in enumerate(samples):
             velocity = sample["dynamic_critical_velocity"].get(law)
             if velocity is None:
                 continue
             value = velocity["value"]
             ends = sample.get("interval", {}).get(law) or {}
-            lower, upper = ends.get("lower"), ends.get("upper")
-            places.append(place + 0.08 * list(_batch.laws()).index(law) - 0.16)
-            values.append(value)
-            errors.append([value - lower["value"] if lower else 0.0, upper["value"] - value if upper else 0.0])
-        if values:
-            axes.errorbar(
-                places, values, yerr=np.abs(np.transpose(errors)), fmt="o", label=law, color=_style(law)["color"]
-            )
+            lower, upper = ((ends.get(end) or velocity)["value"] for end in ("lower", "upper"))
+            points.append((place + 0.08 * index - 0.16, value, abs(value - lower), abs(upper - value)))
+        if points:
+            places, values, *errors = zip(*points)
+            axes.errorbar(places, values, yerr=errors, fmt="o", label=law, color=_style(law)["color"])
     for key, mark, label in (("analytic_critical_velocity", "x", "analytic"), ("measured_critical_velocity", "_", "measured")):
         there = [(place, sample[key]["value"]) for place, sample in enumerate(samples) if sample.get(key)]
         if there:

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "interface/c/calls.hpp"
+
+#include <algorithm>
+#include <initializer_list>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
+#include "solver/batch/critical_batch.hpp"
+#include "solver/batch/inversion_batch.hpp"
+#include "solver/contact/law_parameters.hpp"
+
+namespace ashimpact {
+
+namespace {
+
+/// The names of all parameters, in their order.
+const std::vector<std::string>& parameter_names() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all{
+            "density",          "mass",           "diameter", "effective_radius", "contact_modulus",
+            "work_of_adhesion", "yield_pressure", "damping",  "velocity",         "restitution"};
+        for (const LawParameter& parameter : law_parameters()) all.emplace_back(parameter.name);
+        if (all.size() > most_parameters)
+            throw std::logic_error("more law parameters than the C interface has room for");
+        return all;
+    }();
+    return names;
+}
+
+/// Hands the numbers of a call to the batch solver, some consecutive problems at a time. A column refers to
+/// the caller's numbers where they lie side by side, and to a copy in here where they do not or are computed.
+class ColumnReader {
+  public:
+    using View = Eigen::Map<const Eigen::ArrayXd>;
+
+    /// Sources of problems first to first + count - 1.
+    void select(const Parameters& parameters, std::size_t first, std::size_t count) {
+        parameters_ = parameters;
+        first_ = first;
+        count_ = count;
+    }
+
+    /// A column of one value or of count; 0 for all where the parameter was not set.
+    [[nodiscard]] View column(Parameter parameter) {
+        static constexpr double unset = 0.0;
+        const Strided& source = parameters_[parameter];
+        if (source.values == nullptr) return view_of(&unset, 1);
+        if (source.stride == 0) return view_of(source.values, 1);
+        if (source.stride == 1) return view_of(source.values + first_, count_);
+        return copy(parameter, count_, [&](std::size_t i) { return source[i]; });
+    }
+
+    /// Mass and effective radius come from density and diameter where they are not given themselves.
+    [[nodiscard]] ContactColumns contact(Law law) {
+        const Strided& density = parameters_[Parameter::density];
+        const Strided& diameter = parameters_[Parameter::diameter];
+        const std::size_t diameters = diameter.stride == 0 ? 1 : count_;
+        const std::size_t masses = density.stride == 0 ? diameters : count_;
+        std::vector<ParameterColumn> own;
+        for (const LawParameter& parameter : law.parameters()) {
+            const Parameter named = parameter_named(parameter.name);
+            if (parameters_.has(named)) own.push_back({parameter.name, column(named)});
+        }
+        return {.mass = parameters_.has(Parameter::mass)
+                            ? column(Parameter::mass)
+                            : copy(Parameter::mass, masses,
+                                   [&](std::size_t i) { return mass_of_sphere(density[i], diameter[i]); }),
+                .effective_radius = parameters_.has(Parameter::effective_radius)
+                                        ? column(Parameter::effective_radius)
+                                        : copy(Parameter::effective_radius, diameters,
+                                               [&](std::size_t i) { return diameter[i] / 2.0; }),
+                .contact_modulus = column(Parameter::contact_modulus),
+                .work_of_adhesion = column(Parameter::work_of_adhesion),
+                .yield_pressure = parameters_.has(Parameter::yield_pressure)
+                                      ? column(Parameter::yield_pressure)
+                                      : view_of(never_yields.data(), 1),
+                .parameters = std::move(own)};
+    }
+
+  private:
+    static View view_of(const double* numbers, std::size_t size) {
+        return {numbers, static_cast<Eigen::Index>(size)};
+    }
+    /// number(i) for the first @p size of the problems.
+    template <class Number>
+    [[nodiscard]] View copy(Parameter parameter, std::size_t size, const Number& number) {
+        std::vector<double>& numbers = copies_[place_of(parameter)];
+        numbers.resize(std::max(numbers.size(), size));
+        for (std::size_t i = 0; i < size; ++i) numbers[i] = number(first_ + i);
+        return view_of(numbers.data(), size);
+    }
+
+    Parameters parameters_{};
+    std::size_t first_ = 0;
+    std::size_t count_ = 0;
+    std::array<std::vector<double>, most_parameters> copies_{};  ///< they only grow
+};
+
+/// Memory of this thread that calls use again, so that a single impact allocates nothing.
+ColumnReader& reader_of_this_thread() {
+    thread_local ColumnReader reader;
+    return reader;
+}
+
+/// Solves the problems of a chunk that failed one by one, so that the message names the first that fails by
+/// its place in the call, and names no place in a call of one problem.
+template <class Solve>
+void find_failure(std::size_t first, std::size_t size, bool only_one, const Solve& solve) {
+    for (std::size_t i = first; i < first + size; ++i) {
+        const std::string place = "impact " + std::to_string(i);
+        try {
+            solve(i, std::size_t{1});
+        } catch (const InputError& error) {
+            if (only_one) throw InputError(error.problem(), error.allowed());
+            throw InputError(error.problem(), error.allowed()).at(place);
+        } catch (const ConvergenceError& error) {
+            std::string message = error.what();
+            const std::string own_place = "impact 0: ";
+            if (message.starts_with(own_place)) message.erase(0, own_place.size());
+            if (!only_one) message.insert(0, ": ").insert(0, place);
+            throw ConvergenceError(message);
+        }
+    }
+}
+
+/// Calls solve(reader, first, size) for the chunks of a call, whose numbers the reader gives.
+/// @param needed besides the contact
+/// @throws what solve throws for the first problem that fails, with its place
+template <class Solve>
+void in_chunks(const Call& call, std::initializer_list<Parameter> needed, const Solve& solve) {
+    call.parameters.require_contact();
+    for (const Parameter parameter : needed) call.parameters.require(parameter);
+    const auto solve_part = [&](std::size_t first, std::size_t size) {
+        ColumnReader& reader = reader_of_this_thread();
+        reader.select(call.parameters, first, size);
+        solve(reader, first, size);
+    };
+    for (std::size_t first = 0; first < call.count; first += call.chunk) {
+        const std::size_t size = std::min(call.chunk, call.count - first);
+        try {
+            solve_part(first, size);
+        } catch (const InputError&) {
+            find_failure(first, size, call.count == 1, solve_part);
+            throw;
+        } catch (const ConvergenceError&) {
+            find_failure(first, size, call.count == 1, solve_part);
+            throw;
+        }
+        if (call.after_chunk) call.after_chunk();
+    }
+}
+
+/// Copies results to the caller; a single one, of constants alone, to every place.
+void write(const Eigen::ArrayXd& column, std::size_t first, std::size_t size, double* output) {
+    if (output == nullptr) return;
+    if (column.size() == 1) {
+        std::fill_n(output + first, size, column[0]);
+    } else {
+        std::copy_n(column.data(), size, output + first);
+    }
+}
+
+}  // namespace
+
+std::string_view name_of(Parameter parameter) {
+    return parameter_names()[place_of(parameter)];
+}
+
+Parameter parameter_named(std::string_view name) {
+    const auto& names = parameter_names();
+    const auto found = std::ranges::find(names, name);
+    if (found == names.end()) throw InputError("unknown parameter " + in_quotes(name), joined(names));
+    return static_cast<Parameter>(found - names.begin());
+}
+
+Parameter alternative_to(Parameter parameter) {
+    switch (parameter) {
+        case Parameter::density:
+            return Parameter::mass;
+        case Parameter::mass:
+            return Parameter::density;
+        case Parameter::diameter:
+            return Parameter::effective_radius;
+        case Parameter::effective_radius:
+            return Parameter::diameter;
+        default:
+            return parameter;
+    }
+}
+
+void require_taken(Law law, Parameter parameter) {
+    const std::string_view name = name_of(parameter);
+    const auto own = std::ranges::find(law_parameters(), name, &LawParameter::name);
+    if (own != law_parameters().end() && !law.takes(*own))
+        throw InputError("law " + std::string(law.name()) + " takes no " + std::string(name));
+}
+
+void Parameters::set(Parameter parameter, Strided source) {
+    sources_[place_of(alternative_to(parameter))] = {};
+    sources_[place_of(parameter)] = source;
+}
+
+void Parameters::require_contact() const {
+    if (!has(Parameter::effective_radius)) require(Parameter::diameter);
+    if (has(Parameter::mass)) return;
+    require(Parameter::density);
+    if (!has(Parameter::diameter))
+        throw InputError("mass is missing: effective_radius and density do not tell it", "mass, or diameter");
+}
+
+void Parameters::require(Parameter parameter) const {
+    if (has(parameter)) return;
+    throw InputError(std::string(name_of(parameter)) + " is missing",
+                     "a parameter of the model or a column of the call");
+}
+
+Choice choice_named(const char* law, const char* detachment, const char* damping_law) {
+    if (law == nullptr) throw InputError("no law is given", law_names());
+    const Law chosen = Law::named(law);
+    return {.law = chosen,
+            .detachment = detachment == nullptr ? chosen.default_detachment() : named<Detachment>(detachment),
+            .damping_law = damping_law == nullptr ? DampingLaw::constant : named<DampingLaw>(damping_law)};
+}
+
+void solve_impacts(const Call& call, const BatchOutputs& outputs) {
+    const auto& [law, detachment, damping_law] = call.choice;
+    const bool turning_point = outputs.approach_time != nullptr || outputs.maximum_overlap != nullptr;
+    const BatchOptions options{.threads = call.threads,
+                               .turning_point = turning_point,
+                               .contact_time = outputs.contact_time != nullptr,
+                               .method = turning_point ? BatchMethod::integration : BatchMethod::table};
+    in_chunks(call, {Parameter::velocity}, [&](ColumnReader& reader, std::size_t first, std::size_t size) {
+        const ImpactBatch batch{law,
+                                detachment,
+                                damping_law,
+                                reader.contact(law),
+                                reader.column(Parameter::damping),
+                                reader.column(Parameter::velocity)};
+        const bool single = common_size(batch.contact, {{"damping", batch.damping.size()},
+                                                        {"velocity", batch.velocity.size()}}) == 1;
+        BatchOutputs part;
+        for (const auto column : {&BatchOutputs::restitution, &BatchOutputs::contact_time,
+                                  &BatchOutputs::approach_time, &BatchOutputs::maximum_overlap})
+            if (outputs.*column != nullptr) part.*column = outputs.*column + first;
+        solve_impacts(batch, part, options);
+        if (!single) return;
+        for (double* column : {part.restitution, part.contact_time, part.approach_time, part.maximum_overlap})
+            if (column != nullptr) std::fill_n(column, size, *column);
+    });
+}
+
+void solve_critical_velocities(const Call& call, double* critical_velocity) {
+    const auto& [law, detachment, damping_law] = call.choice;
+    in_chunks(call, {}, [&](ColumnReader& reader, std::size_t first, std::size_t size) {
+        CriticalVelocityBatchResult result = critical_velocities(
+            {law, detachment, damping_law, reader.contact(law), reader.column(Parameter::damping)},
+            call.threads);
+        for (Eigen::Index i = 0; i < result.value.size(); ++i) {
+            if (result.verdict[i] == CaptureVerdict::never_captured) result.value[i] = 0.0;
+            if (result.verdict[i] == CaptureVerdict::always_captured)
+                result.value[i] = std::numeric_limits<double>::infinity();
+        }
+        write(result.value, first, size, critical_velocity);
+    });
+}
+
+void solve_dampings(const Call& call, const DampingOutputs& outputs) {
+    const auto& [law, detachment, damping_law] = call.choice;
+    in_chunks(call, {Parameter::velocity, Parameter::restitution},
+              [&](ColumnReader& reader, std::size_t first, std::size_t size) {
+                  const DampingBatchResult result = dampings_from_restitutions(
+                      {law, detachment, damping_law, reader.contact(law), reader.column(Parameter::velocity),
+                       reader.column(Parameter::restitution)},
+                      call.threads);
+                  write(result.damping, first, size, outputs.damping);
+                  write(result.greatest_restitution, first, size, outputs.greatest_restitution);
+              });
+}
+
+}  // namespace ashimpact
