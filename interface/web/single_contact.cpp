@@ -9,8 +9,11 @@
 #include <fmt/format.h>
 
 #include "core/text/error.hpp"
+#include "interface/law_inputs.hpp"
 #include "pipeline/app/impact_text.hpp"
 #include "pipeline/app/options/contact_options.hpp"
+#include "pipeline/case/case_reader.hpp"
+#include "pipeline/present/report/data/run_data.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/impact.hpp"
@@ -111,11 +114,20 @@ Json single_impact_json(const Json& contact) {
 }
 
 Json laws_json() {
+    const std::vector<Law> by_default = default_laws();
     Json laws = Json::object();
     for (std::size_t i = 0; i < Law::count(); ++i) {
+        const Law law = Law::at(i);
         Json parameters = Json::array();
-        for (const LawParameter& parameter : Law::at(i).parameters()) parameters.push_back(parameter.name);
-        laws[Law::at(i).name()] = {{"parameters", parameters}};
+        for (const LawParameter& parameter : inputs_of(law))
+            parameters.push_back({{"name", parameter.name},
+                                  {"unit", si_unit(parameter.dimension)},
+                                  {"description", parameter.description},
+                                  {"example", parameter.example},
+                                  {"choice", parameter.choice}});
+        laws[law.name()] = {{"title", report::display_name(law.name())},
+                            {"by_default", std::ranges::find(by_default, law) != by_default.end()},
+                            {"parameters", parameters}};
     }
     Json dampings = Json::object();
     for (const DampingLaw law : all_values<DampingLaw>) dampings[name_of(law)] = {{"unit", unit_of(law)}};

@@ -17,7 +17,9 @@ namespace ashimpact {
 /// @return `restitution`, `critical_velocity` (null if there is none), `always_captured`, `damping`
 [[nodiscard]] Json curve_json(const Json& contact);
 
-/// What each law takes: {"laws": {name: {"parameters": [names]}}, "damping_laws": {name: {"unit": SI}}}.
+/// The registered laws: `laws`, by name `title`, `by_default` (of a case that names none) and `parameters`,
+/// each with `name`, `unit` (SI), `description`, `example` and `choice` (one of those with the same number,
+/// not 0, is given); `damping_laws`, by name the `unit` (SI) of the coefficient.
 [[nodiscard]] Json laws_json();
 
 }  // namespace ashimpact

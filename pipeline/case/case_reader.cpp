@@ -148,8 +148,7 @@ class PublishedSets {
 };
 
 std::vector<LawChoice> read_case_laws(const View& document) {
-    std::vector<Law> laws{Law::named("hertz"), Law::named("dmt"), Law::named("brach-dunn"),
-                          Law::named("jkr")};
+    std::vector<Law> laws = default_laws();
     if (const auto names = document.find("laws")) {
         laws.clear();
         for (const View& name : names->elements()) laws.push_back(Law::named(name.text()));
@@ -305,6 +304,10 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
 }
 
 }  // namespace
+
+std::vector<Law> default_laws() {
+    return {Law::named("hertz"), Law::named("dmt"), Law::named("brach-dunn"), Law::named("jkr")};
+}
 
 PhaseCatalogue built_in_phases() {
     std::vector<PhaseSet> sets;

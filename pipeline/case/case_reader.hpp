@@ -34,6 +34,9 @@ struct LoadedCase {
 /// that it names.
 [[nodiscard]] Case read_case(const View& document, const PhaseCatalogue& catalogue, InputFiles& files);
 
+/// The laws of a case that names none.
+[[nodiscard]] std::vector<Law> default_laws();
+
 /// The phase sets the program carries, literature values first.
 [[nodiscard]] PhaseCatalogue built_in_phases();
 

@@ -53,8 +53,7 @@ function compositionFields() {
         file === undefined ? null : textField('Sample in the file', '/samples/#/composition/xrd_sample', 'Needed only where the file has several.'),
         choiceField('Amorphous (glass)', '/samples/#/composition/amorphous', amorphousChoices(file !== undefined), amorphousChosen(amorphous), (choice) => {
             setAt('/samples/#/composition/amorphous', choice === 'fraction' ? likelyAmorphous() : choice || undefined);
-            showForm();
-            changed();
+            changedForm();
         }, 'Diffraction does not see glass: say how much there is.'),
     ];
     if (amorphousChosen(amorphous) === 'fraction') parts.push(quantityField('Amorphous fraction', '/samples/#/composition/amorphous', 'fraction'));
@@ -90,14 +89,12 @@ function showAsh() {
 
 // The choice among samples, and their number.
 function showSamples() {
-    const select = make('select', {
-        id: 'app-sample', change: () => {
-            state.sample = Number(select.value);
-            showForm();
-            changed();
-        },
-    });
-    state.document.samples.forEach((sample, i) => select.append(make('option', { value: i, selected: i === state.sample }, String(sample.name ?? `sample ${i + 1}`))));
+    const choose = (event) => {
+        state.sample = Number(event.target.value);
+        changedForm();
+    };
+    const names = state.document.samples.map((sample, i) => [i, String(sample.name ?? `sample ${i + 1}`)]);
+    const select = makeSelect({ id: 'app-sample', change: choose }, names, state.sample);
     const add = () => {
         state.document.samples.push(emptySample(`sample ${state.document.samples.length + 1}`));
         state.sample = state.document.samples.length - 1;

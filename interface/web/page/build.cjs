@@ -26,22 +26,30 @@ function readouts() {
     return `function readFigures() {\n${text.slice(begin + '(() => {'.length, end)}}\n`;
 }
 
-const names = (set) => JSON.parse(data(`phases/${set}.json`)).phases.map((phase) => phase.name);
-const embedded = {
-    example: { 'case.json': data('cases/example/case.json'), 'ash.csv': data('cases/example/ash.csv'), 'impacts.csv': data('cases/example/impacts.csv') },
-    paper: { 'case.json': data('cases/dong2013/case.json') },
-    phases: [...new Set(names('literature'))].sort(),
-};
-const script = `(() => {\n'use strict';\nconst embedded = ${JSON.stringify(embedded).replaceAll('<', '\\u003c')};\n` +
-    `${readouts()}${parts.map((part) => own(`${part}.js`)).join('\n')}\n})();`;
-const style = report('page.css') + own('style.css');
-const policy = `default-src 'none'; script-src ${hash(script)} 'wasm-unsafe-eval' blob:; worker-src blob:; style-src ${hash(style)}; ` +
-    "img-src data:; base-uri 'none'; form-action 'none'";
-const worker = `${fs.readFileSync(`${program}.js`, 'utf8')}\n${own('worker.js')}`;
+// Contact and damping laws with what they take, as the program states them.
+async function lawTables() {
+    const module = await require(path.resolve(`${program}.js`))({ wasmBinary: fs.readFileSync(`${program}.wasm`) });
+    const { laws, damping_laws } = JSON.parse(module.UTF8ToString(module.ccall('ashimpact_laws', 'number', [], [])));
+    return { laws, damping_laws };
+}
 
-const filled = {
-    POLICY: policy, STYLE: style, VERSION: version, SCRIPT: script,
-    PROGRAM: packed(fs.readFileSync(`${program}.wasm`)), WORKER: packed(worker),
-};
-const page = own('index.html').replace(/@([A-Z]+)@/g, (whole, name) => filled[name] ?? whole);
-fs.writeFileSync(output, page);
+(async () => {
+    const literature = JSON.parse(data('phases/literature.json'));
+    const embedded = {
+        example: { 'case.json': data('cases/example/case.json'), 'ash.csv': data('cases/example/ash.csv'), 'impacts.csv': data('cases/example/impacts.csv') },
+        paper: { 'case.json': data('cases/dong2013/case.json') },
+        phases: [...new Set(literature.phases.map((phase) => phase.name))].sort(),
+        ...await lawTables(),
+    };
+    const script = `(() => {\n'use strict';\nconst embedded = ${JSON.stringify(embedded).replaceAll('<', '\\u003c')};\n` +
+        `${readouts()}${parts.map((part) => own(`${part}.js`)).join('\n')}\n})();`;
+    const style = report('page.css') + own('style.css');
+    const policy = `default-src 'none'; script-src ${hash(script)} 'wasm-unsafe-eval' blob:; worker-src blob:; style-src ${hash(style)}; ` +
+        "img-src data:; base-uri 'none'; form-action 'none'";
+    const worker = `${fs.readFileSync(`${program}.js`, 'utf8')}\n${own('worker.js')}`;
+    const filled = {
+        POLICY: policy, STYLE: style, VERSION: version, SCRIPT: script,
+        PROGRAM: packed(fs.readFileSync(`${program}.wasm`)), WORKER: packed(worker),
+    };
+    fs.writeFileSync(output, own('index.html').replace(/@([A-Z]+)@/g, (whole, name) => filled[name] ?? whole));
+})();

@@ -13,6 +13,17 @@ function make(name, attributes = {}, ...children) {
     return element;
 }
 
+// options: [value, text] each.
+function makeSelect(attributes, options, chosen) {
+    return make('select', attributes, ...options.map(([value, text]) => make('option', { value, selected: value === chosen }, text)));
+}
+
+// A box with its label; tell(checked) hears of changes.
+function makeBox(label, checked, tell) {
+    const box = make('input', { type: 'checkbox', checked, change: () => tell(box.checked) });
+    return make('label', {}, box, label);
+}
+
 const svgName = 'http://www.w3.org/2000/svg';
 function draw(name, attributes = {}, ...children) {
     const element = document.createElementNS(svgName, name);

@@ -1,9 +1,8 @@
 // Fields of the form. Each knows its path in the case, so that a message of the program finds it.
 function unitChoice(kind, chosen, label, changedUnit) {
     const known = units[kind].includes(chosen) ? units[kind] : [...units[kind], chosen];
-    const select = make('select', { 'aria-label': label, change: () => changedUnit(select.value) });
-    for (const unit of known) select.append(make('option', { value: unit, selected: unit === chosen }, unit === '1' ? 'fraction' : unit));
-    return select;
+    const options = known.map((unit) => [unit, unit === '1' ? 'fraction' : unit]);
+    return makeSelect({ 'aria-label': label, change: (event) => changedUnit(event.target.value) }, options, chosen);
 }
 
 // The message below a field, empty while nothing is wrong.
@@ -57,9 +56,7 @@ function textField(label, path, hint) {
 
 // One of several; options: [value, text].
 function choiceField(label, path, options, chosen, choose, hint) {
-    const select = make('select', { change: () => choose(select.value) });
-    for (const [value, text] of options) select.append(make('option', { value, selected: value === chosen }, text));
-    return fieldAround(label, path, hint, select);
+    return fieldAround(label, path, hint, makeSelect({ change: (event) => choose(event.target.value) }, options, chosen));
 }
 
 // A file by choice, or by a drop on the page.
@@ -80,8 +77,7 @@ function stepButton(what, work, attributes = {}) {
         type: 'button', class: 'small', ...attributes, click: async () => {
             remember(what);
             await work();
-            showForm();
-            changed();
+            changedForm();
         },
     }, what);
 }

@@ -62,8 +62,7 @@ function takeTable([file, bytes], kind) {
     remember(`take ${name}`);
     if (kind === 'xrd') takeXrd(name, bytes);
     else takeImpacts(name, bytes);
-    showForm();
-    changed();
+    changedForm();
     return told;
 }
 

@@ -22,8 +22,7 @@ function step(from, to, told) {
     Object.assign(document, JSON.parse(text));
     Object.assign(state, { document, files, sample });
     showHistory();
-    showForm();
-    changed();
+    changedForm();
     tell(`${told}: ${what}.`);
 }
 

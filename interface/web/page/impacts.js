@@ -78,14 +78,12 @@ function cameraFields() {
 }
 
 function fitFields() {
-    const box = make('input', {
-        type: 'checkbox', checked: valueAt('/fit/robust') === true, change: () => {
-            setAt('/fit/robust', box.checked || undefined);
-            changed();
-        },
+    const robust = makeBox('A few wrong impacts are given little weight', valueAt('/fit/robust') === true, (checked) => {
+        setAt('/fit/robust', checked || undefined);
+        changed();
     });
     return make('details', { open: valueAt('/fit') !== undefined }, make('summary', {}, 'Fit: outliers, and sizes that differ'),
-        make('fieldset', { class: 'choices' }, make('legend', {}, 'Outliers'), make('label', {}, box, 'A few wrong impacts are given little weight'), wrongAt('/fit/robust')),
+        make('fieldset', { class: 'choices' }, make('legend', {}, 'Outliers'), robust, wrongAt('/fit/robust')),
         make('div', { class: 'fields' }, quantityField('Scatter of the diameters', '/fit/size_scatter', 'ratio',
             'Standard deviation of single particles over their mean, e.g. 0.05. Left empty: found from the impacts.')));
 }
@@ -115,6 +113,12 @@ function keepFocus(work) {
     if (!section || control.isConnected) return;
     const controls = [...section.querySelectorAll('input, select, button')];
     (controls.find((each) => nameOfControl(each) === name) ?? controls[0])?.focus();
+}
+
+// After a change that makes other fields.
+function changedForm() {
+    showForm();
+    changed();
 }
 
 function showForm() {

@@ -1,9 +1,5 @@
 // The program in workers: one that answers while the user types, one for each long computation.
-async function unpacked(id) {
-    const bytes = Uint8Array.from(atob(byId(id).textContent), (letter) => letter.charCodeAt(0));
-    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
-    return new Uint8Array(await new Response(stream).arrayBuffer());
-}
+const unpacked = (id) => decompressed(Uint8Array.from(atob(byId(id).textContent), (letter) => letter.charCodeAt(0)), 'gzip');
 
 let programParts = null;
 async function newWorker() {

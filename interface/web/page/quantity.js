@@ -1,7 +1,6 @@
 // Quantities in a case: "44 um", {"value": 44, "unit": "um"}, or a bare number in SI.
 const units = {
     length: ['um', 'mm', 'nm', 'm'],
-    range: ['nm', 'um', 'm'],
     density: ['kg/m3', 'g/cm3'],
     pressure: ['GPa', 'MPa', 'Pa'],
     adhesion: ['J/m2', 'mJ/m2', 'N/m'],
@@ -10,7 +9,7 @@ const units = {
     ratio: ['1'],
     rate: ['1'],
 };
-const inSi = { length: 'm', range: 'm', density: 'kg/m3', pressure: 'Pa', adhesion: 'J/m2', velocity: 'm/s', fraction: '1', ratio: '1', rate: '1' };
+const inSi = { length: 'm', density: 'kg/m3', pressure: 'Pa', adhesion: 'J/m2', velocity: 'm/s', fraction: '1', ratio: '1', rate: '1' };
 
 // A typed number with a decimal comma has a point in the case.
 const withPoint = (text) => (/^\s*[+-]?\d*,\d+(e[+-]?\d+)?\s*$/i.test(text) ? text.replace(',', '.') : text);

@@ -7,6 +7,9 @@ const parseJson = (text) => JSON.parse(text.replace(/"(?:[^"\\]|\\.)*"|\/\/[^\n]
 
 const isObject = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
 
+// The laws of a case that names none.
+const lawsByDefault = () => Object.keys(embedded.laws).filter((law) => embedded.laws[law].by_default);
+
 // A case to begin with: a wall of stainless steel and a work of adhesion, both told as assumed, and nothing of the ash.
 const assumedSteel = () => ({ young_modulus: { value: 193, unit: 'GPa', origin: 'assumed' }, poisson_ratio: { value: 0.29, unit: '1', origin: 'assumed' } });
 function emptyCase() {
@@ -14,7 +17,7 @@ function emptyCase() {
         name: 'Fly ash on a wall',
         wall: assumedSteel(),
         work_of_adhesion: { value: 0.3, unit: 'J/m2', origin: 'assumed' },
-        laws: ['hertz', 'dmt', 'brach-dunn', 'jkr'],
+        laws: lawsByDefault(),
         samples: [emptySample('sample 1')],
     };
 }
@@ -47,7 +50,7 @@ function missingInputs() {
 function completedCase() {
     const samples = state.document.samples.map((sample) => (
         { ...sample, diameter: sample.diameter ?? '1 um', ...(hasAsh(sample) ? {} : { composition: { weight_fractions: { quartz: 1 }, amorphous: 'none' } }) }));
-    return JSON.stringify({ ...state.document, samples, ...(hasLaws() ? {} : { laws: ['hertz'] }) });
+    return JSON.stringify({ ...state.document, samples, ...(hasLaws() ? {} : { laws: lawsByDefault().slice(0, 1) }) });
 }
 
 const sampleNow = () => state.document.samples[state.sample];
@@ -96,6 +99,5 @@ function openCase(what, document, files) {
     state.sample = 0;
     state.units = new Map();
     keepCase();
-    showForm();
-    changed();
+    changedForm();
 }

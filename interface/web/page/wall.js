@@ -1,36 +1,57 @@
 // Step 2: the wall, what holds the surfaces together, and the laws to compute with.
-const laws = [['hertz', 'Hertz'], ['dmt', 'DMT'], ['brach-dunn', 'Brach-Dunn'], ['jkr', 'JKR'], ['maugis-dugdale', 'Maugis-Dugdale'], ['thornton-ning', 'Thornton-Ning'], ['sjkr', 'SJKR']];
-const defaultLaws = ['hertz', 'dmt', 'brach-dunn', 'jkr'];
-const lawName = (id) => laws.find(([name]) => name === id)?.[1] ?? id;
+const { laws } = embedded;
+const lawName = (id) => laws[id]?.title ?? id;
 
 function chosenLaws() {
     const chosen = valueAt('/laws');
-    return Array.isArray(chosen) ? chosen : defaultLaws;
+    return Array.isArray(chosen) ? chosen : lawsByDefault();
 }
 
 function lawChoices() {
-    const boxes = laws.map(([id, name]) => {
-        const box = make('input', {
-            type: 'checkbox', checked: chosenLaws().includes(id), change: () => {
-                const others = chosenLaws().filter((each) => each !== id);
-                setAt('/laws', box.checked ? laws.map(([each]) => each).filter((each) => each === id || others.includes(each)) : others);
-                if (id === 'maugis-dugdale' || id === 'thornton-ning' || id === 'sjkr') keepFocus(showWall);
-                changed();
-            },
-        });
-        return make('label', {}, box, name);
-    });
+    const boxes = Object.entries(laws).map(([id, { title, parameters }]) => makeBox(title, chosenLaws().includes(id), (checked) => {
+        const others = chosenLaws().filter((each) => each !== id);
+        setAt('/laws', checked ? Object.keys(laws).filter((each) => each === id || others.includes(each)) : others);
+        if (parameters.length) keepFocus(showWall);
+        changed();
+    }));
     return make('fieldset', { class: 'choices' }, make('legend', {}, 'Contact laws'), ...boxes, wrongAt('/laws'));
 }
 
-// What single laws need besides.
+// The kind of a law's parameter: its units are that of the example and those of quantities alike.
+function kindOfParameter({ name, unit, example }) {
+    const alike = Object.keys(inSi).find((kind) => inSi[kind] === unit);
+    units[name] ??= unit === '1' ? ['1'] : [...new Set([example.replace(/^\S+ /, ''), ...(units[alike] ?? [unit])])];
+    inSi[name] = unit;
+    return name;
+}
+
+// The field of a parameter. Of alternatives it is the one that the case states, else the last; another one begins with its
+// example.
+function parameterFields(alternatives, titles) {
+    const pathOf = ({ name }) => `/particle/${name}`;
+    const shown = alternatives.find((each) => valueAt(pathOf(each)) !== undefined) ?? alternatives.at(-1);
+    const choose = (name) => {
+        for (const each of alternatives) setAt(pathOf(each), undefined);
+        const chosen = alternatives.find((each) => each.name === name);
+        const { number, unit } = partsOf(chosen.example, kindOfParameter(chosen), '1');
+        setAt(pathOf(chosen), writtenQuantity(undefined, number, unit));
+        changedForm();
+    };
+    const field = quantityField(shown.description, pathOf(shown), kindOfParameter(shown), `For ${titles}, e.g. ${shown.example}.`);
+    if (alternatives.length === 1) return [field];
+    return [choiceField(`Known for ${titles}`, '/particle', alternatives.map(({ name, description }) => [name, description]), shown.name, choose), field];
+}
+
+// What the chosen laws take besides, each parameter once.
 function lawParameters() {
-    const chosen = chosenLaws();
-    return [
-        chosen.includes('maugis-dugdale') ? quantityField('Range of cohesion', '/particle/cohesion_range', 'range', 'For Maugis-Dugdale, e.g. 0.4 nm.') : null,
-        chosen.includes('thornton-ning') ? quantityField('Yield pressure', '/particle/yield_pressure', 'pressure', 'For Thornton-Ning.') : null,
-        chosen.includes('sjkr') ? textField('Cohesion energy density', '/particle/cohesion_energy_density', 'For SJKR, e.g. 20 MJ/m3.') : null,
-    ].filter(Boolean);
+    const groups = new Map();
+    for (const { title, parameters } of chosenLaws().map((id) => laws[id]).filter((law) => law?.parameters))
+        for (const { name, choice } of parameters) {
+            const alternatives = parameters.filter((each) => each.name === name || (choice && each.choice === choice));
+            const { titles } = groups.get(alternatives[0].name) ?? { titles: new Set() };
+            groups.set(alternatives[0].name, { alternatives, titles: titles.add(title) });
+        }
+    return [...groups.values()].flatMap(({ alternatives, titles }) => parameterFields(alternatives, [...titles].join(' and ')));
 }
 
 function exampleWall() {
@@ -45,8 +66,7 @@ const bodies = [['elastic', 'an elastic wall'], ['rigid', 'a rigid wall'], ['sph
 function chooseBody(kind) {
     setAt('/partner', kind === 'sphere' ? { diameter: '88 um', density: '2600 kg/m3', young_modulus: '100 GPa', poisson_ratio: 0.2 } : undefined);
     setAt('/wall', kind === 'sphere' ? undefined : kind === 'rigid' ? { rigid: true } : assumedSteel());
-    showForm();
-    changed();
+    changedForm();
 }
 
 function partnerFields() {

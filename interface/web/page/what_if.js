@@ -10,14 +10,10 @@ const whatIf = { factors: {}, law: null, contact: null, points: [], measured: fa
 // The unit of a damping on the page, and the number of these in the SI unit of its law.
 const dampingUnit = (si) => (si === 'kg/s' ? { unit: 'g/s', scale: 1e3 } : { unit: si === '1' ? '' : si, scale: 1 });
 
-// What the program takes of a law: names of parameters, units of damping laws. Once for a page.
-let known = null;
-const knownLaws = () => (known ??= quick.ask({ name: 'laws', words: [] }).then(({ answer }) => answer));
-
 // The contact of the sample that is shown, from artifacts of a run or of the answer at once; null where there is none. Its
 // damping is that of the law of the case, as measured; before any was measured the program guesses it.
 async function contactOf(artifacts, law) {
-    const { laws, damping_laws: dampings } = await knownLaws();
+    const { laws, damping_laws: dampings } = embedded;
     const inArtifact = (file) => artifacts[file] && JSON.parse(artifacts[file]).result.samples?.[state.sample];
     const contact = inArtifact('2-contact.json');
     const modulus = inArtifact('1-modulus.json');
@@ -29,8 +25,8 @@ async function contactOf(artifacts, law) {
     const dampingLaw = critical?.damping_law ?? asStated.damping_law ?? Object.keys(dampings)[0];
     const detachment = critical?.detachment ?? asStated.detachments?.[law];
     const parameters = {};
-    for (const key of [...laws[law].parameters, 'yield_pressure'])
-        if (contact[key]) parameters[key] = contact[key].value ?? contact[key];
+    for (const { name } of laws[law].parameters)
+        if (contact[name]) parameters[name] = contact[name].value ?? contact[name];
     const found = {
         ...parameters, law, ...(detachment ? { detachment } : {}), damping_law: dampingLaw, diameter: modulus.diameter.value, density: contact.density.value,
         contact_modulus: contact.contact_modulus.value, work_of_adhesion: contact.work_of_adhesion?.value ?? null,
@@ -162,7 +158,7 @@ async function offerWhatIf(artifacts, chosen) {
     whatIf.points = law ? measuredPoints(artifacts, law) : [];
     byId('app-what-if').hidden = !whatIf.contact;
     if (!whatIf.contact) return;
-    whatIf.nodes.law.replaceChildren(...names.map((name) => make('option', { value: name, selected: name === law }, lawName(name))));
+    whatIf.nodes.law.replaceChildren(...makeSelect({}, names.map((name) => [name, lawName(name)]), law).children);
     whatIf.nodes.parts.forEach((part) => part.tell());
     drawWhatIf();
 }

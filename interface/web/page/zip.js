@@ -51,7 +51,7 @@ async function unzipped(bytes) {
         const name = new TextDecoder().decode(bytes.subarray(entry + 46, entry + 46 + title));
         const begin = local + 30 + two(local + 26) + two(local + 28);
         const held = bytes.slice(begin, begin + packed);
-        const content = method === 0 ? held : await inflated(held);
+        const content = method === 0 ? held : await decompressed(held, 'deflate-raw');
         if (crc32(content) !== sum) throw new Error('broken');
         if (!name.endsWith('/')) files.push([name, content]);
         entry += 46 + title + two(entry + 30) + two(entry + 32);
@@ -59,7 +59,7 @@ async function unzipped(bytes) {
     return files;
 }
 
-async function inflated(bytes) {
-    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
+async function decompressed(bytes, format) {
+    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream(format));
     return new Uint8Array(await new Response(stream).arrayBuffer());
 }
