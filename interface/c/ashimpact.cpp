@@ -21,8 +21,6 @@
 
 namespace ashimpact {
 
-namespace {
-
 /// Impacts of spheres one by one, with the constants of a model.
 struct SphereImpacts {
     SingleImpacts impacts;
@@ -47,8 +45,6 @@ struct SphereImpacts {
         return pair;
     }
 };
-
-}  // namespace
 
 }  // namespace ashimpact
 

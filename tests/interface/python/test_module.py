@@ -25,6 +25,16 @@ def program(*words):
     return subprocess.run([name, *words], capture_output=True, text=True, check=True).stdout
 
 
+def typical_parameters(law):
+    """A value of each parameter that a law takes, of alternatives the first."""
+    values, choices = {}, set()
+    for name, (_, _, laws, typical, choice) in ashimpact._core.law_parameters().items():
+        if law in laws and choice not in choices:
+            values[name] = typical
+            choices |= {choice} - {0}
+    return values
+
+
 class Impacts(unittest.TestCase):
     def test_equals_the_command_line(self):
         for law in ("hertz", "dmt", "brach-dunn", "jkr", "thornton-ning"):
@@ -128,6 +138,9 @@ class Impacts(unittest.TestCase):
         for function in functions:
             for name in ashimpact._core.law_parameters():
                 self.assertIn(name, inspect.signature(function).parameters, function.__name__)
+                self.assertIn(f"{name}: ", function.__doc__)
+        for name in (*ashimpact.laws(), *(f"{unit} {law}" for law, unit in ashimpact._core.damping_laws().items())):
+            self.assertIn(name, ashimpact.impacts.__doc__)
 
     def test_the_bits_of_the_c_library(self):
         library = ctypes.CDLL(os.environ["ASHIMPACT_LIBRARY"])
@@ -143,10 +156,8 @@ class Impacts(unittest.TestCase):
 
         radius = np.geomspace(0.5e-6, 50e-6, 301)
         velocity = 0.05 * np.exp(5 * np.abs(np.sin(np.arange(radius.size))))
-        own = {"sjkr": {"cohesion_energy_density": 1e8}, "maugis-dugdale": {"tabor": 2.0},
-               "thornton-ning": {"yield_pressure": 2e9}}
         for law in ashimpact.laws():
-            constants = {"density": 2160.0, "contact_modulus": 60e9, "damping": 2e-6, **own.get(law, {})}
+            constants = {"density": 2160.0, "contact_modulus": 60e9, "damping": 2e-6, **typical_parameters(law)}
             if law not in ("hertz", "sjkr"):
                 constants["work_of_adhesion"] = 0.3
             named = (Named * len(constants))(*((key.encode(), value) for key, value in constants.items()))

@@ -283,7 +283,7 @@ async function slips(browser) {
     await settled(page);
     assert.equal(await page.locator('#app-missing').textContent(), 'Still missing: a contact law.');
     await field('Maugis-Dugdale').check();
-    assert.equal(await page.getByLabel('Unit of: Range of cohesion').inputValue(), 'nm');
+    assert.equal(await page.getByLabel('Unit of: z0, range of the attraction').inputValue(), 'nm');
     await page.click('#app-new');
     await settled(page);
     await undo('Begin anew');

@@ -8,17 +8,16 @@ const vm = require('node:vm');
 const page = path.join(__dirname, '../../../interface/web/page');
 const asked = [];
 const laws = {
-    laws: { dmt: { parameters: [] }, 'maugis-dugdale': { parameters: ['tabor', 'cohesion_range'] } },
+    laws: { dmt: { parameters: [] }, 'maugis-dugdale': { parameters: [{ name: 'tabor' }, { name: 'cohesion_range' }] } },
     damping_laws: { constant: { unit: 'kg/s' }, 'contact-radius': { unit: 'Pa s' }, tsuji: { unit: '1' } },
 };
 const quick = {
-    ask: async ({ name, words }) => {
-        if (name === 'laws') return { answer: laws };
+    ask: async ({ words }) => {
         asked.push(JSON.parse(words[0]));
         return { answer: { status: 0, damping: 1, restitution: [0], critical_velocity: null } };
     },
 };
-const context = vm.createContext({ quick, state: { sample: 0 }, JSON, Math, Object, Promise });
+const context = vm.createContext({ quick, embedded: laws, state: { sample: 0 }, JSON, Math, Object, Promise });
 vm.runInContext(`${fs.readFileSync(path.join(page, 'what_if.js'), 'utf8')}\nthis.contactOf = contactOf; this.curveOf = curveOf;`, context);
 
 const quantity = (value, unit) => ({ value, unit });
