@@ -3,6 +3,8 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -155,14 +157,8 @@ TEST_CASE("C interface: times, overlaps and dampings by columns, with strides an
     REQUIRE(ashimpact_solve_impacts(handle.get(), s.size(), columns, 3, outputs, 3, nullptr) == ASHIMPACT_OK);
     const Eigen::ArrayXd damping = Eigen::ArrayXd::Constant(1, 2e-6);
     const Law law = Law::of<Jkr>();
-    ContactColumns contact = contact_of(mass, radius);
     const ImpactBatchResult expected = solve_impacts(
-        {law,
-         law.default_detachment(),
-         DampingLaw::constant,
-         {contact.mass, contact.effective_radius, contact.contact_modulus, contact.work_of_adhesion},
-         damping,
-         s.velocity});
+        {law, law.default_detachment(), DampingLaw::constant, contact_of(mass, radius), damping, s.velocity});
     CHECK(same_bits(overlap, expected.maximum_overlap));
     CHECK(same_bits(time, expected.approach_time));
     CHECK(same_bits(restitution, expected.restitution));
@@ -191,34 +187,48 @@ TEST_CASE("C interface: times, overlaps and dampings by columns, with strides an
     CHECK(back[2].values == found.data());
 }
 
+TEST_CASE("C interface: the headers name every detachment, and every damping law with its unit") {
+    for (const std::string name : {"/ashimpact.h", "/ashimpact/model.hpp"}) {
+        std::ifstream file(ASHIMPACT_HEADERS + name);
+        const std::string text((std::istreambuf_iterator<char>(file)), {});
+        CAPTURE(name);
+        for (const Detachment detachment : all_values<Detachment>)
+            CHECK(text.find(name_of(detachment)) != std::string::npos);
+        for (const DampingLaw law : all_values<DampingLaw>)
+            CHECK(text.find(std::string(name_of(law)) + " [" + std::string(unit_of(law)) + "]") !=
+                  std::string::npos);
+    }
+}
+
 TEST_CASE("C interface: what is wrong, in one line with what is allowed") {
     const Handle handle("dmt", nullptr, nullptr, 4);
     ashimpact_error error;
-    const auto message_of_open = [&](const char* law, const char* detachment, const char* damping_law,
-                                     std::vector<ashimpact_parameter> parameters) {
-        ashimpact_model* model = nullptr;
-        CHECK(ashimpact_open(law, detachment, damping_law, parameters.data(), parameters.size(), &model,
-                             &error) == ASHIMPACT_INPUT_ERROR);
-        CHECK(model == nullptr);
-        return std::string(error.message);
-    };
     const ashimpact_parameter modulus{"contact_modulus", 60e9};
-    CHECK(message_of_open(nullptr, nullptr, nullptr, {modulus}).find("hertz") != std::string::npos);
-    CHECK(message_of_open("dmt", "pull-off", nullptr, {modulus}).find("zero-overlap") != std::string::npos);
-    CHECK(message_of_open("dmt", nullptr, "linear", {modulus}).find("tsuji") != std::string::npos);
-    CHECK(message_of_open("dmt", nullptr, nullptr, {}).find("contact_modulus is missing") !=
-          std::string::npos);
-    CHECK(message_of_open("dmt", nullptr, nullptr, {modulus, modulus}).find("twice") != std::string::npos);
-    CHECK(message_of_open("dmt", nullptr, nullptr, {modulus, {"gamma", 1.0}}).find("work_of_adhesion") !=
-          std::string::npos);
-    CHECK(message_of_open("dmt", nullptr, nullptr, {modulus, {nullptr, 1.0}}).find("unknown parameter") !=
-          std::string::npos);
-    CHECK(message_of_open("dmt", nullptr, nullptr, {modulus, {"density", 2160.0}, {"mass", 1e-9}})
-              .find("beside density") != std::string::npos);
-    CHECK(message_of_open("dmt", nullptr, nullptr, {modulus, {"damping", -1.0}}).find("damping") !=
-          std::string::npos);
-    CHECK(message_of_open("dmt", nullptr, nullptr, {{"contact_modulus", NAN}}).find("contact_modulus") !=
-          std::string::npos);
+    struct Refused {
+        const char* law;
+        const char* detachment;
+        const char* damping_law;
+        std::vector<ashimpact_parameter> parameters;
+        const char* said;
+    };
+    for (const Refused& c : std::vector<Refused>{
+             {nullptr, nullptr, nullptr, {modulus}, "hertz"},
+             {"dmt", "pull-off", nullptr, {modulus}, "zero-overlap"},
+             {"dmt", nullptr, "linear", {modulus}, "tsuji"},
+             {"dmt", nullptr, nullptr, {}, "contact_modulus is missing"},
+             {"dmt", nullptr, nullptr, {modulus, modulus}, "twice"},
+             {"dmt", nullptr, nullptr, {modulus, {"gamma", 1.0}}, "work_of_adhesion"},
+             {"dmt", nullptr, nullptr, {modulus, {nullptr, 1.0}}, "unknown parameter"},
+             {"dmt", nullptr, nullptr, {modulus, {"density", 2160.0}, {"mass", 1e-9}}, "beside density"},
+             {"dmt", nullptr, nullptr, {modulus, {"damping", -1.0}}, "damping"},
+             {"dmt", nullptr, nullptr, {modulus, {"tabor", 2.0}}, "law dmt takes no tabor"},
+             {"dmt", nullptr, nullptr, {{"contact_modulus", NAN}}, "contact_modulus"}}) {
+        ashimpact_model* model = nullptr;
+        CHECK(ashimpact_open(c.law, c.detachment, c.damping_law, c.parameters.data(), c.parameters.size(),
+                             &model, &error) == ASHIMPACT_INPUT_ERROR);
+        CHECK(model == nullptr);
+        CHECK(std::string(error.message).find(c.said) != std::string::npos);
+    }
 
     Spheres s = spheres(5000);
     s.velocity[4321] = -1.0;

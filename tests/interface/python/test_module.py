@@ -138,9 +138,10 @@ class Impacts(unittest.TestCase):
         for function in functions:
             for name in ashimpact._core.law_parameters():
                 self.assertIn(name, inspect.signature(function).parameters, function.__name__)
-                self.assertIn(f"{name}: ", function.__doc__)
-        for name in (*ashimpact.laws(), *(f"{unit} {law}" for law, unit in ashimpact._core.damping_laws().items())):
-            self.assertIn(name, ashimpact.impacts.__doc__)
+        units = ashimpact._core.damping_laws()
+        stated = [*(f"{name}: " for name in ashimpact._core.law_parameters()), *ashimpact.laws()]
+        for text in (*stated, *(f"{unit} {law}" for law, unit in units.items())):
+            self.assertIn(text, ashimpact.impacts.__doc__)
 
     def test_the_bits_of_the_c_library(self):
         library = ctypes.CDLL(os.environ["ASHIMPACT_LIBRARY"])
