@@ -1,6 +1,11 @@
 // Small helpers for the elements of the page.
 const byId = (id) => document.getElementById(id);
 
+// listen({id: work, ...}): what clicks do.
+function listen(clicks) {
+    for (const [id, work] of Object.entries(clicks)) byId(id).addEventListener('click', work);
+}
+
 // make('p', {class: 'hint'}, 'text', child): attributes that are functions listen to the event of their name.
 function make(name, attributes = {}, ...children) {
     const element = document.createElement(name);

@@ -40,8 +40,7 @@ function keepCase() {
 }
 
 function listenToHistory() {
-    byId('app-undo').addEventListener('click', () => step(past.done, past.undone, 'Undone'));
-    byId('app-redo').addEventListener('click', () => step(past.undone, past.done, 'Done again'));
+    listen({ 'app-undo': () => step(past.done, past.undone, 'Undone'), 'app-redo': () => step(past.undone, past.done, 'Done again') });
     window.addEventListener('beforeunload', (event) => {
         if (textOfCase() !== keptCase) event.preventDefault();
     });

@@ -57,7 +57,7 @@ function showOld(old) {
 // Beside each file what was read of it.
 function tellRead({ impacts }, artifacts) {
     const tellAt = (path, text) => document.querySelectorAll(`[data-read="${path}"]`).forEach((node) => { node.textContent = text; });
-    const modulus = JSON.parse(artifacts['1-modulus.json']).result.samples[state.sample];
+    const modulus = samplesOf(artifacts, '1-modulus.json')[state.sample];
     tellAt('/samples/#/composition/xrd', valueAt('/samples/#/composition/xrd') === undefined ? '' : `Read: ${phasesOf(modulus)}.`);
     const read = impacts?.[state.sample];
     tellAt('/samples/#/restitution', !read ? '' : `Read: ${read.rebounds} ${read.rebounds === 1 ? 'rebound' : 'rebounds'}, ${read.captures} that stayed${read.unknown ? `, ${read.unknown} of unknown outcome left out` : ''}; `
@@ -70,8 +70,7 @@ function phasesOf(modulus) {
 }
 
 function liveTable(artifacts) {
-    const rows = (file) => JSON.parse(artifacts[file]).result.samples;
-    const [moduli, contacts, analytic] = ['1-modulus.json', '2-contact.json', '3-analytic.json'].map(rows);
+    const [moduli, contacts, analytic] = ['1-modulus.json', '2-contact.json', '3-analytic.json'].map((file) => samplesOf(artifacts, file));
     const cell = (quantity, scale) => make('td', {}, quantity ? readable(quantity.value * scale) : '');
     const body = moduli.map((modulus, i) => make('tr', {}, make('th', { scope: 'row' }, modulus.name), cell(modulus.young_modulus, 1e-9),
         cell(contacts[i].density, 1), cell(contacts[i].contact_modulus, 1e-9), cell(contacts[i].mass, 1e9), cell(analytic[i]?.critical_velocity, 1e3)));

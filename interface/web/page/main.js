@@ -16,21 +16,23 @@ function begin() {
         byId('app-sample').selectedOptions[0].textContent = String(sampleNow().name ?? '');
     });
     byId('app-files').addEventListener('change', (event) => takeFiles([...event.target.files]).then(() => { event.target.value = ''; }));
-    byId('app-example').addEventListener('click', () => openEmbedded('example'));
-    byId('app-paper').addEventListener('click', () => openEmbedded('paper'));
-    byId('app-new').addEventListener('click', () => {
-        openCase('Begin anew', emptyCase(), new Map());
-        tell('A new case.');
-    });
     byId('app-form').addEventListener('submit', (event) => event.preventDefault());
-    byId('app-run').addEventListener('click', compute);
-    byId('app-stop').addEventListener('click', stopRun);
-    byId('app-save-report').addEventListener('click', () => save('report.html', run.artifacts['report.html'], 'text/html'));
-    byId('app-save-case').addEventListener('click', () => {
-        save('case.json', textOfCase(), 'application/json');
-        keepCase();
+    listen({
+        'app-example': () => openEmbedded('example'),
+        'app-paper': () => openEmbedded('paper'),
+        'app-new': () => {
+            openCase('Begin anew', emptyCase(), new Map());
+            tell('A new case.');
+        },
+        'app-run': compute,
+        'app-stop': stopRun,
+        'app-save-report': () => save('report.html', run.artifacts['report.html'], 'text/html'),
+        'app-save-case': () => {
+            save('case.json', textOfCase(), 'application/json');
+            keepCase();
+        },
+        'app-save-all': saveAll,
     });
-    byId('app-save-all').addEventListener('click', saveAll);
     listenForDrops();
     listenToHistory();
     // For a browser's console: the functions of the program that take texts, as docs/web.md lists them.

@@ -10,18 +10,22 @@ const whatIf = { factors: {}, law: null, contact: null, points: [], measured: fa
 // The unit of a damping on the page, and the number of these in the SI unit of its law.
 const dampingUnit = (si) => (si === 'kg/s' ? { unit: 'g/s', scale: 1e3 } : { unit: si === '1' ? '' : si, scale: 1 });
 
+// The result of an artifact, and what it holds of each sample; undefined where there is none.
+const resultOf = (artifacts, file) => artifacts[file] && JSON.parse(artifacts[file]).result;
+const samplesOf = (artifacts, file) => resultOf(artifacts, file)?.samples;
+
 // The contact of the sample that is shown, from artifacts of a run or of the answer at once; null where there is none. Its
 // damping is that of the law of the case, as measured; before any was measured the program guesses it.
 async function contactOf(artifacts, law) {
     const { laws, damping_laws: dampings } = embedded;
-    const inArtifact = (file) => artifacts[file] && JSON.parse(artifacts[file]).result.samples?.[state.sample];
+    const inArtifact = (file) => samplesOf(artifacts, file)?.[state.sample];
     const contact = inArtifact('2-contact.json');
     const modulus = inArtifact('1-modulus.json');
     if (!contact || !modulus || !contact.density) return null;
     const critical = inArtifact('7-critical-velocity.json')?.[law];
     const measured = critical?.damping?.value;
     const course = measured === undefined ? null : dampingCourse(critical, inArtifact('5-damping.json')?.[law]);
-    const asStated = artifacts['0-case.json'] ? JSON.parse(artifacts['0-case.json']).result : {};
+    const asStated = resultOf(artifacts, '0-case.json') ?? {};
     const dampingLaw = critical?.damping_law ?? asStated.damping_law ?? Object.keys(dampings)[0];
     const detachment = critical?.detachment ?? asStated.detachments?.[law];
     const parameters = {};
@@ -53,7 +57,7 @@ function dampingAt(course, v) {
 }
 
 function measuredPoints(artifacts, law) {
-    const sample = artifacts['4-restitution.json'] && JSON.parse(artifacts['4-restitution.json']).result.samples?.[state.sample];
+    const sample = samplesOf(artifacts, '4-restitution.json')?.[state.sample];
     return (sample?.series ?? []).filter((series) => series.laws.includes(law)).flatMap((series) => series.velocity.values.map((v, i) => [v, series.restitution.values[i]]));
 }
 
