@@ -71,6 +71,17 @@ constexpr auto find(Range&& range, const Value& value, Projection projection = {
     while (at != std::end(range) && !(std::invoke(projection, *at) == value)) ++at;
     return at;
 }
+template <class Range, class Test, class Projection = web::Identity>
+constexpr auto find_if(Range&& range, Test test, Projection projection = {}) {
+    auto at = std::begin(range);
+    while (at != std::end(range) && !std::invoke(test, std::invoke(projection, *at))) ++at;
+    return at;
+}
+template <class Range, class Test>
+constexpr auto count_if(Range&& range, Test test) {
+    return std::count_if(std::begin(range), std::end(range),
+                         [&](auto&& each) { return std::invoke(test, each); });
+}
 template <class Range, class Value, class Compare = web::Less, class Projection = web::Identity>
 constexpr auto lower_bound(Range&& range, const Value& value, Compare compare = {},
                            Projection projection = {}) {
@@ -129,6 +140,14 @@ constexpr void fill(Range&& range, const Value& value) {
 template <class Range, class Output>
 constexpr void copy(Range&& range, Output output) {
     std::copy(std::begin(range), std::end(range), output);
+}
+template <class Range, class Output, class Test>
+constexpr void copy_if(Range&& range, Output output, Test test) {
+    std::copy_if(std::begin(range), std::end(range), output, test);
+}
+template <class One, class Other>
+constexpr bool equal(One&& one, Other&& other) {
+    return std::equal(std::begin(one), std::end(one), std::begin(other), std::end(other));
 }
 template <class One, class Other, class Same = web::Same>
 constexpr bool is_permutation(One&& one, Other&& other, Same same = {}) {

@@ -362,7 +362,7 @@ DampingParts find_parts(const std::optional<DampingSmoothing>& smooth, const Par
 
 RisingBranch rising_branch(const ContactModel& model, const MeasurementSet& set,
                            const std::optional<DampingSmoothing>& smooth) {
-    double upper = std::ranges::max(set.points, {}, &Measurement::velocity).velocity;
+    double upper = std::ranges::max_element(set.points, {}, &Measurement::velocity)->velocity;
     if (smooth) {
         const std::vector<double> grid = grid_of(*smooth);
         std::vector<double> restitution;

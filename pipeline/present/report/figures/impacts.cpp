@@ -249,7 +249,9 @@ XyPanel energy_panel(const SampleData& sample, const LawData& law) {
     std::vector<double> sums(law.curve().size(), 0.0);
     for (std::size_t k = 0; k < shares().size(); ++k) {
         const auto& [name, share] = shares()[k];
-        if (std::ranges::all_of(law.curve(), [&](const CurveImpact& i) { return share(i) == 0; })) continue;
+        if (std::ranges::all_of(law.curve(),
+                                [&share = share](const CurveImpact& i) { return share(i) == 0; }))
+            continue;
         Series series{
             .name = panel.title + ", up to " + name, .legend = name, .look = Look::of(k), .area = true};
         std::vector<Point> below;
