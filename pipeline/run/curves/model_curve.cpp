@@ -57,6 +57,13 @@ Losses losses_of(const CurveProblem& problem, double damping, double velocity) {
     return {energy.potential - energy.at_touch + energy.jumps, energy.plastic};
 }
 
+/// Loss over the incident energy; zero below its rounding, where it is what a difference of equal energies
+/// left.
+double share_of(double loss, double whole) {
+    const double share = loss / whole;
+    return std::abs(share) < std::numeric_limits<double>::epsilon() ? 0 : share;
+}
+
 /// Fills in the shares of the incident energy. Without yielding the adhesive loss is that of the static law,
 /// the same for all impacts.
 void add_shares(const CurveProblem& problem, ModelCurve& curve) {
@@ -67,8 +74,8 @@ void add_shares(const CurveProblem& problem, ModelCurve& curve) {
     for (CurveImpact& impact : curve) {
         const Losses losses = yields ? losses_of(problem, impact.damping, impact.velocity) : of_all;
         const double whole = 0.5 * problem.contact.mass * impact.velocity * impact.velocity;
-        impact.adhesion = losses.adhesion / whole;
-        impact.plastic = losses.plastic / whole;
+        impact.adhesion = share_of(losses.adhesion, whole);
+        impact.plastic = share_of(losses.plastic, whole);
         impact.dissipated = 1 - impact.restitution * impact.restitution - impact.adhesion - impact.plastic;
     }
 }
