@@ -48,7 +48,7 @@ struct SphereImpacts {
 
 }  // namespace ashimpact
 
-/// What a handle of the C interface stands for. It never changes once it is made.
+/// The model behind a handle of the C interface; immutable.
 struct ashimpact_model {  // NOLINT(readability-identifier-naming): the name of the C interface
     ashimpact::Choice choice;
     std::array<std::optional<double>, ashimpact::most_parameters> constants{};

@@ -1,7 +1,7 @@
 // Small helpers for the elements of the page.
 const byId = (id) => document.getElementById(id);
 
-// listen({id: work, ...}): what clicks do.
+// listen({id: work, ...}): calls work() on a click on the element of that id.
 function listen(clicks) {
     for (const [id, work] of Object.entries(clicks)) byId(id).addEventListener('click', work);
 }
@@ -23,9 +23,9 @@ function makeSelect(attributes, options, chosen) {
     return make('select', attributes, ...options.map(([value, text]) => make('option', { value, selected: value === chosen }, text)));
 }
 
-// A box with its label; tell(checked) hears of changes.
-function makeBox(label, checked, tell) {
-    const box = make('input', { type: 'checkbox', checked, change: () => tell(box.checked) });
+// A checkbox with its label; calls changed(checked) on a change.
+function makeBox(label, checked, changed) {
+    const box = make('input', { type: 'checkbox', checked, change: () => changed(box.checked) });
     return make('label', {}, box, label);
 }
 
