@@ -57,8 +57,7 @@ Losses losses_of(const CurveProblem& problem, double damping, double velocity) {
     return {energy.potential - energy.at_touch + energy.jumps, energy.plastic};
 }
 
-/// Loss over the incident energy; zero below its rounding, where it is what a difference of equal energies
-/// left.
+/// Loss over the incident energy [1]; 0 where it is no more than the rounding of that energy.
 double share_of(double loss, double whole) {
     const double share = loss / whole;
     return std::abs(share) < std::numeric_limits<double>::epsilon() ? 0 : share;
