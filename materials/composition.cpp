@@ -13,6 +13,7 @@ namespace ashimpact {
 namespace {
 
 constexpr std::size_t most_phases = 1000;
+constexpr std::string_view phases_code = "phases";  // of every finding here
 
 double sum(std::span<const double> values) {
     return std::accumulate(values.begin(), values.end(), 0.0);
@@ -55,16 +56,17 @@ void check_fractions(const Analysis& analysis) {
     for (const PhaseFraction& phase : analysis.phases) at_place(phase.place, [&] { check_fraction(phase); });
 }
 
-Component component(const PhaseFraction& line, ResolvedPhase resolved, std::vector<std::string>& notes) {
+Component component(const PhaseFraction& line, ResolvedPhase resolved, std::vector<Finding>& notes) {
     Component result{.name = line.name, .phase = std::move(resolved.phase)};
-    if (!resolved.note.empty()) notes.push_back(resolved.note);
+    if (!resolved.note.empty()) notes.push_back({phases_code, Severity::remark, resolved.note});
     if (!line.density) return result;
     const double catalogue = result.phase.density.value;
     constexpr double rounding = 1e-9;
     if (std::abs(*line.density - catalogue) < rounding * catalogue) return result;
-    notes.push_back("the file's density of " + in_quotes(line.name) + ", " + to_tenths(*line.density) +
-                    " kg/m3, is used; the catalogue has " + to_tenths(catalogue) + " kg/m3 (" +
-                    per_cent(*line.density / catalogue - 1) + ")");
+    notes.push_back({phases_code, Severity::background,
+                     "the file's density of " + in_quotes(line.name) + ", " + to_tenths(*line.density) +
+                         " kg/m3, is used; the catalogue has " + to_tenths(catalogue) + " kg/m3 (" +
+                         per_cent(*line.density / catalogue - 1) + ")"});
     result.phase.density = {.value = *line.density};
     return result;
 }
@@ -197,33 +199,35 @@ class Closing {
     double total_;
 };
 
-void note_rescaling(const FractionModel& model, std::vector<std::string>& notes) {
+void note_rescaling(const FractionModel& model, std::vector<Finding>& notes) {
     const double total = sum(model.amounts);
     const bool of_the_crystalline_part = model.kind == FractionModel::Kind::split &&
                                          std::abs(total - 1) > std::abs(total - (1 - model.parameter));
     const double expected = of_the_crystalline_part ? 1 - model.parameter : 1;
     if (model.kind == FractionModel::Kind::remainder || std::abs(total - expected) < 1e-9) return;
-    notes.push_back("the fractions add up to " + per_cent(total) + " and were scaled to " +
-                    per_cent(expected));
+    notes.push_back(
+        {phases_code, Severity::remark,
+         "the fractions add up to " + per_cent(total) + " and were scaled to " + per_cent(expected)});
 }
 
 /// A refinement without an amorphous phase adds up to one; the remainder to 100 % is then no measurement.
-void note_small_remainder(const Analysis& analysis, const FractionModel& model,
-                          std::vector<std::string>& notes) {
+void note_small_remainder(const Analysis& analysis, const FractionModel& model, std::vector<Finding>& notes) {
     const auto* const stated = std::get_if<AmorphousRemainder>(&analysis.amorphous);
     if (!stated) return;
     const double rest = 1 - stated->scale * sum(model.amounts);
     if (rest > analysis.closure_tolerance) return;
-    notes.push_back("the phases leave " + per_cent(rest) +
-                    " for the amorphous part: are the fractions of the whole sample?");
+    notes.push_back({phases_code, Severity::remark,
+                     "the phases leave " + per_cent(rest) +
+                         " for the amorphous part: are the fractions of the whole sample?"});
 }
 
 /// Notes the remark of the catalogue on the glass, whose modulus is the least certain input.
 void note_glass(Composition& composition) {
     for (const Component& c : composition.components)
         if (c.phase.amorphous && !c.phase.remark.empty())
-            composition.notes.push_back(in_quotes(c.name) + " is taken as " + c.phase.name + ": " +
-                                        c.phase.remark);
+            composition.notes.push_back(
+                {phases_code, Severity::background,
+                 in_quotes(c.name) + " is taken as " + c.phase.name + ": " + c.phase.remark});
 }
 
 void fill_fractions(Composition& composition) {

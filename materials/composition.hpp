@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/finding.hpp"
 #include "materials/phase_catalogue.hpp"
 
 namespace ashimpact {
@@ -86,7 +87,7 @@ struct Composition {
     FractionBasis basis = FractionBasis::weight;
     FractionModel model{};
     double density = 0;  ///< of the dense mixture [kg/m3]
-    std::vector<std::string> notes{};
+    std::vector<Finding> notes{};
 };
 
 /// How to state the amorphous part, for the message where nothing does.

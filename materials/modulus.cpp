@@ -12,6 +12,8 @@ namespace ashimpact {
 
 namespace {
 
+constexpr std::string_view modulus_code = "modulus";  // of findings on the modulus
+
 /// One evaluation: everything as numbers, so that it can be differentiated.
 struct Mixture {
     FractionBasis basis;
@@ -138,7 +140,7 @@ std::vector<double> flat(const Results& results) {
     return list;
 }
 
-void note_missing(const Composition& composition, std::vector<std::string>& notes) {
+void note_missing(const Composition& composition, std::vector<Finding>& notes) {
     std::vector<std::string> without_uncertainty;
     std::vector<std::string> without_ratio;
     std::vector<std::string> assumed;
@@ -148,21 +150,26 @@ void note_missing(const Composition& composition, std::vector<std::string>& note
         if (c.phase.poisson_ratio && c.phase.poisson_ratio->assumed) assumed.push_back(c.phase.name);
     }
     if (!without_uncertainty.empty())
-        notes.push_back("no uncertainty of Young's modulus is known for " + joined(without_uncertainty) +
-                        ": " + shortest(100.0 * assumed_modulus_uncertainty) + " % is assumed");
+        notes.push_back({modulus_code, Severity::background,
+                         "no uncertainty of Young's modulus is known for " + joined(without_uncertainty) +
+                             ": " + shortest(100.0 * assumed_modulus_uncertainty) + " % is assumed"});
     if (!without_ratio.empty())
-        notes.push_back("no Poisson ratio is known for " + joined(without_ratio) +
-                        ": the bounds on bulk and shear modulus are left out, and E has no rigorous upper "
-                        "bound (the parallel rule is none)");
-    if (!assumed.empty()) notes.push_back("the Poisson ratio is assumed for " + joined(assumed));
+        notes.push_back({modulus_code, Severity::remark,
+                         "no Poisson ratio is known for " + joined(without_ratio) +
+                             ": the bounds on bulk and shear modulus are left out, and E has no rigorous "
+                             "upper bound (the parallel rule is none)"});
+    if (!assumed.empty())
+        notes.push_back(
+            {modulus_code, Severity::background, "the Poisson ratio is assumed for " + joined(assumed)});
 }
 
-void note_dominant(const std::vector<Contribution>& contributions, std::vector<std::string>& notes) {
+void note_dominant(const std::vector<Contribution>& contributions, std::vector<Finding>& notes) {
     constexpr double most = 0.5;
     if (contributions.empty() || contributions.front().share <= most) return;
-    notes.push_back(contributions.front().what + " gives " +
-                    shortest(std::floor(contributions.front().share * 1000) / 10) +
-                    " % of the variance of E");
+    notes.push_back({modulus_code, Severity::background,
+                     contributions.front().what + " gives " +
+                         shortest(std::floor(contributions.front().share * 1000) / 10) +
+                         " % of the variance of E"});
 }
 
 bool any_assumed(const Composition& composition) {
@@ -208,8 +215,9 @@ ModulusEstimate estimate_modulus(const Composition& composition, const ModulusOp
     estimate.contributions = uncertainties[0].contributions;
     note_missing(composition, estimate.notes);
     note_dominant(estimate.contributions, estimate.notes);
-    if (options.porosity && !porosity_warning(*options.porosity).empty())
-        estimate.notes.push_back(porosity_warning(*options.porosity));
+    if (options.porosity)
+        if (const std::string outside = porosity_warning(*options.porosity); !outside.empty())
+            estimate.notes.push_back({modulus_code, Severity::remark, outside});
     return estimate;
 }
 
@@ -224,9 +232,10 @@ ParticleDensity particle_density(double true_density, std::optional<double> poro
     const double measured_porosity = porosity_from_densities(*measured_density, true_density);
     constexpr double disagreement = 0.005;
     if (porosity && std::abs(measured_porosity - *porosity) > disagreement)
-        result.notes.push_back("the measured density gives a porosity of " +
-                               shortest(std::round(1e4 * measured_porosity) / 1e4) + ", stated is " +
-                               shortest(*porosity));
+        result.notes.push_back({"density", Severity::doubt,
+                                "the measured density gives a porosity of " +
+                                    shortest(std::round(1e4 * measured_porosity) / 1e4) + ", stated is " +
+                                    shortest(*porosity)});
     if (!porosity) result.porosity = measured_porosity;
     result.apparent_density = *measured_density;
     return result;

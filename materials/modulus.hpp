@@ -68,7 +68,7 @@ struct ModulusEstimate {
     double density = 0;                         ///< of the dense mixture [kg/m3]
     double density_uncertainty = 0;             ///< [kg/m3]
     std::vector<Contribution> contributions{};  ///< to the variance of young_modulus, largest first
-    std::vector<std::string> notes{};           ///< in addition to those of the composition
+    std::vector<Finding> notes{};               ///< in addition to those of the composition
 
     /// The result of one rule; nothing where a Poisson ratio is missing.
     [[nodiscard]] std::optional<RuleResult> by(MixtureRule rule) const;
@@ -88,7 +88,7 @@ struct ParticleDensity {
     double true_density = 0;      ///< of the dense mixture [kg/m3]
     double porosity = 0;          ///< [1]
     double apparent_density = 0;  ///< to be used for the mass [kg/m3]
-    std::vector<std::string> notes{};
+    std::vector<Finding> notes{};
 };
 
 /// Returns the density of a particle: the measured (apparent) one if given, else true (1 - P). A measured

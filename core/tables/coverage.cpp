@@ -179,23 +179,24 @@ bool is_uncertainty_word(std::string_view text) {
     return uncertainty_words().holds(text);
 }
 
-std::vector<std::string> coverage_warnings(
-    const std::vector<std::pair<std::string, StatedCoverage>>& columns) {
-    std::vector<std::string> warnings;
+std::vector<Finding> coverage_findings(std::string_view code,
+                                       const std::vector<std::pair<std::string, StatedCoverage>>& columns) {
+    std::vector<Finding> findings;
     std::map<double, std::vector<std::string>> divided;
     for (const auto& [heading, coverage] : columns) {
         if (!coverage.problem.empty())
-            warnings.push_back(fmt::format("uncertainties of column {} are not read, as {}",
-                                           in_quotes(heading), coverage.problem));
+            findings.push_back({code, Severity::remark,
+                                fmt::format("uncertainties of column {} are not read, as {}",
+                                            in_quotes(heading), coverage.problem)});
         else if (coverage.factor != 1)
             divided[coverage.factor].push_back(in_quotes(heading));
     }
     for (const auto& [factor, headings] : divided)
-        warnings.push_back(
-            fmt::format("uncertainties of {} {} are divided by {} for standard ones, as the heading "
-                        "says",
-                        headings.size() == 1 ? "column" : "columns", joined(headings), shortest(factor)));
-    return warnings;
+        findings.push_back(
+            {code, Severity::remark,
+             fmt::format("uncertainties of {} {} are divided by {} for standard ones, as the heading says",
+                         headings.size() == 1 ? "column" : "columns", joined(headings), shortest(factor))});
+    return findings;
 }
 
 }  // namespace ashimpact

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/finding.hpp"
+
 namespace ashimpact {
 
 /// The coverage of uncertainties that the heading of a column states, as in "Unsicherheit (2s)", "U (k=2)",
@@ -26,9 +28,9 @@ struct StatedCoverage {
 /// Whether a text is a word for an uncertainty and names no quantity: "Fehler", "u", "s.u.", "±".
 [[nodiscard]] bool is_uncertainty_word(std::string_view text);
 
-/// Warnings for columns, given with their headings, whose uncertainties are not standard ones: one for all
-/// that are divided by the same number, one for each that cannot be read.
-[[nodiscard]] std::vector<std::string> coverage_warnings(
-    const std::vector<std::pair<std::string, StatedCoverage>>& columns);
+/// Remarks of that code on columns, given with their headings, whose uncertainties are not standard ones: one
+/// for all that are divided by the same number, one for each that cannot be read.
+[[nodiscard]] std::vector<Finding> coverage_findings(
+    std::string_view code, const std::vector<std::pair<std::string, StatedCoverage>>& columns);
 
 }  // namespace ashimpact

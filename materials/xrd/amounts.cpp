@@ -24,8 +24,9 @@ double add_fractions(XrdSample& sample, const std::vector<ListedPhase>& phases, 
             throw InputError("the phase " + in_quotes(phase.name) + " is there twice", "each phase once")
                 .at(at_line(phase.line));
         if (!phase.amount) {
-            sample.warnings.push_back("the phase " + in_quotes(phase.name) + " has no " + amount + " (line " +
-                                      std::to_string(phase.line) + ") and is left out");
+            sample.warnings.push_back({xrd_code, Severity::remark,
+                                       "the phase " + in_quotes(phase.name) + " has no " + amount +
+                                           " (line " + std::to_string(phase.line) + ") and is left out"});
             continue;
         }
         sample.analysis.phases.push_back({.name = phase.name,

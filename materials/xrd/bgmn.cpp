@@ -158,12 +158,12 @@ void require_whole_number(const XrdSample& sample, const Contents& contents, con
     if (!agrees) cut_off("the last line is a GEWICHT without an end", file);
 }
 
-void compare_with_goal(const PhaseFraction& phase, const Contents& contents,
-                       std::vector<std::string>& warnings) {
+void compare_with_goal(const PhaseFraction& phase, const Contents& contents, std::vector<Finding>& warnings) {
     const auto goal = contents.goals.find(phase.name);
     if (goal == contents.goals.end()) return;
     if (!goal->second.number) {
-        warnings.push_back("the goal Q" + phase.name + " could not be computed by the refinement");
+        warnings.push_back({xrd_code, Severity::remark,
+                            "the goal Q" + phase.name + " could not be computed by the refinement"});
         return;
     }
     const double fraction = goal->second.number->value;
@@ -173,17 +173,19 @@ void compare_with_goal(const PhaseFraction& phase, const Contents& contents,
     constexpr double largest_rounding = 0.002;
     const double u = phase.standard_uncertainty.value_or(0);
     if (std::abs(fraction - phase.fraction) > std::max(largest_rounding, 3 * u))
-        warnings.push_back("the goal Q" + phase.name + " is " + shortest(fraction) + ", GEWICHT gives " +
-                           shortest(std::round(phase.fraction * 1e4) / 1e4) +
-                           " (a correction for microabsorption is only in the goal)");
+        warnings.push_back({xrd_code, Severity::remark,
+                            "the goal Q" + phase.name + " is " + shortest(fraction) + ", GEWICHT gives " +
+                                shortest(std::round(phase.fraction * 1e4) / 1e4) +
+                                " (a correction for microabsorption is only in the goal)"});
 }
 
 /// Warns of goals that could not be computed and have no block: their phases may be missing.
-void report_failed_goals(const Contents& contents, std::vector<std::string>& warnings) {
+void report_failed_goals(const Contents& contents, std::vector<Finding>& warnings) {
     for (const auto& [name, goal] : contents.goals)
         if (!goal.number && !contents.first_lines.contains(name))
-            warnings.push_back("the goal Q" + name + " (line " + std::to_string(goal.line) +
-                               ") could not be computed by the refinement, and no block has that name");
+            warnings.push_back({xrd_code, Severity::remark,
+                                "the goal Q" + name + " (line " + std::to_string(goal.line) +
+                                    ") could not be computed by the refinement, and no block has that name"});
 }
 
 }  // namespace

@@ -99,8 +99,9 @@ XrdSample sample_of(const std::vector<FullProfPhase>& phases, const TextLines& f
     const double total =
         add_fractions(sample, listed, "fraction", "Fract(%) above zero", phases.front().line);
     if (total < 99 || total > 101)
-        sample.warnings.push_back("the fractions add up to " + shortest(total) +
-                                  " %: they are divided by it");
+        sample.warnings.push_back(
+            {xrd_code, Severity::remark,
+             "the fractions add up to " + shortest(total) + " %: they are divided by it"});
     return sample;
 }
 

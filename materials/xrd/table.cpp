@@ -16,7 +16,7 @@ namespace {
 
 /// Factor from amounts to fractions: 0.01 for per cent, if headings or cells state it, else by the size of
 /// the amounts.
-double scale_of(const Table& table, const std::vector<Entry>& entries, std::vector<std::string>& warnings) {
+double scale_of(const Table& table, const std::vector<Entry>& entries, std::vector<Finding>& warnings) {
     bool per_cent = false;
     bool fraction = false;
     for (const Heading& heading : table.headings) {
@@ -32,10 +32,11 @@ double scale_of(const Table& table, const std::vector<Entry>& entries, std::vect
     }
     if (per_cent != fraction) return per_cent ? 0.01 : 1;
     const bool guess = largest > 1;
-    warnings.emplace_back(
-        std::string("the table does not say whether its amounts are per cent or fractions: by their "
-                    "size they are ") +
-        (guess ? "per cent" : "fractions"));
+    warnings.push_back(
+        {xrd_code, Severity::remark,
+         std::string("the table does not say whether its amounts are per cent or fractions: by their "
+                     "size they are ") +
+             (guess ? "per cent" : "fractions")});
     return guess ? 0.01 : 1;
 }
 
@@ -99,8 +100,9 @@ XrdSample sample_of_fractions(const Group& group, double scale) {
     double sum = 0;
     for (const Entry& entry : group.entries) {
         if (!entry.amount) {
-            sample.warnings.push_back(in_quotes(entry.phase) + " has no amount (line " +
-                                      std::to_string(entry.line) + ") and is left out");
+            sample.warnings.push_back({xrd_code, Severity::remark,
+                                       in_quotes(entry.phase) + " has no amount (line " +
+                                           std::to_string(entry.line) + ") and is left out"});
             continue;
         }
         const double fraction = entry.amount->value * scale;
@@ -204,11 +206,12 @@ XrdSample standardised(const XrdSample& sample, const Group& group, const Table&
     });
 }
 
-void warn_of_ignored(const Table& table, Layout layout, std::vector<std::string>& warnings) {
+void warn_of_ignored(const Table& table, Layout layout, std::vector<Finding>& warnings) {
     if (layout == Layout::one_column_a_phase || layout == Layout::one_column_a_sample) return;
     for (const Heading& heading : table.headings)
         if (heading.role == Role::other && !heading.text.empty())
-            warnings.push_back("column " + in_quotes(heading.text) + " is not used");
+            warnings.push_back(
+                {xrd_code, Severity::background, "column " + in_quotes(heading.text) + " is not used"});
 }
 
 bool by_volume(const Table& table) {

@@ -230,10 +230,12 @@ Table parse_table(const TextLines& file) {
                 .rows = {},
                 .separator = separator_of(lines[*heading].text)};
     table.headings = headings_of(cut_row(lines[*heading], table.separator));
-    if (*heading > 0) table.warnings.push_back(counted(*heading, "line") + " above the heading not read");
+    if (*heading > 0)
+        table.warnings.push_back(
+            {xrd_code, Severity::background, counted(*heading, "line") + " above the heading not read"});
     std::vector<std::pair<std::string, StatedCoverage>> coverages;
     for (const Heading& each : table.headings) coverages.emplace_back(each.written, each.coverage);
-    for (std::string& warning : coverage_warnings(coverages)) table.warnings.push_back(std::move(warning));
+    for (Finding& each : coverage_findings(xrd_code, coverages)) table.warnings.push_back(std::move(each));
     for (std::size_t i = *heading + 1; i < lines.size(); ++i) {
         table.rows.push_back(checked_row(lines[i], table));
         if (table.rows.size() * table.headings.size() > most_cells)

@@ -33,7 +33,7 @@ struct Table {
     std::vector<Heading> headings;
     std::vector<TableRow> rows;
     char separator = ',';
-    std::vector<std::string> warnings{};
+    std::vector<Finding> warnings{};
 
     [[nodiscard]] std::optional<std::size_t> column(Role role) const {
         for (std::size_t i = 0; i < headings.size(); ++i)

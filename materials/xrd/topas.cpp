@@ -236,9 +236,10 @@ XrdSample completed(XrdSample sample, const TopasPattern& pattern) {
         const double ours = 100 * (1 - weighed / found->fraction);
         constexpr double rounding = 0.5;  // [%]
         if (std::abs(ours - pattern.amorphous->value) > rounding)
-            sample.warnings.push_back("the file's amorphous part of the mixture is " +
-                                      shortest(pattern.amorphous->value) + " %, the standard gives " +
-                                      shortest(std::round(100 * ours) / 100) + " %, which is used");
+            sample.warnings.push_back({xrd_code, Severity::remark,
+                                       "the file's amorphous part of the mixture is " +
+                                           shortest(pattern.amorphous->value) + " %, the standard gives " +
+                                           shortest(std::round(100 * ours) / 100) + " %, which is used"});
     }
     return at_place(at_line(standard->listed.line),
                     [&] { return with_internal_standard(sample, name, weighed); });

@@ -29,13 +29,14 @@ constexpr TextLimits xrd_limits{.content = "an XRD result", .bytes = longest_xrd
 XrdResult read_from_workbook(std::string_view bytes, std::string_view sheet) {
     const ChosenSheet chosen(bytes, {.name = std::string(sheet),
                                      .option = "the name of a sheet (--sheet, in a case \"xrd_sheet\")",
+                                     .code = xrd_code,
                                      .limits = xrd_limits,
                                      .holds_table = xrd::looks_like_table});
     return chosen.read([&](const TextLines& lines) {
         XrdResult result = xrd::read_table(lines);
-        result.warnings.insert(result.warnings.begin(), chosen.warnings().begin(), chosen.warnings().end());
+        result.warnings.insert(result.warnings.begin(), chosen.findings().begin(), chosen.findings().end());
         for (XrdSample& sample : result.samples) {
-            for (std::string& warning : sample.warnings) warning = in_rows(warning);
+            for (Finding& warning : sample.warnings) warning.text = in_rows(warning.text);
             for (PhaseFraction& phase : sample.analysis.phases) phase.place = chosen.place(phase.place);
         }
         return result;
@@ -50,7 +51,9 @@ XrdResult read(std::string_view text, std::string_view sheet) {
     for (const Reader& reader : readers) {
         if (!reader.recognises(file)) continue;
         XrdResult result = reader.read(file);
-        if (file.was_latin1()) result.warnings.emplace_back("the file is not UTF-8 and was read as Latin-1");
+        if (file.was_latin1())
+            result.warnings.push_back(
+                {xrd_code, Severity::background, "the file is not UTF-8 and was read as Latin-1"});
         return result;
     }
     throw InputError("the format is not known", xrd::known_formats).at(at_line(1));

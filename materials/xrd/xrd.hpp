@@ -16,6 +16,9 @@ namespace ashimpact {
 /// Greatest length of an XRD result [byte]. A longer file is refused without reading the rest.
 inline constexpr std::size_t longest_xrd_file = std::size_t{16} << 20;
 
+/// Code of every finding on an XRD result.
+inline constexpr std::string_view xrd_code = "composition";
+
 /// Format of a file.
 enum class XrdFormat { bgmn_lst, gsas2_lst, fullprof_sum, topas_out, table, json };
 
@@ -30,13 +33,13 @@ struct Names<XrdFormat> {
 struct XrdSample {
     std::string name;
     Analysis analysis{};
-    std::vector<std::string> warnings{};
+    std::vector<Finding> warnings{};
 };
 
 struct XrdResult {
     XrdFormat format = XrdFormat::table;
     std::vector<XrdSample> samples;
-    std::vector<std::string> warnings{};  ///< about the file as a whole
+    std::vector<Finding> warnings{};  ///< about the file as a whole
 };
 
 /// Reads an XRD result; its content shows the format: BGMN/Profex .lst, GSAS-II .lst, FullProf .sum, TOPAS

@@ -124,7 +124,7 @@ std::string regime_text(const Regime& regime) {
 }
 
 void warn_of_regime(const Regime& regime) {
-    for (const std::string& warning : regime.warnings) spdlog::warn("warning: {}", warning);
+    for (const Finding& warning : regime.warnings) spdlog::warn("warning: {}", warning.text);
 }
 
 std::string impact_text(const Impact& impact, const ImpactResult& result) {

@@ -46,7 +46,8 @@ double read_size_scatter(const std::string& text) {
 /// The impacts of the file, with camera and bins where they are asked for.
 MeasurementSet read_impacts(const DampingOptions& options) {
     MeasurementSet set = read_measurements(read_file(options.impacts), options.impacts, options.sheet);
-    for (const std::string& warning : set.warnings) spdlog::warn("warning: {}: {}", options.impacts, warning);
+    for (const Finding& warning : set.warnings)
+        spdlog::warn("warning: {}: {}", options.impacts, warning.text);
     if (options.frame_rate.empty() != options.pixel_size.empty())
         throw InputError("one of the two is missing", "both or neither").at("--frame-rate, --pixel-size");
     if (options.frames > 0 && options.frame_rate.empty())

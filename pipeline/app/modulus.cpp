@@ -125,7 +125,7 @@ std::optional<double> measured_density(const ModulusCommandOptions& options) {
 }
 
 std::optional<Porosity> porosity_of(const ModulusCommandOptions& options, double true_density,
-                                    std::string& note) {
+                                    std::vector<Finding>& findings) {
     if (options.porosity_law.empty()) {
         if (!options.porosity.empty() || !options.porosity_coefficient.empty())
             throw InputError("is missing", "the law by which pores soften, see docs/materials.md")
@@ -147,7 +147,7 @@ std::optional<Porosity> porosity_of(const ModulusCommandOptions& options, double
                                          true_density);
         });
         porosity = found.porosity;
-        note = found.note;
+        findings.push_back(found.finding);
     } else {
         throw InputError("neither is given", "the porosity, or the density from which it follows")
             .at("--porosity, --particle-density");
@@ -162,7 +162,7 @@ struct SampleEstimate {
     ModulusEstimate estimate;
     std::optional<Porosity> porosity;
     ParticleDensity density;
-    std::vector<std::string> warnings;  ///< of the reader, the composition and the estimate
+    std::vector<Finding> warnings;  ///< of the reader, the composition and the estimate
 };
 
 std::vector<XrdSample> chosen(const XrdResult& result, const std::string& name) {
@@ -252,7 +252,7 @@ Json sample_json(const SampleEstimate& sample, MixtureRule rule) {
     json["particle_density"] = quantity_json(sample.density.apparent_density, Dimension::density);
     json["porosity"] = sample.density.porosity;
     if (sample.porosity) json["porosity_law"] = name_of(sample.porosity->law);
-    json["warnings"] = sample.warnings;
+    json["warnings"] = texts_of(sample.warnings);
     return json;
 }
 
@@ -264,17 +264,17 @@ SampleEstimate estimated(const XrdSample& sample, const PhaseCatalogue& catalogu
                           .porosity = {},
                           .density = {},
                           .warnings = sample.warnings};
-    std::string note;
-    result.porosity = porosity_of(options, result.composition.density, note);
+    std::vector<Finding> inferred;
+    result.porosity = porosity_of(options, result.composition.density, inferred);
     result.estimate = estimate_modulus(result.composition, {.rule = rule, .porosity = result.porosity});
     const auto stated =
         options.porosity.empty() ? std::nullopt : std::optional(result.porosity.value().value);
     result.density = at_place("--particle-density", [&] {
         return particle_density(result.composition.density, stated, measured_density(options));
     });
-    for (const auto& notes : {result.composition.notes, result.estimate.notes, result.density.notes})
+    for (const auto& notes :
+         {result.composition.notes, result.estimate.notes, result.density.notes, inferred})
         result.warnings.insert(result.warnings.end(), notes.begin(), notes.end());
-    if (!note.empty()) result.warnings.push_back(note);
     return result;
 }
 
@@ -283,15 +283,16 @@ void run_modulus_command(const ModulusCommandOptions& options, std::ostream& out
     const PhaseCatalogue catalogue = catalogue_of(options);
     const XrdResult result =
         read_xrd(read_start(options.file, longest_xrd_file + 1), options.file, options.sheet);
-    for (const std::string& warning : result.warnings) spdlog::warn("warning: {}: {}", options.file, warning);
+    for (const Finding& warning : result.warnings)
+        spdlog::warn("warning: {}: {}", options.file, warning.text);
 
     std::vector<SampleEstimate> estimates;
     for (const XrdSample& sample : chosen(result, options.sample)) {
         const XrdSample whole = completed(sample, options);
         SampleEstimate estimate =
             at_place(FileName{options.file}, [&] { return estimated(whole, catalogue, options, rule); });
-        for (const std::string& warning : estimate.warnings)
-            spdlog::warn("warning: {}: {}", options.file, warning);
+        for (const Finding& warning : estimate.warnings)
+            spdlog::warn("warning: {}: {}", options.file, warning.text);
         estimate.warnings.insert(estimate.warnings.begin(), result.warnings.begin(), result.warnings.end());
         estimates.push_back(std::move(estimate));
     }

@@ -27,7 +27,7 @@ namespace ashimpact {
 struct ReadAnalysis {
     Analysis analysis;
     std::string source;
-    std::vector<std::string> warnings;
+    std::vector<Finding> warnings;
 };
 [[nodiscard]] ReadAnalysis read_analysis(const View& node, InputFiles& files);
 

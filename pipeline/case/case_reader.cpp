@@ -10,7 +10,6 @@
 #include "core/text/text.hpp"
 #include "pipeline/case/case_parts.hpp"
 #include "pipeline/case/example_remains.hpp"
-#include "pipeline/case/findings_of_texts.hpp"
 #include "pipeline/case/laws.hpp"
 #include "pipeline/case/measurement_parts.hpp"
 #include "pipeline/files/schema.hpp"
@@ -45,9 +44,9 @@ std::optional<Stated> read_optional(const std::optional<View>& node, std::string
     return read_positive(*node, name, dimension);
 }
 
-void add_findings(std::string_view code, const std::vector<std::string>& texts, const std::string& sample,
+void add_findings(const std::vector<Finding>& found, const std::string& sample,
                   std::vector<SampleFinding>& findings) {
-    for (Finding& finding : findings_of(code, texts)) findings.push_back({sample, std::move(finding)});
+    for (const Finding& finding : found) findings.push_back({sample, finding});
 }
 
 ParticleValues read_particle(const View& node) {
@@ -89,7 +88,7 @@ Sample read_sample(const View& node, const Defaults& defaults, InputFiles& files
     Sample sample{.name = node.at("name").text(),
                   .diameter = read_positive(node.at("diameter"), "diameter", Dimension::length)};
     auto analysis = read_analysis(node.at("composition"), files);
-    add_findings("composition", analysis.warnings, sample.name, findings);
+    add_findings(analysis.warnings, sample.name, findings);
     sample.analysis = std::move(analysis.analysis);
     sample.analysis_source = std::move(analysis.source);
     if (const auto porosity = node.find("porosity")) sample.porosity = read_porosity(*porosity);
@@ -109,7 +108,7 @@ Sample read_sample(const View& node, const Defaults& defaults, InputFiles& files
         sample.restitution = read_restitution(*data, sample.published, files, defaults.camera);
     if (const auto* measured =
             sample.restitution ? std::get_if<MeasuredRestitution>(&*sample.restitution) : nullptr)
-        add_findings("impacts", measured->impacts.warnings, sample.name, findings);
+        add_findings(measured->impacts.warnings, sample.name, findings);
     return sample;
 }
 
@@ -192,7 +191,7 @@ std::vector<Phase> phases_of(const std::vector<Sample>& samples, const View& doc
             at_place(place.pointer(), [&] { return compose(samples[i].analysis, catalogue, how_to_state); });
         for (const Component& component : composition.components) {
             const auto [phase, note] = catalogue.resolve(component.name);
-            if (!note.empty()) add_findings("phase", {note}, samples[i].name, findings);
+            if (!note.empty()) findings.push_back({samples[i].name, {"phase", Severity::remark, note}});
             auto known = std::find_if(phases.begin(), phases.end(),
                                       [&name = phase.name](const Phase& p) { return p.name == name; });
             if (known == phases.end()) known = phases.insert(phases.end(), phase);

@@ -59,9 +59,8 @@ Stated density_of(const Sample& sample, const SampleModulus& modulus, StageRecor
     const double dense = modulus.density.value;
     const double ratio = sample.density->value() / dense;
     if (ratio <= 1 && sample.porosity && !sample.porosity_from_density)
-        for (const std::string& note :
-             particle_density(dense, sample.porosity->value, sample.density->value()).notes)
-            record.note({"density", Severity::doubt, note}, sample.name);
+        record.note(particle_density(dense, sample.porosity->value, sample.density->value()).notes,
+                    sample.name);
     if (ratio > 1)
         record.note({"density-above-phases", Severity::doubt,
                      "the stated density is above that of the dense phases, by a factor " +

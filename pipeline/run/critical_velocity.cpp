@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/case/findings_of_texts.hpp"
 #include "pipeline/run/uncertainty/calibrated_constants.hpp"
 #include "pipeline/run/uncertainty/uncertain_contact.hpp"
 #include "pipeline/run/uncertainty/velocity_uncertainty.hpp"
@@ -58,7 +57,7 @@ Found velocity_of(const VelocityTask& task) {
                                        .contact = task.contact.pair})};
     if (found.velocity->velocity) set_uncertainty(task, *found.velocity, found.findings);
     if (found.velocity->regime) {
-        const auto regime = findings_of("regime", found.velocity->regime->warnings);
+        const std::vector<Finding>& regime = found.velocity->regime->warnings;
         found.findings.insert(found.findings.end(), regime.begin(), regime.end());
     }
     return found;

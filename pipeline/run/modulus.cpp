@@ -6,7 +6,6 @@
 #include "core/quantities/readable.hpp"
 #include "materials/composition.hpp"
 #include "materials/phase_catalogue.hpp"
-#include "pipeline/case/findings_of_texts.hpp"
 
 namespace ashimpact {
 
@@ -52,7 +51,7 @@ std::optional<Porosity> porosity_of(const Sample& sample, const Composition& com
     const PorosityFromDensity found = at_place("the sample " + sample.name, [&] {
         return porosity_from_density(*sample.porosity, sample.density->quantity, composition.density);
     });
-    record.note({"porosity", Severity::remark, found.note}, sample.name);
+    record.note(found.finding, sample.name);
     return found.porosity;
 }
 
@@ -62,7 +61,9 @@ PorosityFromDensity porosity_from_density(Porosity porosity, const Quantity& app
     porosity.value = porosity_from_densities(apparent.value, true_density);
     if (apparent.standard_uncertainty)
         porosity.standard_uncertainty = *apparent.standard_uncertainty / true_density;
-    return {porosity, "a porosity of " + readable_number(porosity.value) + " follows from the density"};
+    return {porosity,
+            {"porosity", Severity::remark,
+             "a porosity of " + readable_number(porosity.value) + " follows from the density"}};
 }
 
 SampleModulus sample_modulus(const Composition& composition, const ModulusEstimate& estimate,
@@ -100,8 +101,8 @@ ModulusResult modulus_stage(const Case& data, StageRecord& record) {
         modulus.name = sample.name;
         modulus.diameter = sample.diameter.quantity;
         result.samples.push_back(std::move(modulus));
-        record.note(findings_of("phases", composition.notes), sample.name);
-        record.note(findings_of("modulus", estimate.notes), sample.name);
+        record.note(composition.notes, sample.name);
+        record.note(estimate.notes, sample.name);
         add_citations(composition, record.citations);
     }
     return result;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
-
 #include "materials/modulus.hpp"
 #include "pipeline/case/case.hpp"
 #include "pipeline/run/results/modulus.hpp"
@@ -16,7 +14,7 @@ namespace ashimpact {
 /// A porosity law with the porosity that an apparent density implies.
 struct PorosityFromDensity {
     Porosity porosity;
-    std::string note;
+    Finding finding;  ///< the porosity
 };
 
 /// Completes a porosity law with P = 1 - apparent/true [kg/m3]; the uncertainty is that of the apparent

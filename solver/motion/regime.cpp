@@ -165,7 +165,9 @@ class Judge {
         beyond_closure_ = impact_.law.is_plastic() && ratio < yields_at_touch;
     }
 
-    void warn(const std::string& warning) { regime_.warnings.push_back(warning); }
+    void warn(const std::string& warning, Severity severity = Severity::remark) {
+        regime_.warnings.push_back({regime_code, severity, warning});
+    }
 
     void warn_of_tabor() {
         const bool hard_law = impact_.law.limit() == AdhesionRegime::dmt;
@@ -175,12 +177,13 @@ class Judge {
         const std::string mu = "Tabor parameter " + text(regime_.tabor_parameter);
         if (regime_.adhesion == AdhesionRegime::between) {
             warn(mu + " is between DMT (< 0.1) and JKR (> 5)" + source + ": neither limit holds for law " +
-                 std::string(impact_.law.name()));
+                     std::string(impact_.law.name()),
+                 Severity::background);
         }
         if (hard_law && regime_.adhesion == AdhesionRegime::jkr)
-            warn(mu + " > 5: soft contact, JKR applies rather than DMT" + source);
+            warn(mu + " > 5: soft contact, JKR applies rather than DMT" + source, Severity::background);
         if (soft_law && regime_.adhesion == AdhesionRegime::dmt)
-            warn(mu + " < 0.1: hard contact, DMT applies rather than JKR" + source);
+            warn(mu + " < 0.1: hard contact, DMT applies rather than JKR" + source, Severity::background);
     }
 
     void warn_of_left_out_adhesion() {
@@ -189,7 +192,8 @@ class Judge {
             2.0 * std::numbers::pi * contact_.work_of_adhesion * contact_.effective_radius;
         const double repulsion = motion_.force(motion_.coordinate(greatest_)) * scale_.force();
         warn("law hertz leaves out the adhesion of " + text(contact_.work_of_adhesion) +
-             " J/m2: 2 pi w R* is " + text(100.0 * attraction / repulsion) + " % of the greatest force");
+                 " J/m2: 2 pi w R* is " + text(100.0 * attraction / repulsion) + " % of the greatest force",
+             Severity::background);
     }
 
     void warn_of_yield() {

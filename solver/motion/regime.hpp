@@ -5,10 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "core/finding.hpp"
 #include "solver/contact/tabor.hpp"
 #include "solver/motion/impact.hpp"
 
 namespace ashimpact {
+
+/// Code of every finding on a regime.
+inline constexpr std::string_view regime_code = "regime";
 
 /// The numbers that say whether a contact law applies, and what they say of the law chosen.
 struct Regime {
@@ -27,8 +31,8 @@ struct Regime {
     std::optional<double> yield_velocity{};
     /// V_y of the law chosen, with its adhesion, without damping; 0 if adhesion alone makes it yield [m/s]
     std::optional<double> law_yield_velocity{};
-    bool yields = false;  ///< the impact goes beyond the yield pressure, damping included
-    std::vector<std::string> warnings{};
+    bool yields = false;              ///< the impact goes beyond the yield pressure, damping included
+    std::vector<Finding> warnings{};  ///< of code regime_code
 };
 
 /// Equilibrium separation z0 of two surfaces, as usual in the Tabor parameter [m].

@@ -109,7 +109,7 @@ TEST_CASE("spreadsheets of three programs hold the same ash") {
         }
     }
     const auto warnings = read_xrd(data("openpyxl.xlsx"), "a.xlsx").warnings;
-    CHECK(holds(warnings.front(), "the sheet \"Phasen\" is read, not \"Notizen\""));
+    CHECK(holds(warnings.front().text, "the sheet \"Phasen\" is read, not \"Notizen\""));
 }
 
 TEST_CASE("cells of .xlsx hold what the spreadsheet shows") {

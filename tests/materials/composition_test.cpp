@@ -88,9 +88,10 @@ TEST_CASE("four ways to state it give the same sample") {
 
 TEST_CASE("a remainder of nothing is noted: the fractions may be those of the crystalline part") {
     const Composition all = paper({.phases = crystalline, .amorphous = AmorphousRemainder{}});
-    CHECK(holds(all.notes.back(), "the phases leave 0 % for the amorphous part: are the fractions of the"));
+    CHECK(holds(all.notes.back().text,
+                "the phases leave 0 % for the amorphous part: are the fractions of the"));
     const Composition half = paper({.phases = crystalline, .amorphous = AmorphousRemainder{.scale = 0.5}});
-    for (const std::string& note : half.notes) CHECK(!holds(note, "the phases leave"));
+    for (const Finding& note : half.notes) CHECK(!holds(note.text, "the phases leave"));
 }
 
 TEST_CASE("errors about phases name their place in the file") {
@@ -122,14 +123,14 @@ TEST_CASE("rounded fractions are scaled within the tolerance, with a note") {
                .amorphous = AmorphousNone{}});
     CHECK(relative_difference(composition.components[0].weight_fraction, 0.2 / 0.997) < 1e-14);
     REQUIRE(composition.notes.size() == 1);
-    CHECK(composition.notes[0] == "the fractions add up to 99.7 % and were scaled to 100 %");
+    CHECK(composition.notes[0].text == "the fractions add up to 99.7 % and were scaled to 100 %");
 }
 
 TEST_CASE("whose modulus stands for the glass is said") {
     const Composition composition =
         paper({.phases = crystalline, .amorphous = AmorphousFraction{.value = 0.4}});
     REQUIRE(composition.notes.size() == 1);
-    CHECK(holds(composition.notes[0],
+    CHECK(holds(composition.notes[0].text,
                 "\"glass\" is taken as glass-dong2013: No measured modulus of fly-ash glass"));
 }
 
@@ -139,7 +140,7 @@ TEST_CASE("the file's own density is used and compared with the catalogue's") {
         shipped_catalogue());
     CHECK(composition.density == 3087);
     REQUIRE(composition.notes.size() == 1);
-    CHECK(composition.notes[0] ==
+    CHECK(composition.notes[0].text ==
           "the file's density of \"Mullite\", 3087 kg/m3, is used; the catalogue has 3156 kg/m3 (-2.1863 %)");
 }
 

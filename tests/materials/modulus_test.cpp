@@ -138,8 +138,9 @@ TEST_CASE("every rule of the paper's first sample, in its order") {
     CHECK(estimate.poisson_ratio_assumed);
     bool mullite_dominates = false;
     for (const auto& note : estimate.notes)
-        mullite_dominates = mullite_dominates ||
-                            holds(note, "Young's modulus of mullite-dong2013 gives 89.3 % of the variance");
+        mullite_dominates =
+            mullite_dominates ||
+            holds(note.text, "Young's modulus of mullite-dong2013 gives 89.3 % of the variance");
     CHECK(mullite_dominates);
     for (const RuleResult& result : estimate.rules) {
         CHECK(named<MixtureRule>(name_of(result.rule)) == result.rule);
@@ -183,8 +184,9 @@ TEST_CASE("a missing Poisson ratio leaves out what needs it, and refuses it when
     CHECK(!estimate.poisson_ratio);
     CHECK(!estimate.by(MixtureRule::voigt));
     REQUIRE(estimate.notes.size() == 3);
-    CHECK(holds(estimate.notes[0], "no uncertainty of Young's modulus is known for lime: 4 % is assumed"));
-    CHECK(holds(estimate.notes[1], "no Poisson ratio is known for lime"));
+    CHECK(
+        holds(estimate.notes[0].text, "no uncertainty of Young's modulus is known for lime: 4 % is assumed"));
+    CHECK(holds(estimate.notes[1].text, "no Poisson ratio is known for lime"));
     CHECK(holds(refusal([&] { return estimate_modulus(composition, {.rule = MixtureRule::voigt}); }),
                 "the rule voigt needs a Poisson ratio for every phase"));
     CHECK(holds(refusal([&] { return estimate_modulus(composition, {.porosity = Porosity{.value = 0.1}}); }),
@@ -207,7 +209,7 @@ TEST_CASE("porosity acts on the chosen rule, and its own uncertainty is propagat
                               std::hypot(20.0, 380 * 0.05) * 1e9) < 1e-8);
     const ModulusEstimate outside = estimate_modulus(
         composition, {.porosity = Porosity{.law = PorosityLaw::coble_kingery, .value = 0.6}});
-    CHECK(holds(outside.notes.back(), "outside the validity"));
+    CHECK(holds(outside.notes.back().text, "outside the validity"));
 }
 
 TEST_CASE("density of a particle beside a measured one") {
@@ -223,7 +225,7 @@ TEST_CASE("density of a particle beside a measured one") {
     CHECK(both.apparent_density == 2080);
     CHECK(both.porosity == 0.1);
     REQUIRE(both.notes.size() == 1);
-    CHECK(holds(both.notes[0], "stated is 0.1"));
+    CHECK(holds(both.notes[0].text, "stated is 0.1"));
     CHECK(holds(refusal([] { return particle_density(2600, {}, 2700.0); }), "above the true density"));
     CHECK(holds(refusal([] { return particle_density(2600, 1.0, {}); }), "porosity is 1"));
 }

@@ -89,9 +89,11 @@ ChosenSheet::ChosenSheet(std::string_view bytes, const SheetRequest& request) {
     for (const Sheet& other : sheets)
         if (&other != &sheet && !other.empty()) others.push_back(&other);
     if (!others.empty())
-        warnings_.push_back("the sheet " + in_quotes(name_) + " is read, not " + named_sheets(others));
+        findings_.push_back({request.code, Severity::background,
+                             "the sheet " + in_quotes(name_) + " is read, not " + named_sheets(others)});
     if (sheet.hidden_rows() > 0)
-        warnings_.push_back("hidden rows are read as well: " + std::to_string(sheet.hidden_rows()));
+        findings_.push_back({request.code, Severity::remark,
+                             "hidden rows are read as well: " + std::to_string(sheet.hidden_rows())});
 }
 
 std::string ChosenSheet::place(const std::string& line) const {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/finding.hpp"
 #include "core/tables/text_lines.hpp"
 #include "core/tables/workbook/sheet.hpp"
 #include "core/text/error.hpp"
@@ -23,8 +24,9 @@ namespace ashimpact {
 
 /// Selects a sheet of a workbook.
 struct SheetRequest {
-    std::string name{};  ///< empty: the only one that holds such a table
-    std::string option;  ///< how the user names one, for messages: "--sheet"
+    std::string name{};     ///< empty: the only one that holds such a table
+    std::string option;     ///< how the user names one, for messages: "--sheet"
+    std::string_view code;  ///< of the findings on the choice
     TextLimits limits{};
     bool (*holds_table)(const TextLines&);
 };
@@ -35,7 +37,8 @@ class ChosenSheet {
     /// @throws InputError if no sheet, or more than one, holds such a table, or none has that name
     ChosenSheet(std::string_view bytes, const SheetRequest& request);
 
-    [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+    /// Sheets that are not read, and hidden rows.
+    [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }
 
     /// "line 7, cell 2" is `sheet "XRD", cell B7`, and "line 7" is row 7 of it.
     [[nodiscard]] std::string place(const std::string& line) const;
@@ -54,7 +57,7 @@ class ChosenSheet {
 
     std::string name_;
     std::unique_ptr<TextLines> lines_;
-    std::vector<std::string> warnings_;
+    std::vector<Finding> findings_;
 };
 
 /// A text about lines of a file, in words for rows of a sheet: "line 7" becomes "row 7".

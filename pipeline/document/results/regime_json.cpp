@@ -21,7 +21,7 @@ Json regime_json(const Regime& regime) {
             {"contact_radius", quantity_json(regime.contact_radius, Dimension::length)},
             {"relative_contact_radius", regime.relative_contact_radius},
             {"relative_overlap", regime.relative_overlap},
-            {"warnings", regime.warnings}};
+            {"warnings", texts_of(regime.warnings)}};
 }
 
 Regime read_regime(const View& node) {
@@ -40,8 +40,9 @@ Regime read_regime(const View& node) {
                   .greatest_pressure = number("greatest_pressure", Dimension::pressure).value_or(0),
                   .yield_pressure = number("yield_pressure", Dimension::pressure),
                   .yield_velocity = number("yield_velocity", Dimension::velocity),
-                  .law_yield_velocity = number("law_yield_velocity", Dimension::velocity),
-                  .warnings = node.at("warnings").texts()};
+                  .law_yield_velocity = number("law_yield_velocity", Dimension::velocity)};
+    for (const std::string& text : node.at("warnings").texts())
+        regime.warnings.push_back({regime_code, Severity::remark, text});
     if (const auto adhesion = node.find("adhesion"))
         regime.adhesion = named<AdhesionRegime>(adhesion->text());
     if (const auto yields = node.find("yields")) regime.yields = yields->truth();

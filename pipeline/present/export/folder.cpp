@@ -90,8 +90,8 @@ std::set<std::string> remarks(const ExportSubject& subject) {
         if (!each.maximum_overlap) continue;
         const Regime regime =
             regime_of(impact_at(subject, each.diameter, each.velocity), *each.maximum_overlap);
-        for (const std::string& warning : regime.warnings)
-            lines.insert(readable(each.diameter, "m") + ": " + warning);
+        for (const Finding& warning : regime.warnings)
+            lines.insert(readable(each.diameter, "m") + ": " + warning.text);
     }
     return lines;
 }

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/finding.hpp"
+
 namespace ashimpact {
 
 /// Uncertainty of one measured impact: variances and covariance of its two velocities [m2/s2].
@@ -54,11 +56,14 @@ struct Measurement {
     [[nodiscard]] bool captured() const { return outcome == NotedOutcome::capture || rebound == 0.0; }
 };
 
+/// Code of every finding on a file of impacts.
+inline constexpr std::string_view impacts_code = "impacts";
+
 /// The impacts of one sample, in the order of the file.
 struct MeasurementSet {
     std::string source;  ///< file name, for messages
     std::vector<Measurement> points;
-    std::vector<std::string> warnings{};
+    std::vector<Finding> warnings{};
     std::size_t unknown = 0;  ///< impacts of the file left out because their outcome is not known
 
     [[nodiscard]] std::size_t captures() const {

@@ -164,8 +164,9 @@ void take_column(MeasurementHeading& heading, const std::string& cell, std::size
             heading.remarks.push_back({position, cell});
         else if (is_uncertainty_word(name) || !coverage.stated.empty())
             heading.notes.push_back(
-                "column " + in_quotes(cell) +
-                " is not used: it does not say of which velocity; write \"u(v_in) [m/s]\"");
+                {impacts_code, Severity::remark,
+                 "column " + in_quotes(cell) +
+                     " is not used: it does not say of which velocity; write \"u(v_in) [m/s]\""});
         else if (!cell.empty())
             heading.unused.push_back({position, cell});
         return;
@@ -181,8 +182,9 @@ void take_column(MeasurementHeading& heading, const std::string& cell, std::size
     if (unit.empty() && !named && meaning->is_uncertainty && value) {
         column.to_si = value->to_si;
         column.unit_given = value->unit_given;
-        heading.notes.push_back("column " + in_quotes(cell) + " is taken as the uncertainty of " +
-                                in_quotes(value->name) + ", which stands before it");
+        heading.notes.push_back({impacts_code, Severity::background,
+                                 "column " + in_quotes(cell) + " is taken as the uncertainty of " +
+                                     in_quotes(value->name) + ", which stands before it"});
     }
     take_measured(heading, *meaning, std::move(column));
 }
@@ -226,7 +228,8 @@ MeasurementHeading read_measurement_heading(const std::vector<std::string>& cell
     heading.columns = cells.size();
     for (std::size_t i = 0; i < cells.size(); ++i) take_column(heading, cells[i], i);
     require_columns(heading);
-    for (std::string& note : coverage_warnings(heading.coverages)) heading.notes.push_back(std::move(note));
+    for (Finding& note : coverage_findings(impacts_code, heading.coverages))
+        heading.notes.push_back(std::move(note));
     return heading;
 }
 

@@ -64,7 +64,7 @@ struct MeasurementHeading {
     std::vector<TextColumn> remarks;         ///< columns of remarks, in which a word may state the outcome
     std::vector<TextColumn> unused;
     std::vector<std::pair<std::string, StatedCoverage>> coverages;  ///< of the columns that hold quantities
-    std::vector<std::string> notes;                                 ///< remarks on the columns
+    std::vector<Finding> notes;                                     ///< remarks on the columns
     std::size_t columns;
 
     [[nodiscard]] const std::optional<MeasuredColumn>& of(MeasuredQuantity quantity) const {

@@ -224,14 +224,16 @@ std::optional<Measurement> measurement_of(const MeasurementHeading& heading, con
     return point;
 }
 
-std::vector<std::string> warnings_of(const MeasurementHeading& heading) {
-    std::vector<std::string> warnings = heading.notes;
+std::vector<Finding> warnings_of(const MeasurementHeading& heading) {
+    std::vector<Finding> warnings = heading.notes;
     for (const TextColumn& column : heading.unused)
-        warnings.push_back("column " + in_quotes(column.name) + " is not used");
+        warnings.push_back(
+            {impacts_code, Severity::background, "column " + in_quotes(column.name) + " is not used"});
     for (const auto* columns : {&heading.value, &heading.uncertainty}) {
         for (const auto& column : *columns)
             if (column && !column->unit_given)
-                warnings.push_back("column " + in_quotes(column->name) + " has no unit: taken as m/s");
+                warnings.push_back({impacts_code, Severity::remark,
+                                    "column " + in_quotes(column->name) + " has no unit: taken as m/s"});
     }
     return warnings;
 }
@@ -268,10 +270,11 @@ class Unread {
                              ", line " + std::to_string(row.line);
     }
 
-    void tell(std::vector<std::string>& warnings) const {
+    void tell(std::vector<Finding>& warnings) const {
         if (!remarked_.empty())
-            warnings.push_back("column " + names_of(heading_.remarks) + " tells the outcome in " +
-                               numbered("line", remarked_));
+            warnings.push_back({impacts_code, Severity::remark,
+                                "column " + names_of(heading_.remarks) + " tells the outcome in " +
+                                    numbered("line", remarked_)});
         if (unknown_.empty()) return;
         std::string text = counted(unknown_.size(), "impact") + " of unknown outcome " +
                            (unknown_.size() == 1 ? "is" : "are") + " left out (" +
@@ -286,7 +289,7 @@ class Unread {
                 ", is not just a word such as haftet, stuck, captured, to be written there if the particle "
                 "stayed, or 0 in column " +
                 reading;
-        warnings.push_back(text);
+        warnings.push_back({impacts_code, Severity::remark, text});
     }
 
   private:
@@ -323,7 +326,9 @@ MeasurementSet read_table(const TextLines& file, std::string_view name) {
     });
     const TableCells cells(heading, separator != ',');
     MeasurementSet set{.source = std::string(name), .points = {}, .warnings = warnings_of(heading)};
-    if (place > 0) set.warnings.push_back(counted(place, "line") + " above the heading not read");
+    if (place > 0)
+        set.warnings.push_back(
+            {impacts_code, Severity::background, counted(place, "line") + " above the heading not read"});
     Unread unread(heading);
     for (std::size_t i = place + 1; i < lines.size(); ++i) {
         TableRow row = cut_row(lines[i], separator);
@@ -359,12 +364,13 @@ bool holds_impacts(const TextLines& file) {
 MeasurementSet read_from_workbook(std::string_view bytes, std::string_view name, std::string_view sheet) {
     const ChosenSheet chosen(bytes, {.name = std::string(sheet),
                                      .option = "the name of a sheet (--sheet, in a case \"sheet\")",
+                                     .code = impacts_code,
                                      .limits = impact_table,
                                      .holds_table = holds_impacts});
     return chosen.read([&](const TextLines& lines) {
         MeasurementSet set = read_table(lines, name);
-        for (std::string& warning : set.warnings) warning = in_rows(std::move(warning));
-        set.warnings.insert(set.warnings.begin(), chosen.warnings().begin(), chosen.warnings().end());
+        for (Finding& warning : set.warnings) warning.text = in_rows(std::move(warning.text));
+        set.warnings.insert(set.warnings.begin(), chosen.findings().begin(), chosen.findings().end());
         validate(set);
         return set;
     });

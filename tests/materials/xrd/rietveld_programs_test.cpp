@@ -84,8 +84,8 @@ TEST_CASE("FullProf: no brackets, a field too narrow, several patterns, a sum th
             .samples[0];
     CHECK(close_to(sample.analysis.phases[0].fraction, 0.5));
     REQUIRE(sample.warnings.size() == 2);
-    CHECK(holds(sample.warnings[0], "\"Mullite\" has no fraction (line 8)"));
-    CHECK(holds(sample.warnings[1], "add up to 80 %"));
+    CHECK(holds(sample.warnings[0].text, "\"Mullite\" has no fraction (line 8)"));
+    CHECK(holds(sample.warnings[1].text, "add up to 80 %"));
 }
 
 TEST_CASE("malformed FullProf summaries are refused at their line") {
@@ -138,7 +138,7 @@ TEST_CASE("TOPAS: a spiked standard gives the amorphous part of the ash") {
     CHECK(composition.components[1].phase.amorphous);
     std::string other = spiked;
     other.replace(other.find(" 50"), 3, " 30");
-    CHECK(holds(read_text(other).samples[0].warnings.back(),
+    CHECK(holds(read_text(other).samples[0].warnings.back().text,
                 "amorphous part of the mixture is 30 %, the standard gives 50 %"));
     CHECK(holds(
         refused_text(spiked +
@@ -168,7 +168,7 @@ TEST_CASE("TOPAS: several patterns, phases without an xdd, a phase without a wei
     CHECK(bare.name == "ash");
     CHECK(close_to(bare.analysis.phases[1].fraction, 0.4));
     REQUIRE(bare.warnings.size() == 1);
-    CHECK(holds(bare.warnings[0], "\"Lime\" has no weight (line 4)"));
+    CHECK(holds(bare.warnings[0].text, "\"Lime\" has no weight (line 4)"));
 }
 
 TEST_CASE("malformed TOPAS files are refused at their line") {

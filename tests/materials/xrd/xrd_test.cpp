@@ -47,7 +47,7 @@ TEST_CASE("uncertainties of a table that are multiples of standard ones are read
                                 "Fehler 2s [%]", "esd (k = 2,0)", "error (95.45 %)", "U (95,45 %)"}) {
         CAPTURE(heading);
         CHECK(relative_difference(uncertainty(with_column(heading)), 0.004) < 1e-12);
-        const std::string told = read_xrd(with_column(heading), "t.csv").warnings.front();
+        const std::string told = read_xrd(with_column(heading), "t.csv").warnings.front().text;
         CHECK_MESSAGE(told.find("divided by 2") != std::string::npos, told);
     }
     for (const char* heading : {"Fehler", "1σ", "±1σ", "1 sigma", "esd (1s)", "±", "s.u."})
@@ -64,7 +64,8 @@ TEST_CASE("uncertainties of a table that are multiples of standard ones are read
                                        std::pair{"erweiterte Unsicherheit", "needs its coverage factor"}}) {
         const XrdResult result = read_xrd(with_column(heading), "t.csv");
         CHECK_FALSE(result.samples[0].analysis.phases[0].standard_uncertainty);
-        CHECK_MESSAGE(result.warnings.front().find(why) != std::string::npos, result.warnings.front());
+        CHECK_MESSAGE(result.warnings.front().text.find(why) != std::string::npos,
+                      result.warnings.front().text);
     }
     // Names of samples that look like it.
     const XrdResult named = read_xrd("Phase;Probe 2S;Probe 3S\nQuarz;20;30\nMullit;80;70\n", "t.csv");
@@ -98,8 +99,8 @@ TEST_CASE("goals of a BGMN list that could not be computed are reported, with a 
             "one.lst")
             .samples[0];
     REQUIRE(sample.warnings.size() == 2);
-    CHECK(sample.warnings[0] == "the goal QQuartz could not be computed by the refinement");
-    CHECK(holds(sample.warnings[1], "the goal QMullite (line 5) could not be computed"));
+    CHECK(sample.warnings[0].text == "the goal QQuartz could not be computed by the refinement");
+    CHECK(holds(sample.warnings[1].text, "the goal QMullite (line 5) could not be computed"));
 }
 
 TEST_CASE("every unknown phase of a BGMN list is named at its own line") {
@@ -171,8 +172,8 @@ TEST_CASE("a BGMN list with CRLF, UNDEF, ERROR, mean values and missing uncertai
     CHECK(!sample.analysis.phases[0].standard_uncertainty);
     CHECK(relative_difference(*sample.analysis.phases[1].standard_uncertainty, 0.0088) < 1e-14);
     REQUIRE(sample.warnings.size() == 2);
-    CHECK(sample.warnings[0] == "the phase \"Lime\" has no weight (line 34) and is left out");
-    CHECK(sample.warnings[1] == "the phase \"Calcite\" has no weight (line 39) and is left out");
+    CHECK(sample.warnings[0].text == "the phase \"Lime\" has no weight (line 34) and is left out");
+    CHECK(sample.warnings[1].text == "the phase \"Calcite\" has no weight (line 39) and is left out");
 }
 
 TEST_CASE("a BGMN goal that differs from the weights is reported") {
@@ -180,7 +181,7 @@ TEST_CASE("a BGMN goal that differs from the weights is reported") {
     text.replace(text.find("QMullite=0.5610"), 15, "QMullite=0.6010");
     const XrdResult result = read_xrd(text, "fa07.lst");
     REQUIRE(result.samples[0].warnings.size() == 1);
-    CHECK(holds(result.samples[0].warnings[0], "the goal QMullite is 0.601, GEWICHT gives 0.561"));
+    CHECK(holds(result.samples[0].warnings[0].text, "the goal QMullite is 0.601, GEWICHT gives 0.561"));
 }
 
 TEST_CASE("a GSAS-II list with two histograms") {
@@ -208,9 +209,9 @@ TEST_CASE("tables as laboratories send them") {
           1e-12);
     CHECK(relative_difference(*long_table.samples[1].analysis.phases[1].standard_uncertainty, 0.006) < 1e-14);
     REQUIRE(long_table.samples[1].warnings.size() == 1);
-    CHECK(long_table.samples[1].warnings[0] == "\"Magnetite\" has no amount (line 9) and is left out");
+    CHECK(long_table.samples[1].warnings[0].text == "\"Magnetite\" has no amount (line 9) and is left out");
     REQUIRE(long_table.warnings.size() == 1);
-    CHECK(long_table.warnings[0] == "column \"Remark\" is not used");
+    CHECK(long_table.warnings[0].text == "column \"Remark\" is not used");
     CHECK(relative_difference(amorphous_of(long_table.samples[0]), 0.5739) < 1e-14);
 
     const XrdResult german = read("semicolon-comma.csv");
@@ -221,7 +222,8 @@ TEST_CASE("tables as laboratories send them") {
     const XrdResult latin1 = read("latin1.csv");
     CHECK(latin1.samples[0].name == "M\u00fcnchen");
     CHECK(relative_difference(*latin1.samples[0].analysis.phases[0].standard_uncertainty, 0.003) < 1e-14);
-    CHECK(latin1.warnings == std::vector<std::string>{"the file is not UTF-8 and was read as Latin-1"});
+    CHECK(texts_of(latin1.warnings) ==
+          std::vector<std::string>{"the file is not UTF-8 and was read as Latin-1"});
 
     const XrdResult bom = read("bom-crlf.csv");
     CHECK(bom.samples[0].name == "bom-crlf");
@@ -240,7 +242,7 @@ TEST_CASE("tables with one column a phase or one column a sample") {
     CHECK(samples.samples[1].name == "FA-02");
     CHECK(digest(samples.samples[1]) == "Quartz 810, Mullite 3200, Glass 5990");
     REQUIRE(samples.warnings.size() == 1);
-    CHECK(holds(samples.warnings[0], "by their size they are fractions"));
+    CHECK(holds(samples.warnings[0].text, "by their size they are fractions"));
 }
 
 TEST_CASE("Table 1 of the paper as a file: by volume, glass by difference from the crystalline total") {

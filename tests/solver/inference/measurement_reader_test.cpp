@@ -14,7 +14,7 @@ namespace {
 
 std::string warnings_of(const MeasurementSet& set) {
     std::string text;
-    for (const std::string& warning : set.warnings) text += warning + "\n";
+    for (const Finding& warning : set.warnings) text += warning.text + "\n";
     return text;
 }
 

@@ -29,7 +29,7 @@ Impact impact_with(Law law, double w, double velocity = 2.0) {
 
 bool warns(const Regime& regime, const std::string& part) {
     return std::any_of(regime.warnings.begin(), regime.warnings.end(),
-                       [&](const std::string& warning) { return contains(warning, part); });
+                       [&](const Finding& warning) { return contains(warning.text, part); });
 }
 
 }  // namespace
