@@ -155,6 +155,24 @@ std::string with_article(std::string_view noun) {
     return (vowel ? "an " : "a ") + std::string(noun);
 }
 
+std::vector<std::string> cut_at_numbers(std::string_view text) {
+    const auto is_digit = [&](std::size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; };
+    std::vector<std::string> pieces{""};
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool in_number = pieces.size() % 2 == 0;
+        const bool belongs = is_digit(i) || (in_number && text[i] == '.' && is_digit(i + 1));
+        if (belongs != in_number) pieces.emplace_back();
+        pieces.back() += text[i];
+    }
+    return pieces;
+}
+
+std::string without_numbers(std::string_view text) {
+    std::vector<std::string> pieces = cut_at_numbers(text);
+    for (std::size_t i = 1; i < pieces.size(); i += 2) pieces[i] = "#";
+    return fmt::format("{}", fmt::join(pieces, ""));
+}
+
 std::string joined(const std::vector<std::string>& words) {
     return fmt::format("{}", fmt::join(words, ", "));
 }

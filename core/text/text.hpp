@@ -48,6 +48,12 @@ namespace ashimpact {
 /// "a pressure", "an energy": the indefinite article by the first letter.
 [[nodiscard]] std::string with_article(std::string_view noun);
 
+/// The text cut at its numbers: words, number, words, ...
+[[nodiscard]] std::vector<std::string> cut_at_numbers(std::string_view text);
+
+/// The text with "#" for its numbers: what texts share that differ in numbers alone.
+[[nodiscard]] std::string without_numbers(std::string_view text);
+
 /// The words with ", " between them.
 [[nodiscard]] std::string joined(const std::vector<std::string>& words);
 [[nodiscard]] std::string joined(std::span<const std::string_view> words);

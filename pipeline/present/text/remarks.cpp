@@ -7,28 +7,18 @@
 #include <fmt/format.h>
 
 #include "core/text/text.hpp"
-#include "solver/contact/law.hpp"
 
 namespace ashimpact {
 
 namespace {
 
-/// The text with # for every number and every name of a law: what remarks of one kind share.
-std::string kind_of(std::string text) {
-    for (std::size_t i = 0; i < Law::count(); ++i) {
-        const std::string name = "law " + std::string(Law::at(i).name());
-        for (auto at = text.find(name); at != std::string::npos; at = text.find(name))
-            text.replace(at, name.size(), "#");
-    }
-    std::string kind;
-    for (const char c : text) {
-        const bool of_number = std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.';
-        if (!of_number)
-            kind += c;
-        else if (!kind.ends_with('#'))
-            kind += '#';
-    }
-    return kind;
+/// What notes that differ in their numbers and their law alone share.
+std::string kind_of(const Note& note) {
+    std::string kind = without_numbers(note.text);
+    if (!note.law) return kind;
+    const std::string name = "law " + std::string(note.law->name());
+    const auto at = kind.find(name);
+    return at == std::string::npos ? kind : kind.replace(at, name.size(), "law");
 }
 
 /// The statement of a remark, without reasons and consequences: up to a semicolon, or a colon before words.
@@ -76,7 +66,7 @@ std::vector<RemarkLine> remark_lines(const std::vector<Remark>& remarks, std::si
     std::vector<Kind> kinds;
     for (const Remark& remark : remarks) {
         const Note& note = remark.note;
-        const std::string kind = kind_of(note.text);
+        const std::string kind = kind_of(note);
         auto found = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& each) {
             return each.file == remark.file && each.kind == kind;
         });

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/quantities/readable.hpp"
+#include "core/text/text.hpp"
 #include "pipeline/document/case_json.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
@@ -14,19 +15,6 @@
 namespace ashimpact::report {
 
 namespace {
-
-/// A text cut at its numbers: words, number, words, ...
-std::vector<std::string> cut_at_numbers(const std::string& text) {
-    const auto is_digit = [&](std::size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; };
-    std::vector<std::string> pieces{""};
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const bool in_number = pieces.size() % 2 == 0;
-        const bool belongs = is_digit(i) || (in_number && text[i] == '.' && is_digit(i + 1));
-        if (belongs != in_number) pieces.emplace_back();
-        pieces.back() += text[i];
-    }
-    return pieces;
-}
 
 /// Texts that differ in their numbers alone as one: "1.2" and "1.4" come out as "1.2 to 1.4".
 std::string with_ranges(const std::vector<std::string>& texts) {
@@ -104,11 +92,6 @@ void collect(const Json& node, const std::string& path, const std::string& where
             collect(value, path.empty() ? words_of(key) : path + ", " + words_of(key), where, into);
 }
 
-std::string without_digits(std::string text) {
-    std::erase_if(text, [](char c) { return (c >= '0' && c <= '9') || c == '.'; });
-    return text;
-}
-
 std::string sentence(std::string text) {
     if (!text.empty() && text.front() >= 'a' && text.front() <= 'z')
         text.front() = static_cast<char>(text.front() - 'a' + 'A');
@@ -180,7 +163,7 @@ std::string warnings_html(const RunData& run) {
     for (const StageRecord& record : run.run().records)
         for (const Note& note : record.notes) {
             const std::string law = note.law ? ", " + std::string(note.law->name()) : "";
-            notes.add(record.file + without_digits(note.text), escaped(sentence(note.text)),
+            notes.add(record.file + without_numbers(note.text), escaped(sentence(note.text)),
                       note.sample + law);
         }
     return notes.empty() ? "<p>None.</p>\n" : notes.html();
