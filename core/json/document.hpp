@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -20,5 +22,26 @@ using Json = nlohmann::ordered_json;
 /// "//". Stricter than the library: a repeated key in one object, more than 64 levels, a number out of range
 /// and text after the end are errors too. Errors: InputError at "line N, column M" or at the JSON pointer.
 [[nodiscard]] Json parse_json(std::string_view text);
+
+/// Line numbers at which the values of a JSON text begin, by JSON pointer.
+class JsonLines {
+  public:
+    /// `text` must be JSON that parses.
+    explicit JsonLines(std::string_view text);
+
+    /// The line of the value that a pointer names, or of the innermost recorded value that contains it.
+    [[nodiscard]] std::size_t line_of(std::string pointer) const;
+
+  private:
+    void read_value(const std::string& pointer, std::size_t depth);
+    void read_members(const std::string& pointer, std::size_t depth, char close);
+    std::string read_string();
+    char next();
+    void skip(std::size_t bytes);
+
+    std::string_view rest_;
+    std::size_t line_ = 1;
+    std::map<std::string, std::size_t> lines_;
+};
 
 }  // namespace ashimpact

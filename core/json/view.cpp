@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "core/quantities/checks.hpp"
@@ -15,7 +16,65 @@ namespace {
 /// Keys for the origin of a quantity; see docs/case.md.
 constexpr std::array<std::string_view, 2> origin_keys{"origin", "source"};
 
+double finite_number(const Json& node, const std::string& key) {
+    if (!node.at(key).is_number())
+        throw InputError("not a number" + (node.at(key).is_string()
+                                               ? remedy_for_number_in_quotes(node.at(key).get<std::string>())
+                                               : ""),
+                         "a finite number")
+            .at("/" + key);
+    const auto value = node.at(key).get<double>();
+    if (!std::isfinite(value)) throw InputError("not finite", "a finite number").at("/" + key);
+    return value;
+}
+
+Quantity read_object(const Json& node, Dimension expected) {
+    for (const auto& [key, _] : node.items())
+        if (key != "value" && key != "unit" && key != "standard_uncertainty")
+            throw InputError("unknown key " + in_quotes(key), "value, unit, standard_uncertainty")
+                .at("/" + key);
+    const bool plain = expected == Dimension::fraction && !node.contains("unit");  // a number needs no unit
+    for (const auto* key : {"value", "unit"})
+        if (!node.contains(key) && !(plain && key == std::string_view("unit")))
+            throw InputError("the key \"" + std::string(key) + "\" is missing",
+                             "value, unit, standard_uncertainty");
+    if (!plain && !node.at("unit").is_string())
+        throw InputError("not a string", "a unit of " + std::string(dimension_name(expected))).at("/unit");
+    const std::string unit = plain ? "1" : node.at("unit").get<std::string>();
+    Quantity quantity = make_quantity(to_si(finite_number(node, "value"), unit, expected), expected);
+    if (!node.contains("standard_uncertainty")) return quantity;
+    const double uncertainty = finite_number(node, "standard_uncertainty");
+    if (uncertainty < 0)
+        throw InputError("a standard uncertainty below zero", "zero or more").at("/standard_uncertainty");
+    quantity.standard_uncertainty = to_si(uncertainty, unit, expected);
+    return quantity;
+}
+
 }  // namespace
+
+Quantity read_quantity(const Json& node, Dimension expected) {
+    if (node.is_string()) return quantity_of_text(node.get<std::string>(), expected);
+    if (node.is_number())
+        return make_quantity(to_si(node.get<double>(), si_unit(expected), expected), expected);
+    if (!node.is_object())
+        throw InputError("not a quantity", "a number in " + std::string(si_unit(expected)) +
+                                               R"(, a string with its unit, or {"value", "unit"})");
+    Quantity quantity = read_object(node, expected);
+    at_place("/standard_uncertainty", [&] { require_uncertainty(quantity, expected); });
+    return quantity;
+}
+
+void to_json(Json& node, const Quantity& quantity) {
+    node = Json{{"value", quantity.value}, {"unit", quantity.unit}};
+    if (quantity.standard_uncertainty) node["standard_uncertainty"] = *quantity.standard_uncertainty;
+}
+
+Quantity shown_quantity(const Json& quantity) {
+    Quantity shown{.value = quantity.at("value"), .unit = quantity.at("unit")};
+    if (quantity.contains("standard_uncertainty") && quantity.at("standard_uncertainty").is_number())
+        shown.standard_uncertainty = quantity.at("standard_uncertainty").get<double>();
+    return shown;
+}
 
 void View::fail(const std::string& problem, const std::string& allowed) const {
     const InputError error(problem, allowed);
@@ -122,6 +181,31 @@ Quantity positive_quantity(const View& node, std::string_view name, Dimension di
     Quantity quantity = node.quantity(dimension);
     at_place(node.pointer(), [&] { require_positive(name, quantity.value, dimension); });
     return quantity;
+}
+
+Json quantity_json(double value, Dimension dimension) {
+    return quantity_json(value, si_unit(dimension));
+}
+
+Json quantity_json(double value, std::string_view unit) {
+    return {{"value", value}, {"unit", unit}};
+}
+
+Json quantity_json(const std::optional<double>& value, Dimension dimension) {
+    return value ? quantity_json(*value, dimension) : Json(nullptr);
+}
+
+Json column_json(const std::vector<double>& values, Dimension dimension) {
+    return {{"values", values}, {"unit", si_unit(dimension)}};
+}
+
+void require_agreement(const View& value, double expected, Dimension dimension, const std::string& problem,
+                       const std::string& others) {
+    constexpr double same_number = 1e-9;
+    const double number = value.number(dimension);
+    if (std::abs(number - expected) <= same_number * std::max(std::abs(number), std::abs(expected))) return;
+    value.fail(problem, shortest(expected) + " " + std::string(si_unit(dimension)) + ", or edit " + others +
+                            " as well");
 }
 
 }  // namespace ashimpact

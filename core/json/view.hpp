@@ -13,6 +13,17 @@
 
 namespace ashimpact {
 
+/// Reads a quantity from a case or an artifact: a bare number (SI), a string with its unit ("44 um"), or
+/// {"value", "unit", "standard_uncertainty"} in any convertible unit. Returns it in SI.
+/// Errors: InputError, with the JSON pointer relative to `node` as its place.
+[[nodiscard]] Quantity read_quantity(const Json& node, Dimension expected);
+
+/// A quantity as an artifact has it, {"value", "unit"} and perhaps "standard_uncertainty".
+[[nodiscard]] Quantity shown_quantity(const Json& quantity);
+
+/// Writes {"value", "unit"}, and "standard_uncertainty" where there is one.
+void to_json(Json& node, const Quantity& quantity);
+
 /// A value of a document with its JSON pointer. Every read throws InputError with that pointer as its place.
 /// The document must outlive its views.
 class View {
@@ -65,5 +76,20 @@ struct View::Member {
     std::string key;
     View value;
 };
+
+/// {"value", "unit"} of a value in SI.
+[[nodiscard]] Json quantity_json(double value, Dimension dimension);
+[[nodiscard]] Json quantity_json(double value, std::string_view unit);
+
+/// The same, or null where there is none.
+[[nodiscard]] Json quantity_json(const std::optional<double>& value, Dimension dimension);
+
+/// {"values", "unit"} of values in SI.
+[[nodiscard]] Json column_json(const std::vector<double>& values, Dimension dimension);
+
+/// Checks that a value agrees with others of its artifact that say the same. Numbers written with fewer
+/// digits agree. @throws InputError at the value: @p problem, the @p expected one, @p others to edit as well
+void require_agreement(const View& value, double expected, Dimension dimension, const std::string& problem,
+                       const std::string& others);
 
 }  // namespace ashimpact

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/text/decimal.hpp"
+#include <fmt/format.h>
+
+#include "core/text/text.hpp"
 
 namespace ashimpact {
 
@@ -16,7 +18,7 @@ constexpr std::size_t indent_width = 2;
 std::string number(double value, Digits digits) {
     if (!std::isfinite(value)) throw std::logic_error("a result holds a number that is not finite");
     value += 0.0;  // turns -0 into 0
-    return digits == Digits::shortest ? decimal::shortest(value) : decimal::general(value, 17);
+    return digits == Digits::shortest ? shortest(value) : fmt::format("{:.17g}", value);
 }
 
 std::string text(const std::string& value) {

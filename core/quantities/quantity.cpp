@@ -3,51 +3,55 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <string_view>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
-#include "core/json/document.hpp"
-#include "core/tables/number.hpp"
+#include "core/text/error.hpp"
 #include "core/text/text.hpp"
 
 namespace ashimpact {
 
 namespace {
 
-double finite_number(const Json& node, const std::string& key) {
-    if (!node.at(key).is_number())
-        throw InputError("not a number" + (node.at(key).is_string()
-                                               ? remedy_for_number_in_quotes(node.at(key).get<std::string>())
-                                               : ""),
-                         "a finite number")
-            .at("/" + key);
-    const auto value = node.at(key).get<double>();
-    if (!std::isfinite(value)) throw InputError("not finite", "a finite number").at("/" + key);
-    return value;
+/// Removes a plain number from the front of `text`; none if there is no finite one.
+std::optional<double> take_number(std::string_view& text) {
+    if (text.starts_with('+') && text.size() > 1 && text[1] != '-' && text[1] != '+') text.remove_prefix(1);
+    double value = 0;
+    const bool read = take_decimal(text, value) == std::errc{} && std::isfinite(value);
+    return read ? std::optional(value) : std::nullopt;
 }
 
-Quantity read_object(const Json& node, Dimension expected) {
-    for (const auto& [key, _] : node.items())
-        if (key != "value" && key != "unit" && key != "standard_uncertainty")
-            throw InputError("unknown key " + in_quotes(key), "value, unit, standard_uncertainty")
-                .at("/" + key);
-    const bool plain = expected == Dimension::fraction && !node.contains("unit");  // a number needs no unit
-    for (const auto* key : {"value", "unit"})
-        if (!node.contains(key) && !(plain && key == std::string_view("unit")))
-            throw InputError("the key \"" + std::string(key) + "\" is missing",
-                             "value, unit, standard_uncertainty");
-    if (!plain && !node.at("unit").is_string())
-        throw InputError("not a string", "a unit of " + std::string(dimension_name(expected))).at("/unit");
-    const std::string unit = plain ? "1" : node.at("unit").get<std::string>();
-    Quantity quantity = make_quantity(to_si(finite_number(node, "value"), unit, expected), expected);
-    if (!node.contains("standard_uncertainty")) return quantity;
-    const double uncertainty = finite_number(node, "standard_uncertainty");
-    if (uncertainty < 0)
-        throw InputError("a standard uncertainty below zero", "zero or more").at("/standard_uncertainty");
-    quantity.standard_uncertainty = to_si(uncertainty, unit, expected);
-    return quantity;
+/// Value of one unit in the last place of a printed number: 0.01 for "12.34", 1 for "12", 0.1 for "2.54e1".
+double last_place(std::string_view printed) {
+    const auto exponent = std::min(printed.find_first_of("eE"), printed.size());
+    std::string unit(printed.substr(0, exponent));
+    for (char& c : unit)
+        if (c >= '0' && c <= '9') c = '0';
+    const auto last = unit.rfind('0');
+    if (last == std::string::npos) return 0;
+    unit[last] = '1';
+    unit.erase(0, unit.find_first_not_of("+-"));
+    unit += printed.substr(exponent);
+    return whole_decimal(unit).value_or(0);
+}
+
+std::optional<double> take_uncertainty(std::string_view& text, std::string_view printed) {
+    if (text.starts_with('(')) {
+        text.remove_prefix(1);
+        const bool own_point = text.substr(0, text.find(')')).find('.') != std::string_view::npos;
+        const auto uncertainty = take_number(text);
+        if (!uncertainty || !text.starts_with(')')) return std::nullopt;
+        text.remove_prefix(1);
+        return own_point ? *uncertainty : *uncertainty * last_place(printed);
+    }
+    for (const std::string_view sign : {"+-", "+/-", "\u00b1"}) {
+        if (!text.starts_with(sign)) continue;
+        text.remove_prefix(sign.size());
+        text = trimmed(text);
+        return take_number(text);
+    }
+    return std::nullopt;
 }
 
 /// Position and length of "+-", "+/-" or "±" in a text; the end and 0 if there is none.
@@ -64,14 +68,6 @@ std::size_t end_of_last_digits(std::string_view text) {
     if (open == std::string_view::npos || close == std::string_view::npos || open == 0 || close < open)
         return 0;
     return read_number(text.substr(0, close + 1)) ? close + 1 : 0;
-}
-
-/// Refuses an uncertainty that makes the value meaningless. @throws InputError
-void require_uncertainty(const Quantity& quantity, Dimension dimension) {
-    const double most = dimension == Dimension::fraction ? std::max(1.0, std::abs(quantity.value)) : 1e40;
-    if (quantity.standard_uncertainty.value_or(0) > most)
-        throw InputError("a standard uncertainty of " + shortest(*quantity.standard_uncertainty),
-                         dimension == Dimension::fraction ? "0 to 1, or up to the value" : "0 to 1e40 in SI");
 }
 
 /// "60(3) um"; @p end is behind the bracket.
@@ -112,33 +108,49 @@ Quantity read_text(const std::string& text, Dimension expected) {
 
 }  // namespace
 
+std::optional<PrintedNumber> read_number(std::string_view text, bool decimal_comma) {
+    std::string plain(trimmed(text));
+    if (decimal_comma) std::replace(plain.begin(), plain.end(), ',', '.');
+    std::string_view rest = plain;
+    PrintedNumber number;
+    const auto take_per_cent = [&] {
+        rest = trimmed(rest);
+        if (!rest.starts_with('%')) return;
+        number.per_cent = true;
+        rest = trimmed(rest.substr(1));
+    };
+    const auto value = take_number(rest);
+    if (!value) return std::nullopt;
+    number.value = *value;
+    const std::string_view printed(plain.data(), static_cast<std::size_t>(rest.data() - plain.data()));
+    take_per_cent();
+    if (!rest.empty()) {
+        const auto uncertainty = take_uncertainty(rest, printed);
+        if (!uncertainty || *uncertainty < 0) return std::nullopt;
+        if (*uncertainty > 0) number.standard_uncertainty = uncertainty;
+        take_per_cent();
+    }
+    if (!rest.empty()) return std::nullopt;
+    return number;
+}
+
 Quantity make_quantity(double value, Dimension dimension, std::optional<double> standard_uncertainty) {
     return {.value = value,
             .unit = std::string(si_unit(dimension)),
             .standard_uncertainty = standard_uncertainty};
 }
 
+void require_uncertainty(const Quantity& quantity, Dimension dimension) {
+    const double most = dimension == Dimension::fraction ? std::max(1.0, std::abs(quantity.value)) : 1e40;
+    if (quantity.standard_uncertainty.value_or(0) > most)
+        throw InputError("a standard uncertainty of " + shortest(*quantity.standard_uncertainty),
+                         dimension == Dimension::fraction ? "0 to 1, or up to the value" : "0 to 1e40 in SI");
+}
+
 Quantity quantity_of_text(const std::string& text, Dimension expected) {
     Quantity quantity = read_text(text, expected);
     require_uncertainty(quantity, expected);
     return quantity;
-}
-
-Quantity read_quantity(const nlohmann::ordered_json& node, Dimension expected) {
-    if (node.is_string()) return quantity_of_text(node.get<std::string>(), expected);
-    if (node.is_number())
-        return make_quantity(to_si(node.get<double>(), si_unit(expected), expected), expected);
-    if (!node.is_object())
-        throw InputError("not a quantity", "a number in " + std::string(si_unit(expected)) +
-                                               R"(, a string with its unit, or {"value", "unit"})");
-    Quantity quantity = read_object(node, expected);
-    at_place("/standard_uncertainty", [&] { require_uncertainty(quantity, expected); });
-    return quantity;
-}
-
-void to_json(nlohmann::ordered_json& node, const Quantity& quantity) {
-    node = Json{{"value", quantity.value}, {"unit", quantity.unit}};
-    if (quantity.standard_uncertainty) node["standard_uncertainty"] = *quantity.standard_uncertainty;
 }
 
 }  // namespace ashimpact

@@ -3,8 +3,7 @@
 
 #include <optional>
 #include <string>
-
-#include <nlohmann/json_fwd.hpp>
+#include <string_view>
 
 #include "core/units/units.hpp"
 
@@ -21,16 +20,21 @@ struct Quantity {
 [[nodiscard]] Quantity make_quantity(double value, Dimension dimension,
                                      std::optional<double> standard_uncertainty = std::nullopt);
 
-/// Reads a quantity from a case or an artifact: a bare number (SI), a string with its unit ("44 um"), or
-/// {"value", "unit", "standard_uncertainty"} in any convertible unit. Returns it in SI.
-/// Errors: InputError, with the JSON pointer relative to `node` as its place.
-[[nodiscard]] Quantity read_quantity(const nlohmann::ordered_json& node, Dimension expected);
-
-/// Reads "60 um", "60 +- 3 um", "60 um +- 5 %" or "60(3) um"; a number alone is SI. Errors as
-/// read_quantity().
+/// Reads "60 um", "60 +- 3 um", "60 um +- 5 %" or "60(3) um"; a number alone is SI. @throws InputError
 [[nodiscard]] Quantity quantity_of_text(const std::string& text, Dimension expected);
 
-/// Writes {"value", "unit"}, and "standard_uncertainty" where there is one.
-void to_json(nlohmann::ordered_json& node, const Quantity& quantity);
+/// Refuses an uncertainty that makes the value meaningless. @throws InputError
+void require_uncertainty(const Quantity& quantity, Dimension dimension);
+
+/// A number in the notations of refinement programs and spreadsheets.
+struct PrintedNumber {
+    double value = 0;
+    std::optional<double> standard_uncertainty{};
+    bool per_cent = false;  ///< a "%" follows the number; the value is not divided by 100
+};
+
+/// Reads "0.2548+-0.0029", "12.3 ± 0.4", "12.3 +/- 0.4", "12.3(4)", "12,3 %". An uncertainty of zero counts
+/// as none. Returns nothing for any other text, or a number that is not finite.
+[[nodiscard]] std::optional<PrintedNumber> read_number(std::string_view text, bool decimal_comma = false);
 
 }  // namespace ashimpact

@@ -86,11 +86,4 @@ std::string uncertainty_legend(std::string_view text) {
     return text.find("+-") == std::string_view::npos ? "" : "+-: standard uncertainty.\n";
 }
 
-Quantity shown_quantity(const Json& quantity) {
-    Quantity shown{.value = quantity.at("value"), .unit = quantity.at("unit")};
-    if (quantity.contains("standard_uncertainty") && quantity.at("standard_uncertainty").is_number())
-        shown.standard_uncertainty = quantity.at("standard_uncertainty").get<double>();
-    return shown;
-}
-
 }  // namespace ashimpact

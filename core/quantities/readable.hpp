@@ -4,7 +4,6 @@
 #include <string>
 #include <string_view>
 
-#include "core/json/document.hpp"
 #include "core/quantities/quantity.hpp"
 
 namespace ashimpact {
@@ -19,9 +18,6 @@ namespace ashimpact {
 
 /// What "+-" means, as a line, for a text that has one; else nothing.
 [[nodiscard]] std::string uncertainty_legend(std::string_view text);
-
-/// A quantity as an artifact has it, {"value", "unit"} and perhaps "standard_uncertainty".
-[[nodiscard]] Quantity shown_quantity(const Json& quantity);
 
 /// A number for a reader, with that many significant digits.
 [[nodiscard]] std::string readable_number(double value, int digits = 4);

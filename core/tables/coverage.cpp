@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include "core/tables/vocabulary.hpp"
-#include "core/text/decimal.hpp"
 #include "core/text/text.hpp"
 #include "core/text/utf8.hpp"
 
@@ -19,7 +18,8 @@ namespace ashimpact {
 
 namespace {
 
-constexpr std::size_t longest = 200;  // no heading is longer; a regular expression needs stack for each byte
+constexpr std::size_t longest_heading =
+    200;  // no heading is longer; a regular expression needs stack for each byte
 
 /// Central intervals of the normal distribution: their half-widths in standard deviations.
 struct Coverage {
@@ -149,11 +149,10 @@ std::string problem_of_coverage(const std::string& rest, bool is_known) {
 
 StatedCoverage read_coverage(std::string_view heading) {
     StatedCoverage coverage{.rest = std::string(heading), .stated = {}, .problem = {}};
-    if (heading.size() > longest || is_number(heading)) return coverage;
+    if (heading.size() > longest_heading || is_number(heading)) return coverage;
     if (const auto multiple = multiple_in(coverage.rest)) {
         coverage.stated = coverage.rest.substr(multiple->begin, multiple->length);
-        decimal::read(multiple->number.data(), multiple->number.data() + multiple->number.size(),
-                      coverage.factor);
+        coverage.factor = whole_decimal(multiple->number).value_or(1);
         if (!(coverage.factor >= 0.5 && coverage.factor <= 10))
             coverage.problem = std::string("such a multiple is not plausible (") + remedy + ")";
         coverage.rest = without(coverage.rest, *multiple);

@@ -6,6 +6,7 @@
 
 #include "core/embedded.hpp"
 #include "core/json/document.hpp"
+#include "core/text/text.hpp"
 #include "core/text/utf8.hpp"
 
 namespace ashimpact {
@@ -34,6 +35,12 @@ WordLists::WordLists(std::string_view group, std::string_view kept) : kept_(kept
 std::optional<std::string_view> WordLists::list_of(std::string_view text) const {
     const auto found = words_.find(word_key(text, kept_));
     return found == words_.end() ? std::nullopt : std::optional<std::string_view>(found->second);
+}
+
+bool says_no_number(std::string_view text) {
+    static const WordLists words("no number", all_marks);
+    const std::string_view word = trimmed(text);
+    return word.starts_with('<') || words.holds(word);
 }
 
 const WordLists& uncertainty_words() {

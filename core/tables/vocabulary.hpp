@@ -43,6 +43,9 @@ template <Named Enum>
 /// Kept characters for words that count as they are written, apart from case and accents.
 inline constexpr std::string_view all_marks = " !\"#$%&'()*+,-./:;<=>?@[\\]^_`{|}~";
 
+/// Whether a cell states that there is no number: "", "-", "n.d.", "n/a", "UNDEF", "ERROR", "< 0.5".
+[[nodiscard]] bool says_no_number(std::string_view text);
+
 /// Words that name an uncertainty and nothing else: "u", "±", "esd", "std. error", "Messunsicherheit".
 [[nodiscard]] const WordLists& uncertainty_words();
 

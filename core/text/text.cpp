@@ -2,22 +2,16 @@
 #include "core/text/text.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
+#include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
-#include "core/text/decimal.hpp"
 #include "core/text/utf8.hpp"
 
 namespace ashimpact {
-
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view blank = " \t\r\n\f\v";
-    const auto first = text.find_first_not_of(blank);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(blank) - first + 1);
-}
 
 namespace {
 
@@ -42,7 +36,32 @@ std::pair<std::string, std::string> readings_of_commas(std::string_view number) 
     return {with_point, thousands ? without_commas : with_point};
 }
 
+/// True if the text of a number that was read as infinite or zero holds a finite number other than zero.
+bool is_out_of_range(const char* first, const char* last, double value) {
+    const auto holds = [](const char* from, const char* to, char least) {
+        return std::any_of(from, to, [&](char c) { return c >= least && c <= '9'; });
+    };
+    const char* const end_of_mantissa =
+        std::find_if(first, last, [](char c) { return c == 'e' || c == 'E'; });
+    return std::isinf(value) ? holds(first, last, '0') : value == 0 && holds(first, end_of_mantissa, '1');
+}
+
+/// Number of significant digits of a number in decimal notation.
+std::size_t significant_digits(std::string text) {
+    text.resize(std::min(text.find('e'), text.size()));
+    std::erase_if(text, [](char c) { return c == '.' || c == '-'; });
+    const auto first = text.find_first_not_of('0');
+    return first == std::string::npos ? 1 : text.find_last_not_of('0') + 1 - first;
+}
+
 }  // namespace
+
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view blank = " \t\r\n\f\v";
+    const auto first = text.find_first_not_of(blank);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(blank) - first + 1);
+}
 
 std::string in_quotes(std::string_view text) {
     constexpr std::size_t longest = 60;
@@ -64,10 +83,6 @@ std::string lower_case(std::string_view text) {
     for (char& c : lower)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     return lower;
-}
-
-std::string shortest(double value) {
-    return decimal::shortest(value);
 }
 
 std::size_t edit_distance(std::string_view from, std::string_view to) {
@@ -204,6 +219,45 @@ std::string shell_word(const std::string& text) {
     std::string word = "'";
     for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return word + "'";
+}
+
+std::string counted(std::size_t count, std::string_view noun) {
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string numbered(std::string_view word, const std::vector<std::size_t>& numbers) {
+    constexpr std::size_t most = 6;
+    std::string text = fmt::format("{}{} ", word, numbers.size() == 1 ? "" : "s");
+    for (std::size_t i = 0; i < std::min(numbers.size(), most); ++i)
+        text += fmt::format("{}{}", i == 0 ? "" : ", ", numbers[i]);
+    return numbers.size() > most ? fmt::format("{} and {} more", text, numbers.size() - most) : text;
+}
+
+std::errc take_decimal(std::string_view& text, double& value) {
+    double number = 0;
+    const auto* const first = text.data();
+    const auto [end, status] = fast_float::from_chars(first, first + text.size(), number);
+    if (status != std::errc{}) return status;
+    if (is_out_of_range(first, end, number)) return std::errc::result_out_of_range;
+    text.remove_prefix(static_cast<std::size_t>(end - first));
+    value = number;
+    return status;
+}
+
+std::optional<double> whole_decimal(std::string_view text) {
+    double value = 0;
+    return take_decimal(text, value) == std::errc{} && text.empty() ? std::optional(value) : std::nullopt;
+}
+
+std::string shortest(double value) {
+    std::string fixed = fmt::format("{}", value);  // in exponential notation below 1e-4 and from 1e16
+    if (!std::isfinite(value)) return fixed;
+    std::string exponential = fmt::format("{:.{}e}", value, significant_digits(fixed) - 1);
+    if (fixed.find('e') != std::string::npos) {
+        if (std::abs(value) < 1 || std::abs(value) > 1e25) return exponential;
+        fixed = fmt::format("{:.0f}", value);
+    }
+    return fixed.size() <= exponential.size() ? fixed : exponential;
 }
 
 }  // namespace ashimpact

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace ashimpact {
@@ -22,8 +24,15 @@ namespace ashimpact {
 /// ASCII letters in lower case; other bytes as they are.
 [[nodiscard]] std::string lower_case(std::string_view text);
 
-/// Shortest decimal form that reads back as the same number.
+/// The fewest digits that read back as the same number, "1e+05" rather than "100000" where that is shorter.
 [[nodiscard]] std::string shortest(double value);
+
+/// Removes a number in the C locale from the front of a text, as std::from_chars() reads it, which emscripten
+/// has for integers only. Returns why there is none, std::errc{} if there is one.
+std::errc take_decimal(std::string_view& text, double& value);
+
+/// The whole text as a number in the C locale; none if it is anything else.
+[[nodiscard]] std::optional<double> whole_decimal(std::string_view text);
 
 /// Fewest insertions, deletions, replacements and swaps of neighbouring bytes that turn one word into the
 /// other (optimal string alignment).
@@ -67,5 +76,11 @@ namespace ashimpact {
 
 /// The text as a word of a shell command, in single quotes if it needs them.
 [[nodiscard]] std::string shell_word(const std::string& text);
+
+/// "1 impact", "3 impacts": a number with its noun.
+[[nodiscard]] std::string counted(std::size_t count, std::string_view noun);
+
+/// "line 4", "lines 4, 7, 9 and 12 more": numbers of lines for a message, which begins with @p word.
+[[nodiscard]] std::string numbered(std::string_view word, const std::vector<std::size_t>& numbers);
 
 }  // namespace ashimpact

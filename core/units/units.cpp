@@ -1,19 +1,267 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/units/units.hpp"
 
+#include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
-#include "core/text/decimal.hpp"
+#include <fmt/format.h>
+
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
-#include "core/units/unit.hpp"
+#include "core/text/utf8.hpp"
 
 namespace ashimpact {
 
 namespace {
+
+struct Row {
+    std::string_view symbols;  ///< separated by blanks; case matters
+    std::string_view names;    ///< separated by blanks; in any case, with or without a plural ending
+    double factor;
+    std::array<double, 4> powers;  ///< of m, kg, s and others
+};
+
+/// Powers of m, kg, s and others.
+namespace of {
+constexpr std::array<double, 4> number{0, 0, 0, 0};
+constexpr std::array<double, 4> length{1, 0, 0, 0};
+constexpr std::array<double, 4> volume{3, 0, 0, 0};
+constexpr std::array<double, 4> mass{0, 1, 0, 0};
+constexpr std::array<double, 4> time{0, 0, 1, 0};
+constexpr std::array<double, 4> velocity{1, 0, -1, 0};
+constexpr std::array<double, 4> frequency{0, 0, -1, 0};
+constexpr std::array<double, 4> force{1, 1, -2, 0};
+constexpr std::array<double, 4> pressure{-1, 1, -2, 0};
+constexpr std::array<double, 4> energy{2, 1, -2, 0};
+constexpr std::array<double, 4> power{2, 1, -3, 0};
+constexpr std::array<double, 4> other{0, 0, 0, 1};
+}  // namespace of
+
+/// Mechanical units of the field and of its neighbours, with the values of UDUNITS-2 2.2.28. Other units have
+/// rows here so that messages can distinguish them from unknown ones, and so that no symbol is read as a
+/// prefix and another unit: without "cd", a candela would be a hundredth of a day.
+constexpr std::array rows{
+    Row{"%", "percent", 1e-2, of::number},
+    Row{"ppm", "", 1e-6, of::number},
+    Row{"ppb", "", 1e-9, of::number},
+    Row{"ppt", "", 1e-12, of::number},
+    Row{"rad sr", "radian steradian", 1, of::number},
+    Row{"m", "meter metre", 1, of::length},
+    Row{"", "micron", 1e-6, of::length},
+    Row{"", "angstrom", 1e-10, of::length},
+    Row{"", "mil", 2.54e-5, of::length},
+    Row{"in", "inch", 0.0254, of::length},
+    Row{"ft", "foot feet", 0.3048, of::length},
+    Row{"yd", "yard", 0.9144, of::length},
+    Row{"mi", "mile", 1609.344, of::length},
+    Row{"nmile", "nautical_mile", 1852, of::length},
+    Row{"L l", "liter litre", 1e-3, of::volume},
+    Row{"cc", "", 1e-6, of::volume},
+    Row{"", "gallon", 3.785412e-3, of::volume},
+    Row{"pt", "pint", 4.731765e-4, of::volume},
+    Row{"kg", "kilogram", 1, of::mass},
+    Row{"g", "gram", 1e-3, of::mass},
+    Row{"t", "tonne metric_ton", 1000, of::mass},
+    Row{"lb", "pound avoirdupois_pound", 0.45359237, of::mass},
+    Row{"gr", "grain", 6.479891e-5, of::mass},
+    Row{"", "carat", 2e-4, of::mass},
+    Row{"", "slug", 14.5939, of::mass},
+    Row{"", "ton short_ton", 907.18474, of::mass},
+    Row{"", "long_ton", 1016.0469088, of::mass},
+    Row{"", "amu", 1.6605402e-27, of::mass},
+    Row{"s sec", "second", 1, of::time},
+    Row{"min", "minute", 60, of::time},
+    Row{"h hr", "hour", 3600, of::time},
+    Row{"d", "day", 86400, of::time},
+    Row{"", "week", 604800, of::time},
+    Row{"yr", "year", 31556925.9747, of::time},
+    Row{"kt kts", "knot", 1852.0 / 3600, of::velocity},
+    Row{"Hz", "hertz", 1, of::frequency},
+    Row{"rpm", "", 3.14159265358979323846 / 30, of::frequency},
+    Row{"St", "stokes", 1e-4, {2, 0, -1, 0}},
+    Row{"", "gal", 1e-2, {1, 0, -2, 0}},
+    Row{"N", "newton", 1, of::force},
+    Row{"dyn", "dyne", 1e-5, of::force},
+    Row{"gf", "gram_force force_gram pond", 9.80665e-3, of::force},
+    Row{"kgf", "kilogram_force force_kilogram", 9.80665, of::force},
+    Row{"lbf", "pound_force force_pound", 4.4482216152605, of::force},
+    Row{"ozf", "ounce_force force_ounce", 0.2780139, of::force},
+    Row{"", "poundal", 0.138255, of::force},
+    Row{"", "kip", 4448.2216152605, of::force},
+    Row{"Pa", "pascal", 1, of::pressure},
+    Row{"", "bar", 1e5, of::pressure},
+    Row{"", "barye barie", 0.1, of::pressure},
+    Row{"atm", "atmosphere standard_atmosphere", 101325, of::pressure},
+    Row{"at", "technical_atmosphere", 98066.5, of::pressure},
+    Row{"mmHg mm_Hg mmhg mm_hg", "torr", 133.322387415, of::pressure},
+    Row{"cmHg cm_Hg", "", 1333.22387415, of::pressure},
+    Row{"inHg in_Hg", "", 3386.38864034, of::pressure},
+    Row{"cmH2O cm_H2O", "", 98.0665, of::pressure},
+    Row{"psi", "", 6894.757293168361, of::pressure},
+    Row{"ksi", "", 6894757.293168361, of::pressure},
+    Row{"J", "joule", 1, of::energy},
+    Row{"", "erg", 1e-7, of::energy},
+    Row{"eV", "electronvolt electron_volt", 1.60217733e-19, of::energy},
+    Row{"cal", "calorie", 4.1868, of::energy},
+    Row{"", "thermochemical_calorie", 4.184, of::energy},
+    Row{"", "btu", 1055.05585262, of::energy},
+    Row{"Wh", "watthour", 3600, of::energy},
+    Row{"W VA", "watt voltampere", 1, of::power},
+    Row{"hp", "horsepower", 745.6999, of::power},
+    Row{"P", "poise", 0.1, {-1, 1, -1, 0}},
+    Row{"K degC degF degK degR", "kelvin celsius fahrenheit degree_C degree_F", 1, of::other},
+    Row{"A V C F H T S", "ampere volt coulomb farad henry tesla ohm siemens weber gauss", 1, of::other},
+    Row{"Wb Bq Gy Sv kat", "becquerel gray sievert katal", 1, of::other},
+    Row{"mol cd lm lx ph nt", "mole candela lumen lux phot nit", 1, of::other},
+};
+
+struct Prefix {
+    std::string_view symbol;
+    std::string_view name;
+    double factor;
+};
+constexpr std::array prefixes{
+    Prefix{"Y", "yotta", 1e24}, Prefix{"Z", "zetta", 1e21},  Prefix{"E", "exa", 1e18},
+    Prefix{"P", "peta", 1e15},  Prefix{"T", "tera", 1e12},   Prefix{"G", "giga", 1e9},
+    Prefix{"M", "mega", 1e6},   Prefix{"k", "kilo", 1e3},    Prefix{"h", "hecto", 1e2},
+    Prefix{"da", "deka", 1e1},  Prefix{"da", "deca", 1e1},   Prefix{"d", "deci", 1e-1},
+    Prefix{"c", "centi", 1e-2}, Prefix{"m", "milli", 1e-3},  Prefix{"u", "micro", 1e-6},
+    Prefix{"n", "nano", 1e-9},  Prefix{"p", "pico", 1e-12},  Prefix{"f", "femto", 1e-15},
+    Prefix{"a", "atto", 1e-18}, Prefix{"z", "zepto", 1e-21}, Prefix{"y", "yocto", 1e-24},
+};
+
+bool holds(std::string_view words, std::string_view word) {
+    if (word.empty()) return false;
+    for (auto at = words.find(word); at != std::string_view::npos; at = words.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        if ((at == 0 || words[at - 1] == ' ') && (end == words.size() || words[end] == ' ')) return true;
+    }
+    return false;
+}
+
+/// The row of a symbol or a name without prefix, null if there is none.
+const Row* row_of(std::string_view text) {
+    const std::string name = lower_case(text);
+    const auto is_name_of = [&](const Row& row, std::string_view ending) {
+        return name.ends_with(ending) &&
+               holds(row.names, std::string_view(name).substr(0, name.size() - ending.size()));
+    };
+    for (const Row& row : rows)
+        if (holds(row.symbols, text) || is_name_of(row, "") || is_name_of(row, "s") || is_name_of(row, "es"))
+            return &row;
+    return nullptr;
+}
+
+constexpr std::size_t longest_unit = 200;  // bounds the depth of brackets
+
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '%';
+}
+
+Unit raised(Unit unit, int exponent) {
+    unit.factor = std::pow(unit.factor, exponent);
+    for (double& power : unit.powers) power *= exponent;
+    return unit;
+}
+
+Unit product(Unit left, const Unit& right) {
+    left.factor *= right.factor;
+    for (std::size_t i = 0; i < left.powers.size(); ++i) left.powers[i] += right.powers[i];
+    return left;
+}
+
+/// Reads a unit by recursive descent.
+class UnitReader {
+  public:
+    explicit UnitReader(std::string_view text) : rest_(text) {}
+
+    std::optional<Unit> whole() {
+        const std::optional<Unit> unit = products();
+        return rest_.empty() ? unit : std::nullopt;
+    }
+
+  private:
+    std::optional<Unit> products() {
+        std::optional<Unit> left = power();
+        while (left) {
+            const bool blank = skip_blanks();
+            if (rest_.empty() || rest_.front() == ')') return left;
+            const bool divides = skip("/") || (blank && skip_per());
+            if (!divides) static_cast<void>(skip(".") || skip("*") || skip("-"));
+            skip_blanks();
+            const std::optional<Unit> right = power();
+            if (!right) return std::nullopt;
+            left = product(*left, divides ? raised(*right, -1) : *right);
+        }
+        return left;
+    }
+
+    std::optional<Unit> power() {
+        const std::optional<Unit> unit = one();
+        if (!unit) return unit;
+        const bool needs_exponent = skip("^");
+        const std::optional<int> exponent = integer();
+        if (!exponent) return needs_exponent ? std::nullopt : unit;
+        return raised(*unit, *exponent);
+    }
+
+    std::optional<Unit> one() {
+        if (skip("(")) {
+            const std::optional<Unit> unit = products();
+            return unit && skip(")") ? unit : std::nullopt;
+        }
+        const std::string_view name = rest_.substr(0, length_of_name());
+        rest_.remove_prefix(name.size());
+        return name.empty() ? std::nullopt : unit_named(name);
+    }
+
+    /// Letters and digits, of which a letter is the last, as in "cmH2O".
+    [[nodiscard]] std::size_t length_of_name() const {
+        std::size_t length = 0;
+        for (std::size_t i = 0; i < rest_.size() && (is_letter(rest_[i]) || is_digit(rest_[i])); ++i) {
+            if (i == 0 && is_digit(rest_[i])) return 0;
+            if (is_letter(rest_[i])) length = i + 1;
+        }
+        return length;
+    }
+
+    std::optional<int> integer() {
+        const std::size_t sign = rest_.starts_with('-') || rest_.starts_with('+') ? 1 : 0;
+        int value = 0;
+        const auto* const first = rest_.data() + sign;
+        const auto [end, status] = std::from_chars(first, rest_.data() + rest_.size(), value);
+        if (status != std::errc{} || (sign == 1 && !is_digit(*first))) return std::nullopt;
+        if (rest_.front() == '-') value = -value;
+        rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
+        return value;
+    }
+
+    bool skip(std::string_view text) {
+        const bool found = rest_.starts_with(text);
+        if (found) rest_.remove_prefix(text.size());
+        return found;
+    }
+    bool skip_per() {
+        const bool found = length_of_name() == 3 && lower_case(rest_.substr(0, 3)) == "per";
+        if (found) rest_.remove_prefix(3);
+        return found;
+    }
+    bool skip_blanks() {
+        const std::size_t before = rest_.size();
+        rest_ = rest_.substr(std::min(rest_.find_first_not_of(' '), rest_.size()));
+        return rest_.size() < before;
+    }
+
+    std::string_view rest_;
+};
 
 struct DimensionRow {
     Dimension dimension;
@@ -50,12 +298,42 @@ std::string allowed(Dimension dimension) {
 /// The factor rounded to 15 significant digits, which removes the rounding errors of a product of unit
 /// factors.
 double without_rounding_noise(double factor) {
-    const std::string rounded = decimal::scientific(factor, 14);
-    decimal::read(rounded.data(), rounded.data() + rounded.size(), factor);
-    return factor;
+    return whole_decimal(fmt::format("{:.14e}", factor)).value_or(factor);
 }
 
 }  // namespace
+
+std::optional<Unit> unit_named(std::string_view name) {
+    if (const Row* row = row_of(name)) return Unit{row->factor, row->powers};
+    if (name.ends_with('%')) return std::nullopt;
+    const std::string lower = lower_case(name);
+    for (const Prefix& prefix : prefixes)
+        for (const bool by_name : {true, false}) {
+            const std::string_view word = by_name ? prefix.name : prefix.symbol;
+            if (!std::string_view(by_name ? std::string_view(lower) : name).starts_with(word)) continue;
+            if (const Row* row = row_of(name.substr(word.size())))
+                return Unit{prefix.factor * row->factor, row->powers};
+        }
+    return std::nullopt;
+}
+
+std::optional<Unit> read_unit(std::string_view text) {
+    if (text == "1") return Unit{};
+    if (text.size() > longest_unit) return std::nullopt;
+    const std::optional<Unit> unit = UnitReader(text).whole();
+    return unit && std::isfinite(unit->factor) && unit->factor > 0 ? unit : std::nullopt;
+}
+
+std::string ascii_unit(std::string_view text) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 23> spellings{{
+        {"\u00b5", "u"},        {"\u03bc", "u"},        {"\u00b7", "."}, {"\u22c5", "."}, {"\u00d7", "."},
+        {"\u2212", "-"},        {"\u207b", "-"},        {"\u2070", "0"}, {"\u00b9", "1"}, {"\u00b2", "2"},
+        {"\u00b3", "3"},        {"\u2074", "4"},        {"\u2075", "5"}, {"\u2076", "6"}, {"\u2077", "7"},
+        {"\u2078", "8"},        {"\u2079", "9"},        {"\u00a0", " "}, {"\u2009", " "}, {"\u202f", " "},
+        {"\u00c5", "angstrom"}, {"\u212b", "angstrom"}, {"**", "^"},
+    }};
+    return replaced(text, spellings);
+}
 
 std::string_view si_unit(Dimension dimension) {
     return row(dimension).unit;
@@ -92,13 +370,12 @@ double parse_quantity(std::string_view text, Dimension expected) {
     std::string_view rest = trimmed(plain);
     if (rest.starts_with('+') && !rest.starts_with("+-")) rest.remove_prefix(1);
     double value = 0;
-    const auto [end, status] = decimal::read(rest.data(), rest.data() + rest.size(), value);
+    const std::errc status = take_decimal(rest, value);
     if (status == std::errc::result_out_of_range)
         throw InputError(in_quotes(text) + " is outside the range of numbers", allowed(expected));
     if (status != std::errc{})
         throw InputError(in_quotes(text) + " does not start with a number", allowed(expected));
     if (!std::isfinite(value)) throw InputError(in_quotes(text) + " is not finite", allowed(expected));
-    rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
     if (rest.size() > 1 && (rest.front() == ',' || rest.front() == '.'))
         if (const std::string remedy = remedy_for_commas(trimmed(plain)); !remedy.empty())
             throw InputError(in_quotes(text) + " has a decimal comma, " + remedy, allowed(expected));

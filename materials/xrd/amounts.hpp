@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/tables/number.hpp"
+#include "core/quantities/quantity.hpp"
 #include "materials/xrd/xrd.hpp"
 
 namespace ashimpact::xrd {

@@ -4,7 +4,8 @@
 #include <map>
 #include <optional>
 
-#include "core/tables/number.hpp"
+#include "core/quantities/quantity.hpp"
+#include "core/tables/vocabulary.hpp"
 #include "core/text/text.hpp"
 #include "materials/xrd/amounts.hpp"
 #include "materials/xrd/readers.hpp"

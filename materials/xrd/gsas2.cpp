@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "core/tables/number.hpp"
+#include "core/quantities/quantity.hpp"
 #include "core/text/text.hpp"
 #include "materials/xrd/readers.hpp"
 

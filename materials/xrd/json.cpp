@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <set>
 
-#include "core/json/json_lines.hpp"
+#include "core/json/document.hpp"
 #include "core/json/view.hpp"
 #include "core/text/text.hpp"
 #include "materials/xrd/composition_json.hpp"

@@ -4,10 +4,11 @@
 #include <algorithm>
 
 #include "core/quantities/checks.hpp"
-#include "core/text/counting.hpp"
+#include "core/tables/vocabulary.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "core/units/units.hpp"
+#include "materials/xrd/xrd.hpp"
 
 namespace ashimpact::xrd {
 

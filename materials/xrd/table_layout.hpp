@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/tables/cells.hpp"
-#include "core/tables/number.hpp"
+#include "core/quantities/quantity.hpp"
 #include "core/tables/text_lines.hpp"
 #include "materials/xrd/headings.hpp"
 

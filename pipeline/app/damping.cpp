@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <ostream>
 
-#include "core/json/quantity_json.hpp"
+#include "core/json/view.hpp"
 #include "core/json/writer.hpp"
 #include "core/text/error.hpp"
 #include "pipeline/app/command.hpp"

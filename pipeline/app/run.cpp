@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include "core/text/counting.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/app/command.hpp"
 #include "pipeline/app/run_stages.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/json/quantity_json.hpp"
+#include "core/json/view.hpp"
 #include "core/quantities/checks.hpp"
 #include "core/text/text.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/document/case_json.hpp"
 
-#include "core/json/quantity_json.hpp"
+#include "core/json/view.hpp"
 #include "pipeline/case/measurement_json.hpp"
 
 namespace ashimpact {

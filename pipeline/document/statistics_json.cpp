@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/json/quantity_json.hpp"
+#include "core/json/view.hpp"
 
 namespace ashimpact {
 

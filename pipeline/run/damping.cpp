@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "core/quantities/readable.hpp"
-#include "core/text/counting.hpp"
 #include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "solver/batch/in_parallel.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/motion/damping_inversion.hpp"

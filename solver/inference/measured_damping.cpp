@@ -6,7 +6,6 @@
 #include <iterator>
 #include <limits>
 
-#include "core/text/counting.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"

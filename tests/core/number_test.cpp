@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/tables/number.hpp"
-
 #include <doctest/doctest.h>
 
+#include "core/quantities/quantity.hpp"
 #include "tests/relative_difference.hpp"
 
 namespace ashimpact::test {

@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
+#include "core/json/view.hpp"
 #include "core/text/error.hpp"
 #include "tests/relative_difference.hpp"
 

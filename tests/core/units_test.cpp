@@ -8,7 +8,6 @@
 #include <doctest/doctest.h>
 
 #include "core/text/error.hpp"
-#include "core/units/unit.hpp"
 #include "tests/relative_difference.hpp"
 
 namespace ashimpact::test {

@@ -5,8 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include "core/quantities/quantity.hpp"
 #include "core/tables/coverage.hpp"
-#include "core/tables/number.hpp"
 #include "materials/xrd/headings.hpp"
 
 namespace ashimpact::test {

@@ -5,7 +5,6 @@
 #include <doctest/doctest.h>
 
 #include "core/json/document.hpp"
-#include "core/json/json_lines.hpp"
 #include "core/json/view.hpp"
 #include "core/json/writer.hpp"
 #include "pipeline/files/schema.hpp"

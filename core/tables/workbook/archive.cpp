@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/tables/workbook/archive.hpp"
-
 #include <algorithm>
 #include <cstring>
 
 #include <minizip/unzip.h>
 
+#include "core/tables/workbook/formats.hpp"
 #include "core/text/error.hpp"
 
 namespace ashimpact {

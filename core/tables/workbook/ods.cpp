@@ -3,8 +3,8 @@
 #include <charconv>
 
 #include "core/tables/workbook/formats.hpp"
-#include "core/text/decimal.hpp"
 #include "core/text/error.hpp"
+#include "core/text/text.hpp"
 
 namespace ashimpact {
 
@@ -50,11 +50,8 @@ std::string text_of_cell(const pugi::xml_node& cell) {
     }
     if (type == "date") return shown_date(attribute_of(cell, "date-value").value_or("").substr(0, 10));
     if (type == "float" || type == "percentage" || type == "currency") {
-        const std::string value = attribute_of(cell, "value").value_or("");
-        double number = 0;
-        const auto [end, status] = decimal::read(value.data(), value.data() + value.size(), number);
-        if (status == std::errc{} && end == value.data() + value.size())
-            return type == "percentage" ? shown_per_cent(number) : shown_number(number);
+        const auto number = whole_decimal(attribute_of(cell, "value").value_or(""));
+        if (number) return type == "percentage" ? shown_per_cent(*number) : shown_number(*number);
     }
     return text_of_paragraphs(cell);
 }

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "core/tables/workbook/formats.hpp"
-#include "core/text/decimal.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 
@@ -158,13 +157,12 @@ std::string date_of(double serial, bool since_1904) {
 }
 
 std::string shown_value(const std::string& value, const pugi::xml_node& cell, const Shared& shared) {
-    double number = 0;
-    const auto [end, status] = decimal::read(value.data(), value.data() + value.size(), number);
-    if (status != std::errc{} || end != value.data() + value.size()) return value;
+    const auto number = whole_decimal(value);
+    if (!number) return value;
     const auto style = whole_number(attribute_of(cell, "s").value_or("0")).value_or(0);
     const Format format = style < shared.formats.size() ? shared.formats[style] : Format::number;
-    if (format == Format::date) return shown_date(date_of(number, shared.since_1904));
-    return format == Format::per_cent ? shown_per_cent(number) : shown_number(number);
+    if (format == Format::date) return shown_date(date_of(*number, shared.since_1904));
+    return format == Format::per_cent ? shown_per_cent(*number) : shown_number(*number);
 }
 
 std::string text_of_cell(const pugi::xml_node& cell, const Shared& shared) {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include "core/json/quantity_json.hpp"
+#include "core/json/view.hpp"
 #include "core/json/writer.hpp"
 #include "core/quantities/readable.hpp"
 #include "core/text/text.hpp"

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "core/json/quantity_json.hpp"
+#include "core/json/view.hpp"
 #include "core/quantities/readable.hpp"
 #include "core/text/error.hpp"
 #include "pipeline/document/statistics_json.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/json/quantity_json.hpp"
+#include "core/json/view.hpp"
 #include "materials/contact_properties.hpp"
 #include "pipeline/case/case_parts.hpp"
 #include "pipeline/document/case_json.hpp"

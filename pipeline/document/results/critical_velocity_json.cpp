@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <limits>
 
-#include "core/json/quantity_json.hpp"
+#include "core/json/view.hpp"
 #include "pipeline/document/results/fields.hpp"
 #include "pipeline/document/results/regime_json.hpp"
 #include "pipeline/document/results/results_json.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/json/quantity_json.hpp"
+#include "core/json/view.hpp"
 #include "pipeline/document/results/fields.hpp"
 #include "pipeline/document/statistics_json.hpp"
 #include "pipeline/run/results/velocity.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/document/results/fields.hpp"
 
-#include "core/json/quantity_json.hpp"
+#include "core/json/view.hpp"
 #include "core/quantities/checks.hpp"
 #include "core/text/text.hpp"
 

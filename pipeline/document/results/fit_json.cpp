@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "core/json/quantity_json.hpp"
+#include "core/json/view.hpp"
 #include "core/quantities/checks.hpp"
 #include "pipeline/document/results/damping_fit_json.hpp"
 #include "pipeline/document/results/fields.hpp"

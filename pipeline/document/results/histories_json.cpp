@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/json/quantity_json.hpp"
+#include "core/json/view.hpp"
 #include "pipeline/document/results/fields.hpp"
 #include "pipeline/document/results/results_json.hpp"
 #include "solver/damping/damping.hpp"

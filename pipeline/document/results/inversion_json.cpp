@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/document/results/inversion_json.hpp"
 
-#include "core/json/quantity_json.hpp"
+#include "core/json/view.hpp"
 
 namespace ashimpact {
 

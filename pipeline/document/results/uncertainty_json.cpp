@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "core/json/quantity_json.hpp"
+#include "core/json/view.hpp"
 #include "pipeline/document/results/fields.hpp"
 #include "pipeline/document/statistics_json.hpp"
 

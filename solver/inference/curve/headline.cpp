@@ -5,7 +5,6 @@
 #include <cmath>
 #include <set>
 
-#include "core/text/counting.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "solver/inference/curve/recorded_impacts.hpp"

@@ -3,11 +3,9 @@
 #include <cmath>
 #include <string>
 
-#include "core/tables/cells.hpp"
-#include "core/tables/number.hpp"
+#include "core/quantities/quantity.hpp"
 #include "core/tables/text_lines.hpp"
 #include "core/tables/workbook/workbook.hpp"
-#include "core/text/counting.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "solver/inference/impacts/measurement.hpp"

@@ -9,7 +9,7 @@
 
 #include <doctest/doctest.h>
 
-#include "core/text/counting.hpp"
+#include "core/text/text.hpp"
 #include "solver/statistics/moments.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/solver/inference/ash_laboratory.hpp"

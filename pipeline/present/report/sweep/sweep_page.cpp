@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/json/view.hpp"
 #include "core/json/writer.hpp"
 #include "core/quantities/readable.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
