@@ -3,11 +3,25 @@
 
 #include <span>
 
-#include "materials/elastic_moduli.hpp"
-
 /// Elastic moduli of a mixture from those of its phases and their volume fractions, which must add up to one.
 /// Each rule is a weighted mean: a single phase gives its own modulus.
 namespace ashimpact {
+
+/// Bulk and shear modulus of an isotropic solid, in which the rigorous bounds are written.
+struct IsotropicModuli {
+    double bulk = 0;   ///< K [Pa]
+    double shear = 0;  ///< G [Pa]
+};
+
+/// Returns K and G from E [Pa] and nu [1]: K = E/(3(1 - 2 nu)), G = E/(2(1 + nu)).
+/// Errors: InputError for E <= 0 or nu outside (-1, 0.5); at 0.5 the bulk modulus is infinite.
+[[nodiscard]] IsotropicModuli isotropic_moduli(double young_modulus, double poisson_ratio);
+
+/// Returns Young's modulus [Pa]: E = 9KG/(3K + G); it grows with K and with G. Zero if either is zero.
+[[nodiscard]] double young_modulus(const IsotropicModuli& moduli);
+
+/// Returns Poisson's ratio [1]: nu = (3K - 2G)/(2(3K + G)). Validity: not both zero, as of a pore.
+[[nodiscard]] double poisson_ratio(const IsotropicModuli& moduli);
 
 /// Returns Young's modulus by the parallel model [Pa]: E = sum v_i E_i. Source: Dong et al. 2013, Eq. 1.
 /// It is a mean on E, not a bound: Voigt's bound on (K, G) gives a larger E when the Poisson ratios differ.

@@ -2,6 +2,7 @@
 #include "materials/phase_catalogue.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -143,6 +144,12 @@ constexpr const char* known_phases =
     "a phase that `ashimpact phases` lists, or one of your own: --phases FILE, or \"phases\" in a case";
 
 }  // namespace
+
+std::optional<double> PhaseProperty::uncertainty() const {
+    if (standard_uncertainty) return standard_uncertainty;
+    if (range) return (range->second - range->first) / std::sqrt(12.0);
+    return std::nullopt;
+}
 
 std::string phase_key(std::string_view name) {
     return word_key(name);

@@ -7,7 +7,6 @@
 #include "core/quantities/checks.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
-#include "materials/elastic_moduli.hpp"
 #include "materials/mixture_rules.hpp"
 
 namespace ashimpact {
@@ -88,12 +87,6 @@ double porosity_from_densities(double apparent_density, double true_density) {
                              " kg/m3 is above the true density " + shortest(true_density) + " kg/m3",
                          "apparent density <= true density");
     return 1 - apparent_density / true_density;
-}
-
-double cenosphere_wall_thickness(double radius, double porosity) {
-    require_positive("radius", radius, Dimension::length);
-    require_valid({.value = porosity});
-    return radius * (1 - std::cbrt(porosity));
 }
 
 }  // namespace ashimpact

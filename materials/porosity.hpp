@@ -63,8 +63,4 @@ void require_valid(const Porosity& porosity);
 /// [kg/m3]: P = 1 - apparent/true. Errors: InputError if the apparent density is the larger one.
 [[nodiscard]] double porosity_from_densities(double apparent_density, double true_density);
 
-/// Returns the wall thickness of a hollow sphere (cenosphere) [m]: r (1 - P^(1/3)). A contact much smaller
-/// than that deforms the dense wall only: take E without porosity, and the apparent density for the mass.
-[[nodiscard]] double cenosphere_wall_thickness(double radius, double porosity);
-
 }  // namespace ashimpact

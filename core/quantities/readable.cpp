@@ -17,20 +17,17 @@ struct ReadingUnit {
 };
 
 /// Largest first within each SI unit; a unit that is not here is shown as it is.
-constexpr std::array reading_units{
-    ReadingUnit{"Pa", "GPa", 1e9},    ReadingUnit{"Pa", "MPa", 1e6},    ReadingUnit{"Pa", "Pa", 1},
-    ReadingUnit{"m", "m", 1},         ReadingUnit{"m", "mm", 1e-3},     ReadingUnit{"m", "um", 1e-6},
-    ReadingUnit{"m", "nm", 1e-9},     ReadingUnit{"m", "pm", 1e-12},    ReadingUnit{"s", "s", 1},
-    ReadingUnit{"s", "ms", 1e-3},     ReadingUnit{"s", "us", 1e-6},     ReadingUnit{"s", "ns", 1e-9},
-    ReadingUnit{"kg", "kg", 1},       ReadingUnit{"kg", "g", 1e-3},     ReadingUnit{"kg", "mg", 1e-6},
-    ReadingUnit{"kg", "ug", 1e-9},    ReadingUnit{"kg", "ng", 1e-12},   ReadingUnit{"kg", "pg", 1e-15},
-    ReadingUnit{"J", "J", 1},         ReadingUnit{"J", "mJ", 1e-3},     ReadingUnit{"J", "uJ", 1e-6},
-    ReadingUnit{"J", "nJ", 1e-9},     ReadingUnit{"J", "pJ", 1e-12},    ReadingUnit{"J", "fJ", 1e-15},
-    ReadingUnit{"J", "aJ", 1e-18},    ReadingUnit{"N", "N", 1},         ReadingUnit{"N", "mN", 1e-3},
-    ReadingUnit{"N", "uN", 1e-6},     ReadingUnit{"N", "nN", 1e-9},     ReadingUnit{"m/s", "m/s", 1},
-    ReadingUnit{"m/s", "mm/s", 1e-3}, ReadingUnit{"m/s", "um/s", 1e-6}, ReadingUnit{"N s", "N s", 1},
-    ReadingUnit{"N s", "uN s", 1e-6}, ReadingUnit{"N s", "nN s", 1e-9}, ReadingUnit{"N s", "pN s", 1e-12},
-};
+constexpr std::array<ReadingUnit, 36> reading_units{{
+    {"Pa", "GPa", 1e9},  {"Pa", "MPa", 1e6},    {"Pa", "Pa", 1},       {"m", "m", 1},
+    {"m", "mm", 1e-3},   {"m", "um", 1e-6},     {"m", "nm", 1e-9},     {"m", "pm", 1e-12},
+    {"s", "s", 1},       {"s", "ms", 1e-3},     {"s", "us", 1e-6},     {"s", "ns", 1e-9},
+    {"kg", "kg", 1},     {"kg", "g", 1e-3},     {"kg", "mg", 1e-6},    {"kg", "ug", 1e-9},
+    {"kg", "ng", 1e-12}, {"kg", "pg", 1e-15},   {"J", "J", 1},         {"J", "mJ", 1e-3},
+    {"J", "uJ", 1e-6},   {"J", "nJ", 1e-9},     {"J", "pJ", 1e-12},    {"J", "fJ", 1e-15},
+    {"J", "aJ", 1e-18},  {"N", "N", 1},         {"N", "mN", 1e-3},     {"N", "uN", 1e-6},
+    {"N", "nN", 1e-9},   {"m/s", "m/s", 1},     {"m/s", "mm/s", 1e-3}, {"m/s", "um/s", 1e-6},
+    {"N s", "N s", 1},   {"N s", "uN s", 1e-6}, {"N s", "nN s", 1e-9}, {"N s", "pN s", 1e-12},
+}};
 
 /// The shown unit in which the number is at least 1 (a little less for velocities, which read well below it).
 const ReadingUnit* unit_for(double value, std::string_view si) {

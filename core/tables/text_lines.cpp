@@ -16,7 +16,7 @@ constexpr std::size_t longest_line = std::size_t{1} << 20;
 /// Refuses a file that cannot be a text, before anything is copied.
 void check_bytes(std::string_view bytes, const TextLimits& limits) {
     if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
-        throw InputError("this is UTF-16", "UTF-8, ASCII or Latin-1 text").at(at_line(1));
+        refuse_line(1, "this is UTF-16", "UTF-8, ASCII or Latin-1 text");
     std::size_t line_start = 0;
     std::size_t line = 1;
     for (std::size_t i = 0; i < bytes.size(); ++i) {
@@ -26,19 +26,16 @@ void check_bytes(std::string_view bytes, const TextLimits& limits) {
             const bool crlf = c == '\r' && bytes.substr(i + 1).starts_with('\n');
             line += crlf ? 0 : 1;
         } else if (i - line_start >= longest_line) {
-            throw InputError("the line is longer than a megabyte", "a text file with lines")
-                .at(at_line(line));
+            refuse_line(line, "the line is longer than a megabyte", "a text file with lines");
         } else if ((c < 0x20 && c != '\t' && c != '\f' && c != 0x1a) || c == 0x7f) {
-            throw InputError("this is a binary file", "a text file").at(at_line(line));
+            refuse_line(line, "this is a binary file", "a text file");
         }
         if (line > limits.lines || i >= limits.bytes)
-            throw InputError("the file is too long for " + std::string(limits.content),
-                             std::to_string(limits.lines) + " lines and " +
-                                 std::to_string(limits.bytes >> 20) + " MB or less")
-                .at(at_line(line));
+            refuse_line(line, "the file is too long for " + std::string(limits.content),
+                        std::to_string(limits.lines) + " lines and " + std::to_string(limits.bytes >> 20) +
+                            " MB or less");
     }
-    if (trimmed(bytes).empty())
-        throw InputError("the file is empty", std::string(limits.content)).at(at_line(1));
+    if (trimmed(bytes).empty()) refuse_line(1, "the file is empty", std::string(limits.content));
 }
 
 /// Removes a cell in quotes from the front of `text`, which begins behind the opening quote, and returns its
@@ -48,8 +45,7 @@ std::string take_quoted(std::string_view& text, std::size_t line) {
     while (true) {
         const auto quote = text.find('"');
         if (quote == std::string_view::npos)
-            throw InputError("a quote is not closed", "quotes in pairs, each cell in one line")
-                .at(at_line(line));
+            refuse_line(line, "a quote is not closed", "quotes in pairs, each cell in one line");
         cell += text.substr(0, quote);
         text.remove_prefix(quote + 1);
         if (!text.starts_with('"')) return cell;
@@ -62,6 +58,10 @@ std::string take_quoted(std::string_view& text, std::size_t line) {
 
 std::string at_line(std::size_t number) {
     return "line " + std::to_string(number);
+}
+
+void refuse_line(std::size_t number, const std::string& problem, const std::string& allowed) {
+    throw InputError(problem, allowed).at(at_line(number));
 }
 
 std::string at_cell(std::size_t line, std::size_t column) {

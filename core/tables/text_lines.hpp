@@ -47,6 +47,9 @@ class TextLines {
 /// "line N" for the place of an error.
 [[nodiscard]] std::string at_line(std::size_t number);
 
+/// Throws InputError at a line.
+[[noreturn]] void refuse_line(std::size_t number, const std::string& problem, const std::string& allowed);
+
 /// "line N, cell M" for the place of an error; the column is counted from zero.
 [[nodiscard]] std::string at_cell(std::size_t line, std::size_t column);
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "materials/xrd/amounts.hpp"
-
 #include <set>
 
 #include "core/tables/text_lines.hpp"
 #include "core/text/text.hpp"
+#include "materials/xrd/readers.hpp"
 
 namespace ashimpact::xrd {
 
@@ -21,8 +20,8 @@ double add_fractions(XrdSample& sample, const std::vector<ListedPhase>& phases, 
     std::set<std::string> keys;
     for (const ListedPhase& phase : phases) {
         if (!keys.insert(phase_key(phase.name)).second)
-            throw InputError("the phase " + in_quotes(phase.name) + " is there twice", "each phase once")
-                .at(at_line(phase.line));
+            refuse_line(phase.line, "the phase " + in_quotes(phase.name) + " is there twice",
+                        "each phase once");
         if (!phase.amount) {
             sample.warnings.push_back({xrd_code, Severity::remark,
                                        "the phase " + in_quotes(phase.name) + " has no " + amount +
@@ -36,7 +35,7 @@ double add_fractions(XrdSample& sample, const std::vector<ListedPhase>& phases, 
                                           .place = at_line(phase.line)});
         total += phase.amount->value;
     }
-    if (!(total > 0)) throw InputError("no phase has a " + amount, needed).at(at_line(line));
+    if (!(total > 0)) refuse_line(line, "no phase has a " + amount, needed);
     normalise(sample.analysis.phases, total);
     return total;
 }

@@ -7,7 +7,6 @@
 #include "core/quantities/quantity.hpp"
 #include "core/tables/vocabulary.hpp"
 #include "core/text/text.hpp"
-#include "materials/xrd/amounts.hpp"
 #include "materials/xrd/readers.hpp"
 
 namespace ashimpact::xrd {
@@ -43,8 +42,8 @@ Value read_value(std::string_view text, std::size_t line) {
     if (says_no_number(value)) return {.line = line};
     const auto number = read_number(value);
     if (!number)
-        throw InputError("cannot read " + in_quotes(value), "a number, possibly with +- and its uncertainty")
-            .at(at_line(line));
+        refuse_line(line, "cannot read " + in_quotes(value),
+                    "a number, possibly with +- and its uncertainty");
     return {.number = number, .line = line};
 }
 
@@ -58,35 +57,32 @@ Value read_weight(std::string_view text, std::size_t line) {
 void read_member(Block& block, std::string_view key, std::string_view value, std::size_t line) {
     if (key == "GEWICHT") {
         if (block.weight)
-            throw InputError("GEWICHT is there twice in the block of " + in_quotes(block.name),
-                             "once in a block")
-                .at(at_line(line));
+            refuse_line(line, "GEWICHT is there twice in the block of " + in_quotes(block.name),
+                        "once in a block");
         block.weight = read_weight(value, line);
     } else if (key == "XrayDensity") {
         const Value density = read_value(value, line);
         if (density.number && !(density.number->value > 0))
-            throw InputError("XrayDensity is " + shortest(density.number->value),
-                             "a positive density [g/cm3]")
-                .at(at_line(line));
+            refuse_line(line, "XrayDensity is " + shortest(density.number->value),
+                        "a positive density [g/cm3]");
         if (density.number) block.density = density.number->value * 1000;  // g/cm3
     }
 }
 
 void start_block(Contents& contents, std::string_view name, std::size_t line) {
-    if (name.empty()) throw InputError("the heading has no phase name", "a phase name").at(at_line(line));
+    if (name.empty()) refuse_line(line, "the heading has no phase name", "a phase name");
     const auto [first, is_new] = contents.first_lines.emplace(name, line);
     if (!is_new)
-        throw InputError("the phase " + in_quotes(name) + " is there twice, first in line " +
-                             std::to_string(first->second),
-                         "each phase once")
-            .at(at_line(line));
+        refuse_line(line,
+                    "the phase " + in_quotes(name) + " is there twice, first in line " +
+                        std::to_string(first->second),
+                    "each phase once");
     contents.blocks.push_back({.name = std::string(name)});
 }
 
 void add_goal(Contents& contents, const std::string& phase, const Value& value) {
     if (!contents.goals.emplace(phase, value).second)
-        throw InputError("the goal " + in_quotes("Q" + phase) + " is there twice", "each goal once")
-            .at(at_line(value.line));
+        refuse_line(value.line, "the goal " + in_quotes("Q" + phase) + " is there twice", "each goal once");
 }
 
 Contents scan(const TextLines& file) {
@@ -116,8 +112,7 @@ Contents scan(const TextLines& file) {
 }
 
 [[noreturn]] void cut_off(const std::string& reason, const TextLines& file) {
-    throw InputError(reason + ": the file seems to be cut off", "a complete list file")
-        .at(at_line(file.last_line()));
+    refuse_line(file.last_line(), reason + ": the file seems to be cut off", "a complete list file");
 }
 
 /// Refuses a file that was cut off. It has no end mark, but its goals name the blocks that must follow.
@@ -169,8 +164,8 @@ void compare_with_goal(const PhaseFraction& phase, const Contents& contents, std
     }
     const double fraction = goal->second.number->value;
     if (!(fraction >= 0 && fraction <= 1))
-        throw InputError("the goal Q" + phase.name + " is " + shortest(fraction), "a fraction, 0 to 1")
-            .at(at_line(goal->second.line));
+        refuse_line(goal->second.line, "the goal Q" + phase.name + " is " + shortest(fraction),
+                    "a fraction, 0 to 1");
     constexpr double largest_rounding = 0.002;
     const double u = phase.standard_uncertainty.value_or(0);
     if (std::abs(fraction - phase.fraction) > std::max(largest_rounding, 3 * u))
@@ -205,8 +200,7 @@ XrdResult read_bgmn(const TextLines& file) {
     for (const Block& block : contents.blocks) {
         const auto& [weight, line] = *block.weight;
         if (weight && weight->value < 0)
-            throw InputError("the weight of " + in_quotes(block.name) + " is below zero", "zero or more")
-                .at(at_line(line));
+            refuse_line(line, "the weight of " + in_quotes(block.name) + " is below zero", "zero or more");
         phases.push_back({block.name, line, weight, block.density});
     }
     add_fractions(sample, phases, "weight", "GEWICHT above zero", file.last_line());

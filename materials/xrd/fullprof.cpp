@@ -5,7 +5,6 @@
 #include "core/quantities/quantity.hpp"
 #include "core/tables/vocabulary.hpp"
 #include "core/text/text.hpp"
-#include "materials/xrd/amounts.hpp"
 #include "materials/xrd/readers.hpp"
 
 namespace ashimpact::xrd {
@@ -31,7 +30,7 @@ FullProfPhase read_phase_line(std::string_view text, std::size_t line) {
     const std::string_view name = trimmed(text.substr(blank));
     constexpr double most_phases = 10'000;  // what no refinement has
     if (!number || number->value < 1 || number->value > most_phases || name.empty())
-        throw InputError("cannot read " + in_quotes(text), "=> Phase: NUMBER NAME").at(at_line(line));
+        refuse_line(line, "cannot read " + in_quotes(text), "=> Phase: NUMBER NAME");
     return {.name = std::string(name), .number = static_cast<int>(number->value), .line = line};
 }
 
@@ -53,9 +52,8 @@ std::optional<PrintedNumber> read_percentage(std::string_view text, std::size_t 
         closed = closed && (deviation || inside.starts_with('*') || says_no_number(inside));
     }
     if (!number || !closed)
-        throw InputError("cannot read " + in_quotes(text), "a percentage such as 11.41( 2.25)")
-            .at(at_line(line));
-    if (number->value < 0) throw InputError("the fraction is below zero", "zero or more").at(at_line(line));
+        refuse_line(line, "cannot read " + in_quotes(text), "a percentage such as 11.41( 2.25)");
+    if (number->value < 0) refuse_line(line, "the fraction is below zero", "zero or more");
     return number;
 }
 
@@ -72,12 +70,11 @@ std::vector<std::vector<FullProfPhase>> patterns_of(const TextLines& file) {
             patterns.back().push_back(std::move(read));
         } else if (fraction != std::string_view::npos) {
             if (patterns.empty())
-                throw InputError("a fraction stands before the first phase", "=> Phase: NUMBER NAME above it")
-                    .at(at_line(number));
+                refuse_line(number, "a fraction stands before the first phase",
+                            "=> Phase: NUMBER NAME above it");
             FullProfPhase& current = patterns.back().back();
             if (current.has_fraction)
-                throw InputError("the phase " + in_quotes(current.name) + " has two fractions", "one")
-                    .at(at_line(number));
+                refuse_line(number, "the phase " + in_quotes(current.name) + " has two fractions", "one");
             current.has_fraction = true;
             current.line = number;
             current.fraction = read_percentage(raw.substr(fraction + fraction_heading.size()), number);
@@ -90,10 +87,10 @@ XrdSample sample_of(const std::vector<FullProfPhase>& phases, const TextLines& f
     std::vector<ListedPhase> listed;
     for (const FullProfPhase& phase : phases) {
         if (!phase.has_fraction)
-            throw InputError(
+            refuse_line(
+                &phase == &phases.back() ? file.last_line() : phase.line,
                 "the phase " + in_quotes(phase.name) + " has no Fract(%): the file seems to be cut off",
-                "a complete summary")
-                .at(at_line(&phase == &phases.back() ? file.last_line() : phase.line));
+                "a complete summary");
         listed.push_back({phase.name, phase.line, phase.fraction});
     }
     XrdSample sample;

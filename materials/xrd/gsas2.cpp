@@ -33,12 +33,11 @@ PrintedNumber weight_in(std::string_view text, std::size_t line) {
         if (behind.starts_with("sig")) sigma = read_number(behind.substr(3));
     }
     if (!value || (comma != std::string_view::npos && !(sigma && sigma->value >= 0)))
-        throw InputError("cannot read the weight fraction " + in_quotes(rest), "\"NUMBER, sig NUMBER\"")
-            .at(at_line(line));
+        refuse_line(line, "cannot read the weight fraction " + in_quotes(rest), "\"NUMBER, sig NUMBER\"");
     PrintedNumber weight = *value;
     if (sigma && sigma->value > 0) weight.standard_uncertainty = sigma->value;
     if (weight.value < 0 || weight.value > 1)
-        throw InputError("the weight fraction is " + shortest(weight.value), "0 to 1").at(at_line(line));
+        refuse_line(line, "the weight fraction is " + shortest(weight.value), "0 to 1");
     return weight;
 }
 
@@ -70,15 +69,13 @@ void read_scan_heading(Scan& scan, std::string_view text) {
 
 void read_weight_line(Scan& scan, std::string_view text, std::size_t line) {
     if (scan.phase.empty())
-        throw InputError("a weight fraction stands before any phase heading",
-                         "\"Phase: NAME in histogram: NAME\"")
-            .at(at_line(line));
+        refuse_line(line, "a weight fraction stands before any phase heading",
+                    "\"Phase: NAME in histogram: NAME\"");
     const PrintedNumber weight = weight_in(text, line);
     if (!scan.known_pairs.emplace(scan.histogram, scan.phase).second)
-        throw InputError(
-            "the phase " + in_quotes(scan.phase) + " is there twice in " + in_quotes(scan.histogram),
-            "each phase once")
-            .at(at_line(line));
+        refuse_line(line,
+                    "the phase " + in_quotes(scan.phase) + " is there twice in " + in_quotes(scan.histogram),
+                    "each phase once");
     scan.sample().analysis.phases.push_back({.name = scan.phase,
                                              .fraction = weight.value,
                                              .standard_uncertainty = weight.standard_uncertainty,
@@ -90,8 +87,7 @@ void read_density(Scan& scan, std::string_view text, std::size_t line) {
     value = value.substr(0, value.find(' '));
     const auto density = read_number(value);
     if (!density || !(density->value > 0))
-        throw InputError("cannot read the density " + in_quotes(value), "a positive number in g/cm**3")
-            .at(at_line(line));
+        refuse_line(line, "cannot read the density " + in_quotes(value), "a positive number in g/cm**3");
     scan.densities[scan.described_phase] = density->value * 1000;
 }
 
@@ -100,11 +96,10 @@ void require_closed(const XrdSample& sample, const TextLines& file) {
     double total = 0;
     for (const PhaseFraction& phase : sample.analysis.phases) total += phase.fraction;
     if (std::abs(total - 1) > default_closure_tolerance)
-        throw InputError("the weight fractions of " + in_quotes(sample.name) + " add up to " +
-                             shortest(std::round(total * 1e5) / 1e5) +
-                             ", the file seems to be cut off or edited",
-                         "1 within 0.005")
-            .at(at_line(file.last_line()));
+        refuse_line(file.last_line(),
+                    "the weight fractions of " + in_quotes(sample.name) + " add up to " +
+                        shortest(std::round(total * 1e5) / 1e5) + ", the file seems to be cut off or edited",
+                    "1 within 0.005");
 }
 
 }  // namespace
@@ -129,9 +124,8 @@ XrdResult read_gsas2(const TextLines& file) {
             read_weight_line(scan, text, number);
     }
     if (scan.samples.empty())
-        throw InputError("there is no refined weight fraction",
-                         "lines \"Phase fraction : ... Weight fraction : ...\"")
-            .at(at_line(file.last_line()));
+        refuse_line(file.last_line(), "there is no refined weight fraction",
+                    "lines \"Phase fraction : ... Weight fraction : ...\"");
     for (XrdSample& sample : scan.samples) {
         require_closed(sample, file);
         for (PhaseFraction& phase : sample.analysis.phases)

@@ -4,7 +4,7 @@
 
 #include "core/quantities/checks.hpp"
 #include "core/text/text.hpp"
-#include "materials/xrd/amounts.hpp"
+#include "materials/xrd/readers.hpp"
 #include "materials/xrd/xrd.hpp"
 
 namespace ashimpact {

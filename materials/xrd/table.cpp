@@ -65,9 +65,8 @@ std::string called(const std::string& sample) {
 /// Refuses a table that ends with a separator before its last amount: it was cut off. @throws InputError
 void require_complete(const TextLines& file, const Table& table, const Entry& last) {
     if (!last.amount && file.text().back() == table.separator)
-        throw InputError("the last line stops before its amount: the file seems to be cut off",
-                         "a complete table")
-            .at(at_line(last.line));
+        refuse_line(last.line, "the last line stops before its amount: the file seems to be cut off",
+                    "a complete table");
 }
 
 void refuse_repeated(const std::vector<Entry>& entries) {
@@ -75,10 +74,10 @@ void refuse_repeated(const std::vector<Entry>& entries) {
     for (const Entry& entry : entries) {
         const auto [earlier, is_new] = first.emplace(phase_key(entry.phase), entry.line);
         if (!is_new)
-            throw InputError("the phase " + in_quotes(entry.phase) + " is there twice in " +
-                                 called(entry.sample) + ", first in line " + std::to_string(earlier->second),
-                             "each phase once in a sample")
-                .at(at_line(entry.line));
+            refuse_line(entry.line,
+                        "the phase " + in_quotes(entry.phase) + " is there twice in " + called(entry.sample) +
+                            ", first in line " + std::to_string(earlier->second),
+                        "each phase once in a sample");
     }
 }
 
@@ -88,10 +87,10 @@ std::string per_cent(double fraction) {
 
 void check_total(double sum, double stated, const Entry& entry) {
     if (std::abs(sum - stated) > default_closure_tolerance)
-        throw InputError(
+        refuse_line(
+            entry.line,
             "the total is given as " + per_cent(stated) + ", the phases above add up to " + per_cent(sum),
-            "the same within " + per_cent(default_closure_tolerance))
-            .at(at_line(entry.line));
+            "the same within " + per_cent(default_closure_tolerance));
 }
 
 /// Fractions of one sample. A stated total is checked; a stated crystalline total gives the amorphous part.
@@ -107,9 +106,8 @@ XrdSample sample_of_fractions(const Group& group, double scale) {
         }
         const double fraction = entry.amount->value * scale;
         if (!(fraction >= 0 && fraction <= 1 + default_closure_tolerance))
-            throw InputError("the amount of " + in_quotes(entry.phase) + " is " + per_cent(fraction),
-                             "0 % to 100 %")
-                .at(at_line(entry.line));
+            refuse_line(entry.line, "the amount of " + in_quotes(entry.phase) + " is " + per_cent(fraction),
+                        "0 % to 100 %");
         auto uncertainty = entry.uncertainty ? entry.uncertainty : entry.amount->standard_uncertainty;
         if (uncertainty) *uncertainty *= scale;
         const RowMeaning meaning = meaning_of_row(entry.phase);
@@ -124,10 +122,10 @@ XrdSample sample_of_fractions(const Group& group, double scale) {
         }
         sum += fraction;
         if (sum > 1 + default_closure_tolerance)
-            throw InputError(
+            refuse_line(
+                entry.line,
                 "the fractions of " + called(group.sample) + " add up to " + per_cent(sum) + " or more",
-                "100 % or less")
-                .at(at_line(entry.line));
+                "100 % or less");
         sample.analysis.phases.push_back({.name = entry.phase,
                                           .fraction = fraction,
                                           .standard_uncertainty = uncertainty,
@@ -135,8 +133,8 @@ XrdSample sample_of_fractions(const Group& group, double scale) {
                                           .place = at_line(entry.line)});
     }
     if (sample.analysis.phases.empty())
-        throw InputError(called(group.sample) + " has no phase with an amount", "at least one")
-            .at(at_line(group.entries.front().line));
+        refuse_line(group.entries.front().line, called(group.sample) + " has no phase with an amount",
+                    "at least one");
     return sample;
 }
 
@@ -155,12 +153,11 @@ XrdSample sample_of_peaks(const Group& group) {
     std::vector<PeakIntensity> peaks;
     for (const Entry& entry : group.entries) {
         if (!entry.intensity || !entry.ratio)
-            throw InputError("intensity or rir of " + in_quotes(entry.phase) + " is missing", "both numbers")
-                .at(at_line(entry.line));
+            refuse_line(entry.line, "intensity or rir of " + in_quotes(entry.phase) + " is missing",
+                        "both numbers");
         if (!(entry.intensity->value >= 0) || !(entry.ratio->value > 0))
-            throw InputError("intensity or rir of " + in_quotes(entry.phase) + " is out of range",
-                             "intensity zero or more, rir above zero")
-                .at(at_line(entry.line));
+            refuse_line(entry.line, "intensity or rir of " + in_quotes(entry.phase) + " is out of range",
+                        "intensity zero or more, rir above zero");
         peaks.push_back({.name = entry.phase,
                          .intensity = entry.intensity->value,
                          .reference_intensity_ratio = entry.ratio->value,
@@ -187,10 +184,10 @@ XrdSample standardised(const XrdSample& sample, const Group& group, const Table&
     for (const Entry& entry : group.entries) {
         if (!entry.standard) continue;
         if (standard)
-            throw InputError("there are two internal standards, " + in_quotes(standard->phase) + " and " +
-                                 in_quotes(entry.phase),
-                             "one a sample")
-                .at(at_line(entry.line));
+            refuse_line(entry.line,
+                        "there are two internal standards, " + in_quotes(standard->phase) + " and " +
+                            in_quotes(entry.phase),
+                        "one a sample");
         standard = &entry;
     }
     if (!standard) return sample;

@@ -2,17 +2,61 @@
 #include "materials/xrd/table_layout.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/quantities/checks.hpp"
 #include "core/tables/vocabulary.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
+#include "core/text/utf8.hpp"
 #include "core/units/units.hpp"
 #include "materials/xrd/xrd.hpp"
 
 namespace ashimpact::xrd {
 
 namespace {
+
+std::string key_of(std::string_view text) {
+    return word_key(text, "%+");
+}
+
+std::string without_per_cent(std::string key) {
+    std::erase(key, '%');
+    for (const std::string_view word : {"percent", "pct", "prozent"}) {
+        const auto found = key.find(word);
+        if (found != std::string::npos) key.erase(found, word.size());
+    }
+    return key;
+}
+
+/// @param key without per cent signs; the empty one is a bare "%"
+Role role_of(const std::string& key) {
+    static const WordLists words("XRD columns", "+");
+    if (const auto role = meaning<Role>(words, key)) return *role;
+    return is_uncertainty_word(key) ? Role::uncertainty : Role::other;
+}
+
+bool says_per_cent(const std::string& key) {
+    return key.find('%') != std::string::npos || key.find("percent") != std::string::npos ||
+           key.find("pct") != std::string::npos || key.find("prozent") != std::string::npos;
+}
+
+/// "Weight [wt.%]" into text and unit; brackets elsewhere, as in "Mullite (3:2)", are part of the text.
+void split_unit(Heading& heading, std::string_view text) {
+    heading.text = std::string(text);
+    for (const auto& [open, close] : {std::pair{'[', ']'}, std::pair{'(', ')'}}) {
+        const auto start = text.rfind(open);
+        if (start == std::string_view::npos || start == 0 || !text.ends_with(close)) continue;
+        const std::string_view inside = trimmed(text.substr(start + 1, text.size() - start - 2));
+        const std::string key = key_of(inside);
+        const bool is_unit = says_per_cent(key) || open == '[' || key.find("cm3") != std::string::npos ||
+                             key.find("m3") != std::string::npos || key == "wt" || key == "vol";
+        if (!is_unit) continue;
+        heading.text = std::string(trimmed(text.substr(0, start)));
+        heading.unit = std::string(inside);
+        return;
+    }
+}
 
 constexpr std::string_view heading_help =
     "a heading line with phase and weight (and sample, uncertainty, density), or phase, intensity and rir, "
@@ -74,10 +118,10 @@ TableRow checked_row(const TextLine& line, const Table& table) {
     TableRow row = cut_row(line, table.separator);
     while (row.cells.size() > table.headings.size() && row.cells.back().empty()) row.cells.pop_back();
     if (row.cells.size() != table.headings.size())
-        throw InputError("the line has " + std::to_string(row.cells.size()) + " cells, the heading has " +
-                             std::to_string(table.headings.size()),
-                         "as many cells as headings (a decimal comma needs another separator, or quotes)")
-            .at(at_line(line.number));
+        refuse_line(line.number,
+                    "the line has " + std::to_string(row.cells.size()) + " cells, the heading has " +
+                        std::to_string(table.headings.size()),
+                    "as many cells as headings (a decimal comma needs another separator, or quotes)");
     return row;
 }
 
@@ -141,15 +185,14 @@ std::vector<Entry> long_entries(const Table& table) {
         Entry entry{.sample = cell(Role::sample), .phase = cell(Role::phase), .line = row.line};
         if (entry.sample.empty() && !entries.empty())
             entry.sample = entries.back().sample;  // named once, above
-        if (entry.phase.empty()) throw InputError("the line names no phase", "a phase").at(at_line(row.line));
+        if (entry.phase.empty()) refuse_line(row.line, "the line names no phase", "a phase");
         entry.amount = number(table.has(Role::weight) ? Role::weight : Role::volume);
         entry.uncertainty = plain(Role::uncertainty);
         if (entry.uncertainty && *entry.uncertainty < 0)
-            throw InputError("the uncertainty is below zero", "zero or more").at(at_line(row.line));
+            refuse_line(row.line, "the uncertainty is below zero", "zero or more");
         if (entry.uncertainty && *entry.uncertainty > 0 && !is_computable(*entry.uncertainty))
-            throw InputError("the uncertainty is " + shortest(*entry.uncertainty),
-                             "0, or " + std::string(computable_range))
-                .at(at_line(row.line));
+            refuse_line(row.line, "the uncertainty is " + shortest(*entry.uncertainty),
+                        "0, or " + std::string(computable_range));
         entry.intensity = number(Role::intensity);
         entry.ratio = number(Role::ratio);
         entry.ratio_uncertainty = plain(Role::ratio_uncertainty);
@@ -175,8 +218,7 @@ std::vector<Entry> wide_entries(const Table& table, Role row_role) {
     const std::size_t label = *table.column(row_role);
     std::vector<Entry> entries;
     for (const TableRow& row : table.rows) {
-        if (row.cells[label].empty())
-            throw InputError("the first cell is empty", "a name").at(at_line(row.line));
+        if (row.cells[label].empty()) refuse_line(row.line, "the first cell is empty", "a name");
         for (std::size_t i = 0; i < row.cells.size(); ++i) {
             const std::string& name = table.headings[i].text;
             const bool is_named = !name.empty() || table.headings[i].role == Role::uncertainty;
@@ -194,11 +236,11 @@ std::vector<Entry> wide_entries(const Table& table, Role row_role) {
         }
     }
     if (entries.empty())
-        throw InputError("no column beside " + in_quotes(table.headings[label].written) + " has a heading",
-                         row_role == Role::sample
-                             ? "the name of a phase above each column of fractions"
-                             : "\"weight %\" or the name of a sample above each column of fractions")
-            .at(at_line(table.heading_line));
+        refuse_line(table.heading_line,
+                    "no column beside " + in_quotes(table.headings[label].written) + " has a heading",
+                    row_role == Role::sample
+                        ? "the name of a phase above each column of fractions"
+                        : "\"weight %\" or the name of a sample above each column of fractions");
     return entries;
 }
 
@@ -207,14 +249,54 @@ void refuse_repeated_roles(const Table& table) {
     for (std::size_t i = 0; i < table.headings.size(); ++i) {
         const Role role = table.headings[i].role;
         if (role == Role::other || role == Role::uncertainty || *table.column(role) == i) continue;
-        throw InputError("the columns " + in_quotes(table.headings[*table.column(role)].text) + " and " +
-                             in_quotes(table.headings[i].text) + " hold the same quantity",
-                         "one of the two")
-            .at(at_line(table.heading_line));
+        refuse_line(table.heading_line,
+                    "the columns " + in_quotes(table.headings[*table.column(role)].text) + " and " +
+                        in_quotes(table.headings[i].text) + " hold the same quantity",
+                    "one of the two");
     }
 }
 
 }  // namespace
+
+Heading read_heading(std::string_view text) {
+    Heading heading;
+    StatedCoverage coverage = read_coverage(trimmed(text));
+    if (!coverage.stated.empty() && coverage.rest.size() > 2 && coverage.rest.ends_with("\u00b1"))
+        coverage.rest.resize(coverage.rest.size() -
+                             std::string_view("\u00b1").size());  // "wt% +- 2s": both stand in the cell
+    heading.written = text;
+    heading.coverage = coverage;
+    split_unit(heading, coverage.rest);
+    const std::string key = key_of(heading.text);
+    const std::string unit = key_of(heading.unit);
+    heading.role = role_of(key.empty() ? "\u2400" : without_per_cent(key));
+    if (heading.role == Role::weight && unit.starts_with("v")) heading.role = Role::volume;
+    // "2 sigma" alone, or behind the name of a phase or sample, is the uncertainty of the column before it.
+    if (!coverage.stated.empty() && (heading.text.empty() || heading.role == Role::other))
+        heading.role = Role::uncertainty;
+    if (says_per_cent(key) || says_per_cent(unit)) heading.scale = Scale::per_cent;
+    if (heading.role == Role::other && heading.text.ends_with('%')) {  // "Quartz wt%": a phase with its unit
+        const auto blank = heading.text.find_last_of(' ');
+        heading.text.resize(blank == std::string::npos ? heading.text.size() - 1 : blank);
+        heading.text = std::string(trimmed(heading.text));
+    }
+    if (key.ends_with("fraction") && heading.scale == Scale::not_stated) heading.scale = Scale::fraction;
+    if (unit == "1" || unit == "gg" || unit == "kgkg" || unit == "m3m3") heading.scale = Scale::fraction;
+    return heading;
+}
+
+RowMeaning meaning_of_row(std::string_view name) {
+    static const WordLists words("XRD rows", "+");
+    return meaning<RowMeaning>(words, without_per_cent(key_of(name))).value_or(RowMeaning::phase);
+}
+
+std::optional<std::string> phase_of_uncertainty(std::string_view heading) {
+    const auto blank = heading.find_last_of(" _");
+    if (blank == std::string_view::npos) return std::nullopt;
+    if (role_of(without_per_cent(key_of(heading.substr(blank + 1)))) != Role::uncertainty)
+        return std::nullopt;
+    return std::string(trimmed(heading.substr(0, blank)));
+}
 
 bool has_heading(const TextLines& file) {
     return find_heading(lines_with_content(file)).has_value();
@@ -224,8 +306,8 @@ Table parse_table(const TextLines& file) {
     const std::vector<TextLine> lines = lines_with_content(file);
     const auto heading = find_heading(lines);
     if (!heading)
-        throw InputError("no heading line was found", std::string(heading_help))
-            .at(at_line(lines.empty() ? 1 : lines[0].number));
+        refuse_line(lines.empty() ? 1 : lines[0].number, "no heading line was found",
+                    std::string(heading_help));
     Table table{.heading_line = lines[*heading].number,
                 .headings = {},
                 .rows = {},
@@ -240,13 +322,11 @@ Table parse_table(const TextLines& file) {
     for (std::size_t i = *heading + 1; i < lines.size(); ++i) {
         table.rows.push_back(checked_row(lines[i], table));
         if (table.rows.size() * table.headings.size() > most_cells)
-            throw InputError("the table is too large for an XRD result",
-                             std::to_string(most_cells) + " cells or fewer")
-                .at(at_line(lines[i].number));
+            refuse_line(lines[i].number, "the table is too large for an XRD result",
+                        std::to_string(most_cells) + " cells or fewer");
     }
     if (table.rows.empty())
-        throw InputError("there are no lines below the heading", "one line a phase or a sample")
-            .at(at_line(file.last_line()));
+        refuse_line(file.last_line(), "there are no lines below the heading", "one line a phase or a sample");
     return table;
 }
 
@@ -256,17 +336,15 @@ Layout layout_of(const Table& table) {
     const bool phase = table.has(Role::phase);
     if (phase && table.has(Role::intensity) && table.has(Role::ratio)) return Layout::peaks;
     if (phase && table.has(Role::weight) && table.has(Role::volume))
-        throw InputError("there are fractions by weight and by volume", "one of the two").at(at_line(line));
+        refuse_line(line, "there are fractions by weight and by volume", "one of the two");
     if (phase && (table.has(Role::weight) || table.has(Role::volume))) return Layout::fractions;
     if (phase && table.has(Role::intensity))
-        throw InputError("there are intensities without reference intensity ratios", "a column rir")
-            .at(at_line(line));
+        refuse_line(line, "there are intensities without reference intensity ratios", "a column rir");
     if (phase && lower_case(table.headings[*table.column(Role::phase)].text) == "name")
-        throw InputError("\"name\" may be that of a phase or of a sample", "the heading phase or sample")
-            .at(at_line(line));
+        refuse_line(line, "\"name\" may be that of a phase or of a sample", "the heading phase or sample");
     if (phase && !table.has(Role::sample)) return Layout::one_column_a_sample;
     if (!phase && table.has(Role::sample)) return Layout::one_column_a_phase;
-    throw InputError("no column holds the amounts", std::string(heading_help)).at(at_line(line));
+    refuse_line(line, "no column holds the amounts", std::string(heading_help));
 }
 
 std::vector<Entry> entries_of(const Table& table, Layout layout) {

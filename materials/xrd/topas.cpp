@@ -7,7 +7,6 @@
 
 #include "core/quantities/quantity.hpp"
 #include "core/text/text.hpp"
-#include "materials/xrd/amounts.hpp"
 #include "materials/xrd/readers.hpp"
 
 namespace ashimpact::xrd {
@@ -56,7 +55,7 @@ std::vector<Token> tokens_of(const TextLines& file) {
             } else if (text.front() == '"') {
                 const auto end = text.find('"', 1);
                 if (end == std::string_view::npos)
-                    throw InputError("a quote is not closed", "\"...\" on one line").at(at_line(number));
+                    refuse_line(number, "a quote is not closed", "\"...\" on one line");
                 tokens.push_back({std::string(text.substr(1, end - 1)), number, true});
                 text.remove_prefix(end + 1);
             } else if (std::string_view(" \t").find(text.front()) != std::string_view::npos) {
@@ -73,8 +72,7 @@ std::vector<Token> tokens_of(const TextLines& file) {
         }
     }
     if (in_comment)
-        throw InputError("a comment is not closed: the file seems to be cut off", "/* ... */")
-            .at(at_line(comment_line));
+        refuse_line(comment_line, "a comment is not closed: the file seems to be cut off", "/* ... */");
     return tokens;
 }
 
@@ -112,9 +110,9 @@ class TopasReader {
 
   private:
     [[noreturn]] void cut_off(const Token& token) const {
-        throw InputError("nothing follows " + in_quotes(token.text) + ": the file seems to be cut off",
-                         "a complete file")
-            .at(at_line(file_.last_line()));
+        refuse_line(file_.last_line(),
+                    "nothing follows " + in_quotes(token.text) + ": the file seems to be cut off",
+                    "a complete file");
     }
 
     /// The pattern being read; a file of phases alone has one without an xdd.
@@ -126,8 +124,7 @@ class TopasReader {
     /// The phase being read. @throws InputError at @p token where none has begun
     TopasPhase& phase(const Token& token) {
         if (patterns_.empty() || patterns_.back().phases.empty())
-            throw InputError(in_quotes(token.text) + " stands before the first phase", "str above it")
-                .at(at_line(token.line));
+            refuse_line(token.line, in_quotes(token.text) + " stands before the first phase", "str above it");
         return patterns_.back().phases.back();
     }
 
@@ -137,9 +134,8 @@ class TopasReader {
         const Token& token = tokens_[at_++];
         const auto number = printed_number(token.text);
         if (!number || number->value < 0)
-            throw InputError("cannot read " + in_quotes(token.text) + " behind " + keyword.text,
-                             "a number that is not negative, such as 12.3, 12.3` or 12.3`_0.4")
-                .at(at_line(token.line));
+            refuse_line(token.line, "cannot read " + in_quotes(token.text) + " behind " + keyword.text,
+                        "a number that is not negative, such as 12.3, 12.3` or 12.3`_0.4");
         return *number;
     }
 
@@ -147,8 +143,7 @@ class TopasReader {
     std::vector<std::optional<PrintedNumber>> arguments_after(const Token& macro) {
         if (at_ >= tokens_.size()) cut_off(macro);
         if (tokens_[at_].text != "(")
-            throw InputError("no bracket follows " + macro.text, macro.text + "( ... )")
-                .at(at_line(macro.line));
+            refuse_line(macro.line, "no bracket follows " + macro.text, macro.text + "( ... )");
         std::vector<std::optional<PrintedNumber>> arguments(1);
         while (++at_ < tokens_.size()) {
             const std::string& text = tokens_[at_].text;
@@ -187,9 +182,8 @@ class TopasReader {
         } else if (word == "MVW") {
             const auto arguments = arguments_after(token);
             if (arguments.size() != 3)
-                throw InputError("MVW has " + std::to_string(arguments.size()) + " arguments",
-                                 "MVW( cell mass, cell volume, weight per cent)")
-                    .at(at_line(token.line));
+                refuse_line(token.line, "MVW has " + std::to_string(arguments.size()) + " arguments",
+                            "MVW( cell mass, cell volume, weight per cent)");
             if (!phase(token).has_weight) phase(token).listed.amount = arguments[2];
         } else if (word == "Phase_Density_g_on_cm3") {
             const auto arguments = arguments_after(token);
@@ -216,7 +210,7 @@ XrdSample completed(XrdSample sample, const TopasPattern& pattern) {
     for (const TopasPhase& phase : pattern.phases) {
         if (!phase.spiked || *phase.spiked == 0) continue;
         if (standard != nullptr)
-            throw InputError("there are two spiked phases", "one a pattern").at(at_line(phase.listed.line));
+            refuse_line(phase.listed.line, "there are two spiked phases", "one a pattern");
         standard = &phase;
     }
     if (standard == nullptr) {
@@ -250,8 +244,7 @@ XrdSample sample_of(const TopasPattern& pattern) {
     std::vector<ListedPhase> phases;
     for (const TopasPhase& phase : pattern.phases) {
         if (phase.listed.name.empty())
-            throw InputError("a phase has no phase_name", "phase_name \"...\" in each str")
-                .at(at_line(phase.listed.line));
+            refuse_line(phase.listed.line, "a phase has no phase_name", "phase_name \"...\" in each str");
         phases.push_back(phase.listed);
     }
     add_fractions(sample, phases, "weight", "weight_percent or MVW with a weight per cent above zero",
@@ -288,8 +281,7 @@ XrdResult read_topas(const TextLines& file) {
     XrdResult result{.format = XrdFormat::topas_out, .samples = {}};
     for (const TopasPattern& pattern : TopasReader(file).read()) result.samples.push_back(sample_of(pattern));
     if (result.samples.empty())
-        throw InputError("there is no phase", "str with phase_name and weight_percent")
-            .at(at_line(file.last_line()));
+        refuse_line(file.last_line(), "there is no phase", "str with phase_name and weight_percent");
     number_patterns(result.samples);
     return result;
 }

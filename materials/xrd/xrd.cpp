@@ -56,7 +56,7 @@ XrdResult read(std::string_view text, std::string_view sheet) {
                 {xrd_code, Severity::background, "the file is not UTF-8 and was read as Latin-1"});
         return result;
     }
-    throw InputError("the format is not known", xrd::known_formats).at(at_line(1));
+    refuse_line(1, "the format is not known", xrd::known_formats);
 }
 
 /// The file's name without folders and ending.

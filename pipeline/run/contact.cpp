@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/text/text.hpp"
-#include "materials/roughness.hpp"
+#include "materials/work_of_adhesion.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/motion/impact.hpp"
 

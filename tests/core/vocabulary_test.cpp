@@ -7,7 +7,7 @@
 
 #include "core/quantities/quantity.hpp"
 #include "core/tables/coverage.hpp"
-#include "materials/xrd/headings.hpp"
+#include "materials/xrd/table_layout.hpp"
 
 namespace ashimpact::test {
 

@@ -83,13 +83,11 @@ TEST_CASE("outside of its validity a law warns, outside of reason it refuses") {
                 "allowed: hashin-shtrikman, coble-kingery"));
 }
 
-TEST_CASE("porosity from two densities, and the wall of a cenosphere") {
+TEST_CASE("porosity from two densities") {
     CHECK(relative_difference(porosity_from_densities(2160, 2645.365), 1 - 2160 / 2645.365) < 1e-15);
     CHECK(porosity_from_densities(2645, 2645) == 0);
     CHECK(holds(refusal([] { return porosity_from_densities(2700, 2645); }),
                 "2700 kg/m3 is above the true density 2645"));
-    CHECK(relative_difference(cenosphere_wall_thickness(44e-6, 0.729), 4.4e-6) < 1e-13);
-    CHECK(cenosphere_wall_thickness(44e-6, 0) == 44e-6);
 }
 
 }  // namespace ashimpact::test

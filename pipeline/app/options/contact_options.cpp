@@ -11,7 +11,7 @@
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "materials/contact_properties.hpp"
-#include "materials/roughness.hpp"
+#include "materials/work_of_adhesion.hpp"
 #include "pipeline/case/laws.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/damping/damping.hpp"

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/embedded.hpp"
-#include "core/json/quantity_json.hpp"
+#include "core/json/view.hpp"
 #include "core/json/writer.hpp"
 #include "core/quantities/readable.hpp"
 #include "core/text/text.hpp"

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/quantities/quantity.hpp"
-#include "core/uncertainty.hpp"
 #include "materials/modulus.hpp"
 
 namespace ashimpact {
