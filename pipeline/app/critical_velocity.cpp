@@ -10,7 +10,7 @@
 #include "pipeline/app/command.hpp"
 #include "pipeline/app/impact_text.hpp"
 #include "pipeline/app/options/contact_options.hpp"
-#include "pipeline/document/results/results_json.hpp"
+#include "pipeline/document/results_json.hpp"
 #include "pipeline/present/text/table.hpp"
 
 namespace ashimpact {

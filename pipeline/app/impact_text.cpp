@@ -11,7 +11,7 @@
 #include "core/json/view.hpp"
 #include "core/quantities/readable.hpp"
 #include "core/text/text.hpp"
-#include "pipeline/document/results/regime_json.hpp"
+#include "pipeline/document/results_json.hpp"
 #include "pipeline/present/text/table.hpp"
 
 namespace ashimpact {

@@ -16,7 +16,7 @@
 #include "pipeline/app/command.hpp"
 #include "pipeline/app/options/contact_options.hpp"
 #include "pipeline/case/case_reader.hpp"
-#include "pipeline/document/results/results_json.hpp"
+#include "pipeline/document/results_json.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/present/text/table.hpp"
 

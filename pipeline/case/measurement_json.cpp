@@ -83,46 +83,6 @@ std::string place_of(const Measurement& point, std::size_t index) {
 
 }  // namespace
 
-Json to_json(const ListedImpacts& columns) {
-    Json json{{"velocity", column_json(columns.velocity, Dimension::velocity)},
-              {"restitution", column_json(columns.restitution, Dimension::fraction)}};
-    const auto add = [&](const char* key, const std::vector<double>& values, Dimension dimension) {
-        if (!values.empty()) json[key] = column_json(values, dimension);
-    };
-    add("velocity_uncertainty", columns.velocity_uncertainty, Dimension::velocity);
-    add("rebound_uncertainty", columns.rebound_uncertainty, Dimension::velocity);
-    add("velocity_correlation", columns.correlation, Dimension::fraction);
-    add("impacts", columns.counts, Dimension::fraction);
-    return json;
-}
-
-ListedImpacts read_listed_impacts(const View& node) {
-    const auto column = [&](const char* key, Dimension dimension) {
-        const auto member = node.find(key);
-        return member ? member->column(dimension) : std::vector<double>();
-    };
-    return {.velocity = column("velocity", Dimension::velocity),
-            .restitution = column("restitution", Dimension::fraction),
-            .velocity_uncertainty = column("velocity_uncertainty", Dimension::velocity),
-            .rebound_uncertainty = column("rebound_uncertainty", Dimension::velocity),
-            .correlation = column("velocity_correlation", Dimension::fraction),
-            .counts = column("impacts", Dimension::fraction)};
-}
-
-Json measurement_columns(const MeasurementSet& set, bool as_rebound_velocity) {
-    const Json columns = to_json(columns_of(set));
-    if (!as_rebound_velocity) return columns;
-    std::vector<double> rebound;
-    for (const Measurement& point : set.points) rebound.push_back(point.rebound);
-    Json json = Json::object();
-    for (const auto& [key, column] : columns.items())
-        if (key == "restitution")
-            json["rebound_velocity"] = column_json(rebound, Dimension::velocity);
-        else
-            json[key] = column;
-    return json;
-}
-
 MeasurementSet read_measurement_columns(const View& node) {
     MeasurementSet set{.source = "the case file", .points = {}};
     for (const double velocity : node.at("velocity").column(Dimension::velocity))

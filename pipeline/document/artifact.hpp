@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/json/view.hpp"
+#include "pipeline/case/input_files.hpp"
+#include "pipeline/run/results/note.hpp"
 
 namespace ashimpact {
 
@@ -30,15 +33,33 @@ class Artifacts {
     /// The name of an artifact in messages; of a computed one that of the first, which it was computed from.
     [[nodiscard]] const std::string& place_of(std::string_view file) const;
 
-    /// Returns what @p read returns for the result of an artifact; errors name its file.
-    template <class Read>
-    auto read(std::string_view file, Read&& read) const {
-        const Artifact& artifact = at(file);
-        return at_place(FileName{place_of(file)}, [&] { return read(View(artifact.document).at("result")); });
-    }
-
   private:
     std::vector<Artifact> artifacts_;
 };
+
+/// Name of the schema of an artifact.
+[[nodiscard]] std::string schema_of(std::string_view file);
+
+/// The envelope of an artifact beside its result.
+struct Envelope {
+    StageRecord record{};
+    std::vector<InputFile> inputs{};
+    Json options = Json::object();
+    bool rests_on_edit = false;  ///< it was computed from an edited artifact
+};
+
+/// An artifact in its envelope.
+/// @param run identity of its run; empty: it starts one
+[[nodiscard]] Artifact sealed_artifact(const Envelope& envelope, Json result, const std::string& run);
+
+/// An artifact of an earlier run, checked against its schema. An edited one is taken, with a warning.
+[[nodiscard]] Artifact loaded_artifact(const std::filesystem::path& folder, std::string_view file);
+
+/// Artifacts of a finished run, checked against their schemas. @throws InputError naming the file
+[[nodiscard]] Artifacts load_artifacts(const std::filesystem::path& folder,
+                                       const std::vector<std::string_view>& files);
+
+/// The notes of an artifact; of one without "notes" its warnings, as remarks of code "warning".
+[[nodiscard]] std::vector<Note> read_notes(const View& artifact);
 
 }  // namespace ashimpact

@@ -9,9 +9,10 @@ namespace ashimpact {
 /// The case, complete, as a case document: reading it back gives the same case.
 [[nodiscard]] Json case_json(const Case& data);
 
-/// Parts of it that artifacts repeat.
-[[nodiscard]] Json stated_json(const Stated& stated);
+/// a, b and c of a published fit.
 [[nodiscard]] Json quadratic_json(const DampingPolynomial& fit);
-[[nodiscard]] Json published_json(const PublishedSample& published);
+
+/// Impacts in the columns that read_measurement_columns() reads.
+[[nodiscard]] Json measurement_columns(const MeasurementSet& set);
 
 }  // namespace ashimpact

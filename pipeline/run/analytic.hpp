@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "pipeline/run/results/analytic.hpp"
 #include "pipeline/run/results/contact.hpp"
 #include "pipeline/run/results/note.hpp"
 

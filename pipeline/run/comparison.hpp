@@ -3,14 +3,11 @@
 
 #include <vector>
 
-#include "pipeline/run/results/analytic.hpp"
 #include "pipeline/run/results/comparison.hpp"
 #include "pipeline/run/results/contact.hpp"
 #include "pipeline/run/results/critical_velocity.hpp"
 #include "pipeline/run/results/damping.hpp"
-#include "pipeline/run/results/fit.hpp"
 #include "pipeline/run/results/histories.hpp"
-#include "pipeline/run/results/modulus.hpp"
 #include "pipeline/run/results/note.hpp"
 
 namespace ashimpact {

@@ -3,10 +3,8 @@
 
 #include "pipeline/run/results/contact.hpp"
 #include "pipeline/run/results/critical_velocity.hpp"
-#include "pipeline/run/results/fit.hpp"
-#include "pipeline/run/results/modulus.hpp"
+#include "pipeline/run/results/damping.hpp"
 #include "pipeline/run/results/note.hpp"
-#include "pipeline/run/results/restitution.hpp"
 #include "pipeline/run/uncertainty/contact_models.hpp"
 
 namespace ashimpact {

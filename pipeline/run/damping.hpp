@@ -4,7 +4,6 @@
 #include "pipeline/run/results/contact.hpp"
 #include "pipeline/run/results/damping.hpp"
 #include "pipeline/run/results/note.hpp"
-#include "pipeline/run/results/restitution.hpp"
 #include "pipeline/run/uncertainty/contact_models.hpp"
 
 namespace ashimpact {

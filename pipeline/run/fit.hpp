@@ -3,9 +3,7 @@
 
 #include "pipeline/run/results/contact.hpp"
 #include "pipeline/run/results/damping.hpp"
-#include "pipeline/run/results/fit.hpp"
 #include "pipeline/run/results/note.hpp"
-#include "pipeline/run/results/restitution.hpp"
 #include "pipeline/run/uncertainty/contact_models.hpp"
 
 namespace ashimpact {

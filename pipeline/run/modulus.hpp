@@ -3,7 +3,7 @@
 
 #include "materials/modulus.hpp"
 #include "pipeline/case/case.hpp"
-#include "pipeline/run/results/modulus.hpp"
+#include "pipeline/run/results/contact.hpp"
 #include "pipeline/run/results/note.hpp"
 
 namespace ashimpact {

@@ -3,7 +3,6 @@
 
 #include "pipeline/run/results/contact.hpp"
 #include "pipeline/run/results/note.hpp"
-#include "pipeline/run/results/restitution.hpp"
 
 namespace ashimpact {
 

@@ -8,7 +8,7 @@
 #include "pipeline/app/run_stages.hpp"
 #include "pipeline/case/case.hpp"
 #include "pipeline/case/case_reader.hpp"
-#include "pipeline/document/results/run_json.hpp"
+#include "pipeline/document/run_json.hpp"
 #include "pipeline/files/schema.hpp"
 #include "pipeline/run/comparison/equal_velocities.hpp"
 #include "pipeline/run/stage.hpp"

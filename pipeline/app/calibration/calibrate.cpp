@@ -14,7 +14,7 @@
 #include "pipeline/app/calibration/hypotheses.hpp"
 #include "pipeline/app/command.hpp"
 #include "pipeline/app/run_stages.hpp"
-#include "pipeline/document/statistics_json.hpp"
+#include "pipeline/document/values_json.hpp"
 #include "pipeline/present/text/progress.hpp"
 #include "pipeline/present/text/table.hpp"
 #include "pipeline/run/uncertainty/calibration_problem.hpp"

@@ -9,7 +9,7 @@
 #include "core/json/view.hpp"
 #include "core/quantities/readable.hpp"
 #include "core/text/error.hpp"
-#include "pipeline/document/statistics_json.hpp"
+#include "pipeline/document/values_json.hpp"
 #include "pipeline/present/text/progress.hpp"
 #include "pipeline/present/text/table.hpp"
 

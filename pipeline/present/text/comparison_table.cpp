@@ -8,7 +8,7 @@
 
 #include "core/quantities/readable.hpp"
 #include "core/text/text.hpp"
-#include "pipeline/document/results/results_json.hpp"
+#include "pipeline/document/results_json.hpp"
 #include "pipeline/present/text/layout.hpp"
 #include "pipeline/present/text/table.hpp"
 

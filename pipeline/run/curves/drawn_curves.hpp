@@ -6,7 +6,6 @@
 #include "pipeline/run/results/contact.hpp"
 #include "pipeline/run/results/critical_velocity.hpp"
 #include "pipeline/run/results/damping.hpp"
-#include "pipeline/run/results/fit.hpp"
 #include "pipeline/run/results/histories.hpp"
 
 namespace ashimpact::curves {

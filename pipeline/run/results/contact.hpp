@@ -1,15 +1,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/quantities/quantity.hpp"
+#include "core/uncertainty.hpp"
+#include "materials/modulus.hpp"
 #include "pipeline/case/case.hpp"
+#include "pipeline/run/results/note.hpp"
 #include "solver/contact/law.hpp"
+#include "solver/inference/impacts/measurement.hpp"
 
 namespace ashimpact {
+
+/// One phase of a sample.
+struct PhaseShare {
+    std::string name;                       ///< as the analysis has it
+    std::string phase{};                    ///< of the catalogue
+    double weight_fraction = 0;             ///< [1]
+    double volume_fraction = 0;             ///< [1]
+    std::optional<double> density{};        ///< [kg/m3]
+    std::optional<double> young_modulus{};  ///< [Pa]
+};
+
+/// Bounds of Young's modulus that hold for any arrangement of the phases.
+struct ModulusBounds {
+    Quantity lower, upper;  ///< [Pa]
+    std::optional<MixtureRule> lower_rule{}, upper_rule{};
+};
+
+/// Composition and Young's modulus of a sample.
+struct SampleModulus {
+    std::string name{};
+    Quantity diameter{};  ///< [m]
+    std::vector<PhaseShare> phases{};
+    MixtureRule rule = MixtureRule::parallel;
+    Quantity young_modulus{};  ///< by that rule, porosity applied [Pa]
+    std::optional<ModulusBounds> bounds{};
+    std::vector<RuleResult> rules{};            ///< of the dense mixture
+    Quantity density{};                         ///< of the dense mixture [kg/m3]
+    std::optional<double> poisson_ratio{};      ///< mixed from the phases [1]
+    bool poisson_ratio_assumed = false;         ///< of one of the phases at least
+    std::vector<Contribution> contributions{};  ///< to the variance of young_modulus, largest first
+};
+
+/// Result of the modulus stage, 1-modulus.json.
+using ModulusResult = SampleResults<SampleModulus>;
 
 /// The second sphere of a contact.
 struct SecondSphere {
@@ -38,8 +78,74 @@ struct SampleContact {
 };
 
 /// Result of the contact stage, 2-contact.json.
-struct ContactResult {
-    std::vector<SampleContact> samples{};
+using ContactResult = SampleResults<SampleContact>;
+
+/// Energy to separate a contact and the velocity that just supplies it.
+struct AnalyticVelocity {
+    double separation_energy = 0;  ///< W_s [J]
+    double critical_velocity = 0;  ///< v_s of Eq. 30 [m/s]
 };
+
+/// The same for a cohesion of finite range, between 0 (DMT) and JKR.
+struct CohesiveVelocity {
+    AnalyticVelocity exact{};
+    double transition_parameter = 0;  ///< lambda of Maugis [1]
+    AnalyticVelocity fitted{};        ///< by a closed form
+    double fitted_error = 0;          ///< relative, of its energy [1]
+};
+
+/// Analytic results of a sample: of a JKR contact that ends at pull-off, and variants.
+struct SampleAnalytic : AnalyticVelocity {
+    std::string name{};
+    std::optional<AnalyticVelocity> load_controlled{};
+    std::optional<AnalyticVelocity> with_printed_constants{};  ///< of Dong et al. 2013
+    std::optional<CohesiveVelocity> maugis_dugdale{};
+};
+
+/// Result of the analytic stage, 3-analytic.json.
+using AnalyticResult = SampleResults<SampleAnalytic>;
+
+/// Impacts in the columns in which artifacts list them. Restitution 0 is a capture.
+struct ListedImpacts {
+    std::vector<double> velocity{};              ///< v_in [m/s]
+    std::vector<double> restitution{};           ///< [1]
+    std::vector<double> velocity_uncertainty{};  ///< standard; empty: the noise is not known [m/s]
+    std::vector<double> rebound_uncertainty{};   ///< standard, of v_r; empty as well [m/s]
+    std::vector<double> correlation{};           ///< of these two errors; empty: none [1]
+    std::vector<double> counts{};                ///< impacts of which a point is the mean; empty: one each
+};
+
+[[nodiscard]] ListedImpacts columns_of(const MeasurementSet& set);
+
+/// The impacts of these columns; they differ from those of columns_of() by rounding.
+/// @param columns of one length
+[[nodiscard]] MeasurementSet impacts_of(const ListedImpacts& columns);
+
+/// Restitution against incident velocity that serves several laws.
+struct RestitutionSeries {
+    std::vector<Law> laws{};
+    Origin origin = Origin::measured;  ///< measured or reconstructed
+    std::string source{};
+    ListedImpacts columns{};
+    MeasurementSet impacts{};  ///< the impacts of these columns, in their order
+    /// Of a reconstructed series: standard uncertainty of each coefficient behind it, its rounding [kg/s].
+    std::optional<double> coefficient_uncertainty{};
+};
+
+/// The restitution data of a sample.
+struct SampleRestitution {
+    std::string name{};
+    std::vector<RestitutionSeries> series{};
+
+    /// The series of a law, or null.
+    [[nodiscard]] const RestitutionSeries* of(Law law) const {
+        for (const RestitutionSeries& each : series)
+            if (std::find(each.laws.begin(), each.laws.end(), law) != each.laws.end()) return &each;
+        return nullptr;
+    }
+};
+
+/// Result of the restitution stage, 4-restitution.json.
+using RestitutionResult = SampleResults<SampleRestitution>;
 
 }  // namespace ashimpact

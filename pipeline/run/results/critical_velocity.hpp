@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pipeline/case/law_map.hpp"
+#include "pipeline/run/results/note.hpp"
 #include "pipeline/run/results/velocity.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/calibration/calibration.hpp"
@@ -90,8 +91,6 @@ struct SampleCriticalVelocity {
 }
 
 /// Result of the critical velocity stage, 7-critical-velocity.json.
-struct CriticalVelocityResult {
-    std::vector<SampleCriticalVelocity> samples{};
-};
+using CriticalVelocityResult = SampleResults<SampleCriticalVelocity>;
 
 }  // namespace ashimpact

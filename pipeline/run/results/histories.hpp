@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pipeline/case/law_map.hpp"
+#include "pipeline/run/results/note.hpp"
 #include "solver/motion/impact.hpp"
 #include "solver/motion/momentum_balance.hpp"
 #include "solver/motion/trajectory.hpp"
@@ -33,6 +34,11 @@ struct Names<HistoryPart> {
     static constexpr std::string_view kind = "part";
     static constexpr std::array<std::string_view, 4> all{"critical", "rising", "at-critical", "falling"};
 };
+
+/// Whether the history is of a LawCurve, of which only the trajectory is known.
+[[nodiscard]] constexpr bool is_of_a_curve(HistoryPart part) {
+    return part == HistoryPart::at_critical || part == HistoryPart::falling;
+}
 
 /// Momentum balance of a history; Eqs. 35-45.
 struct HistoryMomentum {
@@ -89,8 +95,6 @@ struct SampleHistories {
 };
 
 /// Result of the histories stage, 8-histories.json.
-struct HistoriesResult {
-    std::vector<SampleHistories> samples{};
-};
+using HistoriesResult = SampleResults<SampleHistories>;
 
 }  // namespace ashimpact

@@ -45,4 +45,10 @@ struct StageRecord {
     }
 };
 
+/// The results of a stage for each sample of the case, in its order.
+template <class Sample>
+struct SampleResults {
+    std::vector<Sample> samples{};
+};
+
 }  // namespace ashimpact

@@ -5,7 +5,6 @@
 
 #include "pipeline/case/case.hpp"
 #include "pipeline/run/results/contact.hpp"
-#include "pipeline/run/results/modulus.hpp"
 #include "pipeline/run/results/note.hpp"
 #include "solver/inference/calibration/calibration.hpp"
 

@@ -3,7 +3,6 @@
 
 #include "pipeline/case/case.hpp"
 #include "pipeline/run/results/contact.hpp"
-#include "pipeline/run/results/modulus.hpp"
 #include "solver/inference/calibration/calibration.hpp"
 
 namespace ashimpact {

@@ -7,8 +7,7 @@
 #include "pipeline/case/case.hpp"
 #include "pipeline/run/results/contact.hpp"
 #include "pipeline/run/results/critical_velocity.hpp"
-#include "pipeline/run/results/fit.hpp"
-#include "pipeline/run/results/restitution.hpp"
+#include "pipeline/run/results/damping.hpp"
 #include "pipeline/run/uncertainty/contact_models.hpp"
 #include "solver/inference/critical_velocity_uncertainty.hpp"
 

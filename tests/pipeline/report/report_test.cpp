@@ -12,8 +12,8 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
-#include "pipeline/document/results/run_artifacts.hpp"
-#include "pipeline/document/results/run_json.hpp"
+#include "pipeline/document/artifact.hpp"
+#include "pipeline/document/run_json.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/files/sha256.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"

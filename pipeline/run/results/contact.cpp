@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/case/listed_impacts.hpp"
+#include "pipeline/run/results/contact.hpp"
 
 #include <algorithm>
 #include <cmath>

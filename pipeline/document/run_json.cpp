@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/document/results/run_json.hpp"
+#include "pipeline/document/run_json.hpp"
 
 #include <algorithm>
 
@@ -7,11 +7,10 @@
 #include "materials/separation_energy.hpp"
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/document/case_json.hpp"
-#include "pipeline/document/detachment_json.hpp"
-#include "pipeline/document/results/note_json.hpp"
-#include "pipeline/document/results/results_json.hpp"
+#include "pipeline/document/results_json.hpp"
 #include "pipeline/files/sha256.hpp"
 #include "pipeline/run/stage.hpp"
+#include "solver/motion/impact.hpp"
 
 namespace ashimpact {
 
@@ -84,6 +83,20 @@ const Part& part_of(std::string_view file) {
     const auto found = std::ranges::find(parts(), file, &Part::file);
     if (found == parts().end()) throw std::logic_error("no artifact of a run: " + std::string(file));
     return *found;
+}
+
+/// Where the contact of each law of the case ends, and the ends that it is refused, with the reason.
+Json detachments_json(const Case& data) {
+    Json laws = Json::object();
+    for (const LawChoice& choice : data.laws) {
+        Json refused = Json::object();
+        for (const Detachment detachment : all_values<Detachment>)
+            if (const auto reason = refusal(choice.law, detachment))
+                refused[std::string(name_of(detachment))] = *reason;
+        laws[std::string(choice.law.name())] = {{"ends_at", name_of(choice.detachment)},
+                                                {"refused", std::move(refused)}};
+    }
+    return laws;
 }
 
 Json own_options_json(const Case& data, std::string_view file) {
