@@ -19,7 +19,15 @@ void fields(auto& io, Is<Regime> auto& regime) {
     io.lenient("contact_radius", regime.contact_radius, Dimension::length);
     io.lenient("relative_contact_radius", regime.relative_contact_radius);
     io.lenient("relative_overlap", regime.relative_overlap);
-    io("warnings", regime.warnings);
+    io.by_hand(
+        "warnings", regime.warnings,
+        [](const std::vector<Finding>& findings) { return Json(texts_of(findings)); },
+        [](const View& node) {
+            std::vector<Finding> findings;
+            for (const std::string& text : node.texts())
+                findings.push_back({regime_code, Severity::remark, text});
+            return findings;
+        });
 }
 
 Json regime_json(const Regime& regime) {

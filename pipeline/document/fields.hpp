@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/json/quantity_json.hpp"
+#include "core/json/view.hpp"
 #include "pipeline/case/law_map.hpp"
 #include "pipeline/document/values_json.hpp"
 #include "pipeline/run/results/note.hpp"

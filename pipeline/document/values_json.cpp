@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/json/quantity_json.hpp"
+#include "core/json/view.hpp"
 #include "core/quantities/checks.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/case/case_parts.hpp"

@@ -15,7 +15,7 @@ namespace ashimpact {
 namespace {
 
 /// Results of one sample.
-struct SampleResults {
+struct ComparedSample {
     const Sample& sample;
     const SampleModulus& modulus;
     const SampleContact& contact;
@@ -86,7 +86,7 @@ LawMap<Beside> beside_by_law(const LawMap<Quantity>& published, const LawMap<Our
     return values;
 }
 
-PublishedBeside published_beside(const PublishedSample& published, const SampleResults& of) {
+PublishedBeside published_beside(const PublishedSample& published, const ComparedSample& of) {
     PublishedBeside found{.source = published.source};
     if (published.young_modulus)
         found.young_modulus = beside(of.modulus.young_modulus.value, *published.young_modulus);
@@ -114,7 +114,7 @@ PublishedBeside published_beside(const PublishedSample& published, const SampleR
 }
 
 /// Dynamic critical velocities with their intervals and verdicts.
-LawMap<LawComparison> compare_laws(const SampleResults& of, const std::vector<LawChoice>& laws) {
+LawMap<LawComparison> compare_laws(const ComparedSample& of, const std::vector<LawChoice>& laws) {
     LawMap<LawComparison> all;
     for (const LawChoice& choice : laws) {
         LawComparison entry;
@@ -210,7 +210,7 @@ std::string no_damping_reason(const Sample& sample, const std::vector<const Stag
     return "no damping follows from the impacts";
 }
 
-SampleComparison comparison_of(const SampleResults& of, const Case& data, const std::string& no_damping) {
+SampleComparison comparison_of(const ComparedSample& of, const Case& data, const std::string& no_damping) {
     const SampleContact& contact = of.contact;
     SampleComparison entry{.name = of.sample.name,
                            .reported = reported_velocity({data.laws, of.velocities.laws, contact.pair,
@@ -240,13 +240,13 @@ ComparisonResult comparison_stage(const Case& data, const ComparedResults& resul
     ComparisonResult result{.name = data.name};
     Gap gap;
     for (std::size_t i = 0; i < data.samples.size(); ++i) {
-        const SampleResults of{data.samples[i],
-                               results.moduli.samples[i],
-                               results.contacts.samples[i],
-                               results.analytic.samples[i],
-                               results.fits.samples[i].laws,
-                               results.velocities.samples[i],
-                               results.histories.samples[i]};
+        const ComparedSample of{data.samples[i],
+                                results.moduli.samples[i],
+                                results.contacts.samples[i],
+                                results.analytic.samples[i],
+                                results.fits.samples[i].laws,
+                                results.velocities.samples[i],
+                                results.histories.samples[i]};
         for (const auto& [law, velocity] : of.velocities.laws)
             gap.take(velocity, of.analytic.critical_velocity);
         result.samples.push_back(comparison_of(of, data, no_damping_reason(of.sample, reasons)));

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/quantities/quantity.hpp"
-#include "core/uncertainty.hpp"
 #include "materials/modulus.hpp"
 #include "pipeline/case/case.hpp"
 #include "pipeline/run/results/note.hpp"
