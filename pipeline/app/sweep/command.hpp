@@ -3,7 +3,7 @@
 
 #include <iosfwd>
 
-#include "pipeline/app/sweep/spec/impact_columns.hpp"
+#include "pipeline/app/sweep/spec/impacts.hpp"
 #include "pipeline/app/sweep_options.hpp"
 
 namespace ashimpact {

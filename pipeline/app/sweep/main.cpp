@@ -3,8 +3,8 @@
 
 #include "pipeline/app/program.hpp"
 #include "pipeline/app/sweep/command.hpp"
-#include "pipeline/app/sweep/table/impact_table_file.hpp"
-#include "pipeline/app/sweep/workers/mpi_session.hpp"
+#include "pipeline/app/sweep/table/hdf5_tables.hpp"
+#include "pipeline/app/sweep/workers/mpi.hpp"
 
 /// ashimpact-sweep: ashimpact with MPI and HDF5, whose libraries take longer to load than other
 /// commands take to run. `ashimpact sweep` and `ashimpact export table` become this program.

@@ -165,20 +165,19 @@ Json citations_of(const SweepPlan& plan) {
 }  // namespace
 
 Json sweep_artifact(const SweepPlan& plan, const SweepProgress& progress, const SpecFile& spec) {
-    const SweepSums sums = progress.sums();
+    const SweepSums sums = progress.sums.total();
     Json result{{"points", plan.design().points()},
                 {"impacts", plan.impacts()},
                 {"damping_law", name_of(plan.spec().damping_law)},
                 {"laws", Json::array()}};
     for (std::size_t i = 0; i < plan.spec().laws.size(); ++i)
         result["laws"].push_back(
-            LawResult(plan, sums.laws[i], progress.counts().laws[i], progress.failed().counts.at(i))
+            LawResult(plan, sums.laws[i], progress.counts[i], progress.failed.counts.at(i))
                 .json(plan.spec().laws[i]));
-    result["not_converged"] = failures_json(plan, progress.failed());
+    result["not_converged"] = failures_json(plan, progress.failed);
     std::vector<std::string> warnings = plan.spec().warnings;
-    if (progress.failed().total() > 0)
-        warnings.push_back(std::to_string(progress.failed().total()) + " of " +
-                           std::to_string(plan.impacts()) +
+    if (progress.failed.total() > 0)
+        warnings.push_back(std::to_string(progress.failed.total()) + " of " + std::to_string(plan.impacts()) +
                            " impacts did not converge; they are left out, see /result/not_converged");
     return {{"schema", "sweep-result"},
             {"schema_version", schema_version},

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "core/json/document.hpp"
-#include "pipeline/app/sweep/spec/plan.hpp"
-#include "pipeline/app/sweep/workers/sweep_progress.hpp"
+#include "pipeline/app/sweep/workers/block.hpp"
 
 namespace ashimpact {
 

@@ -9,7 +9,10 @@
 
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
+#include "core/version.hpp"
 #include "pipeline/app/sweep/workers/bytes.hpp"
+#include "pipeline/files/file.hpp"
+#include "pipeline/files/sha256.hpp"
 #include "pipeline/present/text/progress.hpp"
 
 namespace ashimpact {
@@ -27,30 +30,50 @@ constexpr std::chrono::milliseconds patience{50};
 /// Share of the impacts that may fail to converge before the sweep does.
 constexpr double tolerated_failures = 0.01;
 
+/// What a checkpoint holds. A sweep continues from that of the same program and spec.
+struct Checkpoint {
+    std::string format = std::string(checkpoint_mark) + " 2";
+    std::string version{program_version()};
+    std::string revision{program_revision()};
+    std::string spec;
+    std::string digest{};
+    std::string progress;  ///< packed
+
+    void transfer(auto& archive) { archive(format, version, revision, spec, digest, progress); }
+};
+
+/// Replaces the checkpoint file atomically. @throws InputError if it cannot be written
+void save_checkpoint(const std::filesystem::path& file, const SweepPlan& plan,
+                     const SweepProgress& progress) {
+    Checkpoint checkpoint{.spec = plan.hash(), .progress = packed(progress)};
+    checkpoint.digest = sha256(checkpoint.progress);
+    write_file(file, packed(std::move(checkpoint)));
+}
+
 /// Hands out the blocks of a sweep, merges and saves their results.
 class SweepDriver {
   public:
-    SweepDriver(Checkpoint& state, const SweepPlan& plan, const SweepFiles& files, RowLog& rows,
+    SweepDriver(SweepProgress& progress, const SweepPlan& plan, const SweepFiles& files, RowLog& rows,
                 Workers& workers, const SweepCare& care)
-        : state_(state),
+        : progress_(progress),
           plan_(plan),
           files_(files),
           rows_(plan.spec().table.empty() ? nullptr : &rows),
           workers_(workers),
           care_(care),
-          progress_(plan.impacts(), impacts_done(), care.show_progress),
-          next_(state.progress.chunks()) {
-        if (rows_ != nullptr) rows_->resume(state.row_bytes);
+          shown_(plan.impacts(), impacts_done(), care.show_progress),
+          next_(progress.chunks) {
+        if (rows_ != nullptr) rows_->resume(progress.row_bytes);
         if (next_ > 0)
             spdlog::info("{}: going on from chunk {} of {}", files.checkpoint.string(), next_, plan.chunks());
     }
 
     [[nodiscard]] bool run() {
-        while (state_.progress.chunks() < plan_.chunks()) {
+        while (progress_.chunks < plan_.chunks()) {
             hand_out();
             collect();
             merge();
-            progress_.update(impacts_done());
+            shown_.update(impacts_done());
             if (care_.interrupted()) {
                 save();
                 return false;
@@ -63,9 +86,9 @@ class SweepDriver {
 
     void save() {
         if (rows_ != nullptr) rows_->sync();
-        save_checkpoint(files_.checkpoint, plan_, state_);
+        save_checkpoint(files_.checkpoint, plan_, progress_);
         saved_ = Clock::now();
-        saved_chunks_ = state_.progress.chunks();
+        saved_chunks_ = progress_.chunks;
     }
 
     /// Leaves nothing behind where nothing was finished.
@@ -76,14 +99,14 @@ class SweepDriver {
 
   private:
     [[nodiscard]] std::uint64_t impacts_done() const {
-        const std::uint64_t chunks = state_.progress.chunks();
+        const std::uint64_t chunks = progress_.chunks;
         const std::uint64_t points =
             chunks == plan_.chunks() ? plan_.design().points() : plan_.first_point(chunks);
         return points * plan_.impacts_a_point() * plan_.spec().laws.size();
     }
 
     [[nodiscard]] bool is_due() const {
-        return state_.progress.chunks() > saved_chunks_ &&
+        return progress_.chunks > saved_chunks_ &&
                std::chrono::duration<double>(Clock::now() - saved_).count() >= care_.checkpoint_interval;
     }
 
@@ -125,17 +148,15 @@ class SweepDriver {
     }
 
     void merge() {
-        for (auto first = waiting_.begin();
-             first != waiting_.end() && first->first == state_.progress.chunks();
+        for (auto first = waiting_.begin(); first != waiting_.end() && first->first == progress_.chunks;
              first = waiting_.erase(first)) {
             const FinishedBlock& done = first->second;
-            BlockResult result;
-            ByteReader reader(done.bytes);
-            reader(result);
-            reader.finish();
-            if (rows_ != nullptr) rows_->append(result.rows);
-            if (rows_ != nullptr) state_.row_bytes = rows_->size();
-            state_.progress.add(done.block, std::move(result));
+            auto result = unpacked<BlockResult>(done.bytes);
+            if (rows_ != nullptr) {
+                rows_->append(result.rows);
+                progress_.row_bytes = rows_->size();
+            }
+            progress_.add(done.block, std::move(result));
             require_few_failures();
             seconds_a_chunk_ = done.seconds / static_cast<double>(done.block.chunks());
         }
@@ -143,7 +164,7 @@ class SweepDriver {
 
     /// @throws ConvergenceError with the first of them where too many impacts did not converge
     void require_few_failures() const {
-        const FailedImpacts& failed = state_.progress.failed();
+        const FailedImpacts& failed = progress_.failed;
         const auto impacts = static_cast<double>(plan_.impacts());
         if (static_cast<double>(failed.total()) <= tolerated_failures * impacts) return;
         const FailedImpacts::Listed& first = failed.listed.front();
@@ -152,13 +173,13 @@ class SweepDriver {
                                "; the first one: " + first.command);
     }
 
-    Checkpoint& state_;
+    SweepProgress& progress_;
     const SweepPlan& plan_;
     const SweepFiles& files_;
     RowLog* rows_;  ///< of the table; nullptr without one
     Workers& workers_;
     const SweepCare& care_;
-    Progress progress_;
+    Progress shown_;
     std::uint64_t next_;  ///< chunk to hand out
     std::size_t in_flight_ = 0;
     std::map<std::uint64_t, FinishedBlock> waiting_;  ///< for blocks before them, by first chunk
@@ -178,25 +199,41 @@ SweepFiles SweepFiles::beside(const std::filesystem::path& result) {
     return {result, table, with(".checkpoint"), with(".rows"), report};
 }
 
+std::optional<SweepProgress> load_checkpoint(const std::filesystem::path& file, const SweepPlan& plan) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored)) return std::nullopt;
+    const auto refuse = [&](const char* problem) -> InputError {
+        return InputError(problem, "--restart to begin anew, or another -o").at(FileName{file.string()});
+    };
+    try {
+        const auto checkpoint = unpacked<Checkpoint>(read_file(file));
+        if (checkpoint.format != Checkpoint{}.format || checkpoint.digest != sha256(checkpoint.progress))
+            throw BrokenBytes();
+        if (checkpoint.version != program_version() || checkpoint.revision != program_revision())
+            throw refuse("is the checkpoint of another version of ashimpact");
+        if (checkpoint.spec != plan.hash()) throw refuse("is the checkpoint of another sweep");
+        return unpacked<SweepProgress>(checkpoint.progress);
+    } catch (const BrokenBytes&) {
+        throw refuse("is no checkpoint, or damaged");
+    }
+}
+
 Work work_of(const SweepPlan& plan, ImpactSolver solver) {
     return [&plan, solver = std::move(solver)](const Block& block) {
-        BlockResult result = compute_block(plan, solver, block);
-        ByteWriter writer;
-        writer(result);
-        return std::move(writer).take();
+        return packed(compute_block(plan, solver, block));
     };
 }
 
-bool complete(Checkpoint& state, const SweepPlan& plan, const SweepFiles& files, RowLog& rows,
+bool complete(SweepProgress& progress, const SweepPlan& plan, const SweepFiles& files, RowLog& rows,
               Workers& workers, const SweepCare& care) {
-    SweepDriver driver(state, plan, files, rows, workers, care);
+    SweepDriver driver(progress, plan, files, rows, workers, care);
     try {
         return driver.run();
     } catch (const ConvergenceError&) {
         driver.save();
         throw;
     } catch (const InputError&) {
-        if (state.progress.chunks() == 0) driver.forget();
+        if (progress.chunks == 0) driver.forget();
         throw;
     }
 }

@@ -3,10 +3,11 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
+#include <string_view>
 
-#include "pipeline/app/sweep/checkpoint.hpp"
 #include "pipeline/app/sweep/spec/plan.hpp"
-#include "pipeline/app/sweep/table/row_log.hpp"
+#include "pipeline/app/sweep/table/rows.hpp"
 #include "pipeline/app/sweep/workers/workers.hpp"
 
 namespace ashimpact {
@@ -21,6 +22,14 @@ struct SweepFiles {
 
     [[nodiscard]] static SweepFiles beside(const std::filesystem::path& result);
 };
+
+/// Beginning of every checkpoint, by which a sweep recognises one.
+inline constexpr std::string_view checkpoint_mark = "ashimpact sweep checkpoint";
+
+/// The finished part of a sweep by its checkpoint; none if there is no file.
+/// @throws InputError if it belongs to another spec or program, or is damaged
+[[nodiscard]] std::optional<SweepProgress> load_checkpoint(const std::filesystem::path& file,
+                                                           const SweepPlan& plan);
 
 /// How often a sweep is saved, and how it is watched and interrupted.
 struct SweepCare {
@@ -37,7 +46,7 @@ struct SweepCare {
 /// @param rows the lock of the sweep, and the rows of its table
 /// @returns whether all is done; false if it was interrupted
 /// @throws InputError if a file cannot be written; whatever the work throws
-[[nodiscard]] bool complete(Checkpoint& state, const SweepPlan& plan, const SweepFiles& files, RowLog& rows,
-                            Workers& workers, const SweepCare& care);
+[[nodiscard]] bool complete(SweepProgress& progress, const SweepPlan& plan, const SweepFiles& files,
+                            RowLog& rows, Workers& workers, const SweepCare& care);
 
 }  // namespace ashimpact

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/app/sweep/workers/block.hpp"
+
 #include <doctest/doctest.h>
 
 #include "pipeline/app/sweep/workers/bytes.hpp"
-#include "pipeline/app/sweep/workers/chunk.hpp"
-#include "pipeline/app/sweep/workers/sweep_progress.hpp"
 #include "tests/pipeline/sweep/specs.hpp"
 
 using namespace ashimpact;
@@ -27,15 +27,13 @@ std::string tallied(const SweepPlan& plan, const std::vector<unsigned>& levels) 
     SweepProgress progress;
     std::string rows;
     for (const unsigned level : levels) {
-        const Block block{progress.chunks(), level};
+        const Block block{progress.chunks, level};
         BlockResult result = compute_block(plan, formula, block);
         rows += result.rows;
         progress.add(block, std::move(result));
     }
-    CHECK(progress.chunks() == plan.chunks());
-    ByteWriter writer;
-    writer(progress);
-    return std::move(writer).take() + rows;
+    CHECK(progress.chunks == plan.chunks());
+    return packed(std::move(progress)) + rows;
 }
 
 }  // namespace
@@ -60,12 +58,10 @@ TEST_CASE(
     const SweepPlan plan(spec.dump());
     SweepProgress progress;
     std::size_t at_sixteen = 0;
-    while (progress.chunks() < 256) {
-        const Block block{progress.chunks(), 4};
+    while (progress.chunks < 256) {
+        const Block block{progress.chunks, 4};
         progress.add(block, compute_block(plan, formula, block));
-        ByteWriter writer;
-        writer(progress);
-        const std::size_t size = std::move(writer).take().size();
+        const std::size_t size = packed(progress).size();
         if (at_sixteen == 0) at_sixteen = size;
         CHECK(size < 5 * at_sixteen);
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/app/sweep/workers/bytes.hpp"
 
+#include <cmath>
+
 #include <doctest/doctest.h>
 
 using namespace ashimpact;
@@ -11,26 +13,15 @@ struct Pair {
     double number = 0;
     std::vector<std::string> texts;
 
-    template <class Archive>
-    void transfer(Archive& archive) {
-        archive(number, texts);
-    }
+    void transfer(auto& archive) { archive(number, texts); }
 };
 
-std::string written(std::vector<Pair> pairs) {
-    ByteWriter writer;
-    writer(pairs);
-    return std::move(writer).take();
-}
+using Pairs = std::vector<Pair>;
 
 }  // namespace
 
 TEST_CASE("what is written is read") {
-    const std::string bytes = written({{0.1, {"a", ""}}, {-0.0, {}}});
-    std::vector<Pair> pairs;
-    ByteReader reader(bytes);
-    reader(pairs);
-    CHECK_NOTHROW(reader.finish());
+    const auto pairs = unpacked<Pairs>(packed(Pairs{{0.1, {"a", ""}}, {-0.0, {}}}));
     REQUIRE(pairs.size() == 2);
     CHECK(pairs[0].number == 0.1);
     CHECK(pairs[0].texts == std::vector<std::string>{"a", ""});
@@ -38,17 +29,11 @@ TEST_CASE("what is written is read") {
 }
 
 TEST_CASE("bytes that end too early, too late or claim too much are refused") {
-    const std::string bytes = written({{0.1, {"abc"}}});
-    for (std::size_t length = 0; length < bytes.size(); ++length) {
-        std::vector<Pair> pairs;
-        ByteReader reader(std::string_view(bytes).substr(0, length));
-        CHECK_THROWS_AS(reader(pairs), BrokenBytes);
-    }
-    std::vector<Pair> pairs;
-    const std::string one_more = bytes + "x";
-    ByteReader longer(one_more);
-    longer(pairs);
-    CHECK_THROWS_AS(longer.finish(), BrokenBytes);
-    ByteReader claims(std::string_view("\xff\xff\xff\xff\xff\xff\xff\x7f", 8));
-    CHECK_THROWS_AS(claims(pairs), BrokenBytes);
+    const std::string bytes = packed(Pairs{{0.1, {"abc"}}});
+    const auto check_broken = [](std::string_view broken) {
+        CHECK_THROWS_AS(static_cast<void>(unpacked<Pairs>(broken)), BrokenBytes);
+    };
+    for (std::size_t length = 0; length < bytes.size(); ++length) check_broken(bytes.substr(0, length));
+    check_broken(bytes + "x");
+    check_broken(std::string_view("\xff\xff\xff\xff\xff\xff\xff\x7f", 8));
 }

@@ -18,8 +18,8 @@ namespace {
 Json artifact_of(const Json& spec, const ImpactSolver& solver) {
     const SweepPlan plan(spec.dump());
     SweepProgress progress;
-    while (progress.chunks() < plan.chunks()) {
-        const Block block{progress.chunks(), 0};
+    while (progress.chunks < plan.chunks()) {
+        const Block block{progress.chunks, 0};
         progress.add(block, compute_block(plan, solver, block));
     }
     Json artifact = sweep_artifact(plan, progress, {"spec.json", std::string(64, '0')});

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/app/sweep/workers/thread_workers.hpp"
-
 #include <atomic>
 #include <set>
 #include <thread>
@@ -8,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "core/text/error.hpp"
+#include "pipeline/app/sweep/workers/workers.hpp"
 
 using namespace ashimpact;
 

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/app/sweep/spec/impacts.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include <Eigen/Core>
 
+#include "core/text/error.hpp"
+#include "core/text/text.hpp"
 #include "materials/contact_properties.hpp"
+#include "pipeline/app/options/contact_options.hpp"
 #include "solver/contact/law_parameters.hpp"
 
 namespace ashimpact {
@@ -16,82 +20,98 @@ Eigen::Map<const Eigen::ArrayXd> array_of(ImpactColumns::Values values) {
     return {values.data(), std::ssize(values)};
 }
 
-/// Values of a function of two columns.
-template <class Function>
-Eigen::ArrayXd combined(ImpactColumns::Values a, ImpactColumns::Values b, const Function& function) {
-    Eigen::ArrayXd values(std::ssize(a.size() == 1 ? b : a));
-    const auto fill = [&](const auto& first, const auto& second) {  // each combination a loop of its own
-        for (Eigen::Index i = 0; i < values.size(); ++i) {
-            const auto place = static_cast<std::size_t>(i);
-            values[i] = function(first(place), second(place));
-        }
-    };
-    const auto single = [](ImpactColumns::Values column) {
-        return [value = column.front()](std::size_t) { return value; };
-    };
-    const auto each = [](ImpactColumns::Values column) {
-        return [column](std::size_t i) { return column[i]; };
-    };
-    if (a.size() == 1)
-        b.size() == 1 ? fill(single(a), single(b)) : fill(single(a), each(b));
-    else
-        b.size() == 1 ? fill(each(a), single(b)) : fill(each(a), each(b));
-    return values;
+constexpr double none = 0;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// A column with so many values.
+Eigen::ArrayXd spread(ImpactColumns::Values column, std::size_t count) {
+    if (column.size() > 1) return array_of(column);
+    return Eigen::ArrayXd::Constant(static_cast<Eigen::Index>(count), column.front());
 }
 
-/// Columns of the inputs of a sweep as its variables or its fixed values give them.
-class InputColumns {
-  public:
-    InputColumns(const SweepSpec& spec, const std::vector<std::vector<double>>& variables)
-        : spec_(spec), variables_(variables) {}
+/// Values of a function of two columns.
+template <class Function>
+Eigen::ArrayXd combined(ImpactColumns::Values a, ImpactColumns::Values b, Function function) {
+    const std::size_t count = std::max(a.size(), b.size());
+    return spread(a, count).binaryExpr(spread(b, count), function);
+}
 
-    /// A variable, or the single fixed value.
-    [[nodiscard]] ImpactColumns::Values of(ImpactInput input, const double& fallback) const {
-        for (std::size_t i = 0; i < spec_.variables.size(); ++i)
-            if (spec_.variables[i].input == input) return variables_[i];
-        const auto& fixed = spec_.fixed[static_cast<std::size_t>(input)];
-        return {fixed ? &*fixed : &fallback, 1};
+Impact impact_at(const ImpactModel& model, const ImpactColumns& impacts, std::size_t i) {
+    ParameterValues<double> parameters;
+    for (const auto& [name, values] : impacts.parameters) parameters.set(name, value_at(values, i));
+    return {.law = model.law,
+            .detachment = model.detachment,
+            .damping = {model.damping_law, value_at(impacts.damping, i)},
+            .contact = {.mass = value_at(impacts.mass, i),
+                        .effective_radius = value_at(impacts.effective_radius, i),
+                        .contact_modulus = value_at(impacts.contact_modulus, i),
+                        .work_of_adhesion = value_at(impacts.work_of_adhesion, i),
+                        .yield_pressure = value_at(impacts.yield_pressure, i),
+                        .parameters = parameters},
+            .velocity = value_at(impacts.velocity, i)};
+}
+
+/// The command that computes an impact alone.
+std::string command_of(const Impact& impact) {
+    std::string command = "ashimpact impact --law " + std::string(impact.law.name()) + " --detachment " +
+                          std::string(name_of(impact.detachment)) + " --damping-law " +
+                          std::string(name_of(impact.damping.law));
+    const auto add = [&](const char* option, double value) {
+        command += std::string(" --") + option + " " + shortest(value);
+    };
+    add("mass", impact.contact.mass);
+    add("radius", impact.contact.effective_radius);
+    add("contact-modulus", impact.contact.contact_modulus);
+    if (impact.law.uses_work_of_adhesion()) add("work-of-adhesion", impact.contact.work_of_adhesion);
+    if (impact.law.is_plastic()) add("yield-pressure", impact.contact.yield_pressure);
+    for (const LawParameter& parameter : impact.law.parameters()) {
+        if (!impact.contact.parameters.has(parameter)) continue;
+        command += " " + option_of(parameter) + " " + shortest(impact.contact.parameters[parameter]);
     }
-    /// Masses of spheres from their density.
-    [[nodiscard]] Eigen::ArrayXd masses(ImpactInput density, ImpactColumns::Values radius) const {
-        Eigen::ArrayXd unit = array_of(of(density, none));  // to be masses of spheres of radius 1 m
-        for (double& value : unit) value = sphere_mass(1.0, value);
-        const Eigen::Map<const Eigen::ArrayXd> r = array_of(radius);
-        if (unit.size() == 1) return unit[0] * r * r * r;
-        if (r.size() == 1) return unit * r[0] * r[0] * r[0];
-        return unit * r * r * r;
+    add("damping", impact.damping.coefficient);
+    add("velocity", impact.velocity);
+    return command;
+}
+
+/// Throws for the first impact that is no valid one an error of the variables that make it.
+void refuse_first(const ImpactModel& model, const ImpactColumns& impacts) {
+    for (std::size_t i = 0; i < impacts.velocity.size(); ++i) {
+        try {
+            validate(impact_at(model, impacts, i));
+        } catch (const InputError& own) {
+            throw InputError("at a point of the sweep, " + own.problem(), own.allowed()).at("/variables");
+        }
     }
-
-    static constexpr double none = 0;
-    static constexpr double infinite = std::numeric_limits<double>::infinity();
-
-  private:
-    const SweepSpec& spec_;
-    const std::vector<std::vector<double>>& variables_;
-};
+}
 
 }  // namespace
 
 ImpactColumns::ImpactColumns(const SweepSpec& spec, const std::vector<std::vector<double>>& variables,
                              std::size_t count) {
-    const InputColumns inputs(spec, variables);
-    const auto column = [&](ImpactInput input) { return inputs.of(input, InputColumns::none); };
-    const auto masses = [&](ImpactInput given, ImpactInput density, ImpactColumns::Values radius) {
-        return is_given(spec, density) ? keep(inputs.masses(density, radius)) : column(given);
+    const auto column = [&](ImpactInput input, const double& otherwise = none) -> Values {
+        for (std::size_t i = 0; i < spec.variables.size(); ++i)
+            if (spec.variables[i].input == input) return variables[i];
+        const auto& fixed = spec.fixed[static_cast<std::size_t>(input)];
+        return {fixed ? &*fixed : &otherwise, 1};
+    };
+    const auto masses = [&](ImpactInput given, ImpactInput density, Values radius) {
+        if (!is_given(spec, density)) return column(given);
+        Eigen::ArrayXd unit = array_of(column(density));  // to be masses of spheres of radius 1 m
+        for (double& value : unit) value = sphere_mass(1.0, value);
+        return keep(combined({unit.data(), static_cast<std::size_t>(unit.size())}, radius,
+                             [](double m, double r) { return m * r * r * r; }));
     };
     effective_radius = column(ImpactInput::radius);
     contact_modulus = column(ImpactInput::contact_modulus);
     work_of_adhesion = column(ImpactInput::work_of_adhesion);
-    yield_pressure = inputs.of(ImpactInput::yield_pressure, InputColumns::infinite);
+    yield_pressure = column(ImpactInput::yield_pressure, infinite);
     damping = column(ImpactInput::damping);
     velocity = column(ImpactInput::velocity);
-    if (velocity.size() != count)
-        velocity = keep(Eigen::ArrayXd::Constant(static_cast<Eigen::Index>(count), velocity.front()));
+    if (velocity.size() != count) velocity = keep(spread(velocity, count));
     mass = masses(ImpactInput::mass, ImpactInput::density, effective_radius);
     if (is_given(spec, ImpactInput::partner_radius)) {
-        const ImpactColumns::Values radius = column(ImpactInput::partner_radius);
-        const ImpactColumns::Values partner =
-            masses(ImpactInput::partner_mass, ImpactInput::partner_density, radius);
+        const Values radius = column(ImpactInput::partner_radius);
+        const Values partner = masses(ImpactInput::partner_mass, ImpactInput::partner_density, radius);
         effective_radius = keep(combined(effective_radius, radius, ashimpact::effective_radius));
         mass = keep(combined(mass, partner, effective_mass));
     }
@@ -115,6 +135,36 @@ ImpactBatch batch_of(const ImpactModel& model, const ImpactColumns& impacts) {
              array_of(impacts.work_of_adhesion), array_of(impacts.yield_pressure), parameters},
             array_of(impacts.damping),
             array_of(impacts.velocity)};
+}
+
+ResultColumns solve_in_batch(const ImpactModel& model, const ImpactColumns& impacts,
+                             const WantedResults& wanted) {
+    const std::size_t count = impacts.velocity.size();
+    ResultColumns results;
+    const auto column = [&](std::vector<double>& values, bool is_wanted) -> double* {
+        if (!is_wanted) return nullptr;
+        values.resize(count);
+        return values.data();
+    };
+    const BatchOutputs outputs{.restitution = column(results.restitution, true),
+                               .contact_time = column(results.contact_time, wanted.contact_time),
+                               .maximum_overlap = column(results.maximum_overlap, wanted.maximum_overlap)};
+    BatchReport report;
+    try {
+        report = solve_impacts(batch_of(model, impacts), outputs,
+                               {.turning_point = wanted.maximum_overlap,
+                                .contact_time = wanted.contact_time,
+                                .method = wanted.method,
+                                .keep_failures = true});
+    } catch (const InputError&) {
+        refuse_first(model, impacts);
+        throw;
+    }
+    for (const FailedImpact& failed : report.failed) {
+        const auto place = static_cast<std::size_t>(failed.place);
+        results.failed.push_back({place, failed.reason, command_of(impact_at(model, impacts, place))});
+    }
+    return results;
 }
 
 }  // namespace ashimpact

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/app/sweep/spec/inputs.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "core/quantities/checks.hpp"
+#include "core/text/text.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/damping/damping.hpp"
 
@@ -28,12 +31,17 @@ constexpr std::array<InputEntry, 11> input_entries{{{"radius", Dimension::length
                                                     {"partner_density", Dimension::density},
                                                     {"partner_mass", Dimension::mass}}};
 
-constexpr std::array<InputEntry, observable_count> observable_entries{
-    {{"captured", Dimension::fraction},
-     {"restitution", Dimension::fraction},
-     {"rebound_velocity", Dimension::velocity},
-     {"contact_time", Dimension::time},
-     {"maximum_overlap", Dimension::length}}};
+struct ObservableEntry {
+    Dimension dimension;
+    const char* description;
+};
+
+constexpr std::array<ObservableEntry, Names<Observable>::all.size()> observable_entries{
+    {{Dimension::fraction, "1 for a capture, 0 for a rebound"},
+     {Dimension::fraction, "rebound velocity over impact velocity; 0 for a capture"},
+     {Dimension::velocity, "0 for a capture"},
+     {Dimension::time, "first touch to detachment; not a number for a capture"},
+     {Dimension::length, "its supremum where the approach never turns"}}};
 
 template <class Entries>
 std::size_t position_of(const Entries& entries, std::string_view name) {
@@ -46,6 +54,165 @@ std::size_t position_of(const Entries& entries, std::string_view name) {
 const LawParameter* parameter_of(ImpactInput input) {
     const auto place = static_cast<std::size_t>(input);
     return place < input_entries.size() ? nullptr : &law_parameters()[place - input_entries.size()];
+}
+
+/// Greatest geometric standard deviation of a log-normal distribution; a wider one is a slip.
+constexpr double widest_log_normal = 1e6;
+
+/// One variable of the spec with what its numbers measure.
+class VariableReader {
+  public:
+    VariableReader(const View& node, Dimension dimension) : node_(node), dimension_(dimension) {}
+
+    [[nodiscard]] Distribution read() const {
+        const int kinds = int{node_.has("values")} + int{node_.has("grid")} + int{node_.has("distribution")};
+        if (kinds != 1)
+            node_.fail("does not say in one way how it varies", "one of values, grid, distribution");
+        if (node_.has("values")) return read_values();
+        if (node_.has("grid")) return read_grid();
+        const std::string kind = node_.at("distribution").text();
+        if (kind == "uniform") return read_range<Uniform>("\"uniform\"");
+        if (kind == "log-uniform") return read_range<LogUniform>("\"log-uniform\"");
+        if (kind == "normal") return read_normal();
+        if (kind == "log-normal") return read_log_normal();
+        return read_triangular();
+    }
+
+  private:
+    /// Refuses keys of other kinds, which would be ignored.
+    void allow(const std::string& kind, const std::vector<std::string>& keys) const {
+        for (const auto& [key, value] : node_.members())
+            if (std::find(keys.begin(), keys.end(), key) == keys.end())
+                value.fail("means nothing for " + kind, joined(keys));
+    }
+
+    [[nodiscard]] double at(const char* key) const {
+        if (!node_.has(key))
+            node_.fail(in_quotes(key) + " is missing", with_article(dimension_name(dimension_)));
+        return computable(node_.at(key));
+    }
+
+    /// A number that is zero or far from the limits of double precision, of either sign.
+    [[nodiscard]] double computable(const View& node) const {
+        const double value = node.number(dimension_);
+        if (value != 0 && !is_computable(std::abs(value)))
+            node.fail("is " + shortest(value) + " " + std::string(si_unit(dimension_)),
+                      "0, or " + std::string(computable_range) + " in SI");
+        return value;
+    }
+
+    [[nodiscard]] double at(const char* key, double otherwise) const {
+        return node_.has(key) ? computable(node_.at(key)) : otherwise;
+    }
+
+    void require_order(bool in_order, const char* allowed) const {
+        if (!in_order) node_.fail("its numbers are not in order", allowed);
+    }
+
+    [[nodiscard]] Distribution read_values() const {
+        allow("values", {"values", "unit"});
+        Choice choice;
+        if (node_.has("unit"))
+            choice.values = node_.column(dimension_);
+        else
+            for (const View& value : node_.at("values").elements())
+                choice.values.push_back(value.number(dimension_));
+        return choice;
+    }
+
+    [[nodiscard]] Distribution read_grid() const {
+        allow("a grid", {"grid", "from", "to", "points"});
+        const bool logarithmic = node_.at("grid").text() == "logarithmic";
+        const double from = at("from");
+        const double to = at("to");
+        if (!node_.has("points")) node_.fail("\"points\" is missing", "2 to 10000000");
+        const int points = node_.at("points").integer();
+        require_order(from < to, "from < to");
+        if (logarithmic) require_order(from > 0, "0 < from < to");
+        return Choice{logarithmic ? logarithmic_grid(from, to, points) : linear_grid(from, to, points)};
+    }
+
+    template <class Range>
+    [[nodiscard]] Distribution read_range(const char* kind) const {
+        constexpr bool positive = std::is_same_v<Range, LogUniform>;
+        allow(kind, {"distribution", "from", "to"});
+        const Range range{at("from"), at("to")};
+        require_order(range.from < range.to && (!positive || range.from > 0),
+                      positive ? "0 < from < to" : "from < to");
+        return range;
+    }
+
+    [[nodiscard]] Distribution read_normal() const {
+        allow("\"normal\"", {"distribution", "mean", "standard_deviation", "minimum", "maximum"});
+        Normal normal{at("mean"), at("standard_deviation")};
+        require_order(normal.standard_deviation > 0, "standard_deviation > 0");
+        normal.minimum = at("minimum", normal.minimum);
+        normal.maximum = at("maximum", normal.maximum);
+        require_order(normal.minimum < normal.maximum, "minimum < maximum");
+        require_mass((normal.minimum - normal.mean) / normal.standard_deviation,
+                     (normal.maximum - normal.mean) / normal.standard_deviation);
+        return normal;
+    }
+
+    [[nodiscard]] Distribution read_log_normal() const {
+        allow("\"log-normal\"",
+              {"distribution", "median", "geometric_standard_deviation", "minimum", "maximum"});
+        if (!node_.has("geometric_standard_deviation"))
+            node_.fail("\"geometric_standard_deviation\" is missing", "a number above 1");
+        LogNormal normal{at("median"), node_.at("geometric_standard_deviation").number(Dimension::fraction)};
+        require_order(normal.median > 0, "median > 0");
+        if (!(normal.geometric_standard_deviation > 1 &&
+              normal.geometric_standard_deviation <= widest_log_normal))
+            node_.at("geometric_standard_deviation")
+                .fail("is " + shortest(normal.geometric_standard_deviation), "a number above 1, at most 1e6");
+        normal.minimum = at("minimum", normal.minimum);
+        normal.maximum = at("maximum", normal.maximum);
+        require_order(0 <= normal.minimum && normal.minimum < normal.maximum, "0 <= minimum < maximum");
+        const double spread = std::log(normal.geometric_standard_deviation);
+        require_mass(std::log(normal.minimum / normal.median) / spread,
+                     std::log(normal.maximum / normal.median) / spread);
+        return normal;
+    }
+
+    /// Beyond 30 standard deviations nothing is left to draw from.
+    void require_mass(double lower, double upper) const {
+        if (lower > 30 || upper < -30)
+            node_.fail("minimum and maximum cut off all of it", "limits that leave a part");
+    }
+
+    [[nodiscard]] Distribution read_triangular() const {
+        allow("\"triangular\"", {"distribution", "from", "mode", "to"});
+        const Triangular triangular{at("from"), at("mode"), at("to")};
+        require_order(triangular.from <= triangular.mode && triangular.mode <= triangular.to &&
+                          triangular.from < triangular.to,
+                      "from <= mode <= to, from < to");
+        return triangular;
+    }
+
+    const View& node_;
+    Dimension dimension_;
+};
+
+/// Refuses a variable that gives, however rarely, a value no impact may have.
+void check_values(const View& node, const Distribution& distribution, ImpactInput input,
+                  Dimension dimension) {
+    std::vector<double> values{0x1p-53, 1 - 0x1p-53};  // beyond, no point of a sweep is
+    to_quantiles(distribution, values);
+    if (const auto* choice = std::get_if<Choice>(&distribution)) values = choice->values;
+    at_place(node.pointer(), [&] {
+        for (const double value : values) require_allowed(input, value, dimension);
+    });
+}
+
+void check_sign(const View& node, const Distribution& distribution, ImpactInput input, Dimension dimension) {
+    const double lowest = support_of(distribution).lowest;
+    const bool open = std::holds_alternative<LogNormal>(distribution);  // comes near zero, never there
+    if (lowest > 0 || (lowest == 0 && (open || may_be_zero(input)))) return;
+    const std::string sign = may_be_zero(input) ? "not negative" : "positive";
+    if (std::isinf(lowest))
+        node.fail("a normal distribution reaches below zero", "a \"minimum\" that is " + sign);
+    node.fail("reaches down to " + shortest(lowest) + " " + std::string(si_unit(dimension)),
+              "values that are " + sign);
 }
 
 }  // namespace
@@ -85,20 +252,24 @@ void require_allowed(ImpactInput input, double value, Dimension dimension) {
     (may_be_zero(input) ? require_not_negative : require_positive)(name_of(input), value, dimension);
 }
 
-std::string_view name_of(Observable observable) {
-    return observable_entries[static_cast<std::size_t>(observable)].name;
-}
-
-Observable observable_named(std::string_view name) {
-    return static_cast<Observable>(position_of(observable_entries, name));
-}
-
 Dimension dimension_of(Observable observable) {
-    return observable_entries[static_cast<std::size_t>(observable)].dimension;
+    return observable_entries.at(static_cast<std::size_t>(observable)).dimension;
+}
+
+const char* description_of(Observable observable) {
+    return observable_entries.at(static_cast<std::size_t>(observable)).description;
 }
 
 bool captures_count(Observable observable) {
     return observable != Observable::contact_time;
+}
+
+Distribution read_variable(const View& node, ImpactInput input, DampingLaw damping_law) {
+    const Dimension dimension = dimension_of(input, damping_law);
+    Distribution distribution = VariableReader(node, dimension).read();
+    check_sign(node, distribution, input, dimension);
+    check_values(node, distribution, input, dimension);
+    return distribution;
 }
 
 }  // namespace ashimpact

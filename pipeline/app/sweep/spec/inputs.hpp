@@ -5,10 +5,13 @@
 #include <cstddef>
 #include <string_view>
 
+#include "core/json/view.hpp"
+#include "core/quantities/names.hpp"
 #include "core/units/units.hpp"
 #include "solver/contact/law.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/damping/damping.hpp"
+#include "solver/statistics/distribution.hpp"
 
 namespace ashimpact {
 
@@ -43,6 +46,11 @@ void require_allowed(ImpactInput input, double value, Dimension dimension);
 /// Whether zero is a value an input may have.
 [[nodiscard]] bool may_be_zero(ImpactInput input);
 
+/// Reads how an input varies: {"values"}, {"grid"} or {"distribution"}, and checks that all of it is
+/// admissible.
+/// @throws InputError with the JSON pointer
+[[nodiscard]] Distribution read_variable(const View& node, ImpactInput input, DampingLaw damping_law);
+
 /// Results of an impact that a sweep may evaluate.
 enum class Observable {
     captured,          ///< 1 for a capture, 0 for a rebound
@@ -52,11 +60,16 @@ enum class Observable {
     maximum_overlap,   ///< its supremum where the approach never turns
 };
 
-inline constexpr std::size_t observable_count = 5;
+template <>
+struct Names<Observable> {
+    static constexpr std::string_view kind = "observable";
+    static constexpr std::array<std::string_view, 5> all{"captured", "restitution", "rebound_velocity",
+                                                         "contact_time", "maximum_overlap"};
+};
 
-[[nodiscard]] std::string_view name_of(Observable observable);
-[[nodiscard]] Observable observable_named(std::string_view name);
 [[nodiscard]] Dimension dimension_of(Observable observable);
+/// What it is, in the file of a full table.
+[[nodiscard]] const char* description_of(Observable observable);
 /// Whether every impact has a value, a capture too.
 [[nodiscard]] bool captures_count(Observable observable);
 

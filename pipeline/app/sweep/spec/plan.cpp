@@ -30,22 +30,6 @@ bool asks_for(const SweepSpec& spec, Observable observable) {
                [&](const ObservableStatistics& statistics) { return statistics.observable == observable; });
 }
 
-std::string description_of(Observable observable) {
-    switch (observable) {
-        case Observable::captured:
-            return "1 for a capture, 0 for a rebound";
-        case Observable::restitution:
-            return "rebound velocity over impact velocity; 0 for a capture";
-        case Observable::rebound_velocity:
-            return "0 for a capture";
-        case Observable::contact_time:
-            return "first touch to detachment; not a number for a capture";
-        case Observable::maximum_overlap:
-            return "its supremum where the approach never turns";
-    }
-    return {};
-}
-
 }  // namespace
 
 SweepPlan::SweepPlan(const std::string& spec_text)

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/app/sweep/spec/impact_columns.hpp"
+#include "pipeline/app/sweep/spec/impacts.hpp"
 #include "pipeline/app/sweep/spec/spec.hpp"
 
 namespace ashimpact {

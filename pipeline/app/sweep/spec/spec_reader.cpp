@@ -7,7 +7,6 @@
 #include "core/quantities/checks.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/app/sweep/spec/spec.hpp"
-#include "pipeline/app/sweep/spec/variable_reader.hpp"
 #include "pipeline/case/laws.hpp"
 #include "pipeline/files/schema.hpp"
 #include "pipeline/files/schema_version.hpp"
@@ -151,7 +150,7 @@ Bins bins_of(Observable observable, double resolution) {
 }
 
 ObservableStatistics read_statistics_of(const View::Member& member) {
-    const Observable observable = observable_named(member.key);
+    const Observable observable = named<Observable>(member.key);
     const View& node = member.value;
     double resolution =
         observable == Observable::restitution ? default_restitution_resolution : default_relative_resolution;
@@ -184,7 +183,7 @@ void read_statistics(const View& document, SweepSpec& spec) {
 std::vector<Observable> read_observables(const View& document, const char* key) {
     std::vector<Observable> observables;
     if (const auto list = document.find(key))
-        for (const View& name : list->elements()) observables.push_back(observable_named(name.text()));
+        for (const View& name : list->elements()) observables.push_back(named<Observable>(name.text()));
     return observables;
 }
 
@@ -193,7 +192,7 @@ void check_sensitivity(const View& document, const SweepSpec& spec) {
     if (spec.sampling.method == SamplingMethod::grid)
         document.at("sensitivity").fail("needs points drawn at random", "random or quasi-random sampling");
     for (const View& name : document.at("sensitivity").elements())
-        if (!captures_count(observable_named(name.text())))
+        if (!captures_count(named<Observable>(name.text())))
             name.fail("a captured particle has none, so its variance has no parts",
                       "captured, restitution, ...");
 }

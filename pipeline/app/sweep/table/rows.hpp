@@ -3,24 +3,24 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <istream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ashimpact {
 
-/// Packs the columns of one chunk of the table as the filters shuffle and deflate of HDF5 would. So threads
-/// can do this work, and the file takes the bytes unchanged. A short last chunk is padded with zeros to @p
-/// rows, as in HDF5.
-[[nodiscard]] std::string pack_rows(const std::vector<std::vector<double>>& columns, std::size_t rows);
-
 /// Level of compression: higher levels hardly shrink numbers of full precision.
 inline constexpr int deflate_level = 1;
 
-/// The packed rows of a chunk behind a hash of them and of the chunk's number, and their length, by which
-/// damage is detected.
-[[nodiscard]] std::string sealed_rows(std::uint64_t chunk, const std::string& packed);
+/// The columns of one chunk of the table, packed as the filters shuffle and deflate of HDF5 would. So threads
+/// can do this work, and the file takes the bytes unchanged. A short last chunk is padded with zeros to @p
+/// rows, as in HDF5. Damage is detected by a hash of them and of the chunk's number, and by their length,
+/// which stand before them.
+[[nodiscard]] std::string sealed_rows(std::uint64_t chunk, const std::vector<std::vector<double>>& columns,
+                                      std::size_t rows);
 
 /// Thrown for rows that differ from those that were sealed.
 class DamagedRows : public std::runtime_error {
@@ -36,5 +36,46 @@ class DamagedRows : public std::runtime_error {
 /// @throws DamagedRows unless they are there, unchanged
 [[nodiscard]] std::vector<std::string> read_sealed_rows(std::istream& stream, std::uint64_t chunk,
                                                         std::size_t columns);
+
+/// Beginning of every file of rows, by which a sweep recognises one.
+inline constexpr std::string_view row_log_mark = "ashimpact sweep rows\n";
+
+/// The packed rows of the full table, in order, in a file of their own until the table is complete. Unlike an
+/// HDF5 file it can be truncated to what a checkpoint contains, whenever the program was stopped.
+///
+/// The file is also the lock of a sweep, with a table or without: who has it reads the checkpoint, writes and
+/// removes the files of the sweep, and no other sweep does.
+class RowLog {
+  public:
+    /// Opens the file, or makes it, and locks it.
+    /// @throws InputError if that cannot be done, or another sweep has it
+    explicit RowLog(std::filesystem::path path);
+    /// Unlocks the file, and removes it where it is empty.
+    ~RowLog();
+    RowLog(const RowLog&) = delete;
+    RowLog& operator=(const RowLog&) = delete;
+
+    /// Truncates the file to @p size bytes, after which rows are appended; 0: to its mark alone.
+    /// @throws InputError if that cannot be done, or the file is shorter
+    void resume(std::uint64_t size);
+    /// Truncates the file to nothing.
+    /// @throws InputError if that cannot be done
+    void clear();
+    /// @throws InputError if the disk is full
+    void append(std::string_view rows);
+    /// Waits until the rows are on the disk.
+    void sync();
+    [[nodiscard]] std::uint64_t size() const { return size_; }
+
+  private:
+    /// Whether the path still names the file that is open: who had it before may have removed it.
+    [[nodiscard]] bool is_current() const;
+    void truncate(std::uint64_t size);
+    [[noreturn]] void refuse(const std::string& doing) const;
+
+    std::filesystem::path path_;
+    int file_ = -1;
+    std::uint64_t size_ = 0;
+};
 
 }  // namespace ashimpact

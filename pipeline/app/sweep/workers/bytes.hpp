@@ -27,10 +27,7 @@ concept PlainValue = std::is_arithmetic_v<Value> || std::is_enum_v<Value>;
 /// Writes values one after another. A class is written, and read, through its member transfer(archive).
 class ByteWriter {
   public:
-    template <class... Values>
-    void operator()(Values&... values) {
-        (write(values), ...);
-    }
+    void operator()(auto&... values) { (write(values), ...); }
     [[nodiscard]] std::string take() && { return std::move(bytes_); }
 
   private:
@@ -60,10 +57,7 @@ class ByteReader {
   public:
     explicit ByteReader(std::string_view bytes) : left_(bytes) {}
 
-    template <class... Values>
-    void operator()(Values&... values) {
-        (read(values), ...);
-    }
+    void operator()(auto&... values) { (read(values), ...); }
     /// @throws BrokenBytes if bytes are left
     void finish() const {
         if (!left_.empty()) throw BrokenBytes();
@@ -98,5 +92,23 @@ class ByteReader {
 
     std::string_view left_;
 };
+
+/// Values as bytes.
+template <class... Values>
+[[nodiscard]] std::string packed(Values... values) {
+    ByteWriter writer;
+    writer(values...);
+    return std::move(writer).take();
+}
+
+/// The value that packed() made into these bytes. @throws BrokenBytes
+template <class Value>
+[[nodiscard]] Value unpacked(std::string_view bytes) {
+    Value value{};
+    ByteReader reader(bytes);
+    reader(value);
+    reader.finish();
+    return value;
+}
 
 }  // namespace ashimpact

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/app/sweep/workers/chunk.hpp"
+#include "pipeline/app/sweep/workers/block.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "pipeline/app/sweep/table/rows.hpp"
 #include "solver/statistics/moments.hpp"
@@ -12,6 +13,19 @@ namespace ashimpact {
 namespace {
 
 using Columns = std::vector<std::vector<double>>;
+
+/// Merges sums, or lists of them element by element; an empty list takes the other as it is.
+template <class Sums>
+void merge_sums(Sums& sums, const Sums& others) {
+    if constexpr (std::is_arithmetic_v<Sums>) {
+        sums += others;
+    } else if constexpr (requires { sums.merge(others); }) {
+        sums.merge(others);
+    } else {
+        if (sums.empty()) sums.resize(others.size());
+        for (std::size_t i = 0; i < others.size(); ++i) merge_sums(sums[i], others[i]);
+    }
+}
 
 /// One chunk while it is computed. Its impacts stand in blocks of one for each point: a; or a, b, and a with
 /// each variable in turn from b.
@@ -36,18 +50,18 @@ class Chunk {
         const ImpactColumns impacts(plan_.spec(), variables_, this->impacts());
         Columns table = spec.table.empty() ? Columns{} : variables_;
         into.sums.laws.resize(spec.laws.size());
-        into.counts.laws.resize(spec.laws.size());
+        into.counts.resize(spec.laws.size());
         into.failed.counts.resize(spec.laws.size());
         for (std::size_t i = 0; i < spec.laws.size(); ++i) {
             const ImpactModel model{spec.laws[i].law, spec.laws[i].detachment, spec.damping_law};
             const ResultColumns results = solver(model, impacts, plan_.wanted());
-            add_statistics(results, impacts, into.sums.laws[i], into.counts.laws[i]);
+            add_statistics(results, impacts, into.sums.laws[i], into.counts[i]);
             add_failures(results, i, into.failed);
             for (const Observable observable : spec.table)
                 table.push_back(values_of(observable, results, impacts));
         }
         if (!table.empty())
-            into.rows = sealed_rows(number_, pack_rows(in_order_of_points(table), plan_.rows_in_chunk()));
+            into.rows = sealed_rows(number_, in_order_of_points(table), plan_.rows_in_chunk());
     }
 
   private:
@@ -103,24 +117,21 @@ class Chunk {
                     Histogram& histogram) const {
         histogram.count(bins, values);
         for (std::size_t block = 0; block < values.size(); block += points_)
-            merge(moments, moments_by_group(values.subspan(block, points_), plan_.design().groups(), first_));
+            merge_sums(moments,
+                       moments_by_group(values.subspan(block, points_), plan_.design().groups(), first_));
     }
 
     /// The same for captures, which are restitutions of 0.
     void add_captures(std::span<const double> restitutions, std::vector<Moments>& moments,
                       Histogram& histogram) const {
         for (std::size_t block = 0; block < restitutions.size(); block += points_)
-            merge(moments, moments_of_zeros_by_group(restitutions.subspan(block, points_),
-                                                     plan_.design().groups(), first_));
+            merge_sums(moments, moments_of_zeros_by_group(restitutions.subspan(block, points_),
+                                                          plan_.design().groups(), first_));
         for (const Moments& group : moments) {
             const auto captures =
                 static_cast<std::uint64_t>(std::llround(group.mean * static_cast<double>(group.count)));
             histogram.add_ones(captures, group.count - captures);
         }
-    }
-
-    static void merge(std::vector<Moments>& moments, const std::vector<Moments>& others) {
-        for (std::size_t i = 0; i < moments.size(); ++i) moments[i].merge(others[i]);
     }
 
     void add_failures(const ResultColumns& results, std::size_t law, FailedImpacts& failed) const {
@@ -195,19 +206,45 @@ class Chunk {
 
 }  // namespace
 
+void LawSums::merge(const LawSums& other) {
+    merge_sums(observables, other.observables);
+    merge_sums(sensitivity, other.sensitivity);
+}
+
+void SweepSums::merge(const SweepSums& other) {
+    merge_sums(laws, other.laws);
+}
+
+std::uint64_t FailedImpacts::total() const {
+    return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+}
+
+void FailedImpacts::merge(const FailedImpacts& other) {
+    merge_sums(counts, other.counts);
+    for (const Listed& each : other.listed)
+        if (listed.size() < most_listed) listed.push_back(each);
+}
+
+void SweepProgress::add(const Block& block, BlockResult result) {
+    sums.add(std::move(result.sums), block.level);
+    merge_sums(counts, result.counts);
+    failed.merge(result.failed);
+    chunks += block.chunks();
+}
+
 BlockResult compute_block(const SweepPlan& plan, const ImpactSolver& solver, const Block& block) {
-    PairwiseMerge<SweepSums> sums;
+    SweepProgress progress;
     BlockResult whole;
     Columns memory;
     for (std::uint64_t chunk = block.first; chunk < block.first + block.chunks(); ++chunk) {
         BlockResult part;
         Chunk(plan, chunk, memory).compute(solver, part);
-        sums.add(std::move(part.sums));
-        whole.counts.merge(part.counts);
-        whole.failed.merge(part.failed);
         whole.rows += part.rows;
+        progress.add({.first = chunk, .level = 0}, std::move(part));
     }
-    whole.sums = sums.total();
+    whole.sums = progress.sums.total();
+    whole.counts = std::move(progress.counts);
+    whole.failed = std::move(progress.failed);
     return whole;
 }
 

@@ -3,6 +3,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
+
+#include "pipeline/app/sweep/workers/workers.hpp"
 
 namespace ashimpact {
 
@@ -18,11 +21,8 @@ struct Message {
 class MpiSession {
   public:
     MpiSession() = default;
-    ~MpiSession() = default;
     MpiSession(const MpiSession&) = delete;
     MpiSession& operator=(const MpiSession&) = delete;
-    MpiSession(MpiSession&&) = delete;
-    MpiSession& operator=(MpiSession&&) = delete;
 
     /// Starts MPI if this process was started by mpirun or the like.
     /// @throws InputError if that belongs to an MPI other than the one this program is linked with
@@ -31,7 +31,6 @@ class MpiSession {
     /// @returns the status
     int leave(int status);
 
-    [[nodiscard]] bool joined() const { return joined_; }
     [[nodiscard]] int rank() const { return rank_; }
     [[nodiscard]] int size() const { return size_; }
     /// Processes of the job on this machine.
@@ -49,5 +48,34 @@ class MpiSession {
     int size_ = 1;
     int size_here_ = 1;
 };
+
+/// The threads of all processes of an MPI job, as rank 0 sees them.
+class RankWorkers : public Workers {
+  public:
+    /// @param own the threads of rank 0. Every other rank must call serve().
+    RankWorkers(Workers& own, const MpiSession& session);
+
+    [[nodiscard]] std::size_t capacity() const override;
+    [[nodiscard]] std::size_t vacancies() const override;
+    void assign(const Block& block) override;
+    [[nodiscard]] std::optional<FinishedBlock> finished(std::chrono::microseconds patience) override;
+
+    /// Tells the others that nothing is left to do.
+    void dismiss() const;
+
+  private:
+    struct Rank {
+        std::size_t capacity = 0;
+        std::size_t assigned = 0;
+    };
+    [[nodiscard]] std::optional<FinishedBlock> received();
+
+    Workers& own_;
+    const MpiSession& session_;
+    std::vector<Rank> others_;  ///< by rank; the entry of rank 0 is unused
+};
+
+/// Work of every rank other than 0: computes blocks until it is dismissed.
+void serve(Workers& own, const MpiSession& session);
 
 }  // namespace ashimpact
