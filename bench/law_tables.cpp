@@ -15,8 +15,7 @@
 
 #include "bench/multiply_add.hpp"
 #include "bench/population.hpp"
-#include "solver/batch/critical_batch.hpp"
-#include "solver/batch/inversion_batch.hpp"
+#include "solver/batch/batch.hpp"
 
 namespace ashimpact::bench {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bench/measured.hpp"
-#include "solver/batch/impact_batch.hpp"
+#include "solver/batch/batch.hpp"
 
 namespace ashimpact::bench {
 

@@ -7,7 +7,7 @@
 
 #include <hwy/highway.h>
 
-#include "solver/batch/lanes/block-inl.hpp"
+#include "solver/batch/lanes/orbit-inl.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/damping/registry.hpp"
 #include "solver/motion/scale.hpp"

@@ -17,7 +17,7 @@
 
 #include "bench/machine.hpp"
 #include "materials/contact_properties.hpp"
-#include "solver/batch/impact_batch.hpp"
+#include "solver/batch/batch.hpp"
 
 namespace ashimpact::bench {
 

@@ -12,7 +12,7 @@
 
 #include "bench/law_tables.hpp"
 #include "bench/population.hpp"
-#include "solver/batch/impact_batch.hpp"
+#include "solver/batch/batch.hpp"
 #include "solver/motion/scale.hpp"
 
 namespace ashimpact::bench {

@@ -13,8 +13,7 @@
 
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
-#include "solver/batch/critical_batch.hpp"
-#include "solver/batch/inversion_batch.hpp"
+#include "solver/batch/batch.hpp"
 #include "solver/contact/law_parameters.hpp"
 
 namespace ashimpact {

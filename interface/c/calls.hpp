@@ -8,7 +8,7 @@
 #include <numbers>
 #include <string_view>
 
-#include "solver/batch/impact_batch.hpp"
+#include "solver/batch/batch.hpp"
 #include "solver/contact/law.hpp"
 #include "solver/damping/damping.hpp"
 

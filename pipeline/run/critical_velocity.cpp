@@ -7,7 +7,7 @@
 #include "pipeline/run/uncertainty/calibrated_constants.hpp"
 #include "pipeline/run/uncertainty/uncertain_contact.hpp"
 #include "pipeline/run/uncertainty/velocity_uncertainty.hpp"
-#include "solver/batch/in_parallel.hpp"
+#include "solver/batch/parallel.hpp"
 #include "solver/damping/damping.hpp"
 
 namespace ashimpact {

@@ -8,7 +8,7 @@
 #include "core/quantities/readable.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
-#include "solver/batch/in_parallel.hpp"
+#include "solver/batch/parallel.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/motion/damping_inversion.hpp"
 

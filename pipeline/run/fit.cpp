@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "solver/batch/in_parallel.hpp"
+#include "solver/batch/parallel.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/inference/calibration/reconstruction.hpp"
 #include "solver/inference/measured_damping.hpp"

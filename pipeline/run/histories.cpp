@@ -2,7 +2,7 @@
 #include "pipeline/run/histories.hpp"
 
 #include "pipeline/run/curves/drawn_curves.hpp"
-#include "solver/batch/in_parallel.hpp"
+#include "solver/batch/parallel.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/inference/calibration/reconstruction.hpp"
 #include "solver/motion/regime.hpp"

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/quantities/readable.hpp"
-#include "solver/batch/in_parallel.hpp"
+#include "solver/batch/parallel.hpp"
 #include "solver/inference/calibration/reconstruction.hpp"
 
 namespace ashimpact {

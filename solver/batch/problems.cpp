@@ -7,8 +7,9 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
-#include <vector>
+#include <string_view>
 
 #include "core/quantities/checks.hpp"
 #include "core/text/error.hpp"
@@ -31,40 +32,75 @@ constexpr Range finite_ratio{0.0, std::numeric_limits<double>::max()};
 /// A yield pressure is infinite if the contact never yields.
 constexpr Range positive_or_infinite{std::numeric_limits<double>::denorm_min(), infinity};
 
-/// What require_allowed() lets a parameter be.
-Range range_of(const LawParameter& parameter) {
-    return {least_computable, std::min(greatest_computable, parameter.greatest), parameter.may_be_zero};
+struct InputField {
+    std::string_view name;
+    Input Inputs::*input;
+    Range range;
+};
+
+constexpr std::array<InputField, 8> fields{{{"mass", &Inputs::mass, positive},
+                                            {"effective_radius", &Inputs::effective_radius, positive},
+                                            {"contact_modulus", &Inputs::contact_modulus, positive},
+                                            {"work_of_adhesion", &Inputs::work_of_adhesion, not_negative},
+                                            {"yield_pressure", &Inputs::yield_pressure, positive_or_infinite},
+                                            {"damping", &Inputs::damping, not_negative},
+                                            {"velocity", &Inputs::velocity, positive},
+                                            {"restitution", &Inputs::restitution, finite_ratio}}};
+
+/// Calls @p visit(name, input, range) for each input, present or not: contacts, their parameters, the others.
+template <class AnyInputs, class Visit>
+void for_each_input(AnyInputs& inputs, const Visit& visit) {
+    const auto visit_fields = [&](std::span<const InputField> some) {
+        for (const InputField& field : some) visit(field.name, inputs.*field.input, field.range);
+    };
+    constexpr std::size_t of_contacts = 5;
+    visit_fields(std::span(fields).first(of_contacts));
+    for (std::size_t k = 0; k < inputs.parameter_count; ++k) {
+        auto& [parameter, values] = inputs.parameters[k];  // within what require_allowed() accepts
+        visit(parameter->name, values,
+              Range{least_computable, std::min(greatest_computable, parameter->greatest),
+                    parameter->may_be_zero});
+    }
+    visit_fields(std::span(fields).subspan(of_contacts));
 }
 
 Input input_of(const Column& column) {
-    return {column.data(), column.size() == 1};
+    return {column.data(), static_cast<std::size_t>(column.size())};
 }
 
-/// How many values of a column are in a range, until the first that is not; at most count.
-std::size_t count_until(const Input& column, std::size_t count, const Range& range) {
-    if (column.values == nullptr) return count;
-    if (column.single) return range.holds(column.values[0]) ? count : 0;
-    return count_within(range, column.values, count);
-}
-
-/// The columns of the parameters that a law takes. @throws InputError where one is missing
-ParameterInputs parameter_inputs(Law law, const ContactColumns& contact) {
+/// Adds the columns of the parameters that a law takes. @throws InputError where one is missing
+void add_parameters(Law law, const ContactColumns& contact, Inputs& inputs) {
     const auto column_of = [&](const LawParameter& parameter) {
-        return std::find_if(contact.parameters.begin(), contact.parameters.end(),
-                            [&](const ParameterColumn& column) { return column.name == parameter.name; });
+        return std::ranges::find(contact.parameters, parameter.name, &ParameterColumn::name);
     };
     const auto is_given = [&](const LawParameter& parameter) {
         return column_of(parameter) != contact.parameters.end();
     };
     if (const auto fault = parameter_fault(law, is_given))
         throw InputError(fault->problem(), fault->allowed());
-    ParameterInputs inputs;
-    for (const LawParameter& parameter : law.parameters()) {
-        if (!is_given(parameter)) continue;
-        inputs.parameter[inputs.count] = &parameter;
-        inputs.values[inputs.count++] = input_of(column_of(parameter)->values);
-    }
-    return inputs;
+    for (const LawParameter& parameter : law.parameters())
+        if (is_given(parameter))
+            inputs.parameters[inputs.parameter_count++] = {&parameter,
+                                                           input_of(column_of(parameter)->values)};
+}
+
+/// The common length of all columns with more than one value; 1 if there is no such column.
+/// @throws InputError if two lengths differ
+std::size_t common_size(const Inputs& inputs) {
+    std::string_view longest;
+    std::size_t size = 1;
+    for_each_input(inputs, [&](std::string_view name, const Input& column, const Range&) {
+        if (column.size == 1) return;
+        if (longest.empty()) {
+            longest = name;
+            size = column.size;
+        }
+        if (column.size != size)
+            throw InputError(
+                "column " + std::string(name) + " has " + std::to_string(column.size) + " values",
+                "1, or " + std::to_string(size) + " as column " + std::string(longest));
+    });
+    return size;
 }
 
 /// The InputError of an inadmissible problem.
@@ -86,58 +122,59 @@ ContactPair Problems::contact(std::size_t i) const {
                      .contact_modulus = inputs.contact_modulus.at(i),
                      .work_of_adhesion = inputs.work_of_adhesion.at(i),
                      .yield_pressure = inputs.yield_pressure.at(i)};
-    const ParameterInputs& own = inputs.parameters;
-    for (std::size_t k = 0; k < own.count; ++k)
-        pair.parameters.set(own.parameter[k]->name, own.values[k].at(i));
+    for (std::size_t k = 0; k < inputs.parameter_count; ++k)
+        pair.parameters.set(inputs.parameters[k].parameter->name, inputs.parameters[k].values.at(i));
     return pair;
+}
+
+Problems Problems::part(std::size_t first, std::size_t size) const {
+    Problems chunk = *this;
+    chunk.count = size;
+    for_each_input(chunk.inputs, [&](std::string_view, Input& column, const Range&) {
+        if (column.size != 1) column.values += first;
+    });
+    return chunk;
 }
 
 Problems problems_of(Law law, Detachment detachment, DampingLaw damping_law, const ContactColumns& contact,
                      std::initializer_list<OwnColumn> own) {
     static constexpr double one = 1.0;
     require_admissible(law, detachment);
-    std::vector<NamedColumn> names;
-    for (const OwnColumn& column : own) names.push_back({column.name, column.values.size()});
-    Problems problems{
-        law, detachment, damping_law, static_cast<std::size_t>(common_size(contact, names)), {}};
-    problems.inputs = {.mass = input_of(contact.mass),
-                       .effective_radius = input_of(contact.effective_radius),
-                       .contact_modulus = input_of(contact.contact_modulus),
-                       .work_of_adhesion = input_of(contact.work_of_adhesion),
-                       .yield_pressure = input_of(contact.yield_pressure),
-                       .damping = {&one, true},
-                       .velocity = {&one, true},
-                       .restitution = {&one, true},
-                       .parameters = parameter_inputs(law, contact)};
-    for (const OwnColumn& column : own) problems.inputs.*column.input = input_of(column.values);
-    return problems;
+    Inputs inputs{.mass = input_of(contact.mass),
+                  .effective_radius = input_of(contact.effective_radius),
+                  .contact_modulus = input_of(contact.contact_modulus),
+                  .work_of_adhesion = input_of(contact.work_of_adhesion),
+                  .yield_pressure = input_of(contact.yield_pressure),
+                  .damping = {&one, 1},
+                  .velocity = {&one, 1},
+                  .restitution = {&one, 1}};
+    for (const OwnColumn& column : own) inputs.*column.input = input_of(column.values);
+    add_parameters(law, contact, inputs);
+    return {law, detachment, damping_law, common_size(inputs), inputs};
 }
 
 Inputs inputs_of(Law law, const ContactPair& contact) {
-    Inputs inputs{.mass = {&contact.mass, true},
-                  .effective_radius = {&contact.effective_radius, true},
-                  .contact_modulus = {&contact.contact_modulus, true},
-                  .work_of_adhesion = {&contact.work_of_adhesion, true},
-                  .yield_pressure = {&contact.yield_pressure, true}};
+    Inputs inputs{.mass = {&contact.mass, 1},
+                  .effective_radius = {&contact.effective_radius, 1},
+                  .contact_modulus = {&contact.contact_modulus, 1},
+                  .work_of_adhesion = {&contact.work_of_adhesion, 1},
+                  .yield_pressure = {&contact.yield_pressure, 1}};
     for (const LawParameter& parameter : law.parameters()) {
-        for (const auto& entry : contact.parameters) {
-            if (entry.first != parameter.name) continue;
-            inputs.parameters.parameter[inputs.parameters.count] = &parameter;
-            inputs.parameters.values[inputs.parameters.count++] = {&entry.second, true};
-        }
+        for (const auto& entry : contact.parameters)
+            if (entry.first == parameter.name)
+                inputs.parameters[inputs.parameter_count++] = {&parameter, {&entry.second, 1}};
     }
     return inputs;
 }
 
 std::size_t admissible_count(const Inputs& in, std::size_t count) {
-    for (const Input* column : {&in.mass, &in.effective_radius, &in.contact_modulus, &in.velocity})
-        count = count_until(*column, count, positive);
-    for (const Input* column : {&in.work_of_adhesion, &in.damping})
-        count = count_until(*column, count, not_negative);
-    count = count_until(in.yield_pressure, count, positive_or_infinite);
-    count = count_until(in.restitution, count, finite_ratio);
-    for (std::size_t k = 0; k < in.parameters.count; ++k)
-        count = count_until(in.parameters.values[k], count, range_of(*in.parameters.parameter[k]));
+    for_each_input(in, [&](std::string_view, const Input& column, const Range& range) {
+        if (column.size == 1) {
+            if (!range.holds(column.values[0])) count = 0;
+        } else if (column.size > 1) {
+            count = count_within(range, column.values, count);
+        }
+    });
     return count;
 }
 

@@ -5,19 +5,16 @@
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
-#include <string_view>
 
-#include "solver/batch/columns.hpp"
+#include "solver/batch/batch.hpp"
 #include "solver/batch/kernels/kernel.hpp"
-#include "solver/motion/impact.hpp"
 
 namespace ashimpact::batch {
 
 /// A column of a batch beside those of its contacts, and which of a kernel's inputs it is.
 struct OwnColumn {
-    std::string_view name;
-    const Column& values;
     Input Inputs::*input;
+    const Column& values;
 };
 
 /// The problems of a batch, or of a chunk of it, as kernels read them. An input that a kind of problem does
@@ -36,9 +33,7 @@ struct Problems {
         return {law, detachment, damping(i), contact(i), inputs.velocity.at(i)};
     }
     /// The problems of a chunk.
-    [[nodiscard]] Problems part(std::size_t first, std::size_t size) const {
-        return {law, detachment, damping_law, size, inputs.from(first)};
-    }
+    [[nodiscard]] Problems part(std::size_t first, std::size_t size) const;
 };
 
 /// @throws InputError if the law does not admit the detachment, if lengths of columns differ, or if a

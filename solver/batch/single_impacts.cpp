@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "solver/batch/critical_batch.hpp"
+#include "solver/batch/batch.hpp"
 #include "solver/batch/problems.hpp"
 
 namespace ashimpact {
@@ -20,8 +20,8 @@ std::optional<double> SingleImpacts::restitution(const ContactPair& contact, dou
                                                  double velocity) const {
     if (table_ == nullptr) return std::nullopt;
     batch::Inputs inputs = batch::inputs_of(law_, contact);
-    inputs.damping = {&damping, true};
-    inputs.velocity = {&velocity, true};
+    inputs.damping = {&damping, 1};
+    inputs.velocity = {&velocity, 1};
     if (batch::admissible_count(inputs, 1) == 0) return std::nullopt;
     batch::LaneEnd end = batch::LaneEnd::undecided;
     double restitution = 0.0;
@@ -45,7 +45,7 @@ std::optional<double> SingleImpacts::restitution(const ContactPair& contact, dou
 
 std::optional<double> SingleImpacts::critical_velocity(const ContactPair& contact, double damping) const {
     batch::Inputs inputs = batch::inputs_of(law_, contact);
-    inputs.damping = {&damping, true};
+    inputs.damping = {&damping, 1};
     if (batch::admissible_count(inputs, 1) == 0) return std::nullopt;
     const auto critical =
         critical_velocity_without_integration({law_, detachment_, {damping_law_, damping}, contact});

@@ -8,7 +8,7 @@
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "materials/contact_properties.hpp"
-#include "solver/batch/critical_batch.hpp"
+#include "solver/batch/batch.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/extrapolation/restitution_curve.hpp"
 #include "solver/surrogate/cohesive_velocity_map.hpp"

@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "core/text/error.hpp"
-#include "solver/batch/impact_batch.hpp"
-#include "solver/batch/inversion_batch.hpp"
+#include "solver/batch/batch.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"

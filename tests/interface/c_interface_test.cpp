@@ -16,9 +16,7 @@
 #include <xmmintrin.h>
 
 #include "interface/include/ashimpact.h"
-#include "solver/batch/critical_batch.hpp"
-#include "solver/batch/impact_batch.hpp"
-#include "solver/batch/inversion_batch.hpp"
+#include "solver/batch/batch.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "tests/support/contact_cases.hpp"
 

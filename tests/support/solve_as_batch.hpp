@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/batch/impact_batch.hpp"
+#include "solver/batch/batch.hpp"
 
 namespace ashimpact::test {
 

@@ -8,7 +8,7 @@
 
 #include "core/quantities/readable.hpp"
 #include "core/text/error.hpp"
-#include "solver/batch/impact_batch.hpp"
+#include "solver/batch/batch.hpp"
 
 namespace ashimpact {
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "solver/batch/in_parallel.hpp"
+#include "solver/batch/parallel.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/inference/impacts/inverted_impacts.hpp"
 #include "solver/motion/impact.hpp"

@@ -7,7 +7,7 @@
 
 #include "core/text/error.hpp"
 #include "pipeline/run/curves/model_curve.hpp"
-#include "solver/batch/in_parallel.hpp"
+#include "solver/batch/parallel.hpp"
 #include "solver/contact/law.hpp"
 
 namespace ashimpact::curves {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "pipeline/run/curves/velocity_search.hpp"
-#include "solver/batch/impact_batch.hpp"
+#include "solver/batch/batch.hpp"
 
 namespace ashimpact::curves {
 

@@ -9,26 +9,6 @@
 
 namespace ashimpact::batch {
 
-namespace {
-
-void leave_undecided(const ImpactTask& task) {
-    std::fill_n(task.end, task.count, LaneEnd::undecided);
-}
-
-void leave_undecided_numbers(const NumberTask& task) {
-    std::fill_n(task.end, task.count, LaneEnd::undecided);
-}
-
-void leave_unsearched(const InversionTask& task) {
-    std::fill_n(task.found, task.count, std::uint8_t{0});
-}
-
-void leave_unread(const CriticalTask& task) {
-    std::fill_n(task.state, task.count, PieceState::undecided);
-}
-
-}  // namespace
-
 bool has_kernels(Law law) {
     return law.visit<bool>(
         []<template <class> class L>() { return BatchLaws::index_of<L>() < BatchLaws::size; });
@@ -37,7 +17,11 @@ bool has_kernels(Law law) {
 Kernels kernels_of(Law law) {
     return law.visit<Kernels>([]<template <class> class L>() -> Kernels {
         if constexpr (BatchLaws::index_of<L>() < BatchLaws::size) return law_kernels<L>();
-        return {leave_undecided, leave_undecided_numbers, leave_unsearched, leave_unread};
+        return {.impacts = [](const ImpactTask& t) { std::fill_n(t.end, t.count, LaneEnd::undecided); },
+                .numbers = [](const NumberTask& t) { std::fill_n(t.end, t.count, LaneEnd::undecided); },
+                .inversions = [](const InversionTask& t) { std::fill_n(t.found, t.count, std::uint8_t{0}); },
+                .critical_velocities =
+                    [](const CriticalTask& t) { std::fill_n(t.state, t.count, PieceState::undecided); }};
     });
 }
 

@@ -17,25 +17,15 @@ namespace batch {
 /// One column as the kernels read it.
 struct Input {
     const double* values = nullptr;
-    bool single = false;  ///< one value for all
+    std::size_t size = 0;  ///< 1: one value for all
 
-    [[nodiscard]] double at(std::size_t i) const { return values[single ? 0 : i]; }
-    [[nodiscard]] Input from(std::size_t i) const {
-        return {single || values == nullptr ? values : values + i, single};
-    }
+    [[nodiscard]] double at(std::size_t i) const { return values[size == 1 ? 0 : i]; }
 };
 
-/// The law parameters of a task by position: the first `count` have values.
-struct ParameterInputs {
-    std::array<const LawParameter*, most_parameter_values> parameter{};
-    std::array<Input, most_parameter_values> values{};
-    std::size_t count = 0;
-
-    [[nodiscard]] ParameterInputs from(std::size_t i) const {
-        ParameterInputs shifted = *this;
-        for (std::size_t k = 0; k < count; ++k) shifted.values[k] = values[k].from(i);
-        return shifted;
-    }
+/// The values of a law parameter.
+struct ParameterInput {
+    const LawParameter* parameter = nullptr;
+    Input values{};
 };
 
 /// Inputs of the problems of a task; those that a kind of task does not use stay empty.
@@ -48,19 +38,8 @@ struct Inputs {
     Input damping{};
     Input velocity{};
     Input restitution{};
-    ParameterInputs parameters{};
-
-    [[nodiscard]] Inputs from(std::size_t i) const {
-        return {.mass = mass.from(i),
-                .effective_radius = effective_radius.from(i),
-                .contact_modulus = contact_modulus.from(i),
-                .work_of_adhesion = work_of_adhesion.from(i),
-                .yield_pressure = yield_pressure.from(i),
-                .damping = damping.from(i),
-                .velocity = velocity.from(i),
-                .restitution = restitution.from(i),
-                .parameters = parameters.from(i)};
-    }
+    std::array<ParameterInput, most_parameter_values> parameters{};  ///< the first parameter_count are used
+    std::size_t parameter_count = 0;
 };
 
 class CriticalTable;
@@ -107,16 +86,12 @@ struct CriticalTask {
     double* value;      ///< v_c, where tabulated [m/s]
 };
 
-using ImpactKernel = void (*)(const ImpactTask&);
-using InversionKernel = void (*)(const InversionTask&);
-using CriticalKernel = void (*)(const CriticalTask&);
-
 /// The kernels of one contact law for the chosen instruction set.
 struct Kernels {
-    ImpactKernel impacts;
+    void (*impacts)(const ImpactTask&);
     NumberKernel numbers;
-    InversionKernel inversions;
-    CriticalKernel critical_velocities;
+    void (*inversions)(const InversionTask&);
+    void (*critical_velocities)(const CriticalTask&);
 };
 
 /// The kernels of a contact law; CMake makes their sources from kernel.cpp.in.

@@ -7,10 +7,112 @@
 #define ASHIMPACT_SOLVER_BATCH_EVENTS_INL_HPP
 #endif
 
-#include "solver/batch/lanes/capture-inl.hpp"
+#include <limits>
+
+#include "solver/batch/lanes/equation-inl.hpp"
+#include "solver/batch/lanes/lanes-inl.hpp"
+#include "solver/contact/detachment.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
+
+/// Values of q at which a contact law begins, rests and ends, for the adhesion numbers of the lanes, and the
+/// depth of its potential well.
+struct Places {
+    Lanes touch;
+    Lanes equilibrium;
+    Lanes end;  ///< of contact, except in lanes of by_force
+    Lanes end_potential;
+    Lanes speed_squared;  ///< v^2 in the bottom of the well, undamped: 1 + 2 (U_touch - U_min)
+    Mask by_force;        ///< the contact ends where the total force vanishes
+};
+
+template <class F>
+[[nodiscard]] HWY_FLATTEN inline Places places_of(const Equation<F>& equation, Detachment detachment) {
+    const typename F::template ContactLaw<LaneNumber> law{LaneNumber(equation.adhesion)};
+    const auto place = [](const LaneNumber& u)
+                           HWY_ATTR { return F::squared ? u.lanes() * u.lanes() : u.lanes(); };
+    Places p;
+    p.touch = place(law.touch());
+    p.equilibrium = place(*law.detachment_point(Detachment::zero_force));
+    p.end = place(*law.detachment_point(detachment));
+    p.end_potential = equation.potential(p.end);
+    const Lanes fall = equation.potential(p.touch) - equation.potential(p.equilibrium);
+    p.speed_squared = multiply_add(fall, 2.0, 1.0);
+    p.by_force = detachment == Detachment::zero_force ? equation.damping > Lanes(0.0) : none();
+    return p;
+}
+
+/// Share of the energy in the well below which double precision cannot separate capture from rebound.
+inline constexpr double energy_doubt = 1e-9;
+/// v^2 in the well from which on rounding in the well is seen in the energy of a rebound.
+inline constexpr double deepest_well = 1e5;
+
+/// Lanes that are captured, those of them that double precision leaves in doubt, and those that never turn.
+struct LaneVerdict {
+    Mask captured;
+    Mask doubtful;
+    Mask never_turn;
+};
+
+/// Decides capture from the state, as CaptureTest does.
+template <class F>
+class LaneCapture {
+  public:
+    HWY_INLINE LaneCapture(const Equation<F>& equation, const Places& places)
+        : equation_(equation), places_(places) {}
+
+    /// @param look_for_creeping whether to look for lanes that creep, which are rare and slow to detect
+    [[nodiscard]] HWY_INLINE LaneVerdict verdict(Lanes q, Lanes v, Mask active, Mask approaching,
+                                                 bool look_for_creeping) const {
+        const Mask leaving = without(without(active, approaching), places_.by_force);
+        const Lanes left = energy_left(q, v);
+        const Mask caught = both(both(leaving, q > places_.end), left < Lanes(0.0));
+        LaneVerdict verdict{caught, both(caught, left > places_.speed_squared * Lanes(-energy_doubt)),
+                            none()};
+        if (look_for_creeping) {
+            verdict.never_turn = both(both(active, approaching), creeping_up(q, v));
+            verdict.captured = either(verdict.captured, both(without(active, approaching), creeping(q, v)));
+            verdict.captured = either(verdict.captured, verdict.never_turn);
+        }
+        return verdict;
+    }
+
+  private:
+    /// v^2/2 + U(q) - U_end: if negative after the turn, the end of contact cannot be reached.
+    [[nodiscard]] HWY_INLINE Lanes energy_left(Lanes q, Lanes v) const {
+        return multiply_add(v * Lanes(0.5), v, equation_.potential(q) - places_.end_potential);
+    }
+    /// After the turn: so damped that it creeps back without ever reaching the end of contact.
+    [[nodiscard]] HWY_INLINE Mask creeping(Lanes q, Lanes v) const {
+        const Lanes way = equation_.overlap(q) - equation_.overlap(places_.end);
+        const Lanes least = equation_.damping_at(places_.equilibrium);
+        const Mask slow = v >= least * way * Lanes(-0.5);
+        const Mask soft = Lanes(4.0) * equation_.force(q) < least * least * way;
+        return without(either(both(q >= places_.equilibrium, both(slow, soft)), overdamped()),
+                       places_.by_force);
+    }
+    /// Before the turn: so damped that it creeps up to equilibrium and never turns.
+    [[nodiscard]] HWY_INLINE Mask creeping_up(Lanes q, Lanes v) const {
+        const Lanes at = places_.equilibrium;
+        const Lanes damping = equation_.damping_at(q);
+        const Lanes way = equation_.overlap(at) - equation_.overlap(q);
+        // eta^2 >= 4 dF/d(delta) at equilibrium, without the division
+        const Lanes stiffness = Lanes(4.0) * value_of<F::force_slope>(equation_.adhesion, at);
+        const Mask damped = damping * damping * value_of<F::slope>(equation_.adhesion, at) >= stiffness;
+        return both(q < at, both(damped, v <= damping * way * Lanes(0.5)));
+    }
+
+    /// Some damping laws capture every impact that touches at q = 0, from a limit of the damping number on.
+    [[nodiscard]] HWY_INLINE Mask overdamped() const {
+        constexpr double limit = F::Damping::overdamped_squared;
+        if constexpr (limit == std::numeric_limits<double>::infinity()) return none();
+        return both(places_.touch <= Lanes(0.0), equation_.damping * equation_.damping >= Lanes(limit));
+    }
+
+    const Equation<F>& equation_;
+    const Places& places_;
+};
 
 /// How a state changes with pseudo-time.
 struct Rates {

@@ -7,11 +7,101 @@
 #define ASHIMPACT_SOLVER_BATCH_FINDINGS_INL_HPP
 #endif
 
+#include <array>
+
+#include "solver/batch/lanes/equation-inl.hpp"
 #include "solver/batch/lanes/events-inl.hpp"
-#include "solver/batch/lanes/landing-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
+
+/// The motion about a state as Taylor series in pseudo-time, for the last part of the way to an event.
+template <class F, int order>
+class LaneSeries {
+  public:
+    using Coefficients = std::array<Lanes, order + 1>;
+
+    HWY_INLINE LaneSeries(const Equation<F>& equation, const LaneState& state) {
+        position_[0] = state.position;
+        momentum_[0] = state.momentum;
+        time_[0] = state.time;
+        for (int n = 0; n < order; ++n) {
+            multiply<2>(n);
+            const Lanes factor(1.0 / (n + 1));
+            const Lanes damping = equation.damping * composed<F::impulse, 0>(equation.adhesion, n);
+            position_[n + 1] = (momentum_[n] - damping) * factor;
+            momentum_[n + 1] = composed<F::stiffness, 0>(equation.adhesion, n) * (-factor);
+            time_[n + 1] = composed<F::slope, 0>(equation.adhesion, n) * factor;
+        }
+    }
+
+    /// v = dq/dtheta
+    [[nodiscard]] HWY_INLINE Lanes velocity_at(Lanes h) const { return value<1>(position_, h); }
+    [[nodiscard]] HWY_INLINE Lanes acceleration_at(Lanes h) const { return value<2>(position_, h); }
+    [[nodiscard]] HWY_INLINE Lanes position_at(Lanes h) const { return value<0>(position_, h); }
+    [[nodiscard]] HWY_INLINE Lanes jerk_at(Lanes h) const { return value<3>(position_, h); }
+    [[nodiscard]] HWY_INLINE Lanes time_at(Lanes h) const { return value<0>(time_, h); }
+
+  private:
+    static constexpr PowerSet all_powers(const Symbol& p) {
+        PowerSet set = 0;
+        for (int i = 1; i < Symbol::states; ++i) {
+            if (p.has(i)) set |= power_bit(i);
+        }
+        return set;
+    }
+    static constexpr PowerSet powers =
+        closed(all_powers(F::impulse) | all_powers(F::stiffness) | all_powers(F::slope));
+
+    /// Coefficient n of every power of q above the first.
+    template <int power>
+    HWY_INLINE void multiply(int n) {
+        if constexpr (power <= highest(powers)) {
+            if constexpr (contains(powers, power)) {
+                constexpr int i = factor_of(powers, power);
+                const Coefficients& a = i == 1 ? position_ : power_[i];
+                const Coefficients& b = power - i == 1 ? position_ : power_[power - i];
+                Lanes sum = a[0] * b[n];
+                for (int k = 1; k <= n; ++k) sum = multiply_add(a[k], b[n - k], sum);
+                power_[power][n] = sum;
+            }
+            multiply<power + 1>(n);
+        }
+    }
+    /// Coefficient n of a polynomial of q.
+    template <const Symbol& symbol, int power>
+    [[nodiscard]] HWY_INLINE Lanes composed(Lanes adhesion, int n) const {
+        if constexpr (power > symbol.degree()) {
+            return Lanes(0.0);
+        } else if constexpr (!symbol.has(power)) {
+            return composed<symbol, power + 1>(adhesion, n);
+        } else {
+            const Lanes rest = composed<symbol, power + 1>(adhesion, n);
+            const Lanes factor = coefficient_of<symbol, power>(adhesion, 1.0);
+            if constexpr (power == 0) return n == 0 ? rest + factor : rest;
+            return multiply_add(factor, power == 1 ? position_[n] : power_[power][n], rest);
+        }
+    }
+    /// Value of the derivative of that order.
+    template <int derivative>
+    [[nodiscard]] HWY_INLINE static Lanes value(const Coefficients& c, Lanes h) {
+        Lanes sum = c[order] * Lanes(falling(order, derivative));
+        for (int n = order - 1; n >= derivative; --n) {
+            sum = multiply_add(sum, h, c[n] * Lanes(falling(n, derivative)));
+        }
+        return sum;
+    }
+    static constexpr double falling(int n, int count) {
+        double product = 1.0;
+        for (int i = 0; i < count; ++i) product *= n - i;
+        return product;
+    }
+
+    Coefficients position_;
+    Coefficients momentum_;
+    Coefficients time_;
+    std::array<Coefficients, highest(powers) + 1> power_;
+};
 
 /// A turning point, scaled.
 struct LaneTurn {
@@ -102,8 +192,6 @@ struct LaneFindings {
         const Mask doubt = pull * pull < places.speed_squared * Lanes(1e-8);
         return either(without(turned, doubt), never_turns);
     }
-    /// Captured lanes, except those in doubt.
-    [[nodiscard]] HWY_INLINE Mask surely_captured() const { return without(captured, doubtful); }
 };
 
 }  // namespace ashimpact::HWY_NAMESPACE

@@ -1,10 +1,194 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "solver/batch/lanes/symbol.hpp"
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+
 #include "solver/damping/registry.hpp"
 
 namespace ashimpact {
+
+/// A polynomial in the state and in the adhesion number A, with plain coefficients: what a contact law turns
+/// into when it is evaluated at compile time. It lists the powers that occur, so that the vector code of a
+/// law holds its products and no others, and is still the law's own line.
+struct Symbol {
+    static constexpr int states = 24;
+    static constexpr int adhesions = 6;
+    std::array<std::array<double, adhesions>, states> coefficient{};  ///< [power of state][power of A]
+
+    constexpr Symbol() = default;
+    // NOLINTNEXTLINE(google-explicit-constructor): constants mix with polynomials in the laws
+    constexpr Symbol(double constant) { coefficient[0][0] = constant; }
+
+    /// state^power A^adhesion_power
+    [[nodiscard]] static constexpr Symbol monomial(int power, int adhesion_power) {
+        Symbol x;
+        x.at(power, adhesion_power) = 1.0;
+        return x;
+    }
+
+    constexpr double& at(int power, int adhesion_power) {
+        return coefficient[static_cast<std::size_t>(power)][static_cast<std::size_t>(adhesion_power)];
+    }
+    [[nodiscard]] constexpr double at(int power, int adhesion_power) const {
+        return coefficient[static_cast<std::size_t>(power)][static_cast<std::size_t>(adhesion_power)];
+    }
+    /// Whether this power of the state occurs, for some A.
+    [[nodiscard]] constexpr bool has(int power) const {
+        for (int j = 0; j < adhesions; ++j) {
+            if (at(power, j) != 0.0) return true;
+        }
+        return false;
+    }
+    [[nodiscard]] constexpr int degree() const {
+        for (int i = states - 1; i > 0; --i) {
+            if (has(i)) return i;
+        }
+        return 0;
+    }
+
+    [[nodiscard]] constexpr Symbol derivative() const {
+        Symbol result;
+        for (int i = 1; i < states; ++i) {
+            for (int j = 0; j < adhesions; ++j) result.at(i - 1, j) = at(i, j) * i;
+        }
+        return result;
+    }
+    /// Antiderivative that vanishes at 0.
+    [[nodiscard]] constexpr Symbol antiderivative() const {
+        Symbol result;
+        for (int i = 0; i + 1 < states; ++i) {
+            for (int j = 0; j < adhesions; ++j) result.at(i + 1, j) = at(i, j) / (i + 1);
+        }
+        return result;
+    }
+    /// Whether only even powers of the state occur.
+    [[nodiscard]] constexpr bool even() const {
+        for (int i = 1; i < states; i += 2) {
+            if (has(i)) return false;
+        }
+        return true;
+    }
+    /// The polynomial p with p(x^2) = *this; requires even().
+    [[nodiscard]] constexpr Symbol of_square() const {
+        Symbol result;
+        for (int i = 0; i < states; i += 2) result.coefficient[static_cast<std::size_t>(i / 2)] = row(i);
+        return result;
+    }
+
+    friend constexpr Symbol operator+(Symbol a, const Symbol& b) {
+        for (int i = 0; i < states; ++i) {
+            for (int j = 0; j < adhesions; ++j) a.at(i, j) += b.at(i, j);
+        }
+        return a;
+    }
+    friend constexpr Symbol operator-(Symbol a, const Symbol& b) {
+        for (int i = 0; i < states; ++i) {
+            for (int j = 0; j < adhesions; ++j) a.at(i, j) -= b.at(i, j);
+        }
+        return a;
+    }
+    /// Powers beyond what a Symbol holds are not allowed; in a constant expression they do not compile.
+    friend constexpr Symbol operator*(const Symbol& a, const Symbol& b) {
+        Symbol result;
+        for (int i = 0; i < states; ++i) {
+            for (int j = 0; j < adhesions; ++j) {
+                if (a.at(i, j) == 0.0) continue;
+                for (int k = 0; k < states; ++k) {
+                    for (int l = 0; l < adhesions; ++l) {
+                        if (b.at(k, l) != 0.0) result.at(i + k, j + l) += a.at(i, j) * b.at(k, l);
+                    }
+                }
+            }
+        }
+        return result;
+    }
+
+  private:
+    [[nodiscard]] constexpr const std::array<double, adhesions>& row(int power) const {
+        return coefficient[static_cast<std::size_t>(power)];
+    }
+};
+
+/// A set of powers of one variable; bit k stands for x^k.
+using PowerSet = std::uint64_t;
+
+[[nodiscard]] constexpr PowerSet power_bit(int power) {
+    return PowerSet{1} << power;
+}
+[[nodiscard]] constexpr bool contains(PowerSet set, int power) {
+    return ((set >> power) & 1U) != 0;
+}
+[[nodiscard]] constexpr int highest(PowerSet set) {
+    int power = 0;
+    while ((set >> power) > 1) ++power;
+    return power;
+}
+
+/// The smaller factor i of x^power = x^i x^(power-i) with both in the set, as balanced as possible; 0 if
+/// none.
+[[nodiscard]] constexpr int factor_of(PowerSet set, int power) {
+    for (int i = power / 2; i >= 1; --i) {
+        if (contains(set, i) && contains(set, power - i)) return i;
+    }
+    return 0;
+}
+
+/// The set, completed so that every member but x is the product of two lower members.
+[[nodiscard]] constexpr PowerSet closed(PowerSet set) {
+    set = (set | power_bit(1)) & ~power_bit(0);
+    for (int power = highest(set); power > 1; --power) {
+        if (contains(set, power) && factor_of(set, power) == 0) {
+            set |= power_bit(power / 2) | power_bit(power - power / 2);
+        }
+    }
+    return set;
+}
+
+/// The powers with which the state occurs in a polynomial, highest first.
+struct Terms {
+    std::array<int, Symbol::states> power{};
+    int count = 0;
+
+    /// Common distance of the powers; with one power alone that power.
+    [[nodiscard]] constexpr int stride() const {
+        int distance = count == 1 ? power[0] : 0;
+        for (int i = 1; i < count; ++i) distance = std::gcd(distance, at(i - 1) - at(i));
+        return distance;
+    }
+    [[nodiscard]] constexpr int at(int i) const { return power[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] constexpr int lowest() const { return at(count - 1); }
+};
+
+/// A polynomial of the state as lowest power times a monic polynomial in x^stride.
+template <const Symbol& symbol, bool with_constant>
+struct Sparse {
+    static constexpr Terms terms = [] {
+        Terms found;
+        for (int i = symbol.degree(); i >= (with_constant ? 0 : 1); --i) {
+            if (symbol.has(i)) found.power[static_cast<std::size_t>(found.count++)] = i;
+        }
+        return found;
+    }();
+    static_assert(terms.count > 0);
+    /// Leading coefficient; no law has A in it.
+    static constexpr double leading = symbol.at(terms.at(0), 0);
+    static_assert(leading != 0.0);
+
+    /// Powers of the state that evaluate() needs.
+    static constexpr PowerSet powers = [] {
+        if (terms.count == 1) {
+            const int power = terms.at(0);
+            return power == 0 ? PowerSet{0} : power_bit(power - power / 2) | power_bit(power / 2);
+        }
+        PowerSet set = terms.lowest() > 0 ? power_bit(terms.lowest()) : PowerSet{0};
+        const int stride = terms.stride();
+        if (terms.count > 2) return set | power_bit(stride);
+        return contains(set, stride) ? set : set | power_bit(stride - stride / 2) | power_bit(stride / 2);
+    }();
+};
 
 /// The scaled equation of motion of a contact law and a damping law, known at compile time but for the
 /// adhesion number A and the damping number beta; in the coordinate q of Motion:

@@ -7,12 +7,45 @@
 #define ASHIMPACT_SOLVER_BATCH_ORBIT_INL_HPP
 #endif
 
+#include <cstdint>
+
 #include "solver/batch/lanes/findings-inl.hpp"
-#include "solver/batch/lanes/pilot-inl.hpp"
-#include "solver/batch/lanes/turn-inl.hpp"
+#include "solver/batch/lanes/leapfrog-inl.hpp"
+#include "solver/batch/lanes/number_task.hpp"
+#include "solver/batch/lanes/steps-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace ashimpact::HWY_NAMESPACE {
+
+inline constexpr std::size_t block_size = group_count * lane_count;
+inline constexpr int most_passes = 64;  ///< steps; an impact that needs more is left to the scalar solver
+
+/// Scaled impacts of one block with their results.
+struct Block {
+    HWY_ALIGN double adhesion[block_size];
+    HWY_ALIGN double damping[block_size];
+    HWY_ALIGN double speed[block_size];         ///< at the end of contact
+    HWY_ALIGN double time[block_size];          ///< of contact
+    HWY_ALIGN double turn_time[block_size];     ///< NaN where it never turns
+    HWY_ALIGN double turn_overlap[block_size];  ///< or its supremum
+    std::uint64_t rebound;                      ///< one bit a lane; set only if certain
+    std::uint64_t capture;                      ///< one bit a lane; set only if certain
+    std::uint64_t turn;                         ///< one bit a lane; turning point known
+
+    [[nodiscard]] bool rebounds(std::size_t lane) const { return ((rebound >> lane) & 1U) != 0; }
+    [[nodiscard]] bool captures(std::size_t lane) const { return ((capture >> lane) & 1U) != 0; }
+    [[nodiscard]] bool turns(std::size_t lane) const { return ((turn >> lane) & 1U) != 0; }
+    [[nodiscard]] batch::LaneEnd end(std::size_t lane) const {
+        if (rebounds(lane)) return batch::LaneEnd::rebound;
+        return captures(lane) ? batch::LaneEnd::capture : batch::LaneEnd::undecided;
+    }
+};
+
+[[nodiscard]] HWY_INLINE std::uint64_t bits_of(Mask mask) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(Tag(), mask, bytes);
+    return bytes[0];
+}
 
 /// Integrates the impacts of one register of lanes independently. A lane that has ended no longer changes.
 template <class F>
@@ -108,21 +141,20 @@ class LaneOrbit {
         state_ = select(taken, next, state_);
     }
 
-    /// Greatest overlap and its time; for a lane that never turns the supremum, and NaN for the time.
-    [[nodiscard]] HWY_INLINE LaneTurn turning_point() const {
-        return HWY_NAMESPACE::turning_point(equation_, places_, found_.turn, found_.turned);
+    /// Writes the ends of the impacts into the lanes of a block from @p first on.
+    HWY_INLINE void store_end(Block& block, std::size_t first) const {
+        const LaneArrival end = end_point(equation_, places_, found_.end);
+        end.time.store(block.time + first);
+        end.speed.store(block.speed + first);
+        block.rebound |= bits_of(found_.surely_ended(end, places_)) << first;
+        block.capture |= bits_of(without(found_.captured, found_.doubtful)) << first;
     }
-    /// Speed and time at the end of contact.
-    [[nodiscard]] HWY_INLINE LaneArrival end_point() const {
-        return HWY_NAMESPACE::end_point(equation_, places_, found_.end);
+    HWY_INLINE void store_turn(Block& block, std::size_t first) const {
+        const LaneTurn turn = turning_point(equation_, places_, found_.turn, found_.turned);
+        block.turn |= bits_of(found_.surely_turned(turn.time, equation_, places_)) << first;
+        turn.time.store(block.turn_time + first);
+        turn.overlap.store(block.turn_overlap + first);
     }
-    [[nodiscard]] HWY_INLINE Mask surely_ended(const LaneArrival& end) const {
-        return found_.surely_ended(end, places_);
-    }
-    [[nodiscard]] HWY_INLINE Mask surely_turned(Lanes time) const {
-        return found_.surely_turned(time, equation_, places_);
-    }
-    [[nodiscard]] HWY_INLINE Mask surely_captured() const { return found_.surely_captured(); }
 
   private:
     static constexpr double returned_error = 1.0;  ///< so large that the pilot shortens the step most
@@ -142,6 +174,51 @@ class LaneOrbit {
     Mask approaching_;
     Mask active_;
 };
+
+/// One step of each orbit.
+template <class F, int sequences = LaneOrbit<F>::sequences>
+HWY_INLINE void advance(Groups<LaneOrbit<F>>& orbits) {
+    Groups<LaneStep> steps;
+    ExtrapolatedLeapfrog<F, sequences, LaneOrbit<F>>::step(orbits, steps);
+    for (std::size_t group = 0; group < group_count; ++group) orbits[group].take(steps[group]);
+}
+
+/// Steps orbits until none is active. @param pass count of the steps that each lane has tried at least
+template <class F>
+HWY_INLINE void integrate(Groups<LaneOrbit<F>>& orbits, int pass) {
+    for (; pass < most_passes; ++pass) {
+        Mask active = none();
+        for (LaneOrbit<F>& orbit : orbits) {
+            orbit.observe(pass);
+            active = either(active, orbit.active());
+        }
+        if (!any(active)) break;
+        advance<F>(orbits);
+    }
+}
+
+/// Integrates the impacts of a block.
+template <class F>
+HWY_NOINLINE void follow(Block& block, Detachment detachment, Goal goal) {
+    using Orbit = LaneOrbit<F>;
+    Groups<Orbit> orbits;
+    for (std::size_t group = 0; group < group_count; ++group) {
+        const std::size_t first = group * lane_count;
+        const Equation<F> equation(Lanes::load(block.adhesion + first), Lanes::load(block.damping + first));
+        orbits[group] = Orbit(equation, detachment, goal);
+    }
+    block.rebound = block.capture = block.turn = 0;
+    integrate<F>(orbits, 0);
+    if (goal != Goal::turn)
+        for (std::size_t group = 0; group < group_count; ++group)
+            orbits[group].store_end(block, group * lane_count);
+    if (goal == Goal::end) return;
+    for (Orbit& orbit : orbits) orbit.return_to_turn();
+    advance<F, Orbit::sequences_to_turn>(orbits);
+    integrate<F>(orbits, Orbit::late);
+    for (std::size_t group = 0; group < group_count; ++group)
+        orbits[group].store_turn(block, group * lane_count);
+}
 
 }  // namespace ashimpact::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <tuple>
 
-#include "solver/batch/tables/table_of.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"

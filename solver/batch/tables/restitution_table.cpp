@@ -7,7 +7,6 @@
 #include <tuple>
 #include <vector>
 
-#include "solver/batch/tables/table_of.hpp"
 #include "solver/numeric/chebyshev.hpp"
 
 namespace ashimpact::batch {

@@ -18,7 +18,7 @@
 #include "pipeline/document/run_identity.hpp"
 #include "pipeline/files/schema.hpp"
 #include "pipeline/present/text/artifact_text.hpp"
-#include "solver/batch/impact_batch.hpp"
+#include "solver/batch/batch.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 #include "tests/reliability/fuzz/stored_zip.hpp"
 #include "tests/support/solve_as_batch.hpp"

@@ -13,7 +13,7 @@
 #include <doctest/doctest.h>
 
 #include "core/text/error.hpp"
-#include "solver/batch/impact_batch.hpp"
+#include "solver/batch/batch.hpp"
 #include "solver/batch/kernels/kernel.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/contact/registry.hpp"

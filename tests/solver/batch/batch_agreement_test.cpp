@@ -5,7 +5,7 @@
 
 #include <doctest/doctest.h>
 
-#include "solver/batch/impact_batch.hpp"
+#include "solver/batch/batch.hpp"
 #include "solver/batch/parallel.hpp"
 #include "tests/solver/batch/batch_sample.hpp"
 

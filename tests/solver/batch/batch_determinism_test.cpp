@@ -12,7 +12,7 @@
 #include <doctest/doctest.h>
 
 #include "core/text/error.hpp"
-#include "solver/batch/impact_batch.hpp"
+#include "solver/batch/batch.hpp"
 #include "solver/batch/kernels/instruction_set.hpp"
 #include "solver/batch/kernels/kernel.hpp"
 #include "solver/batch/tables/restitution_table.hpp"

@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "core/text/error.hpp"
-#include "solver/batch/impact_batch.hpp"
+#include "solver/batch/batch.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/scale.hpp"
 #include "tests/relative_difference.hpp"

@@ -4,8 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "core/text/error.hpp"
-#include "solver/batch/critical_batch.hpp"
-#include "solver/batch/inversion_batch.hpp"
+#include "solver/batch/batch.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/solver/batch/batch_sample.hpp"
 

@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "solver/batch/impact_batch.hpp"
+#include "solver/batch/batch.hpp"
 
 namespace ashimpact::test {
 

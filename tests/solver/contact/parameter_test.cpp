@@ -5,7 +5,7 @@
 
 #include <doctest/doctest.h>
 
-#include "solver/batch/impact_batch.hpp"
+#include "solver/batch/batch.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/contact/sjkr.hpp"
 #include "tests/support/contact_cases.hpp"

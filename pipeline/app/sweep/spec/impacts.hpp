@@ -13,8 +13,7 @@
 #include <Eigen/Core>
 
 #include "pipeline/app/sweep/spec/spec.hpp"
-#include "solver/batch/columns.hpp"
-#include "solver/batch/impact_batch.hpp"
+#include "solver/batch/batch.hpp"
 
 namespace ashimpact {
 

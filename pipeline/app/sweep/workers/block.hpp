@@ -7,8 +7,8 @@
 
 #include "pipeline/app/sweep/spec/plan.hpp"
 #include "solver/statistics/histogram.hpp"
-#include "solver/statistics/pairwise_merge.hpp"
-#include "solver/statistics/sensitivity.hpp"
+#include "solver/statistics/moments.hpp"
+#include "solver/statistics/propagation.hpp"
 
 namespace ashimpact {
 

@@ -14,7 +14,7 @@
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/page/html.hpp"
-#include "solver/batch/in_parallel.hpp"
+#include "solver/batch/parallel.hpp"
 
 namespace ashimpact::report {
 

@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Included once for each instruction set, so with no include guard but this.
+#if defined(ASHIMPACT_SOLVER_BATCH_KERNELS_KERNELS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef ASHIMPACT_SOLVER_BATCH_KERNELS_KERNELS_INL_HPP
+#undef ASHIMPACT_SOLVER_BATCH_KERNELS_KERNELS_INL_HPP
+#else
+#define ASHIMPACT_SOLVER_BATCH_KERNELS_KERNELS_INL_HPP
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include <hwy/contrib/math/math-inl.h>
+
+#include "solver/batch/kernels/damping_search.hpp"
+#include "solver/batch/kernels/kernel.hpp"
+#include "solver/batch/kernels/order.hpp"
+#include "solver/batch/lanes/form.hpp"
+#include "solver/batch/lanes/lanes-inl.hpp"
+#include "solver/batch/lanes/orbit-inl.hpp"
+#include "solver/batch/tables/lookup-inl.hpp"
+#include "solver/contact/pair.hpp"
+#include "solver/motion/scale.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace ashimpact::HWY_NAMESPACE {
+
+/// The values of a column from @p i on; past the @p count of them the last one again.
+[[nodiscard]] HWY_INLINE Lanes read(const batch::Input& column, std::size_t i, std::size_t count) {
+    if (column.size == 1) return column.values[0];
+    if (i + lane_count <= count) return Lanes::load(column.values + i);
+    HWY_ALIGN double padded[lane_count];
+    for (std::size_t k = 0; k < lane_count; ++k) padded[k] = column.values[i + k < count ? i + k : count - 1];
+    return Lanes::load(padded);
+}
+
+[[nodiscard]] inline BasicContactPair<LaneNumber> read_pair(const batch::Inputs& in, std::size_t i,
+                                                            std::size_t count) {
+    BasicContactPair<LaneNumber> pair{.mass = LaneNumber(read(in.mass, i, count)),
+                                      .effective_radius = LaneNumber(read(in.effective_radius, i, count)),
+                                      .contact_modulus = LaneNumber(read(in.contact_modulus, i, count)),
+                                      .work_of_adhesion = LaneNumber(read(in.work_of_adhesion, i, count))};
+    for (std::size_t k = 0; k < in.parameter_count; ++k)
+        pair.parameters.set(in.parameters[k].parameter->name,
+                            LaneNumber(read(in.parameters[k].values, i, count)));
+    return pair;
+}
+
+/// The impacts of a task, scaled.
+struct ScaledTask {
+    static constexpr std::size_t capacity = batch::most_impacts + lane_count;
+    HWY_ALIGN double adhesion[capacity];
+    HWY_ALIGN double damping[capacity];
+    HWY_ALIGN double length[capacity];  ///< [m]
+    HWY_ALIGN double time[capacity];    ///< [s]
+};
+
+template <class F>
+HWY_FLATTEN inline void scale_task(const batch::Inputs& in, std::size_t count, ScaledTask& out) {
+    for (std::size_t i = 0; i < count; i += lane_count) {
+        const BasicContactPair<LaneNumber> pair = read_pair(in, i, count);
+        const auto scale = BasicScale<LaneNumber>::of(pair, LaneNumber(read(in.velocity, i, count)));
+        const LaneNumber adhesion = F::template ContactLaw<LaneNumber>::adhesion_number(pair, scale.length);
+        adhesion.lanes().store(out.adhesion + i);
+        (read(in.damping, i, count) / F::Damping::unit(scale).lanes()).store(out.damping + i);
+        scale.length.lanes().store(out.length + i);
+        scale.time().lanes().store(out.time + i);
+    }
+}
+
+/// Places of impacts in their task.
+class PlaceList {
+  public:
+    void add(std::size_t place) { place_[count_++] = static_cast<std::uint16_t>(place); }
+    [[nodiscard]] std::span<const std::uint16_t> places() const { return {place_, count_}; }
+
+    [[nodiscard]] static PlaceList all(std::size_t count) {
+        PlaceList list;
+        for (std::size_t i = 0; i < count; ++i) list.add(i);
+        return list;
+    }
+
+  private:
+    std::uint16_t place_[batch::most_impacts];  // the first count_ are filled
+    std::size_t count_ = 0;
+};
+
+/// Writes the end of an impact into the results of its task.
+inline void write_end(const batch::ImpactTask& task, const ScaledTask& scaled, std::size_t i,
+                      const Block& block, std::size_t lane) {
+    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+    const bool rebounds = block.rebounds(lane);
+    task.end[i] = block.end(lane);
+    task.restitution[i] = rebounds ? std::min(block.speed[lane], 1.0) : 0.0;
+    task.contact_time[i] = rebounds ? block.time[lane] * scaled.time[i] : nothing;
+}
+
+/// Writes the turning point of an impact; a greatest overlap of NaN if it is in doubt.
+inline void write_turn(const batch::ImpactTask& task, const ScaledTask& scaled, std::size_t i,
+                       const Block& block, std::size_t lane) {
+    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+    task.approach_time[i] = block.turn_time[lane] * scaled.time[i];
+    task.maximum_overlap[i] = block.turns(lane) ? block.turn_overlap[lane] * scaled.length[i] : nothing;
+}
+
+/// Coordinates in a table for a column of numbers.
+inline void place_all(const double* numbers, std::size_t count, double* places) {
+    for (std::size_t i = 0; i < count; i += lane_count) {
+        place_of(Lanes::load(numbers + i)).store(places + i);
+    }
+}
+
+/// Reads the results of a task from its table. @return impacts that have to be integrated
+template <bool with_time>
+HWY_NOINLINE PlaceList look_up(const batch::ImpactTask& task, const ScaledTask& scaled) {
+    HWY_ALIGN double x[ScaledTask::capacity];
+    HWY_ALIGN double y[ScaledTask::capacity];
+    place_all(scaled.adhesion, task.count, x);
+    place_all(scaled.damping, task.count, y);
+    const batch::RestitutionPiece* pieces[batch::most_impacts];
+    for (std::size_t i = 0; i < task.count; ++i) pieces[i] = task.table->at(x[i], y[i]);
+    PlaceList open;
+    for (std::size_t i = 0; i < task.count; ++i) {
+        const TableEntry impact = entry_at<with_time>(pieces[i], x[i], y[i]);
+        if (impact.end == batch::LaneEnd::undecided) open.add(i);
+        task.end[i] = impact.end;
+        task.restitution[i] = impact.speed;
+        task.contact_time[i] = impact.time * scaled.time[i];
+    }
+    return open;
+}
+
+/// Integrates impacts, given by their numbers, in blocks of similar ones, so that the lanes of a block end
+/// together.
+/// @param write called with (place of the impact, block, lane) for each impact integrated
+template <class F, class Write>
+HWY_INLINE void follow_all(const batch::NumberColumns& numbers, std::span<const std::uint16_t> impacts,
+                           Detachment detachment, Goal goal, const Write& write) {
+    const batch::Order order(numbers, impacts);
+    for (std::size_t first = 0; first < impacts.size(); first += block_size) {
+        const std::size_t used = std::min(impacts.size() - first, block_size);
+        Block block;
+        for (std::size_t lane = 0; lane < block_size; ++lane) {
+            const std::size_t i = order[first + (lane < used ? lane : used - 1)];
+            block.adhesion[lane] = numbers.adhesion[i];
+            block.damping[lane] = numbers.damping[i];
+        }
+        follow<F>(block, detachment, goal);
+        for (std::size_t lane = 0; lane < used; ++lane) write(order[first + lane], block, lane);
+    }
+}
+
+/// Solves the impacts of a task: scales them, reads results from the table if there is one, and integrates
+/// the others. A table has no turning points: they are integrated in a second pass.
+template <class F>
+HWY_NOINLINE void solve_task(const batch::ImpactTask& task) {
+    ScaledTask scaled;
+    scale_task<F>(task.inputs, task.count, scaled);
+    const batch::NumberColumns numbers{scaled.adhesion, scaled.damping};
+    const auto follow_to = [&](Goal goal, std::span<const std::uint16_t> impacts) HWY_ATTR {
+        follow_all<F>(numbers, impacts, task.detachment, goal,
+                      [&](std::size_t i, const Block& block, std::size_t lane) HWY_ATTR {
+                          if (goal != Goal::turn) write_end(task, scaled, i, block, lane);
+                          if (goal != Goal::end) write_turn(task, scaled, i, block, lane);
+                      });
+    };
+    const PlaceList all = PlaceList::all(task.count);
+    if (task.table == nullptr) {
+        follow_to(task.turning_point ? Goal::end_and_turn : Goal::end, all.places());
+        return;
+    }
+    const PlaceList open =
+        task.with_contact_time ? look_up<true>(task, scaled) : look_up<false>(task, scaled);
+    follow_to(Goal::end, open.places());
+    if (task.turning_point) follow_to(Goal::turn, all.places());
+}
+
+/// Solves impacts given by their numbers.
+template <class F>
+HWY_NOINLINE void solve_numbers(const batch::NumberTask& task) {
+    const PlaceList all = PlaceList::all(task.count);
+    follow_all<F>({task.adhesion, task.damping}, all.places(), task.detachment, Goal::end,
+                  [&](std::size_t i, const Block& block, std::size_t lane) HWY_ATTR {
+                      task.end[i] = block.end(lane);
+                      task.speed[i] = block.speed[lane];
+                      task.time[i] = block.time[lane];
+                  });
+}
+
+inline constexpr int most_trials = 16;  ///< impacts after which a search is left to the scalar solver
+
+/// e_0, the restitution without damping: only the energy spent at detachment is lost. 0 if that exceeds the
+/// kinetic energy.
+template <class F>
+HWY_INLINE void undamped_restitutions(const ScaledTask& scaled, Detachment detachment, std::size_t count,
+                                      double* out) {
+    for (std::size_t i = 0; i < count; i += lane_count) {
+        const Equation<F> equation(Lanes::load(scaled.adhesion + i), Lanes(0.0));
+        const Places places = places_of(equation, detachment);
+        const Lanes cost = places.end_potential - equation.potential(places.touch);
+        HWY_ALIGN double values[lane_count];
+        sqrt(max(subtract_product(Lanes(1.0), Lanes(2.0), cost), 0.0)).store(values);
+        for (std::size_t k = 0; k < lane_count && i + k < count; ++k) out[i + k] = values[k];
+    }
+}
+
+/// Searches the dampings of the impacts of one block, each lane independently.
+template <class F>
+HWY_INLINE void search(Block& block, Detachment detachment, batch::DampingSearch* searches) {
+    for (int trial = 0; trial < most_trials; ++trial) {
+        bool all_found = true;
+        for (std::size_t lane = 0; lane < block_size; ++lane) {
+            all_found = all_found && searches[lane].found();
+            block.damping[lane] = searches[lane].number();
+        }
+        if (all_found) return;
+        follow<F>(block, detachment, Goal::end);
+        for (std::size_t lane = 0; lane < block_size; ++lane) {
+            if (searches[lane].found()) continue;
+            searches[lane].observe(block.rebounds(lane) ? block.speed[lane] : 0.0);
+        }
+    }
+}
+
+/// Searches the damping of one impact in a table. @return whether it was found there
+HWY_INLINE bool search(batch::RestitutionTable& table, double x, batch::DampingSearch& search) {
+    for (int trial = 0; trial < most_trials && !search.found(); ++trial) {
+        const double y = search.number() / (1.0 + search.number());
+        const TableEntry impact = entry_at<false>(table.at(x, y), x, y);
+        if (impact.end == batch::LaneEnd::undecided) return false;
+        search.observe(impact.speed);
+    }
+    return search.found();
+}
+
+/// Searches, by integration, the dampings of the impacts that a table left open. @param start first guesses
+template <class F>
+HWY_INLINE void search_all(const batch::InversionTask& task, const ScaledTask& scaled, const double* start,
+                           const PlaceList& open) {
+    const std::span<const std::uint16_t> places = open.places();
+    const batch::Order order({scaled.adhesion, start}, places);
+    for (std::size_t first = 0; first < places.size(); first += block_size) {
+        const std::size_t used = std::min(places.size() - first, block_size);
+        Block block;
+        std::array<batch::DampingSearch, block_size> searches;
+        for (std::size_t lane = 0; lane < block_size; ++lane) {
+            const std::size_t i = order[first + (lane < used ? lane : used - 1)];
+            block.adhesion[lane] = scaled.adhesion[i];
+            searches[lane] =
+                batch::DampingSearch(task.damping_law, task.inputs.restitution.at(i), task.undamped[i]);
+        }
+        search<F>(block, task.detachment, searches.data());
+        for (std::size_t lane = 0; lane < used; ++lane) {
+            task.number[order[first + lane]] = searches[lane].number();
+            task.found[order[first + lane]] = searches[lane].found() ? 1 : 0;
+        }
+    }
+}
+
+template <class F>
+HWY_NOINLINE void invert_task(const batch::InversionTask& task) {
+    ScaledTask scaled;
+    scale_task<F>(task.inputs, task.count, scaled);
+    undamped_restitutions<F>(scaled, task.detachment, task.count, task.undamped);
+    HWY_ALIGN double x[ScaledTask::capacity];
+    place_all(scaled.adhesion, task.count, x);
+    double start[batch::most_impacts];  // first damping number of each search
+    PlaceList open;
+    for (std::size_t i = 0; i < task.count; ++i) {
+        batch::DampingSearch own(task.damping_law, task.inputs.restitution.at(i), task.undamped[i]);
+        start[i] = own.number();
+        if (task.table == nullptr || !search(*task.table, x[i], own)) open.add(i);
+        task.number_unit[i] = 1.0 / scaled.damping[i];
+        task.number[i] = own.number();
+        task.found[i] = own.found() ? 1 : 0;
+    }
+    search_all<F>(task, scaled, start, open);
+}
+
+/// Some critical velocities on their way through the table.
+struct CriticalBlock {
+    static constexpr std::size_t size = 128;
+    HWY_ALIGN double unit[size];           ///< V_a, at which the adhesion number is 1 [m/s]
+    HWY_ALIGN double number[size];         ///< beta in that scale
+    HWY_ALIGN double log_work[size] = {};  ///< ln(work of damping/(beta m V_a^2))
+    HWY_ALIGN double energy[size] = {};    ///< of the detachment [m V_a^2]
+};
+
+/// Fills in units and numbers, from problem @p first on.
+template <class F>
+HWY_FLATTEN inline void scale_block(const batch::CriticalTask& task, std::size_t first, std::size_t count,
+                                    CriticalBlock& block) {
+    using Law = typename F::template ContactLaw<LaneNumber>;
+    const Lanes power(task.table->length_power());
+    for (std::size_t i = 0; i < count; i += lane_count) {
+        const BasicContactPair<LaneNumber> pair = read_pair(task.inputs, first + i, task.count);
+        const Lanes at_one = Law::adhesion_number(pair, LaneNumber(1.0)).lanes();
+        const Mask adhesive = at_one > Lanes(0.0);
+        const Lanes log_length = power * Lanes(hn::Log(Tag(), select(adhesive, at_one, 1.0).v));
+        const Lanes length(hn::Exp(Tag(), log_length.v));
+        const LaneNumber stiffness = hertz_stiffness(pair);
+        const Lanes velocity = length * sqrt(stiffness.lanes() * sqrt(length) / pair.mass.lanes());
+        const BasicScale<LaneNumber> scale{
+            .mass = pair.mass,
+            .stiffness = stiffness,
+            .velocity = LaneNumber(velocity),
+            .length = LaneNumber(length),
+            .radius_length = LaneNumber(sqrt(pair.effective_radius.lanes() * length))};
+        const Lanes number =
+            read(task.inputs.damping, first + i, task.count) / F::Damping::unit(scale).lanes();
+        velocity.store(block.unit + i);
+        select(adhesive, number, 0.0).store(block.number + i);
+    }
+}
+
+/// Reads critical velocities from their table.
+template <class F>
+HWY_NOINLINE void read_critical(const batch::CriticalTask& task) {
+    CriticalBlock block;
+    for (std::size_t first = 0; first < task.count; first += CriticalBlock::size) {
+        const std::size_t count = std::min(CriticalBlock::size, task.count - first);
+        scale_block<F>(task, first, count, block);
+        for (std::size_t i = 0; i < count; ++i)
+            task.state[first + i] =
+                critical_entry_at(*task.table, block.number[i], block.log_work[i], block.energy[i]);
+        for (std::size_t i = 0; i < count; i += lane_count) {
+            const Lanes work =
+                Lanes::load(block.number + i) * Lanes(hn::Exp(Tag(), Lanes::load(block.log_work + i).v));
+            const Lanes half_square = work + Lanes::load(block.energy + i);
+            (sqrt(half_square + half_square) * Lanes::load(block.unit + i)).store(block.unit + i);
+        }
+        std::copy_n(block.unit, count, task.value + first);
+    }
+}
+
+/// The kernels of a contact law, with an instance for each damping law.
+template <template <class> class L>
+batch::Kernels kernels_of_law() {
+    return {.impacts =
+                [](const batch::ImpactTask& task) {
+                    with_form<L>(task.damping_law, [&](auto form) { solve_task<decltype(form)>(task); });
+                },
+            .numbers =
+                [](const batch::NumberTask& task) {
+                    with_form<L>(task.damping_law, [&](auto form) { solve_numbers<decltype(form)>(task); });
+                },
+            .inversions =
+                [](const batch::InversionTask& task) {
+                    with_form<L>(task.damping_law, [&](auto form) { invert_task<decltype(form)>(task); });
+                },
+            .critical_velocities =
+                [](const batch::CriticalTask& task) {
+                    with_form<L>(task.damping_law, [&](auto form) { read_critical<decltype(form)>(task); });
+                }};
+}
+
+}  // namespace ashimpact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
