@@ -140,26 +140,33 @@ struct LaneNumber {
     explicit LaneNumber(const Lanes& x) { x.store(value); }
 
     [[nodiscard]] HWY_INLINE Lanes lanes() const { return Lanes::load(value); }
-
-    friend LaneNumber operator+(const LaneNumber& a, const LaneNumber& b) {
-        return LaneNumber(a.lanes() + b.lanes());
-    }
-    friend LaneNumber operator-(const LaneNumber& a, const LaneNumber& b) {
-        return LaneNumber(a.lanes() - b.lanes());
-    }
-    friend LaneNumber operator*(const LaneNumber& a, const LaneNumber& b) {
-        return LaneNumber(a.lanes() * b.lanes());
-    }
-    friend LaneNumber operator/(const LaneNumber& a, const LaneNumber& b) {
-        return LaneNumber(a.lanes() / b.lanes());
-    }
-    friend LaneNumber operator-(const LaneNumber& a) { return LaneNumber(-a.lanes()); }
-    friend LaneNumber sqrt(const LaneNumber& x) { return LaneNumber(sqrt(x.lanes())); }
-    friend LaneNumber cbrt(const LaneNumber& x) { return LaneNumber(cbrt(x.lanes())); }
-    friend LaneNumber two_fifths_power(const LaneNumber& x) {
-        return LaneNumber(two_fifths_power(x.lanes()));
-    }
 };
+
+// No friends: GCC 12 compiles some of those for the baseline.
+inline LaneNumber operator+(const LaneNumber& a, const LaneNumber& b) {
+    return LaneNumber(a.lanes() + b.lanes());
+}
+inline LaneNumber operator-(const LaneNumber& a, const LaneNumber& b) {
+    return LaneNumber(a.lanes() - b.lanes());
+}
+inline LaneNumber operator*(const LaneNumber& a, const LaneNumber& b) {
+    return LaneNumber(a.lanes() * b.lanes());
+}
+inline LaneNumber operator/(const LaneNumber& a, const LaneNumber& b) {
+    return LaneNumber(a.lanes() / b.lanes());
+}
+inline LaneNumber operator-(const LaneNumber& a) {
+    return LaneNumber(-a.lanes());
+}
+inline LaneNumber sqrt(const LaneNumber& x) {
+    return LaneNumber(sqrt(x.lanes()));
+}
+inline LaneNumber cbrt(const LaneNumber& x) {
+    return LaneNumber(cbrt(x.lanes()));
+}
+inline LaneNumber two_fifths_power(const LaneNumber& x) {
+    return LaneNumber(two_fifths_power(x.lanes()));
+}
 
 }  // namespace ashimpact::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
