@@ -10,7 +10,6 @@
 
 #include "bench/machine.hpp"
 #include "solver/motion/scale.hpp"
-#include "tests/oracles/dem/deck.hpp"
 #include "tests/oracles/dem/program.hpp"
 
 namespace ashimpact::bench {

@@ -8,9 +8,8 @@
 
 #include <doctest/doctest.h>
 
-#include "tests/oracles/column.hpp"
 #include "tests/oracles/comparison.hpp"
-#include "tests/oracles/grid.hpp"
+#include "tests/oracles/impact_case.hpp"
 #include "tests/oracles/time_domain.hpp"
 #include "tests/relative_difference.hpp"
 

@@ -9,8 +9,6 @@
 #include <doctest/doctest.h>
 
 #include "tests/oracles/contact_force.hpp"
-#include "tests/oracles/dem/deck.hpp"
-#include "tests/oracles/dem/extrapolation.hpp"
 #include "tests/oracles/dem/program.hpp"
 #include "tests/oracles/dem/track.hpp"
 #include "tests/oracles/time_domain.hpp"

@@ -31,11 +31,13 @@ std::vector<Eigen::Index> shuffled(Eigen::Index count) {
 }
 
 ImpactBatchResult picked(const ImpactBatchResult& result, const std::vector<Eigen::Index>& places) {
-    return {.outcome = result.outcome(places),
-            .restitution = result.restitution(places),
-            .contact_time = result.contact_time(places),
-            .approach_time = result.approach_time(places),
-            .maximum_overlap = result.maximum_overlap(places)};
+    ImpactBatchResult some;
+    some.outcome = result.outcome(places);
+    some.restitution = result.restitution(places);
+    some.contact_time = result.contact_time(places);
+    some.approach_time = result.approach_time(places);
+    some.maximum_overlap = result.maximum_overlap(places);
+    return some;
 }
 
 /// Every way to solve a batch; a table has no turning points.
