@@ -12,7 +12,6 @@
 #include "solver/batch/problems.hpp"
 #include "solver/batch/tables/critical_table.hpp"
 #include "solver/contact/dmt.hpp"
-#include "solver/motion/damping_inversion.hpp"
 #include "solver/motion/scale.hpp"
 #include "solver/motion/velocity_scales.hpp"
 

@@ -12,6 +12,7 @@
 
 #include "solver/contact/law.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/motion/damping_inversion.hpp"
 #include "solver/motion/impact.hpp"
 
 namespace ashimpact {
