@@ -15,6 +15,7 @@
 #include "solver/inference/curve/headline.hpp"
 #include "solver/inference/extrapolation/damping_curve_fit.hpp"
 #include "solver/inference/impacts/inverted_impacts.hpp"
+#include "solver/inference/measured_damping.hpp"
 
 namespace ashimpact {
 
