@@ -26,9 +26,8 @@
 #include "pipeline/files/file.hpp"
 #include "pipeline/present/report/drawing/figure.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
-#include "pipeline/present/report/report.hpp"
+#include "pipeline/present/report/page/run_page.hpp"
 #include "pipeline/present/text/comparison_table.hpp"
-#include "pipeline/present/text/remarks.hpp"
 #include "pipeline/run/stage.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 

@@ -10,10 +10,9 @@
 
 #include "core/text/error.hpp"
 #include "interface/law_inputs.hpp"
-#include "pipeline/app/impact_text.hpp"
-#include "pipeline/app/options/contact_options.hpp"
+#include "pipeline/app/contact/single_contact.hpp"
 #include "pipeline/case/case_reader.hpp"
-#include "pipeline/present/report/data/run_data.hpp"
+#include "pipeline/present/report/figures/figures.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/impact.hpp"

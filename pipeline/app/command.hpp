@@ -9,11 +9,41 @@
 
 #include <CLI/CLI.hpp>
 
-#include "pipeline/app/export.hpp"
-#include "pipeline/app/options/contact_options.hpp"
-#include "pipeline/app/sweep_options.hpp"
+#include "pipeline/app/contact/single_contact.hpp"
+#include "pipeline/present/export/folder.hpp"
 
 namespace ashimpact {
+
+struct SweepOptions {
+    std::string spec;                 ///< the file that says what to compute
+    std::string output;               ///< JSON file for the result
+    int threads = 0;                  ///< of each process; 0: its share of the cores
+    double checkpoint_interval = 10;  ///< [s]
+    bool restart = false;             ///< leave a checkpoint aside
+    bool no_report = false;           ///< leave the page beside the result out
+    bool progress = false;            ///< show progress though standard error is no terminal
+};
+
+/// Who runs a sweep: the program itself, or the one it hands over to.
+using SweepRunner = std::function<void(const SweepOptions&, std::ostream& out)>;
+
+/// Options of `ashimpact export`; empty if not given.
+struct ExportOptions {
+    std::string code;  ///< openfoam, lammps, liggghts, yade, fluent, table
+    std::string run;   ///< folder of a run; if empty, the options of an impact
+    std::string sample;
+    bool follow_velocity = false;
+    ContactOptions contact;
+    std::string velocity;
+    std::string from_diameter;
+    std::string to_diameter;
+    std::string to_velocity;
+    std::string damping_exponent;
+    std::string folder;
+};
+
+/// The command's body; tables are exported by the program that is linked with HDF5.
+using ExportRunner = std::function<void(const ExportOptions&, std::ostream& out)>;
 
 /// What the command line requests; set by the command that it names.
 using Action = std::function<void(std::ostream& out)>;
@@ -100,5 +130,16 @@ void add_damping_option(CLI::App& command, ContactOptions& options);
 /// Makes every option and argument of the program's commands refuse an empty value, and those that name a
 /// file or folder the "-" that elsewhere means a stream.
 void refuse_empty_values(CLI::App& program);
+
+/// The program: parses the command line, runs one command, turns errors into one line and an exit status.
+/// @param sweep what `ashimpact sweep` does
+/// @param exporter what `ashimpact export` does
+/// @returns 0 done; 2 the user's input is wrong; 3 a computation did not converge; 1 a defect of ours.
+[[nodiscard]] int run_program(int argc, const char* const* argv, const SweepRunner& sweep,
+                              const ExportRunner& exporter);
+
+/// `ashimpact export`: writes a folder that runs in another code. @param image used for tables only
+/// @throws InputError for a subject that the code cannot do, with the reason; then nothing is written
+void run_export_command(const ExportOptions& options, const TableImage& image, std::ostream& out);
 
 }  // namespace ashimpact

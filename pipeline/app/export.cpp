@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/app/export.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,8 +15,8 @@
 #include "pipeline/app/command.hpp"
 #include "pipeline/case/laws.hpp"
 #include "pipeline/files/file.hpp"
-#include "pipeline/present/export/codes/codes.hpp"
-#include "pipeline/present/export/from_run.hpp"
+#include "pipeline/present/export/folder.hpp"
+#include "pipeline/present/export/subject.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/contact/maugis_dugdale.hpp"
 

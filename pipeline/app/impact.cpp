@@ -1,17 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
 #include <ostream>
+#include <string>
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include "core/json/view.hpp"
 #include "core/json/writer.hpp"
+#include "core/quantities/readable.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
+#include "materials/contact_properties.hpp"
+#include "materials/separation_energy.hpp"
+#include "materials/work_of_adhesion.hpp"
 #include "pipeline/app/command.hpp"
-#include "pipeline/app/impact_text.hpp"
+#include "pipeline/app/contact/single_contact.hpp"
+#include "pipeline/document/results_json.hpp"
 #include "pipeline/files/file.hpp"
+#include "pipeline/present/text/layout.hpp"
+#include "pipeline/run/critical_velocity.hpp"
 #include "solver/motion/explicit_scheme.hpp"
+#include "solver/motion/regime.hpp"
 #include "solver/motion/trajectory.hpp"
 
 namespace ashimpact {
@@ -96,6 +106,184 @@ void run_impact_command(const ImpactOptions& options, std::ostream& out) {
     out << write_json(json, Digits::seventeen);
 }
 
+struct CriticalVelocityOptions {
+    ContactOptions contact;
+    bool json = false;
+};
+
+std::string verdict_text(const CriticalVelocity& result) {
+    switch (result.verdict) {
+        case CaptureVerdict::finite:
+            return readable(*result.value, "m/s");
+        case CaptureVerdict::always_captured:
+            return "none: captured at every velocity";
+        case CaptureVerdict::never_captured:
+            return "none: rebounds at every velocity";
+    }
+    return {};
+}
+
+std::string critical_velocity_text(const CriticalVelocityProblem& problem, const CriticalVelocity& result) {
+    TextList list;
+    list.add("law", fmt::format("{}, contact ends at {}", problem.law.name(), name_of(problem.detachment)));
+    list.add("damping",
+             fmt::format("{} ({})", readable(problem.damping.coefficient, unit_of(problem.damping.law)),
+                         name_of(problem.damping.law)));
+    list.add("critical velocity", verdict_text(result));
+    if (result.verdict == CaptureVerdict::finite) {
+        list.add("contact time",
+                 result.contact_time
+                     ? readable(*result.contact_time, "s")
+                     : "none: the particle comes to rest ever more slowly, contact never ends");
+        if (result.maximum_overlap) list.add("maximum overlap", readable(*result.maximum_overlap, "m"));
+        list.add("energy", fmt::format("{} dissipated, {} spent in yielding, {} to break the contact",
+                                       readable(result.dissipated, "J"), readable(result.plastic, "J"),
+                                       readable(result.detachment_energy, "J")));
+        for (const double crossing : result.crossings)
+            if (crossing != *result.value) list.add("another crossing", readable(crossing, "m/s"));
+    }
+    return list.text(0);
+}
+
+/// The regime of the impact at v_c.
+Regime regime_at(const CriticalVelocityProblem& problem, const CriticalVelocity& result) {
+    return regime_of({.law = problem.law,
+                      .detachment = problem.detachment,
+                      .damping = problem.damping,
+                      .contact = problem.contact,
+                      .velocity = *result.value},
+                     result.maximum_overlap.value_or(0));
+}
+
+void run_critical_velocity_command(const CriticalVelocityOptions& options, std::ostream& out) {
+    const ContactChoice choice = read_contact(options.contact);
+    const CriticalVelocityProblem problem{.law = choice.law,
+                                          .detachment = choice.detachment,
+                                          .damping = read_damping(options.contact),
+                                          .contact = choice.contact};
+    const CriticalVelocity result = at_place("--damping", [&] { return critical_velocity(problem); });
+    std::string regime;
+    if (result.value) {
+        warn_of_regime(regime_at(problem, result));
+        regime = regime_text(regime_at(problem, result));
+    }
+    if (options.json) {
+        Json json{{"law", problem.law.name()}};
+        json.update(critical_velocity_json(law_critical_velocity(problem), problem.damping.law));
+        out << write_json(json, Digits::seventeen);
+        return;
+    }
+    out << critical_velocity_text(problem, result) + regime;
+}
+
+/// What two bodies are made of, as the user typed it; empty where an option was not given.
+struct ContactCommandOptions {
+    ContactOptions
+        contact;  ///< size, mass, and modulus or work of adhesion where they are known by themselves
+    std::string young_modulus;
+    std::string poisson_ratio;
+    std::string wall_young_modulus;
+    std::string wall_poisson_ratio;
+    bool rigid_wall = false;
+    std::string surface_energy;
+    std::string wall_surface_energy;
+    std::string interfacial_energy;
+    std::string rule;
+    bool json = false;
+};
+
+/// One body of the pair. @p young and @p poisson name the options
+ElasticBody read_body(const char* young, const std::string& young_modulus, const char* poisson,
+                      const std::string& poisson_ratio) {
+    if (poisson_ratio.empty()) throw InputError("is missing", "Poisson's ratio, such as 0.2").at(poisson);
+    return {.young_modulus = read_positive_option(young, young_modulus, Dimension::pressure),
+            .poisson_ratio = read_option(poisson, poisson_ratio, Dimension::fraction)};
+}
+
+/// E*, given or of both bodies by Eq. 7 [Pa].
+double read_contact_modulus(const ContactCommandOptions& options) {
+    if (!options.contact.contact_modulus.empty()) {
+        if (!options.young_modulus.empty())
+            throw InputError("both are given", "one of the two").at("--contact-modulus, --young-modulus");
+        return read_positive_option("--contact-modulus", options.contact.contact_modulus,
+                                    Dimension::pressure);
+    }
+    if (options.young_modulus.empty())
+        throw InputError("neither is given",
+                         "E* of the pair, or Young's modulus with --poisson-ratio and those of the wall")
+            .at("--contact-modulus, --young-modulus");
+    const ElasticBody particle =
+        read_body("--young-modulus", options.young_modulus, "--poisson-ratio", options.poisson_ratio);
+    if (options.rigid_wall)
+        return at_place("--poisson-ratio", [&] { return contact_modulus(particle, RigidWall{}); });
+    if (options.wall_young_modulus.empty())
+        throw InputError("neither is given", "Young's modulus of the wall, or --rigid-wall")
+            .at("--wall-young-modulus, --rigid-wall");
+    const ElasticBody wall = read_body("--wall-young-modulus", options.wall_young_modulus,
+                                       "--wall-poisson-ratio", options.wall_poisson_ratio);
+    return at_place("--poisson-ratio, --wall-poisson-ratio", [&] { return contact_modulus(particle, wall); });
+}
+
+/// w, given or from both surface energies [J/m2].
+double read_work_of_adhesion(const ContactCommandOptions& options) {
+    const auto energy = [](const char* option, const std::string& text) {
+        return read_option(option, text, Dimension::energy_per_area);
+    };
+    if (!options.contact.work_of_adhesion.empty()) {
+        if (!options.surface_energy.empty())
+            throw InputError("both are given", "one of the two").at("--work-of-adhesion, --surface-energy");
+        return energy("--work-of-adhesion", options.contact.work_of_adhesion);
+    }
+    if (options.surface_energy.empty())
+        throw InputError("neither is given", "w of the pair, or both surface energies with --adhesion-rule")
+            .at("--work-of-adhesion, --surface-energy");
+    if (options.rule.empty())
+        throw InputError("is missing", joined(Names<AdhesionRule>::all)).at("--adhesion-rule");
+    const auto rule = at_place("--adhesion-rule", [&] { return named<AdhesionRule>(options.rule); });
+    SurfaceEnergies energies{.particle = energy("--surface-energy", options.surface_energy),
+                             .wall = energy("--wall-surface-energy", options.wall_surface_energy)};
+    if (!options.interfacial_energy.empty())
+        energies.interfacial = energy("--interfacial-energy", options.interfacial_energy);
+    return at_place("--surface-energy, --wall-surface-energy, --interfacial-energy",
+                    [&] { return work_of_adhesion(rule, energies); });
+}
+
+void run_contact_command(const ContactCommandOptions& options, std::ostream& out) {
+    ContactOptions typed = options.contact;
+    typed.law = "jkr";  // W_s is that of a JKR contact; all laws share the other properties
+    typed.contact_modulus = shortest(read_contact_modulus(options));
+    typed.work_of_adhesion = shortest(read_work_of_adhesion(options));
+    const ContactPair pair = read_contact(typed).contact;
+    const AdhesiveContact adhesive{.work_of_adhesion = pair.work_of_adhesion,
+                                   .effective_radius = pair.effective_radius,
+                                   .contact_modulus = pair.contact_modulus};
+    const double energy = separation_energy(adhesive);
+    const double velocity = std::sqrt(2 * energy / pair.mass);
+    const double tabor = tabor_parameter(adhesive, usual_separation);
+    if (options.json) {
+        out << write_json(
+            {{"contact_modulus", quantity_json(pair.contact_modulus, Dimension::pressure)},
+             {"effective_radius", quantity_json(pair.effective_radius, Dimension::length)},
+             {"mass", quantity_json(pair.mass, Dimension::mass)},
+             {"work_of_adhesion", quantity_json(pair.work_of_adhesion, Dimension::energy_per_area)},
+             {"separation_energy", quantity_json(energy, Dimension::energy)},
+             {"critical_velocity", quantity_json(velocity, Dimension::velocity)},
+             {"tabor_parameter", tabor}},
+            Digits::seventeen);
+        return;
+    }
+    TextList list;
+    list.add("E*, contact modulus", readable(pair.contact_modulus, "Pa"));
+    list.add("R*, effective radius", readable(pair.effective_radius, "m"));
+    list.add("m, mass in motion", readable(pair.mass, "kg"));
+    list.add("w, work of adhesion", readable(pair.work_of_adhesion, "J/m2"));
+    list.add("W_s, separation energy", readable(energy, "J"));
+    list.add("v_s, adhesion only",
+             readable(velocity, "m/s") + ": below it adhesion captures without damping");
+    list.add("Tabor parameter", readable_number(tabor) + " (DMT holds below 0.1, JKR above 5)");
+    out << list.text(0);
+}
+
 }  // namespace
 
 void add_impact(const CommandLine& line) {
@@ -123,6 +311,57 @@ void add_impact(const CommandLine& line) {
         ->capture_default_str()
         ->check(whole_number(2, 10'000'000))
         ->needs(trajectory);
+    add_json_flag(*command, options->json);
+}
+
+void add_critical_velocity(const CommandLine& line) {
+    auto [command, options] = line.add<CriticalVelocityOptions>(
+        "critical-velocity", "The velocity below which a sphere is captured",
+        "ashimpact critical-velocity --law brach-dunn --radius \"44 um\" "
+        "--density \"2600 kg/m3\" --contact-modulus \"90 GPa\" "
+        "--work-of-adhesion \"0.3 J/m2\" --damping \"0.0141 kg/s\"",
+        run_critical_velocity_command);
+    add_contact_options(*command, options->contact, ContactNeeds::required);
+    add_damping_option(*command, options->contact);
+    add_json_flag(*command, options->json);
+}
+
+void add_contact(const CommandLine& line) {
+    auto [command, options] =
+        line.add<ContactCommandOptions>("contact", "E*, R*, m, w, W_s and v_s of a sphere on a wall",
+                                        "ashimpact contact --diameter \"88 um\" --density \"2300 kg/m3\" "
+                                        "--young-modulus \"148 GPa\" --poisson-ratio 0.2 "
+                                        "--wall-young-modulus \"193 GPa\" --wall-poisson-ratio 0.29 "
+                                        "--work-of-adhesion \"0.3 J/m2\"",
+                                        run_contact_command);
+    add_sphere_options(*command, options->contact);
+    add_text(*command, "--partner-radius", options->contact.partner_radius, "Q",
+             "of a second sphere instead of a flat wall");
+    add_text(*command, "--partner-diameter", options->contact.partner_diameter, "Q",
+             "of it, instead of its radius");
+    add_text(*command, "--partner-density", options->contact.partner_density, "Q", "of the second sphere");
+    add_text(*command, "--partner-mass", options->contact.partner_mass, "Q",
+             "of the second sphere, instead of its density");
+    add_text(*command, "--contact-modulus", options->contact.contact_modulus, "Q",
+             "E* of the pair, instead of what follows");
+    add_text(*command, "--young-modulus", options->young_modulus, "Q", "of the sphere, \"148 GPa\"");
+    add_text(*command, "--poisson-ratio", options->poisson_ratio, "X", "of the sphere");
+    add_text(*command, "--wall-young-modulus", options->wall_young_modulus, "Q",
+             "of the wall, or of the second sphere");
+    add_text(*command, "--wall-poisson-ratio", options->wall_poisson_ratio, "X",
+             "of the wall, or of the second sphere");
+    command->add_flag("--rigid-wall", options->rigid_wall, "the wall does not deform");
+    add_text(*command, "--work-of-adhesion", options->contact.work_of_adhesion, "Q",
+             "w, \"0.3 J/m2\" (not a surface energy)");
+    add_text(*command, "--surface-energy", options->surface_energy, "Q",
+             "of the sphere, from which w follows");
+    add_text(*command, "--wall-surface-energy", options->wall_surface_energy, "Q", "of the wall");
+    add_text(*command, "--interfacial-energy", options->interfacial_energy, "Q",
+             "of both, for the rule dupre");
+    add_text(*command, "--adhesion-rule", options->rule, "NAME",
+             "girifalco-good, dong2013, dupre: w from surface energies");
+    add_text(*command, "--roughness", options->contact.roughness, "Q",
+             "rms of both surfaces, reduces w (Rabinovich et al. 2000)");
     add_json_flag(*command, options->json);
 }
 

@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "core/text/error.hpp"
-#include "pipeline/app/program.hpp"
+#include "pipeline/app/command.hpp"
 
 namespace {
 

@@ -14,11 +14,11 @@
 #include "core/text/text.hpp"
 #include "materials/xrd/xrd.hpp"
 #include "pipeline/app/command.hpp"
-#include "pipeline/app/options/contact_options.hpp"
+#include "pipeline/app/contact/single_contact.hpp"
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/files/file.hpp"
-#include "pipeline/present/text/table.hpp"
+#include "pipeline/present/text/layout.hpp"
 
 namespace ashimpact {
 

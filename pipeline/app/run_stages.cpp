@@ -17,7 +17,7 @@
 #include "pipeline/files/schema_version.hpp"
 #include "pipeline/files/sha256.hpp"
 #include "pipeline/present/report/page/html.hpp"
-#include "pipeline/present/report/report.hpp"
+#include "pipeline/present/report/page/run_page.hpp"
 #include "pipeline/run/stage.hpp"
 
 namespace ashimpact {

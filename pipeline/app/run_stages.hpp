@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "pipeline/document/artifact.hpp"
-#include "pipeline/present/text/remarks.hpp"
+#include "pipeline/present/text/comparison_table.hpp"
 #include "pipeline/run/results/run.hpp"
 
 namespace ashimpact {

@@ -9,7 +9,6 @@
 #include <doctest/doctest.h>
 
 #include "core/text/error.hpp"
-#include "pipeline/present/export/codes/codes.hpp"
 #include "pipeline/present/export/folder.hpp"
 #include "tests/exports/ash.hpp"
 #include "tests/relative_difference.hpp"

@@ -4,11 +4,10 @@
 #include <doctest/doctest.h>
 
 #include "core/quantities/readable.hpp"
-#include "pipeline/app/terminal/messages.hpp"
+#include "pipeline/app/terminal.hpp"
 #include "pipeline/present/text/artifact_text.hpp"
 #include "pipeline/present/text/comparison_table.hpp"
-#include "pipeline/present/text/remarks.hpp"
-#include "pipeline/present/text/table.hpp"
+#include "pipeline/present/text/layout.hpp"
 
 using namespace ashimpact;
 

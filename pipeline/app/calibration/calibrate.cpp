@@ -14,9 +14,9 @@
 #include "pipeline/app/calibration/hypotheses.hpp"
 #include "pipeline/app/command.hpp"
 #include "pipeline/app/run_stages.hpp"
+#include "pipeline/app/terminal.hpp"
 #include "pipeline/document/values_json.hpp"
-#include "pipeline/present/text/progress.hpp"
-#include "pipeline/present/text/table.hpp"
+#include "pipeline/present/text/layout.hpp"
 #include "pipeline/run/uncertainty/calibration_problem.hpp"
 #include "solver/inference/calibration/calibration.hpp"
 

@@ -13,7 +13,7 @@
 #include "pipeline/app/command.hpp"
 #include "pipeline/app/run_stages.hpp"
 #include "pipeline/document/case_json.hpp"
-#include "pipeline/present/text/table.hpp"
+#include "pipeline/present/text/layout.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/calibration/reconstruction.hpp"
 #include "solver/motion/damping_inversion.hpp"

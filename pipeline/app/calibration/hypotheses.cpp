@@ -9,9 +9,9 @@
 #include "core/json/view.hpp"
 #include "core/quantities/readable.hpp"
 #include "core/text/error.hpp"
+#include "pipeline/app/terminal.hpp"
 #include "pipeline/document/values_json.hpp"
-#include "pipeline/present/text/progress.hpp"
-#include "pipeline/present/text/table.hpp"
+#include "pipeline/present/text/layout.hpp"
 
 namespace ashimpact {
 

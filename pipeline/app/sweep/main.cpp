@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <malloc.h>
 
-#include "pipeline/app/program.hpp"
-#include "pipeline/app/sweep/command.hpp"
-#include "pipeline/app/sweep/table/hdf5_tables.hpp"
-#include "pipeline/app/sweep/workers/mpi.hpp"
+#include "pipeline/app/command.hpp"
+#include "pipeline/app/sweep/sweep.hpp"
+#include "pipeline/app/sweep/tables.hpp"
+#include "pipeline/app/sweep/workers.hpp"
 
 /// ashimpact-sweep: ashimpact with MPI and HDF5, whose libraries take longer to load than other
 /// commands take to run. `ashimpact sweep` and `ashimpact export table` become this program.

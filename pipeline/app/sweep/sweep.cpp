@@ -10,10 +10,10 @@
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "core/version.hpp"
-#include "pipeline/app/sweep/workers/bytes.hpp"
+#include "pipeline/app/sweep/bytes.hpp"
+#include "pipeline/app/terminal.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/files/sha256.hpp"
-#include "pipeline/present/text/progress.hpp"
 
 namespace ashimpact {
 

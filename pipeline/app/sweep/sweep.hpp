@@ -3,12 +3,16 @@
 
 #include <filesystem>
 #include <functional>
+#include <iosfwd>
 #include <optional>
 #include <string_view>
 
-#include "pipeline/app/sweep/spec/plan.hpp"
-#include "pipeline/app/sweep/table/rows.hpp"
-#include "pipeline/app/sweep/workers/workers.hpp"
+#include "core/json/document.hpp"
+#include "pipeline/app/command.hpp"
+#include "pipeline/app/sweep/block.hpp"
+#include "pipeline/app/sweep/spec/impacts.hpp"
+#include "pipeline/app/sweep/tables.hpp"
+#include "pipeline/app/sweep/workers.hpp"
 
 namespace ashimpact {
 
@@ -48,5 +52,20 @@ struct SweepCare {
 /// @throws InputError if a file cannot be written; whatever the work throws
 [[nodiscard]] bool complete(SweepProgress& progress, const SweepPlan& plan, const SweepFiles& files,
                             RowLog& rows, Workers& workers, const SweepCare& care);
+
+/// Name and hash of the file of the spec.
+struct SpecFile {
+    std::string name;
+    std::string sha256;
+};
+
+/// The artifact of a finished sweep. It does not depend on the number of processes and threads, on time, or
+/// on interruptions.
+[[nodiscard]] Json sweep_artifact(const SweepPlan& plan, const SweepProgress& progress, const SpecFile& spec);
+
+/// `ashimpact sweep`, as ashimpact-sweep runs it: reads the spec, continues from a checkpoint if there is
+/// one, computes the rest with the threads of all processes, and writes the result.
+void run_sweep_command(const SweepOptions& options, MpiSession& session, const ImpactSolver& solver,
+                       std::ostream& out);
 
 }  // namespace ashimpact

@@ -13,6 +13,7 @@
 #include "core/json/view.hpp"
 #include "core/json/writer.hpp"
 #include "core/quantities/readable.hpp"
+#include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "core/version.hpp"
 #include "solver/motion/regime.hpp"
@@ -200,6 +201,24 @@ ExportFile expected_json(const ExportSubject& subject, std::string_view code, co
              {"restitution", quantity_json(impact.restitution, Dimension::fraction)},
              {"contact_time", quantity_json(impact.contact_time, Dimension::time)}});
     return {"expected.json", write_json(document, Digits::seventeen)};
+}
+
+std::span<const ExportCode> export_codes() {
+    static constexpr std::array codes{
+        ExportCode{"openfoam", openfoam_folder}, ExportCode{"lammps", lammps_folder},
+        ExportCode{"liggghts", liggghts_folder}, ExportCode{"yade", yade_folder},
+        ExportCode{"fluent", fluent_folder},     ExportCode{"table", table_folder, "compare.py"}};
+    return codes;
+}
+
+const ExportCode& export_code(std::string_view name) {
+    std::vector<std::string> names;
+    for (const ExportCode& code : export_codes()) {
+        if (code.name == name) return code;
+        names.emplace_back(code.name);
+    }
+    throw InputError("no code is called " + in_quotes(name) + did_you_mean(name, names), joined(names))
+        .at("export");
 }
 
 }  // namespace ashimpact

@@ -11,7 +11,7 @@
 #include "core/quantities/readable.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/present/text/comparison_table.hpp"
-#include "pipeline/present/text/table.hpp"
+#include "pipeline/present/text/layout.hpp"
 
 namespace ashimpact {
 

@@ -4,10 +4,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/json/document.hpp"
 #include "pipeline/present/text/layout.hpp"
 #include "pipeline/run/results/comparison.hpp"
+#include "pipeline/run/results/note.hpp"
 
 namespace ashimpact {
 
@@ -43,5 +45,24 @@ struct Answer {
 
 /// The same of the result of comparison.json. @throws InputError for values that no stage can have written
 [[nodiscard]] std::string comparison_text(Json result, std::size_t width = output_width());
+
+/// A note of an artifact of a run.
+struct Remark {
+    std::string file;  ///< of the artifact
+    Note note;
+};
+
+/// The remarks of one kind.
+struct RemarkLine {
+    std::string text;
+    /// Whether it may change what the reader reports; see Severity.
+    bool decides = true;
+};
+
+/// The remarks of a run, one line a kind: "2 x 6-fit.json (fine; dmt, jkr): ...". Remarks are of one kind if
+/// they are in one artifact and differ in sample, law and numbers alone; the line has the text of the first
+/// one, without the reasons and consequences that follow a colon or a semicolon.
+/// @param samples number of samples of the run
+[[nodiscard]] std::vector<RemarkLine> remark_lines(const std::vector<Remark>& remarks, std::size_t samples);
 
 }  // namespace ashimpact

@@ -2,6 +2,7 @@
 #include "pipeline/present/text/layout.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 #include <sys/ioctl.h>
@@ -64,6 +65,26 @@ std::size_t width_of_terminal(int descriptor) {
     return std::max<std::size_t>(narrowest, size.ws_col);
 }
 
+constexpr std::size_t gap = 2;
+constexpr std::size_t narrowest_key = 16;    ///< to which a column that names rows is cut
+constexpr std::size_t narrowest_value = 20;  ///< of a list: where less is left, the value goes below its name
+
+std::string without_trailing_blanks(std::string line) {
+    line.erase(line.find_last_not_of(' ') + 1);
+    return line;
+}
+
+/// Cuts the columns that name rows until @p room is left beside them, or they are as narrow as may be.
+void narrow_keys(std::vector<std::size_t>& widths, std::size_t keys, std::size_t width, std::size_t room) {
+    for (std::size_t i = 0; i < keys; ++i) {
+        std::size_t taken = 0;
+        for (std::size_t k = 0; k < keys; ++k) taken += widths[k] + gap;
+        if (taken + room <= width) return;
+        const std::size_t excess = taken + room - width;
+        widths[i] = std::max(std::min(widths[i], narrowest_key), widths[i] - std::min(widths[i], excess));
+    }
+}
+
 }  // namespace
 
 std::size_t output_width() {
@@ -117,6 +138,109 @@ std::string cut_to(const std::string& text, std::size_t width) {
     const std::size_t kept = width > dots.size() ? width - dots.size() : 0;
     return std::string(first_characters(text, kept)) +
            std::string(dots.substr(0, std::min(width, dots.size())));
+}
+
+std::vector<std::size_t> TextTable::column_widths() const {
+    std::vector<std::size_t> widths(rows_.front().size());
+    for (const auto& row : rows_)
+        for (std::size_t i = 0; i < std::min(row.size(), widths.size()); ++i)
+            widths[i] = std::max(widths[i], width_of(row[i]));
+    return widths;
+}
+
+void TextTable::drop_empty_columns() {
+    const auto is_empty = [&](std::size_t column) {
+        return std::all_of(rows_.begin() + 1, rows_.end(), [&](const auto& row) {
+            return column >= row.size() || row[column].empty() || row[column] == "-";
+        });
+    };
+    for (std::size_t column = rows_.front().size(); column-- > keys_;) {
+        if (!is_empty(column)) continue;
+        for (auto& row : rows_)
+            if (column < row.size()) row.erase(row.begin() + static_cast<std::ptrdiff_t>(column));
+    }
+}
+
+std::string TextTable::block_text(const std::vector<std::size_t>& columns,
+                                  const std::vector<std::size_t>& widths, std::size_t indent) const {
+    const std::string margin(indent, ' ');
+    std::string out;
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+        std::string line = margin;
+        for (const std::size_t i : columns) {
+            const std::string cell = i < rows_[r].size() ? cut_to(rows_[r][i], widths[i]) : std::string{};
+            const std::string blanks(widths[i] - width_of(cell), ' ');
+            if (i != columns.front()) line += std::string(gap, ' ');
+            line += i < keys_ ? cell + blanks : blanks + cell;
+        }
+        const std::size_t length = width_of(line);
+        out += without_trailing_blanks(std::move(line)) + "\n";
+        if (r == 0) out += margin + std::string(length - indent, '-') + "\n";
+    }
+    return out;
+}
+
+std::string TextTable::text(std::size_t indent, std::size_t width) const {
+    std::vector<std::size_t> widths = column_widths();
+    const std::size_t keys = std::min(keys_, widths.size());
+    width = std::max(width, indent + narrowest_value) - indent;
+    std::size_t widest = 0;
+    std::size_t whole = 0;
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+        whole += widths[i] + (i > 0 ? gap : 0);
+        if (i >= keys) widest = std::max(widest, widths[i]);
+    }
+    std::size_t taken = 0;
+    for (std::size_t i = 0; i < keys; ++i) taken += widths[i] + (i > 0 ? gap : 0);
+    if (whole >
+        width) {  // names are cut if that keeps the table in one piece, else as far as they have to be
+        std::vector<std::size_t> cut = widths;
+        narrow_keys(cut, keys, width, whole - taken - gap);
+        std::size_t left = 0;
+        for (std::size_t i = 0; i < keys; ++i) left += widths[i] - cut[i];
+        if (whole - left > width) narrow_keys(cut = widths, keys, width, std::min(widest, width / 2));
+        widths = std::move(cut);
+        taken = 0;
+        for (std::size_t i = 0; i < keys; ++i) taken += widths[i] + (i > 0 ? gap : 0);
+    }
+    std::vector<std::size_t> names(keys);
+    std::iota(names.begin(), names.end(), std::size_t{0});
+    std::string out;
+    std::vector<std::size_t> columns = names;
+    std::size_t line = taken;
+    for (std::size_t i = keys; i < widths.size(); ++i) {
+        widths[i] = std::min(widths[i], width - std::min(width, taken + gap));
+        if (columns.size() > keys && line + gap + widths[i] > width) {
+            out += block_text(columns, widths, indent) + "\n";
+            columns = names;
+            line = taken;
+        }
+        columns.push_back(i);
+        line += gap + widths[i];
+    }
+    return out + block_text(columns, widths, indent);
+}
+
+void TextList::add(const std::string& name, const std::string& value) {
+    rows_.emplace_back(name, value);
+}
+
+std::string TextList::text(std::size_t indent, std::size_t width) const {
+    std::size_t longest = 0;
+    for (const auto& [name, value] : rows_) longest = std::max(longest, width_of(name));
+    const std::size_t column = indent + longest + gap;
+    const bool fits = column + narrowest_value <= width;
+    std::string out;
+    for (const auto& [name, value] : rows_) {
+        std::string line(indent, ' ');
+        line += name;
+        line += std::string(longest - width_of(name) + gap, ' ');
+        line += value;
+        const std::size_t own_indent = std::min(line.find_first_not_of(' '), column);
+        out += without_trailing_blanks(wrapped(line, width, fits ? column - own_indent : 2));
+        out += '\n';
+    }
+    return out;
 }
 
 }  // namespace ashimpact

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/text/utf8.hpp"
 
@@ -27,5 +28,42 @@ inline constexpr std::size_t piped_width = 80;
 
 /// The text, or its beginning and "..." in exactly @p width characters.
 [[nodiscard]] std::string cut_to(const std::string& text, std::size_t width);
+
+/// Text in columns: those that name a row flush left, the others flush right, a rule under the heading.
+class TextTable {
+  public:
+    /// @param keys columns that name a row, the first ones; a table that is too wide repeats them
+    explicit TextTable(std::vector<std::string> heading, std::size_t keys = 1)
+        : rows_{std::move(heading)}, keys_(keys) {}
+
+    void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+    [[nodiscard]] bool empty() const { return rows_.size() == 1; }
+
+    /// Drops the columns in which every row has "-" or nothing.
+    void drop_empty_columns();
+
+    /// Lines, each ending with a newline and beginning with @p indent blanks. A table wider than @p width is
+    /// shown as several below one another, each with the columns that name the rows.
+    [[nodiscard]] std::string text(std::size_t indent = 0, std::size_t width = output_width()) const;
+
+  private:
+    [[nodiscard]] std::vector<std::size_t> column_widths() const;
+    [[nodiscard]] std::string block_text(const std::vector<std::size_t>& columns,
+                                         const std::vector<std::size_t>& widths, std::size_t indent) const;
+
+    std::vector<std::vector<std::string>> rows_;
+    std::size_t keys_;
+};
+
+/// "name   value" lines with the values in one column.
+class TextList {
+  public:
+    void add(const std::string& name, const std::string& value);
+    /// Lines; the values are broken at @p width.
+    [[nodiscard]] std::string text(std::size_t indent = 2, std::size_t width = output_width()) const;
+
+  private:
+    std::vector<std::pair<std::string, std::string>> rows_;
+};
 
 }  // namespace ashimpact

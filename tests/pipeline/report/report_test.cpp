@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/present/report/report.hpp"
-
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -18,6 +16,7 @@
 #include "pipeline/files/sha256.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
+#include "pipeline/present/report/page/run_page.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "tests/pipeline/sandbox.hpp"
 

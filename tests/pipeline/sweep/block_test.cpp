@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/app/sweep/workers/block.hpp"
+#include "pipeline/app/sweep/block.hpp"
 
 #include <doctest/doctest.h>
 
-#include "pipeline/app/sweep/workers/bytes.hpp"
+#include "pipeline/app/sweep/bytes.hpp"
 #include "tests/pipeline/sweep/specs.hpp"
 
 using namespace ashimpact;

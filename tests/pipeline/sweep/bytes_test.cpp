@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/app/sweep/workers/bytes.hpp"
+#include "pipeline/app/sweep/bytes.hpp"
 
 #include <cmath>
 

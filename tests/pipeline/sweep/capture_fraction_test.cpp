@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/app/sweep/spec/capture_fraction.hpp"
-
 #include <cmath>
 
 #include <doctest/doctest.h>
+
+#include "pipeline/app/sweep/spec/impacts.hpp"
 
 namespace ashimpact {
 

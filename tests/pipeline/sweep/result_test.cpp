@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "core/json/writer.hpp"
-#include "pipeline/app/sweep/result_json.hpp"
+#include "pipeline/app/sweep/sweep.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/files/schema.hpp"
 #include "tests/pipeline/sweep/process.hpp"

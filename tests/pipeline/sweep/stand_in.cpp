@@ -9,9 +9,9 @@
 #include <thread>
 
 #include "core/text/error.hpp"
-#include "pipeline/app/program.hpp"
-#include "pipeline/app/sweep/command.hpp"
-#include "pipeline/app/sweep/workers/mpi.hpp"
+#include "pipeline/app/command.hpp"
+#include "pipeline/app/sweep/sweep.hpp"
+#include "pipeline/app/sweep/workers.hpp"
 
 /// ashimpact-sweep with a formula in place of the solver, so that everything around the impacts can be tested
 /// with many of them. ASHIMPACT_PAUSE: seconds every chunk takes at least; ASHIMPACT_FAIL: a velocity [m/s]

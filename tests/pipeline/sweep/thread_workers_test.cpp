@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "core/text/error.hpp"
-#include "pipeline/app/sweep/workers/workers.hpp"
+#include "pipeline/app/sweep/workers.hpp"
 
 using namespace ashimpact;
 

@@ -13,7 +13,7 @@
 #include "core/units/units.hpp"
 #include "materials/xrd/readers.hpp"
 #include "materials/xrd/xrd.hpp"
-#include "pipeline/app/sweep/spec/plan.hpp"
+#include "pipeline/app/sweep/block.hpp"
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/document/run_identity.hpp"
 #include "pipeline/files/schema.hpp"

@@ -13,6 +13,7 @@
 #include <Eigen/Core>
 
 #include "pipeline/app/sweep/spec/spec.hpp"
+#include "pipeline/present/report/sweep/sweep_page.hpp"
 #include "solver/batch/batch.hpp"
 
 namespace ashimpact {
@@ -90,5 +91,14 @@ using ImpactSolver =
 /// naming what a variable may not be
 [[nodiscard]] ResultColumns solve_in_batch(const ImpactModel& model, const ImpactColumns& impacts,
                                            const WantedResults& wanted);
+
+/// The capture fraction of a sweep against each of its variables, from at most the first 8192 impacts of its
+/// design, solved again. A variable of few values is taken value by value, others in sixteen parts of equally
+/// many impacts.
+[[nodiscard]] report::CaptureFractions capture_fractions(const SweepSpec& spec);
+
+/// The same from the result of a sweep, whose provenance holds the spec. @throws InputError for an invalid
+/// one
+[[nodiscard]] report::CaptureFractions capture_fractions(const Json& artifact);
 
 }  // namespace ashimpact

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/app/sweep/spec/inputs.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "core/quantities/checks.hpp"
 #include "core/text/text.hpp"
+#include "pipeline/app/sweep/spec/spec.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/damping/damping.hpp"
 

@@ -2,17 +2,83 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/json/document.hpp"
-#include "pipeline/app/sweep/spec/inputs.hpp"
+#include "core/json/view.hpp"
+#include "core/quantities/names.hpp"
+#include "core/units/units.hpp"
 #include "pipeline/case/case.hpp"
+#include "solver/contact/law.hpp"
+#include "solver/contact/law_parameters.hpp"
+#include "solver/damping/damping.hpp"
 #include "solver/statistics/design.hpp"
+#include "solver/statistics/distribution.hpp"
 #include "solver/statistics/histogram.hpp"
 
 namespace ashimpact {
+
+/// Inputs of an impact of a sphere, on a flat wall or on a second sphere, that a sweep may vary. The values
+/// after the last one named here stand for the parameters of contact laws, in the order of law_parameters().
+enum class ImpactInput {
+    radius,
+    density,
+    mass,
+    contact_modulus,
+    work_of_adhesion,
+    yield_pressure,
+    damping,
+    velocity,
+    partner_radius,
+    partner_density,
+    partner_mass
+};
+
+/// Number of inputs, parameters of contact laws among them.
+[[nodiscard]] std::size_t impact_input_count();
+/// The input that stands for a parameter of contact laws.
+[[nodiscard]] ImpactInput input_of(const LawParameter& parameter);
+/// Checks a value of an input [SI]. @throws InputError naming it and what is allowed
+void require_allowed(ImpactInput input, double value, Dimension dimension);
+
+[[nodiscard]] std::string_view name_of(ImpactInput input);
+/// The input of that name, which the schema has checked.
+[[nodiscard]] ImpactInput impact_input_named(std::string_view name);
+/// Dimension of an input; that of a damping coefficient depends on its law.
+[[nodiscard]] Dimension dimension_of(ImpactInput input, DampingLaw law);
+/// Whether zero is a value an input may have.
+[[nodiscard]] bool may_be_zero(ImpactInput input);
+
+/// Reads how an input varies: {"values"}, {"grid"} or {"distribution"}, and checks that all of it is
+/// admissible.
+/// @throws InputError with the JSON pointer
+[[nodiscard]] Distribution read_variable(const View& node, ImpactInput input, DampingLaw damping_law);
+
+/// Results of an impact that a sweep may evaluate.
+enum class Observable {
+    captured,          ///< 1 for a capture, 0 for a rebound
+    restitution,       ///< 0 for a capture
+    rebound_velocity,  ///< 0 for a capture
+    contact_time,      ///< of rebounds only
+    maximum_overlap,   ///< its supremum where the approach never turns
+};
+
+template <>
+struct Names<Observable> {
+    static constexpr std::string_view kind = "observable";
+    static constexpr std::array<std::string_view, 5> all{"captured", "restitution", "rebound_velocity",
+                                                         "contact_time", "maximum_overlap"};
+};
+
+[[nodiscard]] Dimension dimension_of(Observable observable);
+/// What it is, in the file of a full table.
+[[nodiscard]] const char* description_of(Observable observable);
+/// Whether every impact has a value, a capture too.
+[[nodiscard]] bool captures_count(Observable observable);
 
 struct SweepVariable {
     ImpactInput input;

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "pipeline/present/report/drawing/look.hpp"
+#include "pipeline/present/report/drawing/markup.hpp"
 
 namespace ashimpact::report {
 

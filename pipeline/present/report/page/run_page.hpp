@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "pipeline/present/report/data/run_data.hpp"
+#include "pipeline/files/file.hpp"
+#include "pipeline/present/report/figures/figures.hpp"
+#include "pipeline/run/results/run.hpp"
 
 namespace ashimpact::report {
 
@@ -26,5 +30,35 @@ namespace ashimpact::report {
 
 /// The label of a part of a run's page, escaped; with the label of the run if the page shows several.
 [[nodiscard]] std::string region_label(const std::string& label, const RunData& run);
+
+/// File of a run's report, and the folder of its figures.
+inline constexpr std::string_view report_file = "report.html";
+inline constexpr std::string_view figures_folder = "figures";
+
+/// The artifacts that a report and its figures are made of.
+[[nodiscard]] const std::vector<std::string_view>& report_artifacts();
+
+/// What to make of a run.
+struct PresentationPlan {
+    std::filesystem::path folder;  ///< into which it will be written
+    bool page = true;              ///< the report
+    bool figures = false;          ///< each figure as SVG and PDF, for one column and for two
+};
+
+struct Presentation {
+    std::filesystem::path page{};  ///< of the report; empty: none
+    std::vector<FileContent> files{};
+};
+
+/// Report and figures of one run, nothing written. The same run gives the same bytes.
+/// @throws InputError if the program that makes PDF files is missing
+[[nodiscard]] Presentation present(Run run, const PresentationPlan& plan);
+
+/// The files that an earlier run with --figures left in the folder @p figures, known by their names and by
+/// the mark in the SVG of each pair.
+[[nodiscard]] std::vector<std::filesystem::path> own_figures(const std::filesystem::path& figures);
+
+/// Refuses to begin where figures could not be converted. @throws InputError saying what is missing
+void require_figure_programs();
 
 }  // namespace ashimpact::report

@@ -11,8 +11,7 @@
 #include "core/quantities/readable.hpp"
 #include "core/text/error.hpp"
 #include "materials/contact_properties.hpp"
-#include "pipeline/present/export/codes/codes.hpp"
-#include "pipeline/present/export/codes/dem.hpp"
+#include "pipeline/present/export/folder.hpp"
 #include "solver/motion/scale.hpp"
 
 namespace ashimpact {

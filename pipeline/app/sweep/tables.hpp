@@ -5,10 +5,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <istream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "pipeline/app/sweep/block.hpp"
+#include "pipeline/present/export/impact_table.hpp"
 
 namespace ashimpact {
 
@@ -77,5 +81,20 @@ class RowLog {
     int file_ = -1;
     std::uint64_t size_ = 0;
 };
+
+/// Writes the full table as an HDF5 file from the packed rows: a dataset of doubles a column, shuffled and
+/// deflated, unit and description as its attributes. No time stamps: the same rows give the same bytes. No
+/// reader ever sees half a file.
+/// @throws InputError if the file cannot be written
+void write_table(const std::filesystem::path& file, const SweepPlan& plan, const std::filesystem::path& rows);
+
+/// Hash (SweepPlan::hash) of the spec to which a table belongs; none if no sweep wrote the file.
+[[nodiscard]] std::optional<std::string> spec_of_table(const std::filesystem::path& file);
+
+/// The bytes of an HDF5 file with a table of impacts: datasets diameter, critical_velocity, start_velocity,
+/// slope, t; velocity, restitution, contact_time, damping over (diameter, t), each with its unit. The same
+/// table gives the same bytes.
+/// @throws std::runtime_error if HDF5 fails
+[[nodiscard]] std::string impact_table_image(const ExportSubject& subject, const ImpactTable& table);
 
 }  // namespace ashimpact

@@ -6,9 +6,11 @@
 #include <string_view>
 #include <vector>
 
+#include "core/json/document.hpp"
 #include "core/units/units.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/motion/impact.hpp"
+#include "solver/motion/regime.hpp"
 
 namespace ashimpact {
 
@@ -63,5 +65,17 @@ struct ContactChoice {
 /// The same, > 0. @throws InputError naming the option
 [[nodiscard]] double read_positive_option(const std::string& option, const std::string& text,
                                           Dimension dimension);
+
+/// An impact and what it did, with the keys of the command's --json.
+[[nodiscard]] Json impact_json(const Impact& impact, const ImpactResult& result);
+
+/// The lines a reader gets of it.
+[[nodiscard]] std::string impact_text(const Impact& impact, const ImpactResult& result);
+
+/// The lines on the regime of an impact.
+[[nodiscard]] std::string regime_text(const Regime& regime);
+
+/// Puts the warnings of a regime on standard error.
+void warn_of_regime(const Regime& regime);
 
 }  // namespace ashimpact

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/quantities/readable.hpp"
-#include "pipeline/present/export/codes/codes.hpp"
+#include "pipeline/present/export/folder.hpp"
 
 namespace ashimpact {
 
