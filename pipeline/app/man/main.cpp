@@ -91,7 +91,7 @@ const std::map<std::string, Words>& names() {
         {"--law", law_words()},
         {"--detachment", names_of<Detachment>()},
         {"--damping-law", names_of<DampingLaw>()},
-        {"--method", {"taylor", "entry-explicit"}},
+        {"--method", {"taylor", "paper-explicit"}},
         {"--from", stage_names()},
         {"--only", stage_names()},
         {"--phase-set", {"literature", "dong2013"}},
