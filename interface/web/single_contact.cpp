@@ -2,7 +2,6 @@
 #include "interface/web/single_contact.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 #include <vector>
 
@@ -29,24 +28,15 @@ std::string option(const Json& contact, std::string_view key) {
     return found->is_string() ? found->get<std::string>() : fmt::format("{}", found->get<double>());
 }
 
-ContactOptions options_of(const Json& contact) {
-    ContactOptions options;
-    constexpr std::array members{
-        std::pair{"law", &ContactOptions::law},
-        std::pair{"detachment", &ContactOptions::detachment},
-        std::pair{"diameter", &ContactOptions::diameter},
-        std::pair{"radius", &ContactOptions::radius},
-        std::pair{"mass", &ContactOptions::mass},
-        std::pair{"density", &ContactOptions::density},
-        std::pair{"contact_modulus", &ContactOptions::contact_modulus},
-        std::pair{"work_of_adhesion", &ContactOptions::work_of_adhesion},
-        std::pair{"yield_pressure", &ContactOptions::yield_pressure},
-        std::pair{"damping", &ContactOptions::damping},
-    };
-    for (const auto& [key, member] : members) options.*member = option(contact, key);
-    if (contact.contains("damping_law")) options.damping_law = option(contact, "damping_law");
-    for (std::size_t i = 0; i < law_parameters().size(); ++i)
-        options.parameters[i] = option(contact, law_parameters()[i].name);
+/// The contact of the page as options: contact_modulus is --contact-modulus.
+CommandOptions options_of(const Json& contact) {
+    CommandOptions options;
+    for (const auto& [key, value] : contact.items()) {
+        if (!value.is_number() && !value.is_string()) continue;
+        std::string name = "--" + key;
+        std::ranges::replace(name, '_', '-');
+        options.text_of(name) = option(contact, key);
+    }
     return options;
 }
 
@@ -102,7 +92,7 @@ CriticalVelocity critical_velocity_on(const DampingCourse& course, const std::ve
 }  // namespace
 
 Json single_impact_json(const Json& contact) {
-    const ContactOptions options = options_of(contact);
+    const CommandOptions options = options_of(contact);
     const ContactChoice choice = read_contact(options);
     const Impact impact{.law = choice.law,
                         .detachment = choice.detachment,
@@ -134,7 +124,7 @@ Json laws_json() {
 }
 
 Json curve_json(const Json& contact) {
-    const ContactOptions options = options_of(contact);
+    const CommandOptions options = options_of(contact);
     const ContactChoice choice = read_contact(options);
     Impact impact{.law = choice.law,
                   .detachment = choice.detachment,

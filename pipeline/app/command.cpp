@@ -27,6 +27,11 @@ namespace ashimpact {
 
 namespace {
 
+/// Version and revision of the program.
+std::string version_text() {
+    return fmt::format("{} ({})", program_version(), program_revision());
+}
+
 constexpr auto purpose =
     "From a fly ash's XRD result to the dynamic critical velocity.\n"
     "Quantities carry their unit in quotes (\"44 um\"); a bare number is SI. Results go to standard output, "
@@ -52,14 +57,6 @@ std::string laws_where(Test&& test) {
     for (std::size_t i = 0; i < Law::count(); ++i)
         if (test(Law::at(i))) names.emplace_back(Law::at(i).name());
     return joined(names);
-}
-
-std::string laws_without_adhesion() {
-    return laws_where([](Law law) { return !law.uses_work_of_adhesion(); });
-}
-
-std::string laws_with(const LawParameter& parameter) {
-    return laws_where([&](Law law) { return law.takes(parameter); });
 }
 
 /// By the kind of value that its help shows.
@@ -193,22 +190,38 @@ std::vector<const char*> words_of(int argc, const char* const* argv) {
     return words;
 }
 
-}  // namespace
-
-std::string version_text() {
-    return fmt::format("{} ({})", program_version(), program_revision());
+/// Makes every option and argument of the program's commands refuse an empty value, and those that name a
+/// file or folder the "-" that elsewhere means a stream.
+void refuse_empty_values(CLI::App& program) {
+    for (CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
+        for (CLI::Option* option : command->get_options()) {
+            if (option->get_expected_max() == 0) continue;  // a flag
+            option->check([option](const std::string& text) { return emptiness(*option, text); }, "",
+                          "not empty");
+        }
 }
 
-CLI::App* add_command(CLI::App& program, const std::string& name, const std::string& purpose_of_it,
-                      const std::string& example) {
+/// The name by which a command asks for an option: "--output" of "-o,--output".
+std::string key_of(const std::string& name) {
+    return name.substr(name.rfind(',') + 1);
+}
+
+}  // namespace
+
+Command CommandLine::add(const std::string& name, const std::string& purpose_of_it,
+                         const std::string& example, const CommandBody& body) const {
     CLI::App* command = program.add_subcommand(name, purpose_of_it);
     add_common_options(*command);
     command->footer("Example:\n  " + example);
-    return command;
+    const auto options = std::make_shared<CommandOptions>();
+    command->callback([options, body, &requested = action] {
+        requested = [options, body](std::ostream& out) { body(*options, out); };
+    });
+    return {*command, *options};
 }
 
-void set_up_commands(CLI::App& program, Action& action, const SweepRunner& sweep,
-                     const ExportRunner& exporter) {
+void set_up_commands(CLI::App& program, Action& action, const CommandBody& sweep,
+                     const CommandBody& exporter) {
     program.name("ashimpact");
     program.description(purpose);
     add_common_options(program);
@@ -234,84 +247,70 @@ void set_up_commands(CLI::App& program, Action& action, const SweepRunner& sweep
     refuse_empty_values(program);
 }
 
-CLI::Option* add_text(CLI::App& command, const std::string& name, std::string& value, const std::string& type,
-                      const std::string& purpose_of_it) {
-    return command.add_option(name, value, purpose_of_it)->type_name(type);
+CLI::Option* Command::add(const std::string& name, const std::string& type, const std::string& purpose_of_it,
+                          const std::string& standard) {
+    std::string& text = options_.text_of(key_of(name));
+    text = standard;
+    CLI::Option* option = app_.add_option(name, text, purpose_of_it)->type_name(type);
+    return standard.empty() ? option : option->capture_default_str();
 }
 
-void add_json_flag(CLI::App& command, bool& json) {
-    command.add_flag("--json", json, "print one JSON object, numbers with 17 significant digits");
+CLI::Option* Command::add_flag(const std::string& name, const std::string& purpose_of_it) {
+    return app_.add_flag_callback(
+        name, [&text = options_.text_of(name)] { text = "true"; }, purpose_of_it);
 }
 
-void add_case_argument(CLI::App& command, std::string& file) {
-    add_text(command, "case", file, "CASE.json", "case file; default: the built-in case, Dong et al. 2013");
+CLI::Option* Command::add_list(const std::string& name, const std::string& type,
+                               const std::string& purpose_of_it) {
+    return app_.add_option(name, options_.list_of(name), purpose_of_it)->type_name(type);
 }
 
-void add_allow_outside_flag(CLI::App& command, bool& allow_outside) {
-    command.add_flag("--allow-outside", allow_outside, "the case may name files outside of its own folder");
+void Command::add_json_flag() {
+    add_flag("--json", "print one JSON object, numbers with 17 significant digits");
 }
 
-void add_sphere_options(CLI::App& command, ContactOptions& options) {
-    add_text(command, "--radius", options.radius, "Q", "of the sphere, \"44 um\"; or its --diameter");
-    add_text(command, "--diameter", options.diameter, "Q", "of the sphere, \"88 um\"; or its --radius");
-    add_text(command, "--density", options.density, "Q", "of the sphere, \"2160 kg/m3\"");
-    add_text(command, "--mass", options.mass, "Q", "of the sphere, instead of its density");
+void Command::add_case_argument() {
+    add("case", "CASE.json", "case file; default: the built-in case, Dong et al. 2013");
 }
 
-void add_contact_options(CLI::App& command, ContactOptions& options, ContactNeeds needs) {
-    const bool required = needs == ContactNeeds::required;
-    command.add_option("--law", options.law, "contact law: " + law_names())
-        ->required(required)
-        ->type_name("NAME");
-    add_sphere_options(command, options);
-    add_text(command, "--partner-radius", options.partner_radius, "Q",
-             "of a second sphere, \"60 um\"; without it the partner is a flat wall");
-    add_text(command, "--partner-diameter", options.partner_diameter, "Q",
-             "of that sphere, instead of its radius");
-    add_text(command, "--partner-density", options.partner_density, "Q", "of the second sphere");
-    add_text(command, "--partner-mass", options.partner_mass, "Q",
-             "of the second sphere, instead of its density");
-    add_text(command, "--roughness", options.roughness, "Q",
-             "rms of both surfaces, \"1 nm\": reduces w (Rabinovich et al. 2000); default: smooth");
-    command
-        .add_option("--contact-modulus", options.contact_modulus, "E*, \"90 GPa\" (not a Young's modulus)")
-        ->required(required)
-        ->type_name("Q");
-    add_text(command, "--work-of-adhesion", options.work_of_adhesion, "Q",
-             "w, \"0.3 J/m2\" (not a surface energy); not for " + laws_without_adhesion());
-    add_text(command, "--yield-pressure", options.yield_pressure, "Q",
-             "p_y, \"35.3 MPa\", for thornton-ning");
-    for (std::size_t i = 0; i < law_parameters().size(); ++i) {
-        const LawParameter& parameter = law_parameters()[i];
-        const bool quantity = parameter.dimension != Dimension::fraction;
-        command
-            .add_option(option_of(parameter), options.parameters[i],
-                        std::string(parameter.description) + ", \"" + std::string(parameter.example) +
-                            "\", for " + laws_with(parameter))
-            ->type_name(quantity ? "Q" : "X");
-    }
-    add_text(command, "--detachment", options.detachment, "NAME",
-             "where the contact ends: zero-overlap, zero-force, pull-off, load-controlled; default: that "
-             "of the law");
-    command
-        .add_option("--damping-law", options.damping_law,
-                    joined(names_of<DampingLaw>()) + "; the unit of the damping goes with it")
-        ->capture_default_str()
-        ->type_name("NAME");
+void Command::add_allow_outside_flag() {
+    add_flag("--allow-outside", "the case may name files outside of its own folder");
 }
 
-void add_damping_option(CLI::App& command, ContactOptions& options) {
-    add_text(command, "--damping", options.damping, "Q", "\"0.0141 kg/s\"; default: none");
+void Command::add_sphere_options() {
+    add("--radius", "Q", "of the sphere, \"44 um\"; or its --diameter");
+    add("--diameter", "Q", "of the sphere, \"88 um\"; or its --radius");
+    add("--density", "Q", "of the sphere, \"2160 kg/m3\"");
+    add("--mass", "Q", "of the sphere, instead of its density");
 }
 
-void refuse_empty_values(CLI::App& program) {
-    for (CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
-        for (CLI::Option* option : command->get_options()) {
-            if (option->get_expected_max() == 0) continue;  // a flag
-            option->check([option](const std::string& text) { return emptiness(*option, text); }, "",
-                          "not empty");
-        }
-    }
+void Command::add_contact_options(bool required) {
+    add("--law", "NAME", "contact law: " + law_names())->required(required);
+    add_sphere_options();
+    add("--partner-radius", "Q", "of a second sphere, \"60 um\"; without it the partner is a flat wall");
+    add("--partner-diameter", "Q", "of that sphere, instead of its radius");
+    add("--partner-density", "Q", "of the second sphere");
+    add("--partner-mass", "Q", "of the second sphere, instead of its density");
+    add("--roughness", "Q",
+        "rms of both surfaces, \"1 nm\": reduces w (Rabinovich et al. 2000); default: smooth");
+    add("--contact-modulus", "Q", "E*, \"90 GPa\" (not a Young's modulus)")->required(required);
+    add("--work-of-adhesion", "Q",
+        "w, \"0.3 J/m2\" (not a surface energy); not for " +
+            laws_where([](Law law) { return !law.uses_work_of_adhesion(); }));
+    add("--yield-pressure", "Q", "p_y, \"35.3 MPa\", for thornton-ning");
+    for (const LawParameter& parameter : law_parameters())
+        add(option_of(parameter), parameter.dimension == Dimension::fraction ? "X" : "Q",
+            fmt::format("{}, \"{}\", for {}", parameter.description, parameter.example,
+                        laws_where([&](Law law) { return law.takes(parameter); })));
+    add("--detachment", "NAME",
+        "where the contact ends: zero-overlap, zero-force, pull-off, load-controlled; default: that of the "
+        "law");
+    add("--damping-law", "NAME", joined(names_of<DampingLaw>()) + "; the unit of the damping goes with it",
+        std::string(name_of(DampingLaw::constant)));
+}
+
+void Command::add_damping_option() {
+    add("--damping", "Q", "\"0.0141 kg/s\"; default: none");
 }
 
 CLI::Validator number_within(double least, double most) {
@@ -322,7 +321,7 @@ CLI::Validator whole_number(std::size_t least, std::size_t most) {
     return within(least, most, "whole number");
 }
 
-int run_program(int argc, const char* const* argv, const SweepRunner& sweep, const ExportRunner& exporter) {
+int run_program(int argc, const char* const* argv, const CommandBody& sweep, const CommandBody& exporter) {
     const auto messages = set_up_messages();
     set_program_word(argc > 0 ? argv[0] : nullptr);
     CLI::App program;

@@ -25,39 +25,22 @@ namespace ashimpact {
 
 namespace {
 
-/// Options of `ashimpact damping`.
-struct DampingOptions {
-    ContactOptions contact;  ///< its damping is what is asked for, so not given
-    std::string velocity;
-    std::string restitution;
-    std::string impacts;     ///< table of measured impacts, instead of one velocity and restitution
-    std::string sheet;       ///< of a spreadsheet; empty: the only one with such a table
-    std::string frame_rate;  ///< of the camera they were seen with [frames/s]
-    std::string pixel_size;
-    int frames = 0;            ///< positions to a velocity; 0: not given
-    std::string size_scatter;  ///< of single diameters, relative
-    int order = 2;             ///< of the extrapolated polynomial
-    bool robust = false;       ///< bisquare weights in the extrapolation
-    int bin = 0;               ///< rebounds to a bin; 0: none
-    bool json = false;
-};
-
 Json damping_json(const Impact& impact, const DampingInversion& inversion) {
     Json json = impact_json(impact, inversion.impact);
     json["greatest_restitution"] = quantity_json(inversion.greatest_restitution, Dimension::fraction);
     return json;
 }
 
-double read_frame_rate(const std::string& text) {
+double read_frame_rate(const CommandOptions& options) {
     try {
-        return read_option("--frame-rate", text, Dimension::fraction);
+        return options.number("--frame-rate", Dimension::fraction);
     } catch (const InputError& error) {
         throw InputError(error.problem(), "frames per second, e.g. 80000").at("--frame-rate");
     }
 }
 
-double read_size_scatter(const std::string& text) {
-    const double scatter = read_option("--size-scatter", text, Dimension::fraction);
+double read_size_scatter(const CommandOptions& options) {
+    const double scatter = options.number("--size-scatter", Dimension::fraction);
     if (!(scatter > 0 && scatter <= 0.5))
         throw InputError("is " + readable_number(scatter),
                          "a relative standard deviation above 0, at most 0.5")
@@ -66,24 +49,25 @@ double read_size_scatter(const std::string& text) {
 }
 
 /// The impacts of the file, with camera and bins where they are asked for.
-MeasurementSet read_impacts(const DampingOptions& options) {
-    MeasurementSet set = read_measurements(read_file(options.impacts), options.impacts, options.sheet);
+MeasurementSet read_impacts(const CommandOptions& options) {
+    MeasurementSet set =
+        read_measurements(read_file(options["--impacts"]), options["--impacts"], options["--sheet"]);
     for (const Finding& warning : set.warnings)
-        spdlog::warn("warning: {}: {}", options.impacts, warning.text);
-    if (options.frame_rate.empty() != options.pixel_size.empty())
+        spdlog::warn("warning: {}: {}", options["--impacts"], warning.text);
+    if (options.has("--frame-rate") != options.has("--pixel-size"))
         throw InputError("one of the two is missing", "both or neither").at("--frame-rate, --pixel-size");
-    if (options.frames > 0 && options.frame_rate.empty())
+    if (options.has("--frames") && !options.has("--frame-rate"))
         throw InputError("says how a camera was used, and there is none",
                          "with --frame-rate and --pixel-size")
             .at("--frames");
-    if (!options.frame_rate.empty()) {
-        const Camera camera{.frame_rate = read_frame_rate(options.frame_rate),
-                            .pixel_size = read_option("--pixel-size", options.pixel_size, Dimension::length),
-                            .frames = options.frames > 0 ? options.frames : Camera{}.frames};
+    if (options.has("--frame-rate")) {
+        const Camera camera{.frame_rate = read_frame_rate(options),
+                            .pixel_size = options.number("--pixel-size", Dimension::length),
+                            .frames = options.whole("--frames", Camera{}.frames)};
         set = at_place("--frame-rate, --pixel-size", [&] { return with_camera(std::move(set), camera); });
     }
-    at_place(FileName{options.impacts}, [&] { check_impacts(set); });
-    return options.bin > 0 ? binned(set, {.impacts_per_bin = options.bin}) : set;
+    at_place(FileName{options["--impacts"]}, [&] { check_impacts(set); });
+    return options.has("--bin") ? binned(set, {.impacts_per_bin = options.whole("--bin")}) : set;
 }
 
 /// The critical velocity that the impacts support.
@@ -211,41 +195,40 @@ std::string result_text(const MeasuredDamping& result, const MeasurementSet& set
 
 /// `damping --impacts FILE`: damping and critical velocity from a series of measured impacts under one law;
 /// intervals are those of the impacts, the contact is taken as exactly known.
-void run_measured_damping_command(const DampingOptions& options, std::ostream& out) {
-    const ContactChoice choice = read_contact(options.contact);
-    if (read_damping(options.contact).law != DampingLaw::constant)
+void run_measured_damping_command(const CommandOptions& options, std::ostream& out) {
+    const ContactChoice choice = read_contact(options);
+    if (read_damping(options).law != DampingLaw::constant)
         throw InputError("a series of impacts is read with constant damping", "constant").at("--damping-law");
     const MeasurementSet set = read_impacts(options);
     MeasuredDampingOptions how;
-    how.extrapolated = {.order = options.order, .robust = options.robust};
-    if (!options.size_scatter.empty()) how.size_scatter = read_size_scatter(options.size_scatter);
+    how.extrapolated = {.order = options.whole("--order", 2), .robust = options.has("--robust")};
+    if (options.has("--size-scatter")) how.size_scatter = read_size_scatter(options);
     const MeasuredDamping result = analyse_impacts(choice.law, choice.detachment, choice.contact, set, how);
     for (const Finding& finding : result.findings)
-        spdlog::warn("warning: {}: {}", options.impacts, finding.text);
-    out << (options.json ? write_json(measured_damping_json(result, set), Digits::seventeen)
-                         : result_text(result, set));
+        spdlog::warn("warning: {}: {}", options["--impacts"], finding.text);
+    out << (options.has("--json") ? write_json(measured_damping_json(result, set), Digits::seventeen)
+                                  : result_text(result, set));
 }
 
-void run_damping_command(const DampingOptions& options, std::ostream& out) {
-    if (!options.impacts.empty()) {
-        if (!options.velocity.empty() || !options.restitution.empty())
+void run_damping_command(const CommandOptions& options, std::ostream& out) {
+    if (options.has("--impacts")) {
+        if (options.has("--velocity") || options.has("--restitution"))
             throw InputError("a table of impacts and a single one are both given", "one of the two")
                 .at("--impacts");
         run_measured_damping_command(options, out);
         return;
     }
-    if (!options.frame_rate.empty() || !options.pixel_size.empty() || options.bin > 0 || options.frames > 0 ||
-        !options.size_scatter.empty() || !options.sheet.empty())
+    if (options.has("--frame-rate") || options.has("--pixel-size") || options.has("--bin") ||
+        options.has("--frames") || options.has("--size-scatter") || options.has("--sheet"))
         throw InputError("belong to a table of impacts", "--impacts FILE")
             .at("--frame-rate, --pixel-size, --frames, --size-scatter, --bin, --sheet");
-    const ContactChoice choice = read_contact(options.contact);
-    const DampingProblem problem{
-        .law = choice.law,
-        .detachment = choice.detachment,
-        .damping_law = read_damping(options.contact).law,
-        .contact = choice.contact,
-        .velocity = read_positive_option("--velocity", options.velocity, Dimension::velocity),
-        .restitution = read_option("--restitution", options.restitution, Dimension::fraction)};
+    const ContactChoice choice = read_contact(options);
+    const DampingProblem problem{.law = choice.law,
+                                 .detachment = choice.detachment,
+                                 .damping_law = read_damping(options).law,
+                                 .contact = choice.contact,
+                                 .velocity = options.positive("--velocity", Dimension::velocity),
+                                 .restitution = options.number("--restitution", Dimension::fraction)};
     const DampingInversion inversion =
         at_place("--restitution", [&] { return damping_from_restitution(problem); });
     const Impact impact{.law = problem.law,
@@ -254,45 +237,37 @@ void run_damping_command(const DampingOptions& options, std::ostream& out) {
                         .contact = problem.contact,
                         .velocity = problem.velocity};
     warn_of_regime(regime_of(impact, inversion.impact.maximum_overlap));
-    out << (options.json ? write_json(damping_json(impact, inversion), Digits::seventeen)
-                         : impact_text(impact, inversion.impact));
+    out << (options.has("--json") ? write_json(damping_json(impact, inversion), Digits::seventeen)
+                                  : impact_text(impact, inversion.impact));
 }
 
 }  // namespace
 
 void add_damping(const CommandLine& line) {
-    auto [command, options] =
-        line.add<DampingOptions>("damping", "The damping that gives back a measured restitution",
-                                 "ashimpact damping --law dmt --radius \"44 um\" --density \"2600 kg/m3\" "
-                                 "--contact-modulus \"90 GPa\" --work-of-adhesion \"0.3 J/m2\" "
-                                 "--velocity \"2 m/s\" --restitution 0.2\n"
-                                 "  (the same with --impacts impacts.csv instead of the last two)",
-                                 run_damping_command);
-    add_contact_options(*command, options->contact, ContactNeeds::required);
-    add_text(*command, "--velocity", options->velocity, "Q", "at first touch, \"2 m/s\"");
-    add_text(*command, "--restitution", options->restitution, "X",
-             "e_n; 0: the smallest damping that captures");
-    add_text(*command, "--impacts", options->impacts, "FILE",
-             "instead of one impact a table of many (CSV, .xlsx, .ods), with a heading such as "
-             "\"v_in [m/s], v_r "
-             "[m/s]\": damping of each, fits, critical velocity with its interval");
-    add_text(*command, "--sheet", options->sheet, "NAME", "of a spreadsheet with several tables");
-    add_text(*command, "--frame-rate", options->frame_rate, "X", "of the camera, frames per second");
-    add_text(*command, "--pixel-size", options->pixel_size, "Q", "of the camera, in the object, \"2 um\"");
-    command
-        ->add_option("--frames", options->frames, "positions that each velocity is the slope of; default 2")
-        ->type_name("N")
+    Command command = line.add("damping", "The damping that gives back a measured restitution",
+                               "ashimpact damping --law dmt --radius \"44 um\" --density \"2600 kg/m3\" "
+                               "--contact-modulus \"90 GPa\" --work-of-adhesion \"0.3 J/m2\" "
+                               "--velocity \"2 m/s\" --restitution 0.2\n"
+                               "  (the same with --impacts impacts.csv instead of the last two)",
+                               run_damping_command);
+    command.add_contact_options(true);
+    command.add("--velocity", "Q", "at first touch, \"2 m/s\"");
+    command.add("--restitution", "X", "e_n; 0: the smallest damping that captures");
+    command.add("--impacts", "FILE",
+                "instead of one impact a table of many (CSV, .xlsx, .ods), with a heading such as "
+                "\"v_in [m/s], v_r [m/s]\": damping of each, fits, critical velocity with its interval");
+    command.add("--sheet", "NAME", "of a spreadsheet with several tables");
+    command.add("--frame-rate", "X", "of the camera, frames per second");
+    command.add("--pixel-size", "Q", "of the camera, in the object, \"2 um\"");
+    command.add("--frames", "N", "positions that each velocity is the slope of; default 2")
         ->check(whole_number(2, 10'000));
-    add_text(*command, "--size-scatter", options->size_scatter, "X",
-             "relative standard deviation of single diameters, such as of a sieve, \"5 %\"");
-    command->add_option("--order", options->order, "of the polynomial that is extrapolated; default 2")
-        ->type_name("N")
+    command.add("--size-scatter", "X",
+                "relative standard deviation of single diameters, such as of a sieve, \"5 %\"");
+    command.add("--order", "N", "of the polynomial that is extrapolated; default 2")
         ->check(whole_number(1, 6));
-    command->add_flag("--robust", options->robust, "bisquare weights in the extrapolated polynomial");
-    command->add_option("--bin", options->bin, "rebounds to be put into one point")
-        ->type_name("N")
-        ->check(whole_number(1, 1'000'000));
-    add_json_flag(*command, options->json);
+    command.add_flag("--robust", "bisquare weights in the extrapolated polynomial");
+    command.add("--bin", "N", "rebounds to be put into one point")->check(whole_number(1, 1'000'000));
+    command.add_json_flag();
 }
 
 }  // namespace ashimpact

@@ -35,11 +35,6 @@ namespace ashimpact {
 
 namespace {
 
-struct InspectOptions {
-    std::string file;
-    bool all = false;  ///< every row and every part
-};
-
 constexpr std::string_view example = "cases/example/";
 
 std::string schema_of_artifact(const Json& document) {
@@ -114,8 +109,8 @@ std::string set_text(const PhaseSet& set) {
     return table.text();
 }
 
-void run_inspect_command(const InspectOptions& options, std::ostream& out) {
-    const std::string& file = options.file;
+void run_inspect_command(const CommandOptions& options, std::ostream& out) {
+    const std::string& file = options["artifact"];
     const std::string bytes = read_file(file);
     at_place(FileName{file}, [&] {
         const Json document = parse_json(bytes);
@@ -123,12 +118,13 @@ void run_inspect_command(const InspectOptions& options, std::ostream& out) {
         require_quantities(View(document));
         if (document.at("provenance").contains("result_sha256") && is_edited(document))
             spdlog::warn("warning: {}: was edited after ashimpact wrote it", file);
-        out << artifact_text(document, {.result = {.all = options.all},
+        out << artifact_text(document, {.result = {.all = options.has("--all")},
                                         .provenance = spdlog::should_log(spdlog::level::debug)});
     });
 }
 
-void run_init_command(const std::string& folder, std::ostream& out) {
+void run_init_command(const CommandOptions& options, std::ostream& out) {
+    const std::string& folder = options["folder"];
     std::vector<FileContent> files;
     for (const std::string_view path : embedded_files(example)) {
         const auto place = std::filesystem::path(folder) / path.substr(example.size());
@@ -145,7 +141,8 @@ void run_init_command(const std::string& folder, std::ostream& out) {
         << " run " << typed("case.json") << " -o " << typed("results") << '\n';
 }
 
-void run_schema_command(const std::string& name, std::ostream& out) {
+void run_schema_command(const CommandOptions& options, std::ostream& out) {
+    const std::string& name = options["name"];
     if (!name.empty()) {
         out << write_json(name == "case" ? schema_with_comments(name) : schema_named(name));
         return;
@@ -153,7 +150,8 @@ void run_schema_command(const std::string& name, std::ostream& out) {
     for (const std::string& each : schema_names()) out << each << '\n';
 }
 
-void run_phases_command(const std::string& name, std::ostream& out) {
+void run_phases_command(const CommandOptions& options, std::ostream& out) {
+    const std::string& name = options["name"];
     const PhaseCatalogue catalogue = built_in_phases();
     if (!name.empty()) {
         out << phase_text(catalogue.resolve_all({PlacedName{.name = name}}).front());
@@ -164,18 +162,6 @@ void run_phases_command(const std::string& name, std::ostream& out) {
         << " phases mullite\n"
         << "Phases of your own: `modulus --phases FILE`, or \"phases\" in a case.\n";
 }
-
-struct ReportOptions {
-    std::vector<std::string> runs;  ///< folders of artifacts
-    std::string output;             ///< HTML file; empty: report.html in the one folder
-};
-
-struct FigureOptions {
-    std::string name;                    ///< id of the figure
-    std::vector<std::string> artifacts;  ///< files of one run, or its folder
-    std::string output;                  ///< .svg, .pdf or .png
-    std::string width = "double";        ///< column: "double" or "single"
-};
 
 /// A run from its folder.
 report::RunData loaded(const std::filesystem::path& folder, const std::string& label) {
@@ -229,112 +215,101 @@ std::optional<Json> sweep_result(const std::string& file) {
     });
 }
 
-void report_sweep(const Json& result, const ReportOptions& options, std::ostream& out) {
-    const std::filesystem::path file(options.runs.front());
-    const std::filesystem::path output = options.output.empty()
-                                             ? std::filesystem::path(file).replace_extension(".html")
-                                             : std::filesystem::path(options.output);
+void report_sweep(const Json& result, const CommandOptions& options, std::ostream& out) {
+    const std::filesystem::path file(options.list("runs").front());
+    std::filesystem::path output = options["--output"];
+    if (output.empty()) output = std::filesystem::path(file).replace_extension(".html");
     write_file(output, at_place(FileName{file.string()}, [&] {
                    return report::sweep_page(result, capture_fractions(result), file.filename().string());
                }));
     out << output.string() << '\n';
 }
 
-void run_report_command(const ReportOptions& options, std::ostream& out) {
-    if (options.runs.size() == 1)
-        if (const auto sweep = sweep_result(options.runs.front())) {
+void run_report_command(const CommandOptions& options, std::ostream& out) {
+    const std::vector<std::string>& folders = options.list("runs");
+    if (folders.size() == 1)
+        if (const auto sweep = sweep_result(folders.front())) {
             report_sweep(*sweep, options, out);
             return;
         }
-    std::filesystem::path output = options.output;
-    if (output.empty() && options.runs.size() > 1)
+    std::filesystem::path output = options["--output"];
+    if (output.empty() && folders.size() > 1)
         throw InputError("is missing; several runs have no folder in common for their report", "-o FILE.html")
             .at("-o");
-    if (output.empty()) output = std::filesystem::path(options.runs.front()) / report::report_file;
+    if (output.empty()) output = std::filesystem::path(folders.front()) / report::report_file;
     std::vector<report::RunData> runs;
-    for (const std::string& folder : options.runs)
-        runs.push_back(loaded(folder, options.runs.size() > 1 ? folder : ""));
+    for (const std::string& folder : folders)
+        runs.push_back(loaded(folder, folders.size() > 1 ? folder : ""));
     write_file(output, report::run_page(runs));
     out << output.string() << '\n';
 }
 
-void run_figure_command(const FigureOptions& options, std::ostream& out) {
-    const report::FigureFormat format = report::format_of(options.output);
-    const report::RunData run(read_run(gathered(options.artifacts)), "");
-    const report::Figure figure = report::figure_named(options.name, run);
+void run_figure_command(const CommandOptions& options, std::ostream& out) {
+    const report::FigureFormat format = report::format_of(options["--output"]);
+    const report::RunData run(read_run(gathered(options.list("artifacts"))), "");
+    const report::Figure figure = report::figure_named(options["name"], run);
     if (figure.panels.empty())
         throw InputError("has nothing to show in this run: " + figure.caption, "another figure")
-            .at(options.name);
-    const report::Width width = options.width == "single" ? report::Width::narrow : report::Width::wide;
-    write_file(options.output, report::figure_bytes(figure, width, format));
-    out << options.output << '\n';
+            .at(options["name"]);
+    const report::Width width = options["--width"] == "single" ? report::Width::narrow : report::Width::wide;
+    write_file(options["--output"], report::figure_bytes(figure, width, format));
+    out << options["--output"] << '\n';
 }
 
 }  // namespace
 
 void add_inspect(const CommandLine& line) {
-    auto [command, options] =
-        line.add<InspectOptions>("inspect", "An artifact as tables; -v: inputs and options too",
-                                 "ashimpact inspect results/comparison.json", run_inspect_command);
-    add_text(*command, "artifact", options->file, "ARTIFACT.json", "file of a run's folder")->required();
-    command->add_flag("--all", options->all, "every row and every part, nothing shortened");
+    Command command = line.add("inspect", "An artifact as tables; -v: inputs and options too",
+                               "ashimpact inspect results/comparison.json", run_inspect_command);
+    command.add("artifact", "ARTIFACT.json", "file of a run's folder")->required();
+    command.add_flag("--all", "every row and every part, nothing shortened");
 }
 
 void add_init(const CommandLine& line) {
-    auto [command, folder] = line.add<std::string>("init", "Write a commented case to start from",
-                                                   "ashimpact init my-case", run_init_command);
-    add_text(*command, "folder", *folder, "DIR", "where to write it")->required();
+    Command command =
+        line.add("init", "Write a commented case to start from", "ashimpact init my-case", run_init_command);
+    command.add("folder", "DIR", "where to write it")->required();
 }
 
 void add_phases(const CommandLine& line) {
-    auto [command, name] =
-        line.add<std::string>("phases", "The phase catalogue, or one phase with its sources",
-                              "ashimpact phases mullite", run_phases_command);
-    add_text(*command, "name", *name, "NAME", "of a phase, under any of its names; without it, all phases");
+    Command command = line.add("phases", "The phase catalogue, or one phase with its sources",
+                               "ashimpact phases mullite", run_phases_command);
+    command.add("name", "NAME", "of a phase, under any of its names; without it, all phases");
 }
 
 void add_schema(const CommandLine& line) {
-    auto [command, name] = line.add<std::string>("schema", "The JSON Schema of a case or an artifact",
-                                                 "ashimpact schema case", run_schema_command);
-    add_text(*command, "name", *name, "NAME", "of the schema; without it, the names");
+    Command command = line.add("schema", "The JSON Schema of a case or an artifact", "ashimpact schema case",
+                               run_schema_command);
+    command.add("name", "NAME", "of the schema; without it, the names");
 }
 
 void add_report(const CommandLine& line) {
-    auto [command, options] =
-        line.add<ReportOptions>("report", "The report of a run as one HTML file, or of several side by side",
-                                "ashimpact report results\n"
-                                "  ashimpact report sweep.json\n"
-                                "  ashimpact report before after -o comparison.html",
-                                run_report_command);
-    command->add_option("runs", options->runs, "folders of finished runs, or the result of one sweep")
-        ->required()
-        ->type_name("DIR");
-    add_text(*command, "-o,--output", options->output, "FILE.html",
-             "HTML file; default: report.html in the one folder, or the name of the result with .html");
+    Command command = line.add("report", "The report of a run as one HTML file, or of several side by side",
+                               "ashimpact report results\n"
+                               "  ashimpact report sweep.json\n"
+                               "  ashimpact report before after -o comparison.html",
+                               run_report_command);
+    command.add_list("runs", "DIR", "folders of finished runs, or the result of one sweep")->required();
+    command.add("-o,--output", "FILE.html",
+                "HTML file; default: report.html in the one folder, or the name of the result with .html");
 }
 
 void add_figure(const CommandLine& line) {
-    auto [command, options] = line.add<FigureOptions>(
-        "figure", "One figure of a run for a paper: SVG, PDF or PNG",
-        "ashimpact figure restitution results -o restitution.pdf\n"
-        "Figures: composition, static-force, regime-map, restitution, damping, damping-fit, "
-        "contact-time, sizes, histories,\n"
-        "energy, critical-velocity, sensitivity.",
-        run_figure_command);
-    command->add_option("name", options->name, "of the figure")->required()->type_name("NAME");
+    Command command =
+        line.add("figure", "One figure of a run for a paper: SVG, PDF or PNG",
+                 "ashimpact figure restitution results -o restitution.pdf\n"
+                 "Figures: composition, static-force, regime-map, restitution, damping, damping-fit, "
+                 "contact-time, sizes, histories,\n"
+                 "energy, critical-velocity, sensitivity.",
+                 run_figure_command);
+    command.add("name", "NAME", "of the figure")->required();
     command
-        ->add_option("artifacts", options->artifacts,
-                     "folder of a run, or artifacts of it; those not named are read beside the first")
-        ->required()
-        ->type_name("ARTIFACT");
-    command
-        ->add_option("-o,--output", options->output, "file; its ending says the format: .svg, .pdf or .png")
-        ->required()
-        ->type_name("FILE");
-    command->add_option("--width", options->width, "column of a journal: single (85 mm), double (170 mm)")
-        ->capture_default_str()
-        ->check(CLI::IsMember({"single", "double"}))
-        ->type_name("WIDTH");
+        .add_list("artifacts", "ARTIFACT",
+                  "folder of a run, or artifacts of it; those not named are read beside the first")
+        ->required();
+    command.add("-o,--output", "FILE", "file; its ending says the format: .svg, .pdf or .png")->required();
+    command.add("--width", "WIDTH", "column of a journal: single (85 mm), double (170 mm)", "double")
+        ->check(CLI::IsMember({"single", "double"}));
 }
 
 }  // namespace ashimpact

@@ -27,9 +27,9 @@ namespace {
 constexpr auto mark_of_export = "expected.json";  // every exported folder has one
 
 /// The subject of the options of an impact.
-ExportSubject subject_of_options(const ExportOptions& options) {
-    const ContactChoice choice = read_contact(options.contact);
-    const Damping damping = read_damping(options.contact);
+ExportSubject subject_of_options(const CommandOptions& options) {
+    const ContactChoice choice = read_contact(options);
+    const Damping damping = read_damping(options);
     const double diameter = 2 * choice.sphere.radius;
     ExportSubject subject{
         .law = choice.law,
@@ -48,7 +48,7 @@ ExportSubject subject_of_options(const ExportOptions& options) {
         fmt::format("w = {}, work of adhesion of the pair of surfaces (not a surface energy), from the "
                     "command line{}",
                     readable(choice.contact.work_of_adhesion, "J/m2"),
-                    options.contact.roughness.empty() ? "" : ", lowered by --roughness")};
+                    options.has("--roughness") ? ", lowered by --roughness" : "")};
     if (choice.partner) subject.partner = {choice.partner->radius, choice.partner->mass};
     for (const LawParameter& parameter : choice.law.parameters())
         if (choice.contact.parameters.has(parameter))
@@ -59,27 +59,25 @@ ExportSubject subject_of_options(const ExportOptions& options) {
 }
 
 /// What belongs to one size alone: a folder takes w and the law's parameters for every size.
-void require_same_at_every_size(const ExportOptions& options, const ExportSubject& subject) {
+void require_same_at_every_size(const CommandOptions& options, const ExportSubject& subject) {
     if (subject.one_size()) return;
     if (subject.contact.parameters.has(stated_tabor) && subject.law.takes(stated_tabor))
         throw InputError("goes with the size, and several sizes are asked for",
                          "--cohesion-range or --cohesive-stress, which every size shares")
             .at("--tabor");
-    if (!options.contact.roughness.empty())
+    if (options.has("--roughness"))
         throw InputError("lowers w by a share that goes with the size, and several sizes are asked for",
                          "one size, or the w of rough surfaces by --work-of-adhesion")
             .at("--roughness");
 }
 
 /// A range given by the user.
-void read_ranges(const ExportOptions& options, ExportSubject& subject) {
-    if (!options.velocity.empty())
-        subject.velocity = read_positive_option("--velocity", options.velocity, Dimension::velocity);
-    if (!options.from_diameter.empty())
-        subject.from_diameter =
-            read_positive_option("--from-diameter", options.from_diameter, Dimension::length);
-    if (!options.to_diameter.empty())
-        subject.to_diameter = read_positive_option("--to-diameter", options.to_diameter, Dimension::length);
+void read_ranges(const CommandOptions& options, ExportSubject& subject) {
+    if (options.has("--velocity")) subject.velocity = options.positive("--velocity", Dimension::velocity);
+    if (options.has("--from-diameter"))
+        subject.from_diameter = options.positive("--from-diameter", Dimension::length);
+    if (options.has("--to-diameter"))
+        subject.to_diameter = options.positive("--to-diameter", Dimension::length);
     if (subject.from_diameter > subject.to_diameter)
         throw InputError(
             fmt::format("the range goes from {} down to {}", readable(subject.from_diameter, "m"),
@@ -87,20 +85,19 @@ void read_ranges(const ExportOptions& options, ExportSubject& subject) {
             "a range that rises")
             .at("--from-diameter, --to-diameter");
     require_same_at_every_size(options, subject);
-    if (!subject.one_size() && !subject.damping.is_zero() && options.damping_exponent.empty())
+    if (!subject.one_size() && !subject.damping.is_zero() && !options.has("--damping-exponent"))
         throw InputError("several sizes are asked for, but not how the damping goes with the size",
                          "0 for the same damping at every size, 2 for the same e of Hertz spheres, ...")
             .at("--damping-exponent");
-    if (!options.damping_exponent.empty()) {
-        subject.damping.exponent =
-            read_option("--damping-exponent", options.damping_exponent, Dimension::fraction);
+    if (options.has("--damping-exponent")) {
+        subject.damping.exponent = options.number("--damping-exponent", Dimension::fraction);
         if (std::abs(subject.damping.exponent) > 10)
             throw InputError("is " + shortest(subject.damping.exponent),
                              "-10 to 10; 2 keeps e of Hertz spheres")
                 .at("--damping-exponent");
     }
-    if (!options.to_velocity.empty()) {
-        const double to = read_positive_option("--to-velocity", options.to_velocity, Dimension::velocity);
+    if (options.has("--to-velocity")) {
+        const double to = options.positive("--to-velocity", Dimension::velocity);
         if (subject.damping.depends_on_velocity() && to > *subject.to_velocity)
             throw InputError(fmt::format("the damping of the run is known up to {}",
                                          readable(*subject.to_velocity, "m/s")),
@@ -114,50 +111,37 @@ void read_ranges(const ExportOptions& options, ExportSubject& subject) {
 }
 
 /// Options of an impact beside a run: a run has them all but the law.
-void refuse_contact_options(const ExportOptions& options) {
-    const ContactOptions& contact = options.contact;
-    const std::array<std::pair<const char*, const std::string*>, 14> given{
-        {{"--radius", &contact.radius},
-         {"--diameter", &contact.diameter},
-         {"--density", &contact.density},
-         {"--mass", &contact.mass},
-         {"--partner-radius", &contact.partner_radius},
-         {"--partner-diameter", &contact.partner_diameter},
-         {"--partner-density", &contact.partner_density},
-         {"--partner-mass", &contact.partner_mass},
-         {"--roughness", &contact.roughness},
-         {"--contact-modulus", &contact.contact_modulus},
-         {"--work-of-adhesion", &contact.work_of_adhesion},
-         {"--yield-pressure", &contact.yield_pressure},
-         {"--damping", &contact.damping},
-         {"--detachment", &contact.detachment}}};
-    for (const auto& [name, text] : given)
-        if (!text->empty()) throw InputError("the run has it", "a run, or the options of an impact").at(name);
-    for (std::size_t i = 0; i < contact.parameters.size(); ++i)
-        if (!contact.parameters[i].empty())
-            throw InputError("the run has it", "a run, or the options of an impact")
-                .at(option_of(law_parameters()[i]));
-    if (contact.damping_law != ContactOptions{}.damping_law)
-        throw InputError("the run has it", "a run, or the options of an impact").at("--damping-law");
+void refuse_contact_options(const CommandOptions& options) {
+    const auto refuse = [](const std::string& name) {
+        throw InputError("the run has it", "a run, or the options of an impact").at(name);
+    };
+    for (const char* name :
+         {"--radius", "--diameter", "--density", "--mass", "--partner-radius", "--partner-diameter",
+          "--partner-density", "--partner-mass", "--roughness", "--contact-modulus", "--work-of-adhesion",
+          "--yield-pressure", "--damping", "--detachment"})
+        if (options.has(name)) refuse(name);
+    for (const LawParameter& parameter : law_parameters())
+        if (options.has(option_of(parameter))) refuse(option_of(parameter));
+    if (options["--damping-law"] != name_of(DampingLaw::constant)) refuse("--damping-law");
 }
 
-ExportSubject subject_of(const ExportOptions& options) {
-    if (options.run.empty()) {
-        if (!options.sample.empty())
+ExportSubject subject_of(const CommandOptions& options) {
+    if (!options.has("run")) {
+        if (options.has("--sample"))
             throw InputError("there is no run", "the folder of a run before it").at("--sample");
-        if (options.follow_velocity)
+        if (options.has("--follow-velocity"))
             throw InputError("there is no run", "the folder of a run").at("--follow-velocity");
-        if (options.contact.law.empty())
+        if (!options.has("--law"))
             throw InputError("neither a run nor an impact is given",
                              "RUN_DIR --sample S, or --law, --radius and the other options of an impact")
-                .at("export " + options.code);
+                .at("export " + options["code"]);
         return subject_of_options(options);
     }
     refuse_contact_options(options);
-    return subject_of_run({.folder = options.run,
-                           .sample = options.sample,
-                           .law = options.contact.law,
-                           .follow_velocity = options.follow_velocity});
+    return subject_of_run({.folder = options["run"],
+                           .sample = options["--sample"],
+                           .law = options["--law"],
+                           .follow_velocity = options.has("--follow-velocity")});
 }
 
 /// Refuses to write over files that no export left there.
@@ -170,31 +154,14 @@ void require_free(const std::filesystem::path& folder, const ExportFolder& files
                 .at(FileName{(folder / file.name).string()});
 }
 
-void add_subject_options(CLI::App& command, ExportOptions& options) {
-    add_text(command, "--sample", options.sample, "NAME", "of the run");
-    command.add_flag("--follow-velocity", options.follow_velocity,
-                     "of a run: damping along the measured e(v_in) instead of the critical one");
-    add_contact_options(command, options.contact, ContactNeeds::optional);
-    add_damping_option(command, options.contact);
-    add_text(command, "--velocity", options.velocity, "Q", "one more impact to check");
-    add_text(command, "--from-diameter", options.from_diameter, "Q",
-             "smallest size; default: that of the sphere or sample");
-    add_text(command, "--to-diameter", options.to_diameter, "Q",
-             "largest size; default: that of the sphere or sample");
-    add_text(command, "--to-velocity", options.to_velocity, "Q",
-             "largest velocity; default: 10 v_c, at least 10 m/s");
-    add_text(command, "--damping-exponent", options.damping_exponent, "N",
-             "for several sizes: damping goes with (diameter/that of the sphere)^N; 0: the same for all");
-}
-
 }  // namespace
 
-void run_export_command(const ExportOptions& options, const TableImage& image, std::ostream& out) {
-    const ExportCode& code = export_code(options.code);
+void run_export_command(const CommandOptions& options, const TableImage& image, std::ostream& out) {
+    const ExportCode& code = export_code(options["code"]);
     ExportSubject subject = subject_of(options);
     read_ranges(options, subject);
     const ExportFolder files = code.folder(subject, image);
-    const std::filesystem::path folder(options.folder);
+    const std::filesystem::path folder(options["--output"]);
     require_free(folder, files);
     std::vector<FileContent> contents;
     contents.reserve(files.size());
@@ -207,8 +174,8 @@ void run_export_command(const ExportOptions& options, const TableImage& image, s
         << (code.script.ends_with(".py") ? "python3 " : "sh ") << shell_word(script) << '\n';
 }
 
-void add_export(const CommandLine& line, const ExportRunner& runner) {
-    auto [command, options] = line.add<ExportOptions>(
+void add_export(const CommandLine& line, const CommandBody& body) {
+    Command command = line.add(
         "export", "Runnable inputs for DEM and CFD codes",
         "ashimpact export lammps results --sample \"88 um\" --law brach-dunn -o ash-in-lammps\n"
         "  ashimpact export openfoam --law dmt --radius \"5 um\" --density \"2300 kg/m3\" --contact-modulus "
@@ -216,13 +183,23 @@ void add_export(const CommandLine& line, const ExportRunner& runner) {
         "--to-diameter "
         "\"50 um\"\n    --damping-exponent 2 -o ash-in-openfoam\n"
         "The folder holds inputs, a README, the assumptions, expected.json and a script that compares.",
-        runner);
+        body);
     std::vector<std::string> codes;
     for (const ExportCode& code : export_codes()) codes.emplace_back(code.name);
-    add_text(*command, "code", options->code, "CODE", joined(codes))->required();
-    add_text(*command, "run", options->run, "RUN_DIR", "folder of a run; else give the options of an impact");
-    add_subject_options(*command, *options);
-    add_text(*command, "-o,--output", options->folder, "DIR", "folder to write")->required();
+    command.add("code", "CODE", joined(codes))->required();
+    command.add("run", "RUN_DIR", "folder of a run; else give the options of an impact");
+    command.add("--sample", "NAME", "of the run");
+    command.add_flag("--follow-velocity",
+                     "of a run: damping along the measured e(v_in) instead of the critical one");
+    command.add_contact_options(false);
+    command.add_damping_option();
+    command.add("--velocity", "Q", "one more impact to check");
+    command.add("--from-diameter", "Q", "smallest size; default: that of the sphere or sample");
+    command.add("--to-diameter", "Q", "largest size; default: that of the sphere or sample");
+    command.add("--to-velocity", "Q", "largest velocity; default: 10 v_c, at least 10 m/s");
+    command.add("--damping-exponent", "N",
+                "for several sizes: damping goes with (diameter/that of the sphere)^N; 0: the same for all");
+    command.add("-o,--output", "DIR", "folder to write")->required();
 }
 
 }  // namespace ashimpact

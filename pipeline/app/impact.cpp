@@ -28,16 +28,6 @@ namespace ashimpact {
 
 namespace {
 
-struct ImpactOptions {
-    ContactOptions contact;
-    std::string velocity;
-    std::string method = "taylor";  ///< or "paper-explicit", Eqs. 31-34 of Dong et al. 2013
-    std::string time_step;          ///< of the explicit method; empty: 10000 steps a Hertz contact
-    std::string trajectory;         ///< CSV file to write; empty: none
-    int points = 201;               ///< of the trajectory
-    bool json = false;
-};
-
 std::string trajectory_csv(const std::vector<TrajectoryPoint>& points) {
     std::string csv =
         "time [s],overlap [m],velocity [m/s],contact_radius [m],repulsive_force [N],attractive_force [N],"
@@ -60,56 +50,49 @@ struct Solution {
     double time_step;
 };
 
-Solution solve(const ImpactOptions& options, const Impact& impact) {
+Solution solve(const CommandOptions& options, const Impact& impact) {
     constexpr double steps = 1e4;
-    if (options.method == "taylor") {
-        if (!options.time_step.empty())
+    if (options["--method"] == "taylor") {
+        if (options.has("--time-step"))
             throw InputError("belongs to the explicit method", "--method paper-explicit").at("--time-step");
         return {solve_impact(impact), 0};
     }
-    if (options.method != "paper-explicit")
-        throw InputError("unknown method " + in_quotes(options.method), "taylor, paper-explicit")
+    if (options["--method"] != "paper-explicit")
+        throw InputError("unknown method " + in_quotes(options["--method"]), "taylor, paper-explicit")
             .at("--method");
-    if (!options.trajectory.empty())
+    if (options.has("--trajectory"))
         throw InputError("is written by the exact method alone", "--method taylor").at("--trajectory");
     validate(impact);
-    const double time_step = options.time_step.empty()
-                                 ? explicit_time_step(impact, steps)
-                                 : read_positive_option("--time-step", options.time_step, Dimension::time);
+    const double time_step = !options.has("--time-step") ? explicit_time_step(impact, steps)
+                                                         : options.positive("--time-step", Dimension::time);
     return at_place("--method, --time-step", [&] {
         return Solution{solve_impact_explicit(impact, {.time_step = time_step}), time_step};
     });
 }
 
-void run_impact_command(const ImpactOptions& options, std::ostream& out) {
-    const ContactChoice choice = read_contact(options.contact);
-    const Impact impact{
-        .law = choice.law,
-        .detachment = choice.detachment,
-        .damping = read_damping(options.contact),
-        .contact = choice.contact,
-        .velocity = read_positive_option("--velocity", options.velocity, Dimension::velocity)};
+void run_impact_command(const CommandOptions& options, std::ostream& out) {
+    const ContactChoice choice = read_contact(options);
+    const Impact impact{.law = choice.law,
+                        .detachment = choice.detachment,
+                        .damping = read_damping(options),
+                        .contact = choice.contact,
+                        .velocity = options.positive("--velocity", Dimension::velocity)};
     const auto [result, time_step] = solve(options, impact);
     warn_of_regime(regime_of(impact, result.maximum_overlap));
-    if (!options.trajectory.empty()) {
-        const auto points = trajectory(impact, options.points);
-        write_file(options.trajectory, trajectory_csv(points));
-        spdlog::info("{}: {} points", options.trajectory, points.size());
+    if (options.has("--trajectory")) {
+        const auto points = trajectory(impact, options.whole("--points"));
+        write_file(options["--trajectory"], trajectory_csv(points));
+        spdlog::info("{}: {} points", options["--trajectory"], points.size());
     }
-    if (!options.json) {
+    if (!options.has("--json")) {
         out << impact_text(impact, result);
         return;
     }
     Json json = impact_json(impact, result);
-    json["method"] = options.method;
+    json["method"] = options["--method"];
     if (time_step > 0) json["time_step"] = quantity_json(time_step, Dimension::time);
     out << write_json(json, Digits::seventeen);
 }
-
-struct CriticalVelocityOptions {
-    ContactOptions contact;
-    bool json = false;
-};
 
 std::string verdict_text(const CriticalVelocity& result) {
     switch (result.verdict) {
@@ -155,11 +138,11 @@ Regime regime_at(const CriticalVelocityProblem& problem, const CriticalVelocity&
                      result.maximum_overlap.value_or(0));
 }
 
-void run_critical_velocity_command(const CriticalVelocityOptions& options, std::ostream& out) {
-    const ContactChoice choice = read_contact(options.contact);
+void run_critical_velocity_command(const CommandOptions& options, std::ostream& out) {
+    const ContactChoice choice = read_contact(options);
     const CriticalVelocityProblem problem{.law = choice.law,
                                           .detachment = choice.detachment,
-                                          .damping = read_damping(options.contact),
+                                          .damping = read_damping(options),
                                           .contact = choice.contact};
     const CriticalVelocity result = at_place("--damping", [&] { return critical_velocity(problem); });
     std::string regime;
@@ -167,7 +150,7 @@ void run_critical_velocity_command(const CriticalVelocityOptions& options, std::
         warn_of_regime(regime_at(problem, result));
         regime = regime_text(regime_at(problem, result));
     }
-    if (options.json) {
+    if (options.has("--json")) {
         Json json{{"law", problem.law.name()}};
         json.update(critical_velocity_json(law_critical_velocity(problem), problem.damping.law));
         out << write_json(json, Digits::seventeen);
@@ -176,83 +159,62 @@ void run_critical_velocity_command(const CriticalVelocityOptions& options, std::
     out << critical_velocity_text(problem, result) + regime;
 }
 
-/// What two bodies are made of, as the user typed it; empty where an option was not given.
-struct ContactCommandOptions {
-    ContactOptions
-        contact;  ///< size, mass, and modulus or work of adhesion where they are known by themselves
-    std::string young_modulus;
-    std::string poisson_ratio;
-    std::string wall_young_modulus;
-    std::string wall_poisson_ratio;
-    bool rigid_wall = false;
-    std::string surface_energy;
-    std::string wall_surface_energy;
-    std::string interfacial_energy;
-    std::string rule;
-    bool json = false;
-};
-
 /// One body of the pair. @p young and @p poisson name the options
-ElasticBody read_body(const char* young, const std::string& young_modulus, const char* poisson,
-                      const std::string& poisson_ratio) {
-    if (poisson_ratio.empty()) throw InputError("is missing", "Poisson's ratio, such as 0.2").at(poisson);
-    return {.young_modulus = read_positive_option(young, young_modulus, Dimension::pressure),
-            .poisson_ratio = read_option(poisson, poisson_ratio, Dimension::fraction)};
+ElasticBody read_body(const CommandOptions& options, const char* young, const char* poisson) {
+    if (!options.has(poisson)) throw InputError("is missing", "Poisson's ratio, such as 0.2").at(poisson);
+    return {.young_modulus = options.positive(young, Dimension::pressure),
+            .poisson_ratio = options.number(poisson, Dimension::fraction)};
 }
 
 /// E*, given or of both bodies by Eq. 7 [Pa].
-double read_contact_modulus(const ContactCommandOptions& options) {
-    if (!options.contact.contact_modulus.empty()) {
-        if (!options.young_modulus.empty())
+double read_contact_modulus(const CommandOptions& options) {
+    if (options.has("--contact-modulus")) {
+        if (options.has("--young-modulus"))
             throw InputError("both are given", "one of the two").at("--contact-modulus, --young-modulus");
-        return read_positive_option("--contact-modulus", options.contact.contact_modulus,
-                                    Dimension::pressure);
+        return options.positive("--contact-modulus", Dimension::pressure);
     }
-    if (options.young_modulus.empty())
+    if (!options.has("--young-modulus"))
         throw InputError("neither is given",
                          "E* of the pair, or Young's modulus with --poisson-ratio and those of the wall")
             .at("--contact-modulus, --young-modulus");
-    const ElasticBody particle =
-        read_body("--young-modulus", options.young_modulus, "--poisson-ratio", options.poisson_ratio);
-    if (options.rigid_wall)
+    const ElasticBody particle = read_body(options, "--young-modulus", "--poisson-ratio");
+    if (options.has("--rigid-wall"))
         return at_place("--poisson-ratio", [&] { return contact_modulus(particle, RigidWall{}); });
-    if (options.wall_young_modulus.empty())
+    if (!options.has("--wall-young-modulus"))
         throw InputError("neither is given", "Young's modulus of the wall, or --rigid-wall")
             .at("--wall-young-modulus, --rigid-wall");
-    const ElasticBody wall = read_body("--wall-young-modulus", options.wall_young_modulus,
-                                       "--wall-poisson-ratio", options.wall_poisson_ratio);
+    const ElasticBody wall = read_body(options, "--wall-young-modulus", "--wall-poisson-ratio");
     return at_place("--poisson-ratio, --wall-poisson-ratio", [&] { return contact_modulus(particle, wall); });
 }
 
 /// w, given or from both surface energies [J/m2].
-double read_work_of_adhesion(const ContactCommandOptions& options) {
-    const auto energy = [](const char* option, const std::string& text) {
-        return read_option(option, text, Dimension::energy_per_area);
+double read_work_of_adhesion(const CommandOptions& options) {
+    const auto energy = [&](const char* option) {
+        return options.number(option, Dimension::energy_per_area);
     };
-    if (!options.contact.work_of_adhesion.empty()) {
-        if (!options.surface_energy.empty())
+    if (options.has("--work-of-adhesion")) {
+        if (options.has("--surface-energy"))
             throw InputError("both are given", "one of the two").at("--work-of-adhesion, --surface-energy");
-        return energy("--work-of-adhesion", options.contact.work_of_adhesion);
+        return energy("--work-of-adhesion");
     }
-    if (options.surface_energy.empty())
+    if (!options.has("--surface-energy"))
         throw InputError("neither is given", "w of the pair, or both surface energies with --adhesion-rule")
             .at("--work-of-adhesion, --surface-energy");
-    if (options.rule.empty())
+    if (!options.has("--adhesion-rule"))
         throw InputError("is missing", joined(Names<AdhesionRule>::all)).at("--adhesion-rule");
-    const auto rule = at_place("--adhesion-rule", [&] { return named<AdhesionRule>(options.rule); });
-    SurfaceEnergies energies{.particle = energy("--surface-energy", options.surface_energy),
-                             .wall = energy("--wall-surface-energy", options.wall_surface_energy)};
-    if (!options.interfacial_energy.empty())
-        energies.interfacial = energy("--interfacial-energy", options.interfacial_energy);
+    const auto rule =
+        at_place("--adhesion-rule", [&] { return named<AdhesionRule>(options["--adhesion-rule"]); });
+    SurfaceEnergies energies{.particle = energy("--surface-energy"), .wall = energy("--wall-surface-energy")};
+    if (options.has("--interfacial-energy")) energies.interfacial = energy("--interfacial-energy");
     return at_place("--surface-energy, --wall-surface-energy, --interfacial-energy",
                     [&] { return work_of_adhesion(rule, energies); });
 }
 
-void run_contact_command(const ContactCommandOptions& options, std::ostream& out) {
-    ContactOptions typed = options.contact;
-    typed.law = "jkr";  // W_s is that of a JKR contact; all laws share the other properties
-    typed.contact_modulus = shortest(read_contact_modulus(options));
-    typed.work_of_adhesion = shortest(read_work_of_adhesion(options));
+void run_contact_command(const CommandOptions& options, std::ostream& out) {
+    CommandOptions typed = options;
+    typed.text_of("--law") = "jkr";  // W_s is that of a JKR contact; all laws share the other properties
+    typed.text_of("--contact-modulus") = shortest(read_contact_modulus(options));
+    typed.text_of("--work-of-adhesion") = shortest(read_work_of_adhesion(options));
     const ContactPair pair = read_contact(typed).contact;
     const AdhesiveContact adhesive{.work_of_adhesion = pair.work_of_adhesion,
                                    .effective_radius = pair.effective_radius,
@@ -260,7 +222,7 @@ void run_contact_command(const ContactCommandOptions& options, std::ostream& out
     const double energy = separation_energy(adhesive);
     const double velocity = std::sqrt(2 * energy / pair.mass);
     const double tabor = tabor_parameter(adhesive, usual_separation);
-    if (options.json) {
+    if (options.has("--json")) {
         out << write_json(
             {{"contact_modulus", quantity_json(pair.contact_modulus, Dimension::pressure)},
              {"effective_radius", quantity_json(pair.effective_radius, Dimension::length)},
@@ -287,82 +249,62 @@ void run_contact_command(const ContactCommandOptions& options, std::ostream& out
 }  // namespace
 
 void add_impact(const CommandLine& line) {
-    auto [command, options] =
-        line.add<ImpactOptions>("impact", "One normal impact of a sphere on a flat wall",
-                                "ashimpact impact --law dmt --radius \"44 um\" --density \"2600 kg/m3\" "
-                                "--contact-modulus \"90 GPa\" --work-of-adhesion \"0.3 J/m2\" "
-                                "--damping \"0.0141 kg/s\" --velocity \"2 m/s\"",
-                                run_impact_command);
-    add_contact_options(*command, options->contact, ContactNeeds::required);
-    add_damping_option(*command, options->contact);
-    command->add_option("--velocity", options->velocity, "at first touch, \"2 m/s\"")
-        ->required()
-        ->type_name("Q");
-    command
-        ->add_option("--method", options->method,
-                     "taylor (exact) or paper-explicit (the paper's scheme, first order in the time step)")
-        ->capture_default_str()
-        ->type_name("NAME");
-    add_text(*command, "--time-step", options->time_step, "Q",
-             "of paper-explicit; default: 10000 steps a contact");
-    auto* trajectory = add_text(*command, "--trajectory", options->trajectory, "FILE",
-                                "write overlap, velocity and forces against time (CSV)");
-    command->add_option("--points", options->points, "number of points of the trajectory")
-        ->capture_default_str()
+    Command command = line.add("impact", "One normal impact of a sphere on a flat wall",
+                               "ashimpact impact --law dmt --radius \"44 um\" --density \"2600 kg/m3\" "
+                               "--contact-modulus \"90 GPa\" --work-of-adhesion \"0.3 J/m2\" "
+                               "--damping \"0.0141 kg/s\" --velocity \"2 m/s\"",
+                               run_impact_command);
+    command.add_contact_options(true);
+    command.add_damping_option();
+    command.add("--velocity", "Q", "at first touch, \"2 m/s\"")->required();
+    command.add("--method", "NAME",
+                "taylor (exact) or paper-explicit (the paper's scheme, first order in the time step)",
+                "taylor");
+    command.add("--time-step", "Q", "of paper-explicit; default: 10000 steps a contact");
+    auto* trajectory =
+        command.add("--trajectory", "FILE", "write overlap, velocity and forces against time (CSV)");
+    command.add("--points", "INT", "number of points of the trajectory", "201")
         ->check(whole_number(2, 10'000'000))
         ->needs(trajectory);
-    add_json_flag(*command, options->json);
+    command.add_json_flag();
 }
 
 void add_critical_velocity(const CommandLine& line) {
-    auto [command, options] = line.add<CriticalVelocityOptions>(
-        "critical-velocity", "The velocity below which a sphere is captured",
-        "ashimpact critical-velocity --law brach-dunn --radius \"44 um\" "
-        "--density \"2600 kg/m3\" --contact-modulus \"90 GPa\" "
-        "--work-of-adhesion \"0.3 J/m2\" --damping \"0.0141 kg/s\"",
-        run_critical_velocity_command);
-    add_contact_options(*command, options->contact, ContactNeeds::required);
-    add_damping_option(*command, options->contact);
-    add_json_flag(*command, options->json);
+    Command command = line.add("critical-velocity", "The velocity below which a sphere is captured",
+                               "ashimpact critical-velocity --law brach-dunn --radius \"44 um\" "
+                               "--density \"2600 kg/m3\" --contact-modulus \"90 GPa\" "
+                               "--work-of-adhesion \"0.3 J/m2\" --damping \"0.0141 kg/s\"",
+                               run_critical_velocity_command);
+    command.add_contact_options(true);
+    command.add_damping_option();
+    command.add_json_flag();
 }
 
 void add_contact(const CommandLine& line) {
-    auto [command, options] =
-        line.add<ContactCommandOptions>("contact", "E*, R*, m, w, W_s and v_s of a sphere on a wall",
-                                        "ashimpact contact --diameter \"88 um\" --density \"2300 kg/m3\" "
-                                        "--young-modulus \"148 GPa\" --poisson-ratio 0.2 "
-                                        "--wall-young-modulus \"193 GPa\" --wall-poisson-ratio 0.29 "
-                                        "--work-of-adhesion \"0.3 J/m2\"",
-                                        run_contact_command);
-    add_sphere_options(*command, options->contact);
-    add_text(*command, "--partner-radius", options->contact.partner_radius, "Q",
-             "of a second sphere instead of a flat wall");
-    add_text(*command, "--partner-diameter", options->contact.partner_diameter, "Q",
-             "of it, instead of its radius");
-    add_text(*command, "--partner-density", options->contact.partner_density, "Q", "of the second sphere");
-    add_text(*command, "--partner-mass", options->contact.partner_mass, "Q",
-             "of the second sphere, instead of its density");
-    add_text(*command, "--contact-modulus", options->contact.contact_modulus, "Q",
-             "E* of the pair, instead of what follows");
-    add_text(*command, "--young-modulus", options->young_modulus, "Q", "of the sphere, \"148 GPa\"");
-    add_text(*command, "--poisson-ratio", options->poisson_ratio, "X", "of the sphere");
-    add_text(*command, "--wall-young-modulus", options->wall_young_modulus, "Q",
-             "of the wall, or of the second sphere");
-    add_text(*command, "--wall-poisson-ratio", options->wall_poisson_ratio, "X",
-             "of the wall, or of the second sphere");
-    command->add_flag("--rigid-wall", options->rigid_wall, "the wall does not deform");
-    add_text(*command, "--work-of-adhesion", options->contact.work_of_adhesion, "Q",
-             "w, \"0.3 J/m2\" (not a surface energy)");
-    add_text(*command, "--surface-energy", options->surface_energy, "Q",
-             "of the sphere, from which w follows");
-    add_text(*command, "--wall-surface-energy", options->wall_surface_energy, "Q", "of the wall");
-    add_text(*command, "--interfacial-energy", options->interfacial_energy, "Q",
-             "of both, for the rule dupre");
-    add_text(*command, "--adhesion-rule", options->rule, "NAME",
-             "girifalco-good, dong2013, dupre: w from surface energies");
-    add_text(*command, "--roughness", options->contact.roughness, "Q",
-             "rms of both surfaces, reduces w (Rabinovich et al. 2000)");
-    add_json_flag(*command, options->json);
+    Command command = line.add("contact", "E*, R*, m, w, W_s and v_s of a sphere on a wall",
+                               "ashimpact contact --diameter \"88 um\" --density \"2300 kg/m3\" "
+                               "--young-modulus \"148 GPa\" --poisson-ratio 0.2 "
+                               "--wall-young-modulus \"193 GPa\" --wall-poisson-ratio 0.29 "
+                               "--work-of-adhesion \"0.3 J/m2\"",
+                               run_contact_command);
+    command.add_sphere_options();
+    command.add("--partner-radius", "Q", "of a second sphere instead of a flat wall");
+    command.add("--partner-diameter", "Q", "of it, instead of its radius");
+    command.add("--partner-density", "Q", "of the second sphere");
+    command.add("--partner-mass", "Q", "of the second sphere, instead of its density");
+    command.add("--contact-modulus", "Q", "E* of the pair, instead of what follows");
+    command.add("--young-modulus", "Q", "of the sphere, \"148 GPa\"");
+    command.add("--poisson-ratio", "X", "of the sphere");
+    command.add("--wall-young-modulus", "Q", "of the wall, or of the second sphere");
+    command.add("--wall-poisson-ratio", "X", "of the wall, or of the second sphere");
+    command.add_flag("--rigid-wall", "the wall does not deform");
+    command.add("--work-of-adhesion", "Q", "w, \"0.3 J/m2\" (not a surface energy)");
+    command.add("--surface-energy", "Q", "of the sphere, from which w follows");
+    command.add("--wall-surface-energy", "Q", "of the wall");
+    command.add("--interfacial-energy", "Q", "of both, for the rule dupre");
+    command.add("--adhesion-rule", "NAME", "girifalco-good, dong2013, dupre: w from surface energies");
+    command.add("--roughness", "Q", "rms of both surfaces, reduces w (Rabinovich et al. 2000)");
+    command.add_json_flag();
 }
 
 }  // namespace ashimpact

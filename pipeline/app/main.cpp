@@ -24,9 +24,9 @@ void hand_over(char** argv) {
 
 int main(int argc, char** argv) {
     return ashimpact::run_program(
-        argc, argv, [argv](const ashimpact::SweepOptions&, std::ostream&) { hand_over(argv); },
-        [argv](const ashimpact::ExportOptions& options, std::ostream& out) {
-            if (options.code == "table") hand_over(argv);  // HDF5
+        argc, argv, [argv](const ashimpact::CommandOptions&, std::ostream&) { hand_over(argv); },
+        [argv](const ashimpact::CommandOptions& options, std::ostream& out) {
+            if (options["code"] == "table") hand_over(argv);  // HDF5
             ashimpact::run_export_command(options, {}, out);
         });
 }

@@ -24,25 +24,6 @@ namespace ashimpact {
 
 namespace {
 
-/// What the user typed; empty where an option was not given.
-struct ModulusCommandOptions {
-    std::string file;                ///< an XRD result
-    std::string amorphous_fraction;  ///< of the whole; "none", "remainder"
-    std::string crystalline_total;   ///< of the whole
-    std::string internal_standard;   ///< its phase
-    std::string added_fraction;      ///< its weight over that of the mixture
-    std::string sample;              ///< of a file with several; empty: all
-    std::string sheet;               ///< of a spreadsheet; empty: the only one with a table
-    std::string phase_set;           ///< looked in first
-    std::string phases;              ///< a case file whose own phases come first
-    std::string rule = "parallel";
-    std::string porosity_law;
-    std::string porosity;              ///< empty: from the particle density
-    std::string porosity_coefficient;  ///< b of spriggs
-    std::string particle_density;      ///< measured, pores included
-    bool json = false;
-};
-
 /// "0.42", "42 %", "42(2) %" or "42 +- 2 %", as in a case.
 Quantity read_fraction(const char* option, const std::string& text) {
     return at_place(option, [&] {
@@ -68,45 +49,45 @@ Amorphous read_amorphous(const std::string& text, FractionBasis basis) {
     return AmorphousFraction{fraction.value, fraction.standard_uncertainty, basis};
 }
 
-void refuse_contradictions(const ModulusCommandOptions& options) {
-    const int ways = (options.amorphous_fraction.empty() ? 0 : 1) +
-                     (options.crystalline_total.empty() ? 0 : 1) +
-                     (options.internal_standard.empty() ? 0 : 1);
+void refuse_contradictions(const CommandOptions& options) {
+    const int ways = (!options.has("--amorphous-fraction") ? 0 : 1) +
+                     (!options.has("--crystalline-total") ? 0 : 1) +
+                     (!options.has("--internal-standard") ? 0 : 1);
     if (ways > 1)
         throw InputError("the amorphous part is given in " + std::to_string(ways) + " ways", "one of them")
             .at("--amorphous-fraction, --crystalline-total, --internal-standard");
-    if (options.internal_standard.empty() != options.added_fraction.empty())
+    if (!options.has("--internal-standard") != !options.has("--added-fraction"))
         throw InputError("one is given without the other",
                          "the phase of the standard, and its weight over that of the mixture")
             .at("--internal-standard, --added-fraction");
 }
 
-PhaseCatalogue catalogue_of(const ModulusCommandOptions& options) {
+PhaseCatalogue catalogue_of(const CommandOptions& options) {
     PhaseCatalogue catalogue = built_in_phases();
-    if (!options.phase_set.empty())
-        catalogue = at_place("--phase-set", [&] { return catalogue.preferring(options.phase_set); });
-    if (options.phases.empty()) return catalogue;
-    return at_place(FileName{options.phases}, [&] {
-        const Json document = parse_json(read_file(options.phases));
+    if (options.has("--phase-set"))
+        catalogue = at_place("--phase-set", [&] { return catalogue.preferring(options["--phase-set"]); });
+    if (!options.has("--phases")) return catalogue;
+    return at_place(FileName{options["--phases"]}, [&] {
+        const Json document = parse_json(read_file(options["--phases"]));
         const View root(document);
         return catalogue.overridden_by(read_user_phases(document.is_array() ? root : root.at("phases")));
     });
 }
 
-XrdSample completed(const XrdSample& sample, const ModulusCommandOptions& options) {
+XrdSample completed(const XrdSample& sample, const CommandOptions& options) {
     refuse_contradictions(options);
     XrdSample result = sample;
     Analysis& analysis = result.analysis;
-    if (!options.amorphous_fraction.empty())
-        analysis.amorphous = read_amorphous(options.amorphous_fraction, analysis.basis);
-    if (!options.crystalline_total.empty()) {
-        const Quantity total = read_fraction("--crystalline-total", options.crystalline_total);
+    if (options.has("--amorphous-fraction"))
+        analysis.amorphous = read_amorphous(options["--amorphous-fraction"], analysis.basis);
+    if (options.has("--crystalline-total")) {
+        const Quantity total = read_fraction("--crystalline-total", options["--crystalline-total"]);
         analysis.amorphous = CrystallineTotal{total.value, total.standard_uncertainty};
     }
-    if (options.internal_standard.empty()) return result;
-    const Quantity added = read_fraction("--added-fraction", options.added_fraction);
+    if (!options.has("--internal-standard")) return result;
+    const Quantity added = read_fraction("--added-fraction", options["--added-fraction"]);
     return at_place("--internal-standard", [&] {
-        return with_internal_standard(sample, options.internal_standard, added.value,
+        return with_internal_standard(sample, options["--internal-standard"], added.value,
                                       added.standard_uncertainty);
     });
 }
@@ -117,28 +98,27 @@ Composition composed(const XrdSample& sample, const PhaseCatalogue& catalogue) {
                    "--crystalline-total X, or --internal-standard PHASE with --added-fraction X");
 }
 
-std::optional<double> measured_density(const ModulusCommandOptions& options) {
-    if (options.particle_density.empty()) return std::nullopt;
-    const double density = read_option("--particle-density", options.particle_density, Dimension::density);
+std::optional<double> measured_density(const CommandOptions& options) {
+    if (!options.has("--particle-density")) return std::nullopt;
+    const double density = options.number("--particle-density", Dimension::density);
     at_place("--particle-density", [&] { require_positive("density", density, Dimension::density); });
     return density;
 }
 
-std::optional<Porosity> porosity_of(const ModulusCommandOptions& options, double true_density,
+std::optional<Porosity> porosity_of(const CommandOptions& options, double true_density,
                                     std::vector<Finding>& findings) {
-    if (options.porosity_law.empty()) {
-        if (!options.porosity.empty() || !options.porosity_coefficient.empty())
+    if (!options.has("--porosity-law")) {
+        if (options.has("--porosity") || options.has("--porosity-coefficient"))
             throw InputError("is missing", "the law by which pores soften, see docs/materials.md")
                 .at("--porosity-law");
         return std::nullopt;
     }
     Porosity porosity{
-        .law = at_place("--porosity-law", [&] { return named<PorosityLaw>(options.porosity_law); })};
-    if (!options.porosity_coefficient.empty())
-        porosity.coefficient =
-            read_option("--porosity-coefficient", options.porosity_coefficient, Dimension::fraction);
-    if (!options.porosity.empty()) {
-        const Quantity value = read_fraction("--porosity", options.porosity);
+        .law = at_place("--porosity-law", [&] { return named<PorosityLaw>(options["--porosity-law"]); })};
+    if (options.has("--porosity-coefficient"))
+        porosity.coefficient = options.number("--porosity-coefficient", Dimension::fraction);
+    if (options.has("--porosity")) {
+        const Quantity value = read_fraction("--porosity", options["--porosity"]);
         porosity.value = value.value;
         porosity.standard_uncertainty = value.standard_uncertainty;
     } else if (const auto measured = measured_density(options)) {
@@ -215,23 +195,23 @@ std::string_view standing_of(MixtureRule rule) {
     return "";
 }
 
-void list_density(const SampleEstimate& sample, const ModulusCommandOptions& options, TextList& list) {
+void list_density(const SampleEstimate& sample, const CommandOptions& options, TextList& list) {
     const ParticleDensity& density = sample.density;
     list.add(
         "density of the phases",
         with_uncertainty(sample.estimate.density, sample.estimate.density_uncertainty, Dimension::density));
     if (density.porosity == 0) return;
     list.add("density of the particle", readable(density.apparent_density, "kg/m3") +
-                                            (options.particle_density.empty() ? "" : " (measured)"));
+                                            (!options.has("--particle-density") ? "" : " (measured)"));
     list.add("porosity", readable_number(density.porosity));
 }
 
-std::string estimate_text(const SampleEstimate& sample, const ModulusCommandOptions& options) {
+std::string estimate_text(const SampleEstimate& sample, const CommandOptions& options) {
     const ModulusEstimate& estimate = sample.estimate;
-    const std::string pores = sample.porosity ? "  pores by " + options.porosity_law : "";
+    const std::string pores = sample.porosity ? "  pores by " + options["--porosity-law"] : "";
     TextList list;
     list.add(
-        fmt::format("Young's modulus ({})", options.rule),
+        fmt::format("Young's modulus ({})", options["--rule"]),
         with_uncertainty(estimate.young_modulus, estimate.standard_uncertainty, Dimension::pressure) + pores);
     for (const RuleResult& rule : estimate.rules)
         list.add("  " + std::string(name_of(rule.rule)) + (sample.porosity ? ", dense" : ""),
@@ -257,7 +237,7 @@ Json sample_json(const SampleEstimate& sample, MixtureRule rule) {
 }
 
 SampleEstimate estimated(const XrdSample& sample, const PhaseCatalogue& catalogue,
-                         const ModulusCommandOptions& options, MixtureRule rule) {
+                         const CommandOptions& options, MixtureRule rule) {
     SampleEstimate result{.name = sample.name,
                           .composition = composed(sample, catalogue),
                           .estimate = {},
@@ -268,7 +248,7 @@ SampleEstimate estimated(const XrdSample& sample, const PhaseCatalogue& catalogu
     result.porosity = porosity_of(options, result.composition.density, inferred);
     result.estimate = estimate_modulus(result.composition, {.rule = rule, .porosity = result.porosity});
     const auto stated =
-        options.porosity.empty() ? std::nullopt : std::optional(result.porosity.value().value);
+        !options.has("--porosity") ? std::nullopt : std::optional(result.porosity.value().value);
     result.density = at_place("--particle-density", [&] {
         return particle_density(result.composition.density, stated, measured_density(options));
     });
@@ -278,26 +258,26 @@ SampleEstimate estimated(const XrdSample& sample, const PhaseCatalogue& catalogu
     return result;
 }
 
-void run_modulus_command(const ModulusCommandOptions& options, std::ostream& out) {
-    const MixtureRule rule = at_place("--rule", [&] { return named<MixtureRule>(options.rule); });
+void run_modulus_command(const CommandOptions& options, std::ostream& out) {
+    const MixtureRule rule = at_place("--rule", [&] { return named<MixtureRule>(options["--rule"]); });
     const PhaseCatalogue catalogue = catalogue_of(options);
     const XrdResult result =
-        read_xrd(read_start(options.file, longest_xrd_file + 1), options.file, options.sheet);
+        read_xrd(read_start(options["file"], longest_xrd_file + 1), options["file"], options["--sheet"]);
     for (const Finding& warning : result.warnings)
-        spdlog::warn("warning: {}: {}", options.file, warning.text);
+        spdlog::warn("warning: {}: {}", options["file"], warning.text);
 
     std::vector<SampleEstimate> estimates;
-    for (const XrdSample& sample : chosen(result, options.sample)) {
+    for (const XrdSample& sample : chosen(result, options["--sample"])) {
         const XrdSample whole = completed(sample, options);
         SampleEstimate estimate =
-            at_place(FileName{options.file}, [&] { return estimated(whole, catalogue, options, rule); });
+            at_place(FileName{options["file"]}, [&] { return estimated(whole, catalogue, options, rule); });
         for (const Finding& warning : estimate.warnings)
-            spdlog::warn("warning: {}: {}", options.file, warning.text);
+            spdlog::warn("warning: {}: {}", options["file"], warning.text);
         estimate.warnings.insert(estimate.warnings.begin(), result.warnings.begin(), result.warnings.end());
         estimates.push_back(std::move(estimate));
     }
 
-    if (!options.json) {
+    if (!options.has("--json")) {
         for (const SampleEstimate& estimate : estimates)
             out << (&estimate == &estimates.front() ? "" : "\n") << estimate_text(estimate, options);
         return;
@@ -310,40 +290,32 @@ void run_modulus_command(const ModulusCommandOptions& options, std::ostream& out
 }  // namespace
 
 void add_modulus(const CommandLine& line) {
-    auto [command, options] = line.add<ModulusCommandOptions>(
-        "modulus", "XRD result -> phase volumes -> Young's modulus with bounds",
-        "ashimpact modulus my-case/ash.csv --amorphous-fraction '42 +- 2 %'\n"
-        "  (ash.csv is among what `ashimpact init my-case` writes)",
-        run_modulus_command);
+    Command command = line.add("modulus", "XRD result -> phase volumes -> Young's modulus with bounds",
+                               "ashimpact modulus my-case/ash.csv --amorphous-fraction '42 +- 2 %'\n"
+                               "  (ash.csv is among what `ashimpact init my-case` writes)",
+                               run_modulus_command);
     command
-        ->add_option(
-            "file", options->file,
-            "XRD result: BGMN/Profex or GSAS-II .lst, FullProf .sum, TOPAS .out, CSV, .xlsx, .ods or JSON")
-        ->required()
-        ->type_name("FILE");
-    add_text(*command, "--amorphous-fraction", options->amorphous_fraction, "X",
-             "amorphous part of the whole, by weight (by volume where the file is); none; remainder: what is "
-             "missing to 100 %");
-    add_text(*command, "--crystalline-total", options->crystalline_total, "X",
-             "the rest of the whole is amorphous");
-    add_text(*command, "--internal-standard", options->internal_standard, "PHASE",
-             "standard that was added and refined; the amorphous part follows");
-    add_text(*command, "--added-fraction", options->added_fraction, "X",
-             "its weight over that of the mixture");
-    add_text(*command, "--sample", options->sample, "NAME", "of a file with several; default: all");
-    add_text(*command, "--sheet", options->sheet, "NAME", "of a spreadsheet with several tables");
-    add_text(*command, "--phase-set", options->phase_set, "NAME",
-             "phase set to look in first: literature, dong2013");
-    add_text(*command, "--phases", options->phases, "CASE.json",
-             "case file whose own phases come before all others");
-    add_text(*command, "--rule", options->rule, "NAME", "mixture rule of the modulus")->capture_default_str();
-    add_text(*command, "--porosity-law", options->porosity_law, "NAME",
-             "law by which pores soften; default: no pores");
-    add_text(*command, "--porosity", options->porosity, "X",
-             "default: from --particle-density and the phases");
-    add_text(*command, "--porosity-coefficient", options->porosity_coefficient, "B", "b of the law spriggs");
-    add_text(*command, "--particle-density", options->particle_density, "RHO", "as measured, pores included");
-    add_json_flag(*command, options->json);
+        .add("file", "FILE",
+             "XRD result: BGMN/Profex or GSAS-II .lst, FullProf .sum, TOPAS .out, CSV, .xlsx, .ods or JSON")
+        ->required();
+    command.add(
+        "--amorphous-fraction", "X",
+        "amorphous part of the whole, by weight (by volume where the file is); none; remainder: what is "
+        "missing to 100 %");
+    command.add("--crystalline-total", "X", "the rest of the whole is amorphous");
+    command.add("--internal-standard", "PHASE",
+                "standard that was added and refined; the amorphous part follows");
+    command.add("--added-fraction", "X", "its weight over that of the mixture");
+    command.add("--sample", "NAME", "of a file with several; default: all");
+    command.add("--sheet", "NAME", "of a spreadsheet with several tables");
+    command.add("--phase-set", "NAME", "phase set to look in first: literature, dong2013");
+    command.add("--phases", "CASE.json", "case file whose own phases come before all others");
+    command.add("--rule", "NAME", "mixture rule of the modulus", "parallel");
+    command.add("--porosity-law", "NAME", "law by which pores soften; default: no pores");
+    command.add("--porosity", "X", "default: from --particle-density and the phases");
+    command.add("--porosity-coefficient", "B", "b of the law spriggs");
+    command.add("--particle-density", "RHO", "as measured, pores included");
+    command.add_json_flag();
 }
 
 }  // namespace ashimpact

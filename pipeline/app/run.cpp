@@ -17,16 +17,6 @@ namespace ashimpact {
 
 namespace {
 
-struct RunOptions {
-    std::string case_file;  ///< empty: the built-in case
-    std::string folder = "results";
-    std::string from;
-    std::string only;
-    bool no_report = false;
-    bool figures = false;
-    bool allow_outside = false;
-};
-
 /// The remarks on the results: whole with -v, else a line for each kind that may change what to report.
 void tell(const RunSummary& summary) {
     if (spdlog::should_log(spdlog::level::debug)) {
@@ -48,15 +38,14 @@ void tell(const RunSummary& summary) {
         if (line.decides) spdlog::warn("  {}", line.text);
 }
 
-void run_run_command(const RunOptions& options, std::ostream& out) {
-    RunPlan plan{.case_file = std::nullopt,
-                 .folder = options.folder,
-                 .from = options.from,
-                 .only = options.only,
-                 .report = !options.no_report,
-                 .figures = options.figures,
-                 .allow_outside = options.allow_outside};
-    if (!options.case_file.empty()) plan.case_file = options.case_file;
+void run_run_command(const CommandOptions& options, std::ostream& out) {
+    const RunPlan plan{.case_file = options.if_given("case"),
+                       .folder = options["--output"],
+                       .from = options["--from"],
+                       .only = options["--only"],
+                       .report = !options.has("--no-report"),
+                       .figures = options.has("--figures"),
+                       .allow_outside = options.has("--allow-outside")};
     const RunSummary summary = run_stages(plan);
     tell(summary);
     for (const Artifact& artifact : summary.written)
@@ -79,63 +68,55 @@ void run_run_command(const RunOptions& options, std::ostream& out) {
 }  // namespace
 
 void add_run(const CommandLine& line) {
-    auto [command, options] = line.add<RunOptions>(
-        "run", "Every stage of a case, from XRD to the critical velocity",
-        "ashimpact run my-case/case.json -o my-case/results\n"
-        "  ashimpact run -o my-case/results --from fit    # after editing an artifact there",
-        run_run_command);
-    add_case_argument(*command, options->case_file);
-    command->add_option("-o,--output", options->folder, "folder of the artifacts")
-        ->capture_default_str()
-        ->type_name("DIR");
+    Command command =
+        line.add("run", "Every stage of a case, from XRD to the critical velocity",
+                 "ashimpact run my-case/case.json -o my-case/results\n"
+                 "  ashimpact run -o my-case/results --from fit    # after editing an artifact there",
+                 run_run_command);
+    command.add_case_argument();
+    command.add("-o,--output", "DIR", "folder of the artifacts", "results");
     auto* from =
-        add_text(*command, "--from", options->from, "STAGE",
-                 "start at this stage, from the artifacts in the folder: modulus, contact, analytic, "
-                 "restitution, damping, fit, critical-velocity, histories, comparison");
-    add_text(*command, "--only", options->only, "STAGE", "run this stage alone")->excludes(from);
-    command->add_flag("--no-report", options->no_report, "leave report.html out");
-    command->add_flag("--figures", options->figures,
-                      "every figure as SVG and PDF too, for one column and for two (PDF: librsvg2-bin)");
-    add_allow_outside_flag(*command, options->allow_outside);
+        command.add("--from", "STAGE",
+                    "start at this stage, from the artifacts in the folder: modulus, contact, analytic, "
+                    "restitution, damping, fit, critical-velocity, histories, comparison");
+    command.add("--only", "STAGE", "run this stage alone")->excludes(from);
+    command.add_flag("--no-report", "leave report.html out");
+    command.add_flag("--figures",
+                     "every figure as SVG and PDF too, for one column and for two (PDF: librsvg2-bin)");
+    command.add_allow_outside_flag();
 }
 
-void add_sweep(const CommandLine& line, const SweepRunner& runner) {
-    auto [command, options] = line.add<SweepOptions>(
-        "sweep", "Many impacts: grids, Monte Carlo, sensitivity; also under mpirun",
-        "ashimpact sweep spec.json -o sweep.json\n"
-        "  mpirun -n 4 ashimpact sweep spec.json -o sweep.json\n"
-        "A spec, such as (`ashimpact schema sweep` and docs/sweep.md say all):\n"
-        "  {\n"
-        "    \"impact\": {\"laws\": [\"dmt\", \"jkr\"], \"density\": \"2600 kg/m3\",\n"
-        "               \"contact_modulus\": \"90 GPa\", \"damping\": \"0.0141 kg/s\",\n"
-        "               \"work_of_adhesion\": \"0.3 J/m2\"},\n"
-        "    \"variables\": {\n"
-        "      \"velocity\": {\"distribution\": \"uniform\",\n"
-        "                   \"from\": \"0.5 m/s\", \"to\": \"5 m/s\"},\n"
-        "      \"radius\": {\"distribution\": \"log-normal\", \"median\": \"44 um\",\n"
-        "                 \"geometric_standard_deviation\": 1.5}},\n"
-        "    \"sampling\": {\"method\": \"quasi-random\", \"samples\": 65536, \"seed\": 1},\n"
-        "    \"sensitivity\": [\"restitution\"]\n"
-        "  }\n"
-        "The result is the same for any number of processes and threads. A sweep that was "
-        "stopped goes on from its\ncheckpoint, beside the result, when the same command runs "
-        "again.",
-        runner);
-    add_text(*command, "spec", options->spec, "SPEC.json", "JSON file that says what to compute")->required();
-    add_text(*command, "-o,--output", options->output, "FILE",
-             "JSON file for the result; a full table goes beside it (.h5)")
+void add_sweep(const CommandLine& line, const CommandBody& body) {
+    Command command =
+        line.add("sweep", "Many impacts: grids, Monte Carlo, sensitivity; also under mpirun",
+                 "ashimpact sweep spec.json -o sweep.json\n"
+                 "  mpirun -n 4 ashimpact sweep spec.json -o sweep.json\n"
+                 "A spec, such as (`ashimpact schema sweep` and docs/sweep.md say all):\n"
+                 "  {\n"
+                 "    \"impact\": {\"laws\": [\"dmt\", \"jkr\"], \"density\": \"2600 kg/m3\",\n"
+                 "               \"contact_modulus\": \"90 GPa\", \"damping\": \"0.0141 kg/s\",\n"
+                 "               \"work_of_adhesion\": \"0.3 J/m2\"},\n"
+                 "    \"variables\": {\n"
+                 "      \"velocity\": {\"distribution\": \"uniform\",\n"
+                 "                   \"from\": \"0.5 m/s\", \"to\": \"5 m/s\"},\n"
+                 "      \"radius\": {\"distribution\": \"log-normal\", \"median\": \"44 um\",\n"
+                 "                 \"geometric_standard_deviation\": 1.5}},\n"
+                 "    \"sampling\": {\"method\": \"quasi-random\", \"samples\": 65536, \"seed\": 1},\n"
+                 "    \"sensitivity\": [\"restitution\"]\n"
+                 "  }\n"
+                 "The result is the same for any number of processes and threads. A sweep that was "
+                 "stopped goes on from its\ncheckpoint, beside the result, when the same command runs "
+                 "again.",
+                 body);
+    command.add("spec", "SPEC.json", "JSON file that says what to compute")->required();
+    command.add("-o,--output", "FILE", "JSON file for the result; a full table goes beside it (.h5)")
         ->required();
-    command->add_option("--threads", options->threads, "of each process; 0: its share of the cores")
-        ->capture_default_str()
+    command.add("--threads", "INT", "of each process; 0: its share of the cores", "0")
         ->check(whole_number(0, 1024));
-    command->add_option("--checkpoint", options->checkpoint_interval, "seconds between checkpoints")
-        ->capture_default_str()
-        ->check(number_within(0, 1e6))
-        ->type_name("SECONDS");
-    command->add_flag("--restart", options->restart, "begin anew though there is a checkpoint");
-    command->add_flag("--no-report", options->no_report,
-                      "leave out the report, which stands beside the result (.html)");
-    command->add_flag("--progress", options->progress, "show progress though standard error is no terminal");
+    command.add("--checkpoint", "SECONDS", "seconds between checkpoints", "10")->check(number_within(0, 1e6));
+    command.add_flag("--restart", "begin anew though there is a checkpoint");
+    command.add_flag("--no-report", "leave out the report, which stands beside the result (.html)");
+    command.add_flag("--progress", "show progress though standard error is no terminal");
 }
 
 }  // namespace ashimpact

@@ -24,14 +24,6 @@ namespace ashimpact {
 
 namespace {
 
-struct CalibrateOptions {
-    std::string case_file;          ///< empty: the built-in case
-    std::vector<std::string> free;  ///< "density" or "density:each"; empty: what the case says
-    bool compare = false;           ///< hypotheses beside one another instead of one calibration
-    bool allow_outside = false;     ///< the case may name files outside of its folder
-    bool json = false;
-};
-
 /// "density" or "density:each".
 FreeConstant read_free(const std::string& text) {
     const auto colon = text.find(':');
@@ -168,12 +160,11 @@ void tell_that_it_takes_time() {
     if (on_terminal()) spdlog::info("calibrating: this takes some seconds");
 }
 
-void run_calibrate_command(const CalibrateOptions& options, std::ostream& out) {
-    const auto file = options.case_file.empty() ? std::nullopt : std::optional(options.case_file);
-    const Run run = compute_run(file, "contact", options.allow_outside);
+void run_calibrate_command(const CommandOptions& options, std::ostream& out) {
+    const Run run = compute_run(options.if_given("case"), "contact", options.has("--allow-outside"));
     Case data = run.data;
-    if (!options.free.empty()) data.calibration.clear();
-    for (const std::string& text : options.free) {
+    if (options.has("--free")) data.calibration.clear();
+    for (const std::string& text : options.list("--free")) {
         const FreeConstant free = read_free(text);
         for (const FreeConstant& other : data.calibration)
             if (other.quantity == free.quantity)
@@ -183,9 +174,9 @@ void run_calibrate_command(const CalibrateOptions& options, std::ostream& out) {
         data.calibration.push_back(free);
     }
 
-    at_place(FileName{options.case_file.empty() ? "built-in case" : options.case_file}, [&] {
+    at_place(FileName{options.if_given("case").value_or("built-in case")}, [&] {
         tell_that_it_takes_time();
-        if (options.compare) {
+        if (options.has("--compare")) {
             const bool elastic = data.wall && std::holds_alternative<ElasticWall>(*data.wall);
             data.calibration.clear();
             const CalibrationProblem problem = calibration_problem(data, run.modulus, run.contact);
@@ -196,8 +187,9 @@ void run_calibrate_command(const CalibrateOptions& options, std::ostream& out) {
             const auto hypotheses = compare_hypotheses(problem, elastic, on_terminal());
             ComparedObservations observations{problem, {}};
             for (const Sample& sample : data.samples) observations.samples.push_back(sample.name);
-            out << (options.json ? write_json(hypotheses_json(hypotheses, observations), Digits::seventeen)
-                                 : hypotheses_text(hypotheses, observations));
+            out << (options.has("--json")
+                        ? write_json(hypotheses_json(hypotheses, observations), Digits::seventeen)
+                        : hypotheses_text(hypotheses, observations));
             return;
         }
         if (data.calibration.empty())
@@ -211,7 +203,7 @@ void run_calibrate_command(const CalibrateOptions& options, std::ostream& out) {
         const auto velocities =
             rows_of(data, problem.critical_velocities, summary.critical_velocities, Dimension::velocity);
         const auto times = rows_of(data, problem.contact_times, summary.contact_times, Dimension::time);
-        if (!options.json) {
+        if (!options.has("--json")) {
             out << calibration_text(data, summary, profiles, velocities, times);
             return;
         }
@@ -231,24 +223,22 @@ void run_calibrate_command(const CalibrateOptions& options, std::ostream& out) {
 }  // namespace
 
 void add_calibrate(const CommandLine& line) {
-    auto [command, options] = line.add<CalibrateOptions>(
+    Command command = line.add(
         "calibrate", "Unknown constants of a case, from published critical velocities and contact times",
         "ashimpact calibrate --free density:each --free work_of_adhesion", run_calibrate_command);
-    add_case_argument(*command, options->case_file);
+    command.add_case_argument();
     command
-        ->add_option(
-            "--free", options->free,
-            "a constant to find: density, work_of_adhesion, contact_modulus, wall_young_modulus; with :each "
-            "one value a sample; default: what the case says")
-        ->type_name("NAME[:each]")
+        .add_list("--free", "NAME[:each]",
+                  "a constant to find: density, work_of_adhesion, contact_modulus, wall_young_modulus; with "
+                  ":each one value a sample; default: what the case says")
         ->allow_extra_args(false);
     command
-        ->add_flag("--compare", options->compare,
-                   "hypotheses beside one another: one modulus or those from XRD, one density or one a size, "
-                   "wall known or free")
+        .add_flag("--compare",
+                  "hypotheses beside one another: one modulus or those from XRD, one density or one a size, "
+                  "wall known or free")
         ->excludes("--free");
-    add_allow_outside_flag(*command, options->allow_outside);
-    add_json_flag(*command, options->json);
+    command.add_allow_outside_flag();
+    command.add_json_flag();
 }
 
 }  // namespace ashimpact

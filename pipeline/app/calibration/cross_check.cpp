@@ -22,12 +22,6 @@ namespace ashimpact {
 
 namespace {
 
-struct CrossCheckOptions {
-    std::string case_file;       ///< empty: the built-in case
-    bool allow_outside = false;  ///< the case may name files outside of its folder
-    bool json = false;
-};
-
 /// One point of the reference curve and what the other fits say at its velocity.
 struct CurvePoint {
     double velocity;     ///< [m/s]
@@ -192,9 +186,8 @@ std::string check_text(const SampleCheck& check) {
                        fits.text(2));
 }
 
-void run_cross_check_command(const CrossCheckOptions& options, std::ostream& out) {
-    const auto file = options.case_file.empty() ? std::nullopt : std::optional(options.case_file);
-    const Run run = compute_run(file, "contact", options.allow_outside);
+void run_cross_check_command(const CommandOptions& options, std::ostream& out) {
+    const Run run = compute_run(options.if_given("case"), "contact", options.has("--allow-outside"));
     const Case& data = run.data;
     std::vector<SampleCheck> checks;
     for (std::size_t i = 0; i < data.samples.size(); ++i) {
@@ -207,8 +200,8 @@ void run_cross_check_command(const CrossCheckOptions& options, std::ostream& out
         throw InputError("no sample has published fits to be checked against one another",
                          "restitution by \"reconstruct\"")
             .at("/samples")
-            .at(FileName{options.case_file});
-    if (options.json) {
+            .at(FileName{options["case"]});
+    if (options.has("--json")) {
         Json json{{"samples", Json::array()}};
         for (const SampleCheck& check : checks) json["samples"].push_back(check_json(check));
         out << write_json(json, Digits::seventeen);
@@ -223,12 +216,12 @@ void run_cross_check_command(const CrossCheckOptions& options, std::ostream& out
 }  // namespace
 
 void add_cross_check(const CommandLine& line) {
-    auto [command, options] = line.add<CrossCheckOptions>(
-        "cross-check", "Whether published damping fits of several laws describe the same impacts",
-        "ashimpact cross-check", run_cross_check_command);
-    add_case_argument(*command, options->case_file);
-    add_allow_outside_flag(*command, options->allow_outside);
-    add_json_flag(*command, options->json);
+    Command command =
+        line.add("cross-check", "Whether published damping fits of several laws describe the same impacts",
+                 "ashimpact cross-check", run_cross_check_command);
+    command.add_case_argument();
+    command.add_allow_outside_flag();
+    command.add_json_flag();
 }
 
 }  // namespace ashimpact

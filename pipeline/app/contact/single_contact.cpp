@@ -26,25 +26,12 @@ namespace ashimpact {
 
 namespace {
 
-/// The options of one sphere; @p prefix begins the name of each.
-struct SphereOptions {
-    std::string prefix;
-    const std::string& radius;
-    const std::string& diameter;
-    const std::string& density;
-    const std::string& mass;
-
-    [[nodiscard]] std::string name(const char* option) const { return prefix + option; }
-};
-
-/// The radius by either option [m].
-double read_radius(const SphereOptions& options) {
-    if (options.diameter.empty())
-        return read_positive_option(options.name("radius"), options.radius, Dimension::length);
-    if (!options.radius.empty())
-        throw InputError("both are given", "one of the two")
-            .at(options.name("diameter") + ", " + options.name("radius"));
-    return 0.5 * read_positive_option(options.name("diameter"), options.diameter, Dimension::length);
+/// The radius by either option of a sphere [m]; @p prefix begins the name of each.
+double read_radius(const CommandOptions& options, const std::string& prefix) {
+    if (!options.has(prefix + "diameter")) return options.positive(prefix + "radius", Dimension::length);
+    if (options.has(prefix + "radius"))
+        throw InputError("both are given", "one of the two").at(prefix + "diameter, " + prefix + "radius");
+    return 0.5 * options.positive(prefix + "diameter", Dimension::length);
 }
 
 /// Warns of what is hardly a particle: a unit may have been forgotten.
@@ -60,33 +47,25 @@ void warn_if_implausible(double radius, double density) {
                      readable(density, "kg/m3"));
 }
 
-Sphere read_sphere(const SphereOptions& options) {
-    const double radius = read_radius(options);
-    if (options.density.empty() == options.mass.empty())
-        throw InputError(options.mass.empty() ? "neither is given" : "both are given", "one of the two")
-            .at(options.name("density") + ", " + options.name("mass"));
-    if (!options.mass.empty())
-        return {radius, read_positive_option(options.name("mass"), options.mass, Dimension::mass)};
-    const double density = read_positive_option(options.name("density"), options.density, Dimension::density);
-    return at_place(options.name("radius") + ", " + options.name("density"), [&] {
+Sphere read_sphere(const CommandOptions& options, const std::string& prefix) {
+    const double radius = read_radius(options, prefix);
+    const bool by_mass = options.has(prefix + "mass");
+    if (options.has(prefix + "density") == by_mass)
+        throw InputError(by_mass ? "both are given" : "neither is given", "one of the two")
+            .at(prefix + "density, " + prefix + "mass");
+    if (by_mass) return {radius, options.positive(prefix + "mass", Dimension::mass)};
+    const double density = options.positive(prefix + "density", Dimension::density);
+    return at_place(prefix + "radius, " + prefix + "density", [&] {
         const double mass = sphere_mass(radius, density);
         require_positive("mass of the sphere", mass, Dimension::mass);
         return Sphere{radius, mass};
     });
 }
 
-Sphere read_particle(const ContactOptions& options) {
-    const Sphere sphere =
-        read_sphere({"--", options.radius, options.diameter, options.density, options.mass});
-    warn_if_implausible(sphere.radius, sphere_density(sphere.radius, sphere.mass));
-    return sphere;
-}
-
-std::optional<Sphere> read_partner(const ContactOptions& options) {
-    if (!options.partner_radius.empty() || !options.partner_diameter.empty())
-        return read_sphere({"--partner-", options.partner_radius, options.partner_diameter,
-                            options.partner_density, options.partner_mass});
-    if (!options.partner_density.empty() || !options.partner_mass.empty())
+std::optional<Sphere> read_partner(const CommandOptions& options) {
+    if (options.has("--partner-radius") || options.has("--partner-diameter"))
+        return read_sphere(options, "--partner-");
+    if (options.has("--partner-density") || options.has("--partner-mass"))
         throw InputError("is missing", "the radius of the second sphere; or its --partner-diameter")
             .at("--partner-radius");
     return std::nullopt;
@@ -99,29 +78,28 @@ Sphere effective(const Sphere& sphere, const std::optional<Sphere>& partner) {
 }
 
 /// The share of the work of adhesion that roughness leaves.
-double read_roughness(const ContactOptions& options, double effective_radius) {
-    if (options.roughness.empty()) return 1;
-    const double rms = read_option("--roughness", options.roughness, Dimension::length);
+double read_roughness(const CommandOptions& options, double effective_radius) {
+    if (!options.has("--roughness")) return 1;
+    const double rms = options.number("--roughness", Dimension::length);
     return at_place("--roughness", [&] { return roughness_reduction(effective_radius, {.rms = rms}); });
 }
 
-double read_work_of_adhesion(const ContactOptions& options, Law law) {
+double read_work_of_adhesion(const CommandOptions& options, Law law) {
     constexpr auto option = "--work-of-adhesion";
     const bool used = law.uses_work_of_adhesion();
-    if (!used && !options.work_of_adhesion.empty())
+    if (!used && options.has(option))
         spdlog::warn("warning: {}: {} does not use it, so it changes nothing", option, law.name());
-    if (!used && options.work_of_adhesion.empty()) return 0;
-    const double value = read_option(option, options.work_of_adhesion, Dimension::energy_per_area);
+    if (!used && !options.has(option)) return 0;
+    const double value = options.number(option, Dimension::energy_per_area);
     return at_place(option, [&] {
         require_not_negative("work of adhesion", value, Dimension::energy_per_area);
         return value;
     });
 }
 
-double read_yield_pressure(const ContactOptions& options, Law law) {
-    if (law.is_plastic())
-        return read_positive_option("--yield-pressure", options.yield_pressure, Dimension::pressure);
-    if (!options.yield_pressure.empty())
+double read_yield_pressure(const CommandOptions& options, Law law) {
+    if (law.is_plastic()) return options.positive("--yield-pressure", Dimension::pressure);
+    if (options.has("--yield-pressure"))
         spdlog::warn("warning: --yield-pressure: {} never yields, so it changes nothing", law.name());
     return std::numeric_limits<double>::infinity();
 }
@@ -137,18 +115,16 @@ double read_yield_pressure(const ContactOptions& options, Law law) {
     throw InputError(problem, fault.allowed()).at(names);
 }
 
-ParameterValues<double> read_parameters(const ContactOptions& options, Law law) {
+ParameterValues<double> read_parameters(const CommandOptions& options, Law law) {
     ParameterValues<double> values;
-    for (std::size_t i = 0; i < options.parameters.size(); ++i) {
-        const LawParameter& parameter = law_parameters()[i];
+    for (const LawParameter& parameter : law_parameters()) {
         const std::string option = option_of(parameter);
-        const std::string& text = options.parameters[i];
-        if (text.empty()) continue;
+        if (!options.has(option)) continue;
         if (!law.takes(parameter)) {
             spdlog::warn("warning: {}: {} does not use it, so it changes nothing", option, law.name());
             continue;
         }
-        const double value = read_option(option, text, parameter.dimension);
+        const double value = options.number(option, parameter.dimension);
         at_place(option, [&] { require_allowed(parameter, value); });
         values.set(parameter.name, value);
     }
@@ -240,8 +216,21 @@ std::string option_of(const LawParameter& parameter) {
     return option;
 }
 
-double read_option(const std::string& option, const std::string& text, Dimension dimension) {
-    return at_place(option, [&] {
+const std::string& CommandOptions::operator[](std::string_view name) const {
+    static const std::string none;
+    const auto found = texts_.find(name);
+    return found == texts_.end() ? none : found->second;
+}
+
+const std::vector<std::string>& CommandOptions::list(std::string_view name) const {
+    static const std::vector<std::string> none;
+    const auto found = lists_.find(name);
+    return found == lists_.end() ? none : found->second;
+}
+
+double CommandOptions::number(std::string_view name, Dimension dimension) const {
+    return at_place(std::string(name), [&] {
+        const std::string& text = (*this)[name];
         if (text.empty())
             throw InputError("is missing", with_article(dimension_name(dimension)) + " [" +
                                                std::string(si_unit(dimension)) + "]");
@@ -253,35 +242,37 @@ double read_option(const std::string& option, const std::string& text, Dimension
     });
 }
 
-double read_positive_option(const std::string& option, const std::string& text, Dimension dimension) {
-    const double value = read_option(option, text, dimension);
-    return at_place(option, [&] {
+double CommandOptions::positive(std::string_view name, Dimension dimension) const {
+    const double value = number(name, dimension);
+    return at_place(std::string(name), [&] {
         require_positive(dimension_name(dimension), value, dimension);
         return value;
     });
 }
 
-ContactChoice read_contact(const ContactOptions& options) {
-    const Law law = at_place("--law", [&] { return Law::named(options.law); });
-    const Detachment detachment = read_detachment(options.detachment, law);
-    const Sphere sphere = read_particle(options);
+ContactChoice read_contact(const CommandOptions& options) {
+    const Law law = at_place("--law", [&] { return Law::named(options["--law"]); });
+    const Detachment detachment = read_detachment(options["--detachment"], law);
+    const Sphere sphere = read_sphere(options, "--");
+    warn_if_implausible(sphere.radius, sphere_density(sphere.radius, sphere.mass));
     const std::optional<Sphere> partner = read_partner(options);
     const auto [radius, mass] = effective(sphere, partner);
     const double smooth_adhesion = read_work_of_adhesion(options, law);
     const ContactPair contact{.mass = mass,
                               .effective_radius = radius,
-                              .contact_modulus = read_positive_option(
-                                  "--contact-modulus", options.contact_modulus, Dimension::pressure),
+                              .contact_modulus = options.positive("--contact-modulus", Dimension::pressure),
                               .work_of_adhesion = smooth_adhesion * read_roughness(options, radius),
                               .yield_pressure = read_yield_pressure(options, law),
                               .parameters = read_parameters(options, law)};
     return {law, detachment, contact, sphere, partner};
 }
 
-Damping read_damping(const ContactOptions& options) {
-    const DampingLaw law = at_place("--damping-law", [&] { return named<DampingLaw>(options.damping_law); });
-    if (options.damping.empty()) return {law, 0};
-    const double coefficient = read_option("--damping", options.damping, dimension_of(law));
+Damping read_damping(const CommandOptions& options) {
+    const std::string& name = options["--damping-law"];
+    const DampingLaw law = at_place(
+        "--damping-law", [&] { return name.empty() ? DampingLaw::constant : named<DampingLaw>(name); });
+    if (!options.has("--damping")) return {law, 0};
+    const double coefficient = options.number("--damping", dimension_of(law));
     return at_place("--damping", [&] {
         require_not_negative("damping", coefficient, dimension_of(law));
         return Damping{law, coefficient};

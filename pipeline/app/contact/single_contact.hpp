@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,25 +16,33 @@
 
 namespace ashimpact {
 
-/// One contact as the user typed it; empty where an option was not given.
-struct ContactOptions {
-    std::string law;
-    std::string detachment;
-    std::string radius;
-    std::string diameter;  ///< instead of the radius
-    std::string density;
-    std::string mass;
-    std::string partner_radius;    ///< of a second sphere; a flat wall where it is not given
-    std::string partner_diameter;  ///< instead of its radius
-    std::string partner_density;
-    std::string partner_mass;
-    std::string roughness;  ///< rms of both surfaces
-    std::string contact_modulus;
-    std::string work_of_adhesion;
-    std::string yield_pressure;
-    std::vector<std::string> parameters = std::vector<std::string>(law_parameters().size());  ///< their order
-    std::string damping_law = "constant";
-    std::string damping;
+/// Options of a command as the user typed them, by name: "--radius"; an argument without dashes, "file".
+class CommandOptions {
+  public:
+    /// What was typed, else the default of the option, which may be empty; "true" for a flag.
+    [[nodiscard]] const std::string& operator[](std::string_view name) const;
+    [[nodiscard]] bool has(std::string_view name) const { return !(*this)[name].empty(); }
+    [[nodiscard]] std::optional<std::string> if_given(std::string_view name) const {
+        return has(name) ? std::optional((*this)[name]) : std::nullopt;
+    }
+    /// What was typed for an option that may be given several times.
+    [[nodiscard]] const std::vector<std::string>& list(std::string_view name) const;
+    /// The whole number of an option, which the parser has checked.
+    [[nodiscard]] int whole(std::string_view name, int otherwise = 0) const {
+        return has(name) ? std::stoi((*this)[name]) : otherwise;
+    }
+    /// [SI unit of the dimension] @throws InputError naming the option
+    [[nodiscard]] double number(std::string_view name, Dimension dimension) const;
+    /// The same, > 0. @throws InputError naming the option
+    [[nodiscard]] double positive(std::string_view name, Dimension dimension) const;
+
+    /// Where the parser stores what was typed.
+    [[nodiscard]] std::string& text_of(const std::string& name) { return texts_[name]; }
+    [[nodiscard]] std::vector<std::string>& list_of(const std::string& name) { return lists_[name]; }
+
+  private:
+    std::map<std::string, std::string, std::less<>> texts_;
+    std::map<std::string, std::vector<std::string>, std::less<>> lists_;
 };
 
 /// A sphere of the options.
@@ -53,18 +63,11 @@ struct ContactChoice {
 /// The option of a law parameter: "--cohesion-energy-density".
 [[nodiscard]] std::string option_of(const LawParameter& parameter);
 
-/// @throws InputError naming the option
-[[nodiscard]] ContactChoice read_contact(const ContactOptions& options);
+/// The contact of the options of a command. @throws InputError naming the option
+[[nodiscard]] ContactChoice read_contact(const CommandOptions& options);
 
 /// The damping law and its coefficient, 0 where it was not given. @throws InputError naming the option
-[[nodiscard]] Damping read_damping(const ContactOptions& options);
-
-/// What an option says [SI unit of the dimension]. @throws InputError naming the option
-[[nodiscard]] double read_option(const std::string& option, const std::string& text, Dimension dimension);
-
-/// The same, > 0. @throws InputError naming the option
-[[nodiscard]] double read_positive_option(const std::string& option, const std::string& text,
-                                          Dimension dimension);
+[[nodiscard]] Damping read_damping(const CommandOptions& options);
 
 /// An impact and what it did, with the keys of the command's --json.
 [[nodiscard]] Json impact_json(const Impact& impact, const ImpactResult& result);

@@ -161,8 +161,8 @@ std::string summary(const Json& artifact, const SweepFiles& files, const SweepPl
 /// Writes the report beside the result, or removes that of an earlier sweep. A failure is only a warning, so
 /// that the result is kept.
 /// @returns whether there is a report
-bool write_report(const SweepOptions& options, const Json& artifact, const SweepFiles& files) {
-    if (!options.no_report) {
+bool write_report(const CommandOptions& options, const Json& artifact, const SweepFiles& files) {
+    if (!options.has("--no-report")) {
         try {
             write_file(files.report, report::sweep_page(artifact, capture_fractions(artifact),
                                                         files.result.filename().string()));
@@ -179,18 +179,18 @@ bool write_report(const SweepOptions& options, const Json& artifact, const Sweep
 }
 
 /// Rank 0: everything but the blocks other ranks compute. @returns whether all is done
-bool lead(const SweepOptions& options, const SweepPlan& plan, const SpecFile& spec, Workers& workers,
+bool lead(const CommandOptions& options, const SweepPlan& plan, const SpecFile& spec, Workers& workers,
           std::ostream& out) {
-    const SweepFiles files = SweepFiles::beside(options.output);
+    const SweepFiles files = SweepFiles::beside(options["--output"]);
     make_folder(files.result.parent_path());
     RowLog rows(files.rows);
-    if (options.restart) {
+    if (options.has("--restart")) {
         remove_leftovers(files);
         rows.clear();
     }
     SweepProgress progress = load_checkpoint(files.checkpoint, plan).value_or(SweepProgress{});
-    const SweepCare care{.checkpoint_interval = options.checkpoint_interval,
-                         .show_progress = options.progress || on_terminal(),
+    const SweepCare care{.checkpoint_interval = options.number("--checkpoint", Dimension::fraction),
+                         .show_progress = options.has("--progress") || on_terminal(),
                          .interrupted = [] { return interrupting_signal != 0; }};
     if (!complete(progress, plan, files, rows, workers, care)) return false;
     if (!plan.spec().table.empty()) write_table(files.table, plan, files.rows);
@@ -356,22 +356,24 @@ Json citations_of(const SweepPlan& plan) {
 
 }  // namespace
 
-void run_sweep_command(const SweepOptions& options, MpiSession& session, const ImpactSolver& solver,
+void run_sweep_command(const CommandOptions& options, MpiSession& session, const ImpactSolver& solver,
                        std::ostream& out) {
     session.join();
     std::string text;
     if (session.rank() == 0) {
-        text = read_file(options.spec);
-        const SweepPlan checked = at_place(FileName{options.spec}, [&] { return SweepPlan(text); });
+        text = read_file(options["spec"]);
+        const SweepPlan checked = at_place(FileName{options["spec"]}, [&] { return SweepPlan(text); });
         for (const std::string& warning : checked.spec().warnings) spdlog::warn("warning: {}", warning);
-        check_outputs(SweepFiles::beside(options.output), options.spec, checked, !options.no_report);
+        check_outputs(SweepFiles::beside(options["--output"]), options["spec"], checked,
+                      !options.has("--no-report"));
     }
     text = session.broadcast(text);
     const SweepPlan plan(text);
-    const int threads = options.threads > 0 ? options.threads : default_threads(session.size_here());
+    const int threads =
+        options.whole("--threads") > 0 ? options.whole("--threads") : default_threads(session.size_here());
     const auto of_spec = [&](const ImpactModel& model, const ImpactColumns& impacts,
                              const WantedResults& wanted) {
-        return at_place(FileName{options.spec}, [&] { return solver(model, impacts, wanted); });
+        return at_place(FileName{options["spec"]}, [&] { return solver(model, impacts, wanted); });
     };
     ThreadWorkers own(threads, work_of(plan, of_spec));
     if (session.rank() != 0) {
@@ -379,7 +381,7 @@ void run_sweep_command(const SweepOptions& options, MpiSession& session, const I
         return;
     }
     stop_on_signals();
-    const SpecFile spec{options.spec, sha256(text)};
+    const SpecFile spec{options["spec"], sha256(text)};
     RankWorkers workers(own, session);
     const bool done = lead(options, plan, spec, workers, out);
     workers.dismiss();

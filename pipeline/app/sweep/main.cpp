@@ -15,10 +15,10 @@ int main(int argc, char** argv) {
     ashimpact::MpiSession session;
     const int status = ashimpact::run_program(
         argc, argv,
-        [&](const ashimpact::SweepOptions& options, std::ostream& out) {
+        [&](const ashimpact::CommandOptions& options, std::ostream& out) {
             ashimpact::run_sweep_command(options, session, ashimpact::solve_in_batch, out);
         },
-        [](const ashimpact::ExportOptions& options, std::ostream& out) {
+        [](const ashimpact::CommandOptions& options, std::ostream& out) {
             ashimpact::run_export_command(options, ashimpact::impact_table_image, out);
         });
     return session.leave(status);

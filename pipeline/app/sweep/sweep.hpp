@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "core/json/document.hpp"
-#include "pipeline/app/command.hpp"
+#include "pipeline/app/contact/single_contact.hpp"
 #include "pipeline/app/sweep/block.hpp"
 #include "pipeline/app/sweep/spec/impacts.hpp"
 #include "pipeline/app/sweep/tables.hpp"
@@ -65,7 +65,7 @@ struct SpecFile {
 
 /// `ashimpact sweep`, as ashimpact-sweep runs it: reads the spec, continues from a checkpoint if there is
 /// one, computes the rest with the threads of all processes, and writes the result.
-void run_sweep_command(const SweepOptions& options, MpiSession& session, const ImpactSolver& solver,
+void run_sweep_command(const CommandOptions& options, MpiSession& session, const ImpactSolver& solver,
                        std::ostream& out);
 
 }  // namespace ashimpact

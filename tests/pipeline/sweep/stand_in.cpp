@@ -79,7 +79,7 @@ int main(int argc, char** argv) {
     ashimpact::MpiSession session;
     const int status =
         ashimpact::run_program(argc, argv,
-                               [&](const ashimpact::SweepOptions& options, std::ostream& out) {
+                               [&](const ashimpact::CommandOptions& options, std::ostream& out) {
                                    ashimpact::run_sweep_command(options, session, ashimpact::stand_in, out);
                                },
                                {});
