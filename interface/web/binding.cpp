@@ -26,7 +26,7 @@
 #include "pipeline/files/file.hpp"
 #include "pipeline/present/report/drawing/figure.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
-#include "pipeline/present/report/page/run_page.hpp"
+#include "pipeline/present/report/page/page.hpp"
 #include "pipeline/present/text/comparison_table.hpp"
 #include "pipeline/run/stage.hpp"
 #include "solver/inference/impacts/measurement.hpp"

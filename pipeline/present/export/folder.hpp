@@ -39,8 +39,7 @@ using TemplateValues = std::map<std::string, std::string, std::less<>>;
 /// Values that every template may use: law, detachment, damping, E*, w, sizes, version.
 [[nodiscard]] TemplateValues common_values(const ExportSubject& subject);
 
-/// assumptions.md: sources of the numbers, their conversions, limits of the model.
-/// @param conversions a line each
+/// assumptions.md: sources of the numbers, their conversions (a line each), limits of the model.
 [[nodiscard]] ExportFile assumptions(const ExportSubject& subject,
                                      const std::vector<std::string>& conversions);
 

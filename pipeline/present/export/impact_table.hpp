@@ -39,10 +39,9 @@ inline constexpr double table_accuracy = 2e-4;
 /// Relative error of v_c that a table keeps between its sizes; it has none at them [1].
 inline constexpr double table_threshold_accuracy = 1e-8;
 
-/// Makes the table, as fine as the accuracy needs it.
-/// @throws InputError where every impact is captured, where only some sizes have a critical velocity, where
-/// the damping of several sizes follows the velocity, and where a table of reasonable size does not reach the
-/// accuracy
+/// Makes the table, as fine as the accuracy needs it. @throws InputError where every impact is captured, only
+/// some sizes have a critical velocity, the damping of several sizes follows the velocity, or a table of
+/// reasonable size does not reach the accuracy
 [[nodiscard]] ImpactTable make_impact_table(const ExportSubject& subject);
 
 /// v_0 at a diameter within the table's range [m/s].

@@ -74,9 +74,7 @@ void require_wall(const ExportSubject& subject, const std::string& reason);
 [[nodiscard]] Impact impact_at(const ExportSubject& subject, double diameter, double velocity);
 
 /// The verdict of a size, its v_c where that is finite. Damping that depends on velocity: the velocity at
-/// which v_in = v_c(damping(v_in)).
-/// @throws InputError if capture and rebound change places more than once, which a table or a code with one
-/// critical velocity cannot represent
+/// which v_in = v_c(damping(v_in)). @throws InputError if there are several
 [[nodiscard]] CriticalVelocity threshold_at(const ExportSubject& subject, double diameter);
 
 /// Which part of a run is exported.

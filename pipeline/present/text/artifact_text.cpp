@@ -11,7 +11,6 @@
 #include "core/quantities/readable.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/present/text/comparison_table.hpp"
-#include "pipeline/present/text/layout.hpp"
 
 namespace ashimpact {
 
@@ -23,12 +22,21 @@ bool is_plain_quantity(const Json& value) {
            value["value"].is_number() && value["unit"].is_string();
 }
 
-/// {"values", "unit"} with more numbers than one, or none.
+/// Whether a member is a list of numbers alone.
+bool has_numbers(const Json& value, const char* key) {
+    return value.contains(key) && value[key].is_array() &&
+           std::ranges::all_of(value[key], [](const Json& v) { return v.is_number(); });
+}
+
+/// {"values", "unit"} with numbers.
+bool is_any_column(const Json& value) {
+    return value.is_object() && value.contains("unit") && value["unit"].is_string() &&
+           has_numbers(value, "values");
+}
+
+/// One of more numbers than one, or none.
 bool is_column(const Json& value) {
-    return value.is_object() && value.contains("values") && value.contains("unit") &&
-           value["unit"].is_string() && value["values"].is_array() && value["values"].size() != 1 &&
-           std::all_of(value["values"].begin(), value["values"].end(),
-                       [](const Json& v) { return v.is_number(); });
+    return is_any_column(value) && value["values"].size() != 1;
 }
 
 /// {"level", "lower", "upper"}.
@@ -85,19 +93,11 @@ std::string scalar_text(const Json& value) {
     return value.dump();
 }
 
-/// A column of one number.
-bool is_single(const Json& value) {
-    return value.is_object() && value.contains("values") && value.contains("unit") &&
-           value["unit"].is_string() && value["values"].is_array() && value["values"].size() == 1 &&
-           value["values"].front().is_number();
-}
-
-/// A value that fits behind its name: a text, a number, a quantity, an interval, a list of such; else
-/// nothing.
+/// A value that fits behind its name: a text, a number, a quantity, an interval, a list of such.
 std::optional<std::string> short_text(const Json& value) {
     if (is_plain_quantity(value)) return quantity_text(value);
     if (is_interval(value)) return interval_text(value);
-    if (is_single(value))
+    if (is_any_column(value) && value["values"].size() == 1)
         return readable(value["values"].front().get<double>(), value["unit"].get<std::string>());
     if (!value.is_structured()) return scalar_text(value);
     if (value.empty()) return "none";
@@ -110,13 +110,10 @@ std::optional<std::string> short_text(const Json& value) {
     return joined(list);
 }
 
-/// {"edges": {"values", "unit"}, "counts": [..]} with an edge more than counts, as the result of a sweep has
-/// it.
+/// {"edges": {"values", "unit"}, "counts": [..]} with an edge more than counts, as in the result of a sweep.
 bool is_histogram(const Json& value) {
-    return value.is_object() && value.contains("edges") && value.contains("counts") &&
-           is_column(value["edges"]) && value["counts"].is_array() && !value["counts"].empty() &&
-           std::all_of(value["counts"].begin(), value["counts"].end(),
-                       [](const Json& count) { return count.is_number(); }) &&
+    return value.is_object() && value.contains("edges") && is_column(value["edges"]) &&
+           has_numbers(value, "counts") && !value["counts"].empty() &&
            value["edges"]["values"].size() == value["counts"].size() + 1;
 }
 
@@ -212,8 +209,8 @@ class ResultText {
         return margin(depth) + key + "\n" + block(member, depth + 1);
     }
 
-    /// The columns of an object as tables: those of one length side by side, and captures, which are other
-    /// impacts, never beside rebounds.
+    /// The columns of an object as tables: those of one length side by side, but captures apart from
+    /// rebounds.
     [[nodiscard]] std::string columns(const Json& object, std::size_t depth) const {
         std::vector<std::pair<std::pair<bool, std::size_t>, std::vector<std::string>>> groups;
         for (const auto& [key, value] : object.items()) {

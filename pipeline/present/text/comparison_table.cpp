@@ -2,6 +2,7 @@
 #include "pipeline/present/text/comparison_table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <utility>
 
@@ -10,7 +11,6 @@
 #include "core/quantities/readable.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/document/results_json.hpp"
-#include "pipeline/present/text/layout.hpp"
 
 namespace ashimpact {
 
@@ -29,17 +29,11 @@ std::string wrapped_line(const std::string& text, std::size_t width, std::size_t
 /// The velocity to report, or the bound that the impacts give instead: "> 2.31".
 std::string reported_cell(const ReportedVelocity& reported) {
     const Answer answer = answer_of(reported);
-    switch (answer.kind) {
-        case Answer::Kind::velocity:
-            return velocity_text(answer.velocity);
-        case Answer::Kind::above:
-            return "> " + velocity_text(answer.velocity);
-        case Answer::Kind::below:
-            return "< " + velocity_text(answer.velocity);
-        case Answer::Kind::none:
-            break;
-    }
-    return "-";
+    if (answer.kind == Answer::Kind::none) return "-";
+    const char* bound = answer.kind == Answer::Kind::above   ? "> "
+                        : answer.kind == Answer::Kind::below ? "< "
+                                                             : "";
+    return bound + velocity_text(answer.velocity);
 }
 
 /// The measured velocity with the interval that is compared: "1.92 (1.91 to 1.93)".
@@ -257,18 +251,8 @@ std::string estimate_text(const std::optional<VelocityEstimate>& velocity) {
 }
 
 std::string_view verdict_words(const std::optional<CriticalVelocityCheck>& check) {
-    if (!check) return {};
-    switch (check->verdict) {
-        case CriticalVelocityVerdict::agrees:
-            return "agrees";
-        case CriticalVelocityVerdict::model_too_low:
-            return "too low";
-        case CriticalVelocityVerdict::model_too_high:
-            return "too high";
-        case CriticalVelocityVerdict::not_comparable:
-            break;
-    }
-    return {};
+    constexpr std::array<std::string_view, 4> words{"agrees", "too low", "too high", ""};  // in their order
+    return check ? words.at(static_cast<std::size_t>(check->verdict)) : "";
 }
 
 bool is_extrapolated(const LawComparison& law) {

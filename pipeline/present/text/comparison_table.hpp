@@ -59,9 +59,9 @@ struct RemarkLine {
     bool decides = true;
 };
 
-/// The remarks of a run, one line a kind: "2 x 6-fit.json (fine; dmt, jkr): ...". Remarks are of one kind if
-/// they are in one artifact and differ in sample, law and numbers alone; the line has the text of the first
-/// one, without the reasons and consequences that follow a colon or a semicolon.
+/// The remarks of a run, one line a kind: "2 x 6-fit.json (fine; dmt, jkr): ...". Remarks of one artifact
+/// that differ in sample, law and numbers alone are of one kind; the line has the first one without its
+/// reasons.
 /// @param samples number of samples of the run
 [[nodiscard]] std::vector<RemarkLine> remark_lines(const std::vector<Remark>& remarks, std::size_t samples);
 

@@ -22,8 +22,7 @@ inline constexpr std::size_t piped_width = 80;
 /// @param hanging blanks before the continued part of a line, beyond those that the line begins with
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t width, std::size_t hanging = 0);
 
-/// A command to be typed. One that is longer than @p width goes on behind a backslash, an option with its
-/// value and what is quoted whole.
+/// A command to be typed; beyond @p width it goes on behind a backslash, options with their values whole.
 [[nodiscard]] std::string wrapped_command(const std::string& line, std::size_t width);
 
 /// The text, or its beginning and "..." in exactly @p width characters.

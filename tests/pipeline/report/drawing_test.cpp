@@ -4,7 +4,6 @@
 
 #include <doctest/doctest.h>
 
-#include "pipeline/present/report/drawing/axes.hpp"
 #include "pipeline/present/report/drawing/figure.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/drawing/panel.hpp"

@@ -16,7 +16,7 @@
 #include "pipeline/files/sha256.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
-#include "pipeline/present/report/page/run_page.hpp"
+#include "pipeline/present/report/page/page.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "tests/pipeline/sandbox.hpp"
 

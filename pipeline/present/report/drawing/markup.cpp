@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/present/report/drawing/markup.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <string_view>
 
 #include <fmt/format.h>
+#include <nettle/base64.h>
 
 #include "core/text/utf8.hpp"
 
@@ -15,6 +16,12 @@ namespace ashimpact::report {
 namespace {
 
 constexpr std::string_view replacement = "\xEF\xBF\xBD";  // U+FFFD
+
+struct Entity {
+    std::string_view character, entity;
+};
+constexpr std::array entities{Entity{"&", "&amp;"}, Entity{"<", "&lt;"}, Entity{">", "&gt;"},
+                              Entity{"\"", "&quot;"}, Entity{"'", "&#39;"}};
 
 /// Width of a character over the font size.
 double relative_width(char32_t value) {
@@ -105,16 +112,9 @@ std::string escaped(std::string_view text) {
         const bool no_character = (character.code_point & 0xfffeU) == 0xfffeU;  // which XML forbids
         if (!character.valid || no_character)
             out += replacement;
-        else if (bytes == "&")
-            out += "&amp;";
-        else if (bytes == "<")
-            out += "&lt;";
-        else if (bytes == ">")
-            out += "&gt;";
-        else if (bytes == "\"")
-            out += "&quot;";
-        else if (bytes == "'")
-            out += "&#39;";
+        else if (const auto* markup = std::ranges::find(entities, bytes, &Entity::character);
+                 markup != entities.end())
+            out += markup->entity;
         else if (!character.is_control())
             out += bytes;
     });
@@ -177,15 +177,8 @@ std::string isolated(std::string_view name) {
 }
 
 std::string base64(std::string_view bytes) {
-    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string out;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t group = 0;
-        for (std::size_t j = 0; j < 3; ++j)
-            group = (group << 8U) | (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0U);
-        for (std::size_t j = 0; j < 4; ++j)
-            out += i + j <= bytes.size() ? digits[(group >> (18U - 6U * j)) & 63U] : '=';
-    }
+    std::string out(BASE64_ENCODE_RAW_LENGTH(bytes.size()), '\0');
+    base64_encode_raw(out.data(), bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
     return out;
 }
 

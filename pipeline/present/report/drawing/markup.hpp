@@ -41,8 +41,7 @@ struct Look {
     bool neutral = false;  ///< in the colour of text instead
     bool thin = false;     ///< a fine line
 
-    /// The look of the series at a position; beyond the palette colours repeat, with other dashes and
-    /// markers.
+    /// The look of the series at a position; beyond the palette colours repeat with other dashes.
     [[nodiscard]] static Look of(std::size_t index, bool hollow = false);
     /// In the colour of text, for what belongs to no law.
     [[nodiscard]] static Look plain(std::size_t marker, bool hollow = false);

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/present/report/drawing/axes.hpp"
+#include "pipeline/present/report/drawing/figure.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
 
 namespace ashimpact::report {
@@ -171,16 +171,15 @@ std::string rules_of(const XyPanel& panel, const Frame& frame, const Box& plot) 
     return svg;
 }
 
-template <class Coordinate, class Error>
-Range extent(const XyPanel& panel, Coordinate&& of, Error&& error) {
+/// The ends along one coordinate of the points and marks of a panel.
+Range extent(const XyPanel& panel, double Point::*of, double Mark::*at, double Mark::*error) {
     Extent extent;
     for (const Series& series : panel.series) {
-        for (const Point& point : series.line) extent.take(of(point));
-        for (const Point& point : series.band) extent.take(of(point));
+        for (const auto* points : {&series.line, &series.band})
+            for (const Point& point : *points) extent.take(point.*of);
         for (const Mark& mark : series.marks) {
-            const double value = of(Point{mark.x, mark.y});
-            extent.take(value - error(mark));
-            extent.take(value + error(mark));
+            extent.take(mark.*at - mark.*error);
+            extent.take(mark.*at + mark.*error);
         }
     }
     return extent.range;
@@ -241,15 +240,13 @@ std::string item_of(const RowItem& item, const Scale& scale, double unit, double
 }  // namespace
 
 Range x_extent(const XyPanel& panel) {
-    Range range = extent(
-        panel, [](const Point& p) { return p.x; }, [](const Mark& m) { return m.x_error; });
+    Range range = extent(panel, &Point::x, &Mark::x, &Mark::x_error);
     for (const Rule& rule : panel.rules) range = {std::min(range.from, rule.x), std::max(range.to, rule.x)};
     return range;
 }
 
 Range y_extent(const XyPanel& panel) {
-    return extent(
-        panel, [](const Point& p) { return p.y; }, [](const Mark& m) { return m.y_error; });
+    return extent(panel, &Point::y, &Mark::y, &Mark::y_error);
 }
 
 std::string drawn(const XyPanel& panel, const Box& box) {

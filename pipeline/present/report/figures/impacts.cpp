@@ -45,8 +45,7 @@ std::string origin_sentence(const RunData& run) {
     return measured ? hollow + " Filled points are measured impacts." : hollow;
 }
 
-/// How the extrapolated velocities differ from the answer, as a sentence for captions; empty for a run
-/// without any.
+/// How extrapolated velocities differ from the answer, for captions; empty for a run without any.
 std::string extrapolation_sentence(const RunData& run) {
     for (const SampleData& sample : run.samples())
         for (const LawData& law : sample.laws)
@@ -316,8 +315,7 @@ SizeCurve size_curve(const SampleData& sample, const LawData& law) {
     return curve;
 }
 
-/// "damping of 88 um is 1.02 to 1.31 times that of 104 um at equal velocity", between the smallest and the
-/// largest.
+/// "damping of 88 um is 1.02 to 1.31 times that of 104 um at equal velocity": smallest and largest size.
 std::string sizes_statement(const std::string& law, std::vector<SizeCurve> sizes) {
     if (sizes.size() < 2) return {};
     std::ranges::sort(sizes, {}, [](const SizeCurve& size) { return size.sample->sample->diameter.value(); });

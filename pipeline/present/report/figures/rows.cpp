@@ -172,19 +172,17 @@ std::string short_label(const std::string& factor) {
 }  // namespace
 
 Figure composition_figure(const RunData& run) {
-    Figure figure{
-        .id = "composition",
-        .title = "What the ash is made of, and how stiff that makes it",
-        .counterpart = "Table 1",
-        .caption =
-            "Left: the phases of each sample by weight, as the XRD result gives them, and by "
-            "volume, as Eq. 1 needs them. "
-            "Right: Young's modulus by the mixture rule of the case with its standard uncertainty u, "
-            "and the bounds between which it lies however the phases are arranged. The bounds "
-            "take the moduli of the phases as exact, u does not." +
-            dominant(run),
-        .numbers = numbers(run),
-        .columns = 2};
+    Figure figure{.id = "composition",
+                  .title = "What the ash is made of, and how stiff that makes it",
+                  .counterpart = "Table 1",
+                  .caption =
+                      "Left: the phases of each sample by weight, as the XRD result gives them, and by "
+                      "volume, as Eq. 1 needs them. Right: Young's modulus by the mixture rule of the case "
+                      "with its standard uncertainty u, and the bounds between which it lies however the "
+                      "phases are arranged. The bounds take the moduli of the phases as exact, u does not." +
+                      dominant(run),
+                  .numbers = numbers(run),
+                  .columns = 2};
     figure.panels.emplace_back(fractions_panel(run));
     figure.panels.emplace_back(modulus_panel(run));
     return figure;
@@ -214,9 +212,9 @@ Figure critical_velocity_figure(const RunData& run) {
                   .title = "The critical velocity, every way there is",
                   .counterpart = "Table 4",
                   .caption =
-                      "A particle slower than its critical velocity sticks. Analytic: the energy "
-                      "to separate the surfaces alone (Eq. 30). Dynamic: by "
-                      "each contact law with its damping, with the interval that holds it with 95 %.",
+                      "A particle slower than its critical velocity sticks. Analytic: the energy to separate "
+                      "the surfaces alone (Eq. 30). Dynamic: by each contact law with its damping, with the "
+                      "interval that holds it with 95 %.",
                   .numbers = std::move(table),
                   .columns = 1};
     if (with_measured) figure.caption += " Measured: as the case reports it, or from which impacts stuck.";
@@ -226,16 +224,16 @@ Figure critical_velocity_figure(const RunData& run) {
 }
 
 Figure sensitivity_figure(const RunData& run) {
-    Figure figure{.id = "sensitivity",
-                  .title = "What the interval of the critical velocity comes from",
-                  .caption =
-                      "Sobol indices of v_c: the share of its variance that each uncertain input makes by "
-                      "itself (first order, mark), and with all that it does "
-                      "together with others (total, bar). Only what the case states to be uncertain is in "
-                      "it; an input without an uncertainty counts as exact.",
-                  .numbers = {.columns = {"sample", "law", "input", "first order", "its standard error",
-                                          "total", "its standard error"}},
-                  .columns = 2};
+    Figure figure{
+        .id = "sensitivity",
+        .title = "What the interval of the critical velocity comes from",
+        .caption =
+            "Sobol indices of v_c: the share of its variance that each uncertain input makes by itself "
+            "(first order, mark), and with all that it does together with others (total, bar). Only what the "
+            "case states to be uncertain is in it; an input without an uncertainty counts as exact.",
+        .numbers = {.columns = {"sample", "law", "input", "first order", "its standard error", "total",
+                                "its standard error"}},
+        .columns = 2};
     bool extrapolated = false;
     for (const SampleData& sample : run.samples()) {
         RowPanel panel{.title = sample.name(),
@@ -267,8 +265,8 @@ Figure sensitivity_figure(const RunData& run) {
     if (extrapolated)
         figure.caption +=
             " Where impacts were measured, the indices are those of the extrapolated v_c; the interval of "
-            "the "
-            "critical velocity itself comes from the scatter of the impacts and from which of them stuck.";
+            "the critical velocity itself comes from the scatter of the impacts and from which of them "
+            "stuck.";
     return figure;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
-#include <map>
 
 #include <fmt/format.h>
 
@@ -10,8 +9,7 @@
 #include "pipeline/document/case_json.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
-#include "pipeline/present/report/page/html.hpp"
-#include "pipeline/present/report/page/run_page.hpp"
+#include "pipeline/present/report/page/page.hpp"
 #include "pipeline/present/text/comparison_table.hpp"
 
 namespace ashimpact::report {

@@ -2,7 +2,6 @@
 #include "pipeline/present/report/sweep/sweep_page.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -11,7 +10,7 @@
 #include "core/quantities/readable.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
-#include "pipeline/present/report/page/html.hpp"
+#include "pipeline/present/report/page/page.hpp"
 
 namespace ashimpact::report {
 
@@ -27,11 +26,10 @@ Figure capture_figure(const CaptureFractions& captured) {
     Figure figure{
         .id = "capture",
         .title = "Captured impacts against each variable",
-        .caption = fmt::format(
-            "The share of impacts that stay on the wall, against one variable while the others are spread as "
-            "the sweep says. From {} impacts of its "
-            "design, solved again for this figure; bars are one standard uncertainty.",
-            captured.impacts),
+        .caption = fmt::format("The share of impacts that stay on the wall, against one variable while the "
+                               "others are spread as the sweep says. From {} impacts of its design, solved "
+                               "again for this figure; bars are one standard uncertainty.",
+                               captured.impacts),
         .numbers = {.columns = {"law", "variable", "value [SI]", "captured", "standard uncertainty"}},
         .columns = 2,
         .panel_height = 260};
@@ -127,8 +125,8 @@ Figure sweep_sensitivity_figure(const Json& result) {
                   .title = "Which variable matters",
                   .caption =
                       "Sobol indices: the share of the variance of each observable that a variable makes by "
-                      "itself (first order, mark), and with all that it does together "
-                      "with others (total, bar); intervals are one standard uncertainty of the total.",
+                      "itself (first order, mark), and with all that it does together with others (total, "
+                      "bar); intervals are one standard uncertainty of the total.",
                   .numbers = {.columns = {"law", "observable", "variable", "first order",
                                           "its standard uncertainty", "total", "its standard uncertainty"}},
                   .columns = 2};

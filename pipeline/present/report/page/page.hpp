@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "pipeline/files/file.hpp"
+#include "pipeline/present/report/drawing/figure.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/run/results/run.hpp"
 
 namespace ashimpact::report {
 
-/// The report of one run, or of several side by side, as one self-contained HTML file. The same runs give
-/// the same bytes.
+/// The report of one run, or of several side by side, as one self-contained HTML file, deterministic.
 [[nodiscard]] std::string run_page(const std::vector<RunData>& runs);
 
 /// The answer of a run, a sentence for each sample, and the table of critical velocities.
@@ -54,11 +54,46 @@ struct Presentation {
 /// @throws InputError if the program that makes PDF files is missing
 [[nodiscard]] Presentation present(Run run, const PresentationPlan& plan);
 
-/// The files that an earlier run with --figures left in the folder @p figures, known by their names and by
-/// the mark in the SVG of each pair.
+/// The files that an earlier run left in the folder @p figures, known by name and by the mark in the SVG.
 [[nodiscard]] std::vector<std::filesystem::path> own_figures(const std::filesystem::path& figures);
 
 /// Refuses to begin where figures could not be converted. @throws InputError saying what is missing
 void require_figure_programs();
+
+/// A figure as HTML: both forms of the drawing, caption, readout, numbers as a table and as CSV.
+/// @param id link target, unique in the page
+[[nodiscard]] std::string html_of(const Figure& figure, const std::string& id);
+
+/// A table that scrolls within the page; numbers with five significant digits.
+[[nodiscard]] std::string html_table(const NumberTable& table, const std::string& label);
+
+/// A part that scrolls by itself. @param label for those who do not see it, escaped
+[[nodiscard]] std::string html_scroll(const std::string& label, const std::string& content,
+                                      std::string_view look = "scroll");
+
+/// A section under its heading, which is a link target.
+[[nodiscard]] std::string html_section(std::string_view id, std::string_view title,
+                                       const std::string& content);
+
+/// A list of notes, which are HTML.
+[[nodiscard]] std::string html_notes(const std::vector<std::string>& notes);
+
+/// Links to figures and to the provenance.
+[[nodiscard]] std::string html_contents(const std::vector<std::string_view>& figures);
+
+/// Sketch of an impact with the names of its quantities, in place of the paper's Figures 1 and 2.
+[[nodiscard]] std::string html_sketch();
+
+/// A whole page: head with the strict content security policy, style and script.
+[[nodiscard]] std::string html_page(const std::string& title, const std::string& body);
+
+/// Whether a file is a page of ours, which may be replaced or removed.
+[[nodiscard]] bool is_own_page(const std::filesystem::path& file);
+
+/// An escaped text with the symbols in it set as such: "v_in", "e_n".
+[[nodiscard]] std::string with_subscripts(std::string text);
+
+/// A user's name in HTML.
+[[nodiscard]] std::string html_name(std::string_view name);
 
 }  // namespace ashimpact::report
