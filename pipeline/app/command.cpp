@@ -10,7 +10,6 @@
 #include <sstream>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
@@ -230,20 +229,14 @@ void set_up_commands(CLI::App& program, Action& action, const CommandBody& sweep
     const CommandLine line{program, action};
     add_run(line);
     add_modulus(line);
-    add_contact(line);
-    add_impact(line);
-    add_critical_velocity(line);
+    add_contact_commands(line);
     add_damping(line);
     add_sweep(line, sweep);
-    add_report(line);
-    add_figure(line);
+    add_report_commands(line);
     add_export(line, exporter);
     add_calibrate(line);
     add_cross_check(line);
-    add_inspect(line);
-    add_init(line);
-    add_phases(line);
-    add_schema(line);
+    add_document_commands(line);
     refuse_empty_values(program);
 }
 

@@ -56,27 +56,21 @@ struct CommandLine {
                               const CommandBody& body) const;
 };
 
-/// Gives the program its purpose, its options and all of its commands. @p sweep and @p exporter carry out
-/// `sweep` and `export`.
+/// Gives the program its options and commands. @p sweep and @p exporter carry out `sweep` and `export`.
 void set_up_commands(CLI::App& program, Action& action, const CommandBody& sweep,
                      const CommandBody& exporter);
 
+/// Each adds a command or several.
 void add_run(const CommandLine& line);
 void add_modulus(const CommandLine& line);
-void add_contact(const CommandLine& line);
-void add_impact(const CommandLine& line);
-void add_critical_velocity(const CommandLine& line);
+void add_contact_commands(const CommandLine& line);
 void add_damping(const CommandLine& line);
 void add_sweep(const CommandLine& line, const CommandBody& body);
-void add_report(const CommandLine& line);
-void add_figure(const CommandLine& line);
+void add_report_commands(const CommandLine& line);
 void add_export(const CommandLine& line, const CommandBody& body);
 void add_calibrate(const CommandLine& line);
 void add_cross_check(const CommandLine& line);
-void add_inspect(const CommandLine& line);
-void add_init(const CommandLine& line);
-void add_phases(const CommandLine& line);
-void add_schema(const CommandLine& line);
+void add_document_commands(const CommandLine& line);
 
 /// Checks that an argument is a whole number from @p least to @p most.
 [[nodiscard]] CLI::Validator whole_number(std::size_t least, std::size_t most);

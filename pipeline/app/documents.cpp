@@ -26,7 +26,7 @@
 #include "pipeline/files/schema.hpp"
 #include "pipeline/present/report/drawing/figure.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
-#include "pipeline/present/report/page/run_page.hpp"
+#include "pipeline/present/report/page/page.hpp"
 #include "pipeline/present/report/sweep/sweep_page.hpp"
 #include "pipeline/present/text/artifact_text.hpp"
 #include "pipeline/present/text/layout.hpp"
@@ -186,8 +186,7 @@ void require_known(const std::vector<std::string>& given) {
     }
 }
 
-/// The artifacts of one run from files of it, completed from the folder of the first; a folder stands for its
-/// files.
+/// The artifacts of one run: the given files or a folder, completed from the folder of the first.
 Artifacts gathered(const std::vector<std::string>& given) {
     require_known(given);
     const std::filesystem::path first(given.front());
@@ -258,58 +257,50 @@ void run_figure_command(const CommandOptions& options, std::ostream& out) {
 
 }  // namespace
 
-void add_inspect(const CommandLine& line) {
-    Command command = line.add("inspect", "An artifact as tables; -v: inputs and options too",
-                               "ashimpact inspect results/comparison.json", run_inspect_command);
-    command.add("artifact", "ARTIFACT.json", "file of a run's folder")->required();
-    command.add_flag("--all", "every row and every part, nothing shortened");
-}
+void add_report_commands(const CommandLine& line) {
+    Command report = line.add("report", "The report of a run as one HTML file, or of several side by side",
+                              "ashimpact report results\n"
+                              "  ashimpact report sweep.json\n"
+                              "  ashimpact report before after -o comparison.html",
+                              run_report_command);
+    report.add_list("runs", "DIR", "folders of finished runs, or the result of one sweep")->required();
+    report.add("-o,--output", "FILE.html",
+               "HTML file; default: report.html in the one folder, or the name of the result with .html");
 
-void add_init(const CommandLine& line) {
-    Command command =
-        line.add("init", "Write a commented case to start from", "ashimpact init my-case", run_init_command);
-    command.add("folder", "DIR", "where to write it")->required();
-}
-
-void add_phases(const CommandLine& line) {
-    Command command = line.add("phases", "The phase catalogue, or one phase with its sources",
-                               "ashimpact phases mullite", run_phases_command);
-    command.add("name", "NAME", "of a phase, under any of its names; without it, all phases");
-}
-
-void add_schema(const CommandLine& line) {
-    Command command = line.add("schema", "The JSON Schema of a case or an artifact", "ashimpact schema case",
-                               run_schema_command);
-    command.add("name", "NAME", "of the schema; without it, the names");
-}
-
-void add_report(const CommandLine& line) {
-    Command command = line.add("report", "The report of a run as one HTML file, or of several side by side",
-                               "ashimpact report results\n"
-                               "  ashimpact report sweep.json\n"
-                               "  ashimpact report before after -o comparison.html",
-                               run_report_command);
-    command.add_list("runs", "DIR", "folders of finished runs, or the result of one sweep")->required();
-    command.add("-o,--output", "FILE.html",
-                "HTML file; default: report.html in the one folder, or the name of the result with .html");
-}
-
-void add_figure(const CommandLine& line) {
-    Command command =
+    Command figure =
         line.add("figure", "One figure of a run for a paper: SVG, PDF or PNG",
                  "ashimpact figure restitution results -o restitution.pdf\n"
                  "Figures: composition, static-force, regime-map, restitution, damping, damping-fit, "
                  "contact-time, sizes, histories,\n"
                  "energy, critical-velocity, sensitivity.",
                  run_figure_command);
-    command.add("name", "NAME", "of the figure")->required();
+    figure.add("name", "NAME", "of the figure")->required();
     command
         .add_list("artifacts", "ARTIFACT",
                   "folder of a run, or artifacts of it; those not named are read beside the first")
         ->required();
-    command.add("-o,--output", "FILE", "file; its ending says the format: .svg, .pdf or .png")->required();
-    command.add("--width", "WIDTH", "column of a journal: single (85 mm), double (170 mm)", "double")
+    figure.add("-o,--output", "FILE", "file; its ending says the format: .svg, .pdf or .png")->required();
+    figure.add("--width", "WIDTH", "column of a journal: single (85 mm), double (170 mm)", "double")
         ->check(CLI::IsMember({"single", "double"}));
+}
+
+void add_document_commands(const CommandLine& line) {
+    Command inspect = line.add("inspect", "An artifact as tables; -v: inputs and options too",
+                               "ashimpact inspect results/comparison.json", run_inspect_command);
+    inspect.add("artifact", "ARTIFACT.json", "file of a run's folder")->required();
+    inspect.add_flag("--all", "every row and every part, nothing shortened");
+
+    Command init =
+        line.add("init", "Write a commented case to start from", "ashimpact init my-case", run_init_command);
+    init.add("folder", "DIR", "where to write it")->required();
+
+    Command phases = line.add("phases", "The phase catalogue, or one phase with its sources",
+                              "ashimpact phases mullite", run_phases_command);
+    phases.add("name", "NAME", "of a phase, under any of its names; without it, all phases");
+
+    Command schema = line.add("schema", "The JSON Schema of a case or an artifact", "ashimpact schema case",
+                              run_schema_command);
+    schema.add("name", "NAME", "of the schema; without it, the names");
 }
 
 }  // namespace ashimpact

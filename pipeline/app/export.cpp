@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <ostream>
@@ -39,16 +37,15 @@ ExportSubject subject_of_options(const CommandOptions& options) {
         .damping = {.law = damping.law, .nodes = {{0, damping.coefficient}}, .reference_diameter = diameter},
         .from_diameter = diameter,
         .to_diameter = diameter};
-    subject.origins = {
-        fmt::format("radius of the sphere {}, density {}, from the command line",
-                    readable(choice.sphere.radius, "m"), readable(subject.density, "kg/m3")),
-        fmt::format("E* = {}, contact modulus of {} together, from the command line",
-                    readable(choice.contact.contact_modulus, "Pa"),
-                    choice.partner ? "both spheres" : "particle and wall"),
-        fmt::format("w = {}, work of adhesion of the pair of surfaces (not a surface energy), from the "
-                    "command line{}",
-                    readable(choice.contact.work_of_adhesion, "J/m2"),
-                    options.has("--roughness") ? ", lowered by --roughness" : "")};
+    subject.origins = {fmt::format("radius of the sphere {}, density {}, from the command line",
+                                   readable(choice.sphere.radius, "m"), readable(subject.density, "kg/m3")),
+                       fmt::format("E* = {}, contact modulus of {} together, from the command line",
+                                   readable(choice.contact.contact_modulus, "Pa"),
+                                   choice.partner ? "both spheres" : "particle and wall"),
+                       fmt::format("w = {}, work of adhesion of the pair of surfaces (not a surface energy), "
+                                   "from the command line{}",
+                                   readable(choice.contact.work_of_adhesion, "J/m2"),
+                                   options.has("--roughness") ? ", lowered by --roughness" : "")};
     if (choice.partner) subject.partner = {choice.partner->radius, choice.partner->mass};
     for (const LawParameter& parameter : choice.law.parameters())
         if (choice.contact.parameters.has(parameter))
@@ -180,8 +177,7 @@ void add_export(const CommandLine& line, const CommandBody& body) {
         "ashimpact export lammps results --sample \"88 um\" --law brach-dunn -o ash-in-lammps\n"
         "  ashimpact export openfoam --law dmt --radius \"5 um\" --density \"2300 kg/m3\" --contact-modulus "
         "\"60 GPa\"\n    --work-of-adhesion \"0.2 J/m2\" --damping \"1e-5 kg/s\" --from-diameter \"1 um\" "
-        "--to-diameter "
-        "\"50 um\"\n    --damping-exponent 2 -o ash-in-openfoam\n"
+        "--to-diameter \"50 um\"\n    --damping-exponent 2 -o ash-in-openfoam\n"
         "The folder holds inputs, a README, the assumptions, expected.json and a script that compares.",
         body);
     std::vector<std::string> codes;

@@ -95,15 +95,9 @@ void run_impact_command(const CommandOptions& options, std::ostream& out) {
 }
 
 std::string verdict_text(const CriticalVelocity& result) {
-    switch (result.verdict) {
-        case CaptureVerdict::finite:
-            return readable(*result.value, "m/s");
-        case CaptureVerdict::always_captured:
-            return "none: captured at every velocity";
-        case CaptureVerdict::never_captured:
-            return "none: rebounds at every velocity";
-    }
-    return {};
+    if (result.verdict == CaptureVerdict::finite) return readable(*result.value, "m/s");
+    return result.verdict == CaptureVerdict::always_captured ? "none: captured at every velocity"
+                                                             : "none: rebounds at every velocity";
 }
 
 std::string critical_velocity_text(const CriticalVelocityProblem& problem, const CriticalVelocity& result) {
@@ -248,63 +242,59 @@ void run_contact_command(const CommandOptions& options, std::ostream& out) {
 
 }  // namespace
 
-void add_impact(const CommandLine& line) {
-    Command command = line.add("impact", "One normal impact of a sphere on a flat wall",
-                               "ashimpact impact --law dmt --radius \"44 um\" --density \"2600 kg/m3\" "
-                               "--contact-modulus \"90 GPa\" --work-of-adhesion \"0.3 J/m2\" "
-                               "--damping \"0.0141 kg/s\" --velocity \"2 m/s\"",
-                               run_impact_command);
-    command.add_contact_options(true);
-    command.add_damping_option();
-    command.add("--velocity", "Q", "at first touch, \"2 m/s\"")->required();
-    command.add("--method", "NAME",
-                "taylor (exact) or paper-explicit (the paper's scheme, first order in the time step)",
-                "taylor");
-    command.add("--time-step", "Q", "of paper-explicit; default: 10000 steps a contact");
-    auto* trajectory =
-        command.add("--trajectory", "FILE", "write overlap, velocity and forces against time (CSV)");
-    command.add("--points", "INT", "number of points of the trajectory", "201")
-        ->check(whole_number(2, 10'000'000))
-        ->needs(trajectory);
-    command.add_json_flag();
-}
-
-void add_critical_velocity(const CommandLine& line) {
-    Command command = line.add("critical-velocity", "The velocity below which a sphere is captured",
-                               "ashimpact critical-velocity --law brach-dunn --radius \"44 um\" "
-                               "--density \"2600 kg/m3\" --contact-modulus \"90 GPa\" "
-                               "--work-of-adhesion \"0.3 J/m2\" --damping \"0.0141 kg/s\"",
-                               run_critical_velocity_command);
-    command.add_contact_options(true);
-    command.add_damping_option();
-    command.add_json_flag();
-}
-
-void add_contact(const CommandLine& line) {
-    Command command = line.add("contact", "E*, R*, m, w, W_s and v_s of a sphere on a wall",
+void add_contact_commands(const CommandLine& line) {
+    Command contact = line.add("contact", "E*, R*, m, w, W_s and v_s of a sphere on a wall",
                                "ashimpact contact --diameter \"88 um\" --density \"2300 kg/m3\" "
                                "--young-modulus \"148 GPa\" --poisson-ratio 0.2 "
                                "--wall-young-modulus \"193 GPa\" --wall-poisson-ratio 0.29 "
                                "--work-of-adhesion \"0.3 J/m2\"",
                                run_contact_command);
-    command.add_sphere_options();
-    command.add("--partner-radius", "Q", "of a second sphere instead of a flat wall");
-    command.add("--partner-diameter", "Q", "of it, instead of its radius");
-    command.add("--partner-density", "Q", "of the second sphere");
-    command.add("--partner-mass", "Q", "of the second sphere, instead of its density");
-    command.add("--contact-modulus", "Q", "E* of the pair, instead of what follows");
-    command.add("--young-modulus", "Q", "of the sphere, \"148 GPa\"");
-    command.add("--poisson-ratio", "X", "of the sphere");
-    command.add("--wall-young-modulus", "Q", "of the wall, or of the second sphere");
-    command.add("--wall-poisson-ratio", "X", "of the wall, or of the second sphere");
-    command.add_flag("--rigid-wall", "the wall does not deform");
-    command.add("--work-of-adhesion", "Q", "w, \"0.3 J/m2\" (not a surface energy)");
-    command.add("--surface-energy", "Q", "of the sphere, from which w follows");
-    command.add("--wall-surface-energy", "Q", "of the wall");
-    command.add("--interfacial-energy", "Q", "of both, for the rule dupre");
-    command.add("--adhesion-rule", "NAME", "girifalco-good, dong2013, dupre: w from surface energies");
-    command.add("--roughness", "Q", "rms of both surfaces, reduces w (Rabinovich et al. 2000)");
-    command.add_json_flag();
+    contact.add_sphere_options();
+    contact.add("--partner-radius", "Q", "of a second sphere instead of a flat wall");
+    contact.add("--partner-diameter", "Q", "of it, instead of its radius");
+    contact.add("--partner-density", "Q", "of the second sphere");
+    contact.add("--partner-mass", "Q", "of the second sphere, instead of its density");
+    contact.add("--contact-modulus", "Q", "E* of the pair, instead of what follows");
+    contact.add("--young-modulus", "Q", "of the sphere, \"148 GPa\"");
+    contact.add("--poisson-ratio", "X", "of the sphere");
+    contact.add("--wall-young-modulus", "Q", "of the wall, or of the second sphere");
+    contact.add("--wall-poisson-ratio", "X", "of the wall, or of the second sphere");
+    contact.add_flag("--rigid-wall", "the wall does not deform");
+    contact.add("--work-of-adhesion", "Q", "w, \"0.3 J/m2\" (not a surface energy)");
+    contact.add("--surface-energy", "Q", "of the sphere, from which w follows");
+    contact.add("--wall-surface-energy", "Q", "of the wall");
+    contact.add("--interfacial-energy", "Q", "of both, for the rule dupre");
+    contact.add("--adhesion-rule", "NAME", "girifalco-good, dong2013, dupre: w from surface energies");
+    contact.add("--roughness", "Q", "rms of both surfaces, reduces w (Rabinovich et al. 2000)");
+    contact.add_json_flag();
+
+    Command impact = line.add("impact", "One normal impact of a sphere on a flat wall",
+                              "ashimpact impact --law dmt --radius \"44 um\" --density \"2600 kg/m3\" "
+                              "--contact-modulus \"90 GPa\" --work-of-adhesion \"0.3 J/m2\" "
+                              "--damping \"0.0141 kg/s\" --velocity \"2 m/s\"",
+                              run_impact_command);
+    impact.add_contact_options(true);
+    impact.add_damping_option();
+    impact.add("--velocity", "Q", "at first touch, \"2 m/s\"")->required();
+    impact.add("--method", "NAME",
+               "taylor (exact) or paper-explicit (the paper's scheme, first order in the time step)",
+               "taylor");
+    impact.add("--time-step", "Q", "of paper-explicit; default: 10000 steps a contact");
+    auto* trajectory =
+        impact.add("--trajectory", "FILE", "write overlap, velocity and forces against time (CSV)");
+    impact.add("--points", "INT", "number of points of the trajectory", "201")
+        ->check(whole_number(2, 10'000'000))
+        ->needs(trajectory);
+    impact.add_json_flag();
+
+    Command critical_velocity = line.add("critical-velocity", "The velocity below which a sphere is captured",
+                                         "ashimpact critical-velocity --law brach-dunn --radius \"44 um\" "
+                                         "--density \"2600 kg/m3\" --contact-modulus \"90 GPa\" "
+                                         "--work-of-adhesion \"0.3 J/m2\" --damping \"0.0141 kg/s\"",
+                                         run_critical_velocity_command);
+    critical_velocity.add_contact_options(true);
+    critical_velocity.add_damping_option();
+    critical_velocity.add_json_flag();
 }
 
 }  // namespace ashimpact

@@ -176,23 +176,12 @@ std::string with_uncertainty(double value, double uncertainty, Dimension dimensi
 
 /// What a rule is, beside its value.
 std::string_view standing_of(MixtureRule rule) {
-    switch (rule) {
-        case MixtureRule::parallel:
-            return "  Eq. 1, no bound";
-        case MixtureRule::voigt:
-            return "  upper bound";
-        case MixtureRule::reuss:
-        case MixtureRule::series:
-            return "  lower bound";
-        case MixtureRule::hashin_shtrikman_lower:
-            return "  lower bound, isotropic";
-        case MixtureRule::hashin_shtrikman_upper:
-            return "  upper bound, isotropic";
-        case MixtureRule::hill:
-        case MixtureRule::voigt_reuss_hill:
-            return "";
-    }
-    return "";
+    using enum MixtureRule;
+    if (rule == parallel) return "  Eq. 1, no bound";
+    if (rule == voigt) return "  upper bound";
+    if (rule == reuss || rule == series) return "  lower bound";
+    if (rule == hashin_shtrikman_lower) return "  lower bound, isotropic";
+    return rule == hashin_shtrikman_upper ? "  upper bound, isotropic" : "";
 }
 
 void list_density(const SampleEstimate& sample, const CommandOptions& options, TextList& list) {
@@ -298,10 +287,9 @@ void add_modulus(const CommandLine& line) {
         .add("file", "FILE",
              "XRD result: BGMN/Profex or GSAS-II .lst, FullProf .sum, TOPAS .out, CSV, .xlsx, .ods or JSON")
         ->required();
-    command.add(
-        "--amorphous-fraction", "X",
-        "amorphous part of the whole, by weight (by volume where the file is); none; remainder: what is "
-        "missing to 100 %");
+    command.add("--amorphous-fraction", "X",
+                "amorphous part of the whole, by weight (by volume where the file is); none; remainder: what "
+                "is missing to 100 %");
     command.add("--crystalline-total", "X", "the rest of the whole is amorphous");
     command.add("--internal-standard", "PHASE",
                 "standard that was added and refined; the amorphous part follows");

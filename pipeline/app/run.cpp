@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <ostream>
-#include <string>
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -26,8 +25,7 @@ void tell(const RunSummary& summary) {
     }
     if (summary.remarks.empty()) return;
     const auto lines = remark_lines(summary.remarks, summary.samples);
-    const auto deciding =
-        std::count_if(lines.begin(), lines.end(), [](const RemarkLine& line) { return line.decides; });
+    const auto deciding = std::ranges::count(lines, true, &RemarkLine::decides);
     const bool all = static_cast<std::size_t>(deciding) == lines.size();
     spdlog::warn("warning: {} on these results, {}; {}-v shows each of them whole",
                  counted(summary.remarks.size(), "remark"), counted(lines.size(), "kind"),
@@ -51,10 +49,7 @@ void run_run_command(const CommandOptions& options, std::ostream& out) {
     for (const Artifact& artifact : summary.written)
         if (artifact.file == comparison_artifact)
             out << comparison_text(artifact.document.at("result")) << '\n';
-    const auto is_answer = [](const Artifact& artifact) {
-        return artifact.file == critical_velocity_artifact;
-    };
-    const auto answer = std::find_if(summary.written.begin(), summary.written.end(), is_answer);
+    const auto answer = std::ranges::find(summary.written, critical_velocity_artifact, &Artifact::file);
     const Artifact& shown = answer == summary.written.end() ? summary.written.front() : *answer;
     out << fmt::format("{} artifacts in {}. One of them as tables:\n  {} inspect {}\n",
                        summary.written.size(), plan.folder.string(), program_word(),
@@ -75,10 +70,9 @@ void add_run(const CommandLine& line) {
                  run_run_command);
     command.add_case_argument();
     command.add("-o,--output", "DIR", "folder of the artifacts", "results");
-    auto* from =
-        command.add("--from", "STAGE",
-                    "start at this stage, from the artifacts in the folder: modulus, contact, analytic, "
-                    "restitution, damping, fit, critical-velocity, histories, comparison");
+    auto* from = command.add("--from", "STAGE",
+                             "start at this stage, from the artifacts in the folder: modulus, contact, "
+                             "analytic, restitution, damping, fit, critical-velocity, histories, comparison");
     command.add("--only", "STAGE", "run this stage alone")->excludes(from);
     command.add_flag("--no-report", "leave report.html out");
     command.add_flag("--figures",
@@ -104,9 +98,8 @@ void add_sweep(const CommandLine& line, const CommandBody& body) {
                  "    \"sampling\": {\"method\": \"quasi-random\", \"samples\": 65536, \"seed\": 1},\n"
                  "    \"sensitivity\": [\"restitution\"]\n"
                  "  }\n"
-                 "The result is the same for any number of processes and threads. A sweep that was "
-                 "stopped goes on from its\ncheckpoint, beside the result, when the same command runs "
-                 "again.",
+                 "The result is the same for any number of processes and threads. A sweep that was stopped "
+                 "goes on from its\ncheckpoint, beside the result, when the same command runs again.",
                  body);
     command.add("spec", "SPEC.json", "JSON file that says what to compute")->required();
     command.add("-o,--output", "FILE", "JSON file for the result; a full table goes beside it (.h5)")

@@ -7,7 +7,6 @@
 
 #include "core/text/text.hpp"
 #include "pipeline/case/case_reader.hpp"
-#include "pipeline/document/artifact.hpp"
 #include "pipeline/document/case_json.hpp"
 #include "pipeline/document/run_folder.hpp"
 #include "pipeline/document/run_identity.hpp"
@@ -16,8 +15,7 @@
 #include "pipeline/files/schema.hpp"
 #include "pipeline/files/schema_version.hpp"
 #include "pipeline/files/sha256.hpp"
-#include "pipeline/present/report/page/html.hpp"
-#include "pipeline/present/report/page/run_page.hpp"
+#include "pipeline/present/report/page/page.hpp"
 #include "pipeline/run/stage.hpp"
 
 namespace ashimpact {
@@ -37,8 +35,7 @@ struct Work {
     }
 };
 
-/// Begins a run with a case. The run is of the case as 0-case.json has it, so that it can be continued from
-/// there with the same results.
+/// Begins a run with the case as 0-case.json has it, so that continuing from there gives the same results.
 Artifact begin(const LoadedCase& loaded, Work& work) {
     Envelope envelope{.record = {.stage = "case", .file = std::string(case_artifact)},
                       .inputs = loaded.inputs,
@@ -57,9 +54,8 @@ void compute(const Stage& stage, Work& work) {
         compute_stage(stage, work.run, work.models);
     } catch (const InputError& error) {
         if (!error.place().empty()) throw;
-        const auto found = std::find_if(stage.reads.begin(), stage.reads.end(), [&](std::string_view file) {
-            return work.artifacts.at(file).edited;
-        });
+        const auto found = std::ranges::find_if(
+            stage.reads, [&](std::string_view file) { return work.artifacts.at(file).edited; });
         throw error.at("/result").at(
             FileName{work.artifacts.place_of(found != stage.reads.end() ? *found : stage.reads.front())});
     }
@@ -107,8 +103,7 @@ Artifact manifest_of(const RunPlan& plan, const std::vector<Artifact>& all,
                                   {"only", plan.only.empty() ? Json(nullptr) : Json(plan.only)}}};
     Json list = Json::array();
     for (const Artifact& artifact : all) {
-        const bool is_new = std::any_of(written.begin(), written.end(),
-                                        [&](const Artifact& each) { return each.file == artifact.file; });
+        const bool is_new = std::ranges::find(written, artifact.file, &Artifact::file) != written.end();
         list.push_back({{"file", artifact.file},
                         {"stage", artifact.document.at("stage")},
                         {"sha256", sha256(artifact.bytes)},
@@ -152,13 +147,11 @@ std::vector<std::string> artifact_names() {
     return names;
 }
 
-/// Takes the figures of an earlier run away that this run does not make again: they would show other results
-/// than the folder has.
+/// Removes figures of an earlier run that this run does not make again: they would show other results.
 void remove_old_figures(const std::filesystem::path& folder, const std::vector<FileContent>& made) {
     std::size_t removed = 0;
     for (const std::filesystem::path& old : report::own_figures(folder)) {
-        if (std::any_of(made.begin(), made.end(), [&](const FileContent& file) { return file.path == old; }))
-            continue;
+        if (std::ranges::find(made, old, &FileContent::path) != made.end()) continue;
         std::error_code failure;
         if (!std::filesystem::remove(old, failure))
             throw InputError("cannot be removed: " + failure.message(), "a folder you may write to")
@@ -197,8 +190,8 @@ class RunFolder {
         }
         remove_old_figures(folder_ / report::figures_folder, figures);
         for (const Artifact& artifact : artifacts) files.push_back({artifact.file, artifact.bytes});
-        const auto is_report = [](const NamedContent& file) { return file.name == report::report_file; };
-        const bool reported = std::any_of(files.begin(), files.end(), is_report);
+        const bool reported =
+            std::ranges::find(files, report::report_file, &NamedContent::name) != files.end();
         if (!reported && report::is_own_page(folder_ / report::report_file))
             files.push_back({std::string(report::report_file), {}});  // removes that of other artifacts
         replace_files(folder_, files);
@@ -252,8 +245,7 @@ Range range_of(const RunPlan& plan) {
 
 bool is_read(const Range& range, std::string_view file) {
     for (std::size_t i = range.first; i < range.end; ++i)
-        if (std::find(stages()[i].reads.begin(), stages()[i].reads.end(), file) != stages()[i].reads.end())
-            return true;
+        if (std::ranges::find(stages()[i].reads, file) != stages()[i].reads.end()) return true;
     return false;
 }
 
@@ -287,6 +279,18 @@ void add_remarks(const std::vector<Artifact>& all, RunSummary& summary) {
     }
 }
 
+/// The work up to and with a stage, nothing written.
+Work worked_through(const std::optional<std::string>& case_file, std::string_view last_stage,
+                    bool allow_outside) {
+    Work work;
+    begin(load_case(case_file, allow_outside), work);
+    for (const Stage& stage : stages()) {
+        computed(stage, work);
+        if (stage.name == last_stage) break;
+    }
+    return work;
+}
+
 }  // namespace
 
 std::vector<std::string> stage_names() {
@@ -295,31 +299,14 @@ std::vector<std::string> stage_names() {
     return names;
 }
 
-namespace {
-
-void work_through(const std::optional<std::string>& case_file, std::string_view last_stage,
-                  bool allow_outside, Work& work) {
-    static_cast<void>(begin(load_case(case_file, allow_outside), work));
-    for (const Stage& stage : stages()) {
-        static_cast<void>(computed(stage, work));
-        if (stage.name == last_stage) break;
-    }
-}
-
-}  // namespace
-
 Run compute_run(const std::optional<std::string>& case_file, std::string_view last_stage,
                 bool allow_outside) {
-    Work work;
-    work_through(case_file, last_stage, allow_outside, work);
-    return std::move(work.run);
+    return worked_through(case_file, last_stage, allow_outside).run;
 }
 
 Artifacts compute_artifacts(const std::optional<std::string>& case_file, std::string_view last_stage,
                             bool allow_outside) {
-    Work work;
-    work_through(case_file, last_stage, allow_outside, work);
-    return std::move(work.artifacts);
+    return worked_through(case_file, last_stage, allow_outside).artifacts;
 }
 
 RunSummary run_stages(const RunPlan& plan) {

@@ -57,7 +57,7 @@ constexpr std::string_view command_head = "  ashimpact ";
 std::size_t description_column(const std::string& line) {
     const auto name = line.find_first_not_of(' ');
     if (name == 0 || name == std::string::npos) return 0;
-    if (name > 8) return name;  // a description in a line of its own
+    if (name > 8) return name;         // a description in a line of its own
     const auto end = line.find("  ", name);
     return end == std::string::npos ? name : std::min(line.find_first_not_of(' ', end), line.size());
 }

@@ -16,8 +16,7 @@ class Error;
 
 namespace ashimpact {
 
-/// Sets --color: "always", "never", or "auto", which is color on a terminal unless NO_COLOR is set or TERM is
-/// dumb.
+/// Sets --color: "always", "never", or "auto": on a terminal unless NO_COLOR is set or TERM is dumb.
 void choose_color(std::string_view when);
 
 /// Whether the output to this file descriptor is colored.
@@ -29,17 +28,11 @@ void choose_color(std::string_view when);
 /// An error message for a terminal: red.
 [[nodiscard]] std::string error_in_color(std::string_view text);
 
-/// Messages on standard error. Warnings are held until the command has accepted its input: an input error
-/// prints one line, without warnings about results. Messages other than errors are wrapped at 80 characters.
-/// Safe for several threads.
+/// Messages on standard error, wrapped unless they are errors. Warnings are held until the command has
+/// accepted its input: an input error prints one line. Safe for several threads.
 class Messages : public spdlog::sinks::base_sink<std::mutex> {
   public:
-    Messages() = default;
     ~Messages() override;
-    Messages(const Messages&) = delete;
-    Messages& operator=(const Messages&) = delete;
-    Messages(Messages&&) = delete;
-    Messages& operator=(Messages&&) = delete;
 
     /// Prints the held warnings.
     void release();
@@ -63,8 +56,7 @@ void set_program_word(const char* typed);
 /// "ashimpact" at the start of an example.
 [[nodiscard]] std::string help_layout(const std::string& help, std::size_t width);
 
-/// One line on a command line that could not be parsed: command, what is wrong, what is allowed, where help
-/// is.
+/// One line on a command line that could not be parsed: command, problem, what is allowed, where help is.
 [[nodiscard]] std::string usage_error(const CLI::App& program, const CLI::Error& error);
 
 /// Progress of a computation as one line on standard error: the share done, the rate, the time left.
@@ -76,8 +68,6 @@ class Progress {
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
-    Progress(Progress&&) = delete;
-    Progress& operator=(Progress&&) = delete;
 
     /// Shows that @p done of the total are done; called often, it prints a few times a second.
     void update(std::uint64_t done);

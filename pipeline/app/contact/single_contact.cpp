@@ -19,7 +19,6 @@
 #include "pipeline/case/laws.hpp"
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/present/text/layout.hpp"
-#include "solver/contact/law_parameters.hpp"
 #include "solver/damping/damping.hpp"
 
 namespace ashimpact {
@@ -185,28 +184,17 @@ void add_energy(TextList& list, const EnergyLedger& energy) {
                      std::pair{"  left in the contact", steps(energy.potential)}};
     long long rounding = steps(energy.incident) + steps(energy.at_touch);
     for (const auto& term : after) rounding -= term.second;
-    std::max_element(after.begin(), after.end(), [](const auto& x, const auto& y) {
-        return x.second < y.second;
-    })->second += rounding;
+    std::ranges::max_element(after, {}, [](const auto& term) { return term.second; })->second += rounding;
     add("incident energy", steps(energy.incident));
     if (steps(energy.at_touch) != 0) add("  at first touch", steps(energy.at_touch));
     for (const auto& [name, count] : after)
         if (count != 0) add(name, count);
 }
 
-std::string_view adhesion_words(AdhesionRegime regime) {
-    switch (regime) {
-        case AdhesionRegime::dmt:
-            return "hard contact, the limit of DMT";
-        case AdhesionRegime::jkr:
-            return "soft contact, the limit of JKR";
-        case AdhesionRegime::between:
-            return "between the limits of DMT and JKR";
-        case AdhesionRegime::none:
-            break;
-    }
-    return "no work of adhesion";
-}
+/// By AdhesionRegime.
+constexpr std::array<std::string_view, 4> adhesion_words{
+    "no work of adhesion", "hard contact, the limit of DMT", "between the limits of DMT and JKR",
+    "soft contact, the limit of JKR"};
 
 }  // namespace
 
@@ -300,10 +288,11 @@ std::string regime_text(const Regime& regime) {
     };
     TextList list;
     list.add("damping number", fmt::format("beta = {}", readable_number(regime.damping_number)));
-    list.add("Tabor parameter", regime.tabor_parameter > 0
-                                    ? fmt::format("{} ({})", readable_number(regime.tabor_parameter),
-                                                  adhesion_words(regime.adhesion))
-                                    : "none: no work of adhesion");
+    list.add("Tabor parameter",
+             regime.tabor_parameter > 0
+                 ? fmt::format("{} ({})", readable_number(regime.tabor_parameter),
+                               adhesion_words.at(static_cast<std::size_t>(regime.adhesion)))
+                 : "none: no work of adhesion");
     list.add(
         "greatest pressure",
         regime.yield_pressure

@@ -436,8 +436,7 @@ void write(const std::filesystem::path& file, const std::string& text) {
 
 }  // namespace ashimpact
 
-/// ashimpact-papers FOLDER: writes manual pages, completions and the reference page of the command line
-/// there.
+/// ashimpact-papers FOLDER: writes manual pages, completions and the reference page there.
 int main(int argc, char** argv) {
     using namespace ashimpact;
     if (argc != 2) {

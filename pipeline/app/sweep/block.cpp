@@ -7,7 +7,6 @@
 
 #include "pipeline/app/sweep/tables.hpp"
 #include "pipeline/files/sha256.hpp"
-#include "solver/statistics/moments.hpp"
 
 namespace ashimpact {
 
@@ -221,9 +220,8 @@ bool asks_for(const SweepSpec& spec, Observable observable) {
         return std::find(list.begin(), list.end(), observable) != list.end();
     };
     return holds(spec.sensitivity) || holds(spec.table) ||
-           std::any_of(
-               spec.statistics.begin(), spec.statistics.end(),
-               [&](const ObservableStatistics& statistics) { return statistics.observable == observable; });
+           std::ranges::find(spec.statistics, observable, &ObservableStatistics::observable) !=
+               spec.statistics.end();
 }
 
 }  // namespace

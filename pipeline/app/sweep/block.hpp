@@ -38,8 +38,7 @@ class SweepPlan {
     [[nodiscard]] bool with_sensitivity() const { return !spec().sensitivity.empty(); }
     /// Impacts of one point and one law.
     [[nodiscard]] std::size_t impacts_a_point() const;
-    /// Impacts of one point that are a sample of the variables, as statistics need them: all but the mixed
-    /// ones.
+    /// Impacts of one point that are a sample of the variables, for statistics: all but the mixed ones.
     [[nodiscard]] std::size_t samples_a_point() const { return design_.samples(); }
     [[nodiscard]] std::uint64_t chunks() const {
         return (design_.points() + chunk_points_ - 1) / chunk_points_;

@@ -19,8 +19,7 @@ class BrokenBytes : public std::runtime_error {
     BrokenBytes() : std::runtime_error("the bytes end too early or too late") {}
 };
 
-/// Numbers and enumerations are copied byte by byte, because the same program reads them on the same kind of
-/// machine.
+/// Copied byte by byte: the same program reads them on the same kind of machine.
 template <class Value>
 concept PlainValue = std::is_arithmetic_v<Value> || std::is_enum_v<Value>;
 

@@ -20,7 +20,7 @@
 #include "pipeline/files/file.hpp"
 #include "pipeline/files/schema_version.hpp"
 #include "pipeline/files/sha256.hpp"
-#include "pipeline/present/report/page/html.hpp"
+#include "pipeline/present/report/page/page.hpp"
 #include "pipeline/present/report/sweep/sweep_page.hpp"
 #include "pipeline/present/text/artifact_text.hpp"
 
@@ -54,8 +54,7 @@ void check_report(const SweepFiles& files) {
         refuse(files.report, "is there already and is no report of ours", "another -o, or --no-report");
 }
 
-/// Its own table a sweep may replace, after an edit of its spec too; not that of a sweep whose result stands
-/// under another name.
+/// A sweep may replace its own table, even after an edit of its spec, but not that of another result.
 void check_table(const SweepFiles& files, const SweepPlan& plan) {
     if (!std::filesystem::exists(files.table)) return;
     const auto spec = spec_of_table(files.table);
@@ -93,10 +92,8 @@ bool is_foreign(const std::filesystem::path& file, std::string_view mark) {
     return start.find(mark) == std::string::npos && !mark.starts_with(start);
 }
 
-/// Checks before a computation that its outputs can be written and would replace only files of this sweep.
-/// Refuses to replace the spec, a table that no sweep or another sweep wrote, rows or a checkpoint that no
-/// sweep wrote, and a page that is no report of this program.
-/// @param with_report whether the report will be written
+/// Checks before a computation that its outputs can be written and would replace only files of this sweep:
+/// not the spec, a table of another sweep, rows, a checkpoint or a page that this program did not write.
 /// @throws InputError naming the file
 void check_outputs(const SweepFiles& files, const std::filesystem::path& spec, const SweepPlan& plan,
                    bool with_report) {
@@ -158,8 +155,7 @@ std::string summary(const Json& artifact, const SweepFiles& files, const SweepPl
            fmt::format("; as tables:\n  {} inspect {}\n", program_word(), shell_word(files.result.string()));
 }
 
-/// Writes the report beside the result, or removes that of an earlier sweep. A failure is only a warning, so
-/// that the result is kept.
+/// Writes the report beside the result, or removes that of an earlier sweep. A failure is only a warning.
 /// @returns whether there is a report
 bool write_report(const CommandOptions& options, const Json& artifact, const SweepFiles& files) {
     if (!options.has("--no-report")) {
@@ -239,8 +235,8 @@ class LawResult {
         return moments;
     }
 
-    /// Of random points from their variance, of quasi-random ones from the spread of their copies, of a grid
-    /// none.
+    /// Of random points by their variance, of quasi-random ones by the spread of their copies; none of a
+    /// grid.
     [[nodiscard]] std::optional<double> error_of_mean(std::size_t i) const {
         if (plan_.spec().sampling.method == SamplingMethod::random) {
             const Moments moments = whole(i);
@@ -278,20 +274,19 @@ class LawResult {
 
     void add_moments(Json& json, std::size_t i, Dimension dimension) const {
         const Moments moments = whole(i);
-        const bool any = moments.count > 0;
-        const auto optional = [&](bool there, double value) { return there ? Json(value) : Json(nullptr); };
-        const auto quantity = [&](bool there, double value) {
-            return there ? quantity_json(value, dimension) : Json(nullptr);
-        };
-        const bool spread = moments.count > 1 && moments.second > 0;
         json["count"] = moments.count;
-        json["mean"] = any ? with_error(moments.mean, dimension, error_of_mean(i)) : Json(nullptr);
-        json["standard_deviation"] =
-            quantity(moments.count > 1, moments.count > 1 ? std::sqrt(moments.variance()) : 0);
-        json["skewness"] = optional(spread, spread ? moments.skewness() : 0);
-        json["excess_kurtosis"] = optional(spread, spread ? moments.excess_kurtosis() : 0);
-        json["minimum"] = quantity(any, moments.minimum);
-        json["maximum"] = quantity(any, moments.maximum);
+        for (const char* key :
+             {"mean", "standard_deviation", "skewness", "excess_kurtosis", "minimum", "maximum"})
+            json[key] = nullptr;
+        if (moments.count == 0) return;
+        json["mean"] = with_error(moments.mean, dimension, error_of_mean(i));
+        json["minimum"] = quantity_json(moments.minimum, dimension);
+        json["maximum"] = quantity_json(moments.maximum, dimension);
+        if (moments.count == 1) return;
+        json["standard_deviation"] = quantity_json(std::sqrt(moments.variance()), dimension);
+        if (!(moments.second > 0)) return;
+        json["skewness"] = moments.skewness();
+        json["excess_kurtosis"] = moments.excess_kurtosis();
     }
 
     static Json histogram(const Histogram& histogram, const Bins& bins, Dimension dimension) {

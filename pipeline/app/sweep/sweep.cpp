@@ -123,8 +123,7 @@ class SweepDriver {
         }
     }
 
-    /// The next block's level: as slow as wanted, a node of the tree, and small enough that all get some in
-    /// the end.
+    /// The next block's level: as slow as wanted, a node of the tree, small enough to share the rest.
     [[nodiscard]] unsigned level() const {
         const std::uint64_t left = plan_.chunks() - next_;
         const auto log2 = [](std::uint64_t number) {

@@ -59,8 +59,7 @@ struct SpecFile {
     std::string sha256;
 };
 
-/// The artifact of a finished sweep. It does not depend on the number of processes and threads, on time, or
-/// on interruptions.
+/// The artifact of a finished sweep, independent of processes, threads, time and interruptions.
 [[nodiscard]] Json sweep_artifact(const SweepPlan& plan, const SweepProgress& progress, const SpecFile& spec);
 
 /// `ashimpact sweep`, as ashimpact-sweep runs it: reads the spec, continues from a checkpoint if there is

@@ -6,10 +6,8 @@
 #include <fstream>
 #include <set>
 #include <span>
-#include <stdexcept>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include <fcntl.h>
 #include <hdf5.h>

@@ -19,10 +19,9 @@ namespace ashimpact {
 /// Level of compression: higher levels hardly shrink numbers of full precision.
 inline constexpr int deflate_level = 1;
 
-/// The columns of one chunk of the table, packed as the filters shuffle and deflate of HDF5 would. So threads
-/// can do this work, and the file takes the bytes unchanged. A short last chunk is padded with zeros to @p
-/// rows, as in HDF5. Damage is detected by a hash of them and of the chunk's number, and by their length,
-/// which stand before them.
+/// The columns of one chunk of the table, packed as HDF5's filters shuffle and deflate would: threads do the
+/// work, and the file takes the bytes unchanged. A short last chunk is padded with zeros to @p rows. A hash
+/// of them and of the chunk's number, and their length, are written before them, to detect damage.
 [[nodiscard]] std::string sealed_rows(std::uint64_t chunk, const std::vector<std::vector<double>>& columns,
                                       std::size_t rows);
 
@@ -45,10 +44,8 @@ class DamagedRows : public std::runtime_error {
 inline constexpr std::string_view row_log_mark = "ashimpact sweep rows\n";
 
 /// The packed rows of the full table, in order, in a file of their own until the table is complete. Unlike an
-/// HDF5 file it can be truncated to what a checkpoint contains, whenever the program was stopped.
-///
-/// The file is also the lock of a sweep, with a table or without: who has it reads the checkpoint, writes and
-/// removes the files of the sweep, and no other sweep does.
+/// HDF5 file it can be truncated to what a checkpoint contains. The file is also the lock of a sweep, with a
+/// table or without: only who has it reads the checkpoint, writes and removes the files of the sweep.
 class RowLog {
   public:
     /// Opens the file, or makes it, and locks it.
@@ -83,8 +80,8 @@ class RowLog {
 };
 
 /// Writes the full table as an HDF5 file from the packed rows: a dataset of doubles a column, shuffled and
-/// deflated, unit and description as its attributes. No time stamps: the same rows give the same bytes. No
-/// reader ever sees half a file.
+/// deflated, unit and description as its attributes. The same rows give the same bytes; no half a file is
+/// seen.
 /// @throws InputError if the file cannot be written
 void write_table(const std::filesystem::path& file, const SweepPlan& plan, const std::filesystem::path& rows);
 

@@ -158,15 +158,13 @@ std::size_t RankWorkers::capacity() const {
 
 std::size_t RankWorkers::vacancies() const {
     std::size_t vacancies = own_.vacancies();
-    for (const Rank& other : others_) vacancies += other.capacity - other.assigned;
+    for (const Rank& other : others_) vacancies += other.vacancies();
     return vacancies;
 }
 
 void RankWorkers::assign(const Block& block) {
-    const auto idle = std::max_element(others_.begin(), others_.end(), [](const Rank& a, const Rank& b) {
-        return a.capacity - a.assigned < b.capacity - b.assigned;
-    });
-    if (own_.vacancies() >= idle->capacity - idle->assigned) {
+    const auto idle = std::ranges::max_element(others_, {}, &Rank::vacancies);
+    if (own_.vacancies() >= idle->vacancies()) {
         own_.assign(block);
         return;
     }

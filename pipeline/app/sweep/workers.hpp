@@ -75,8 +75,7 @@ class ThreadWorkers : public Workers {
     std::vector<std::jthread> threads_;  ///< last, so that they end before what they use
 };
 
-/// Number of threads for this process: its share of the cores that the processes of the job may use on this
-/// machine.
+/// Number of threads for this process: its share of the cores that the job may use on this machine.
 [[nodiscard]] int default_threads(int processes_here);
 
 struct Message {
@@ -96,15 +95,13 @@ class MpiSession {
     /// Starts MPI if this process was started by mpirun or the like.
     /// @throws InputError if that belongs to an MPI other than the one this program is linked with
     void join();
-    /// Leaves the job. A status other than 0 aborts the job with that status on all ranks.
-    /// @returns the status
+    /// Leaves the job; a status other than 0 aborts it on all ranks. @returns the status
     int leave(int status);
 
     [[nodiscard]] int rank() const { return rank_; }
     [[nodiscard]] int size() const { return size_; }
     /// Processes of the job on this machine.
     [[nodiscard]] int size_here() const { return size_here_; }
-
     /// The text of rank 0, on every rank.
     [[nodiscard]] std::string broadcast(const std::string& text) const;
     void send(int rank, int tag, const std::string& bytes) const;
@@ -136,6 +133,7 @@ class RankWorkers : public Workers {
     struct Rank {
         std::size_t capacity = 0;
         std::size_t assigned = 0;
+        [[nodiscard]] std::size_t vacancies() const { return capacity - assigned; }
     };
     [[nodiscard]] std::optional<FinishedBlock> received();
 

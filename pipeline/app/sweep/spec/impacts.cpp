@@ -6,7 +6,6 @@
 #include <limits>
 #include <set>
 
-#include <Eigen/Core>
 
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"

@@ -24,8 +24,7 @@ class ImpactColumns {
   public:
     using Values = std::span<const double>;
 
-    /// @param variables values of each variable of the sweep, as many of each [SI]; they must outlive this
-    /// @param count how many of each
+    /// @param variables @p count values of each variable of the sweep [SI]; they must outlive this
     ImpactColumns(const SweepSpec& spec, const std::vector<std::vector<double>>& variables,
                   std::size_t count);
     ImpactColumns(const ImpactColumns&) = delete;
@@ -87,8 +86,7 @@ struct ResultColumns {
 using ImpactSolver =
     std::function<ResultColumns(const ImpactModel&, const ImpactColumns&, const WantedResults&)>;
 
-/// The batch solver, on the calling thread. Impacts that do not converge are listed. @throws InputError
-/// naming what a variable may not be
+/// The batch solver, on the calling thread. @throws InputError naming what a variable may not be
 [[nodiscard]] ResultColumns solve_in_batch(const ImpactModel& model, const ImpactColumns& impacts,
                                            const WantedResults& wanted);
 
@@ -97,8 +95,7 @@ using ImpactSolver =
 /// many impacts.
 [[nodiscard]] report::CaptureFractions capture_fractions(const SweepSpec& spec);
 
-/// The same from the result of a sweep, whose provenance holds the spec. @throws InputError for an invalid
-/// one
+/// The same from the result of a sweep, whose provenance holds the spec. @throws InputError
 [[nodiscard]] report::CaptureFractions capture_fractions(const Json& artifact);
 
 }  // namespace ashimpact

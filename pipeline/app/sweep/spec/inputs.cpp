@@ -70,11 +70,10 @@ class VariableReader {
         if (node_.has("values")) return read_values();
         if (node_.has("grid")) return read_grid();
         const std::string kind = node_.at("distribution").text();
-        if (kind == "uniform") return read_range<Uniform>("\"uniform\"");
-        if (kind == "log-uniform") return read_range<LogUniform>("\"log-uniform\"");
+        if (kind == "uniform") return read_range<Uniform>(kind);
+        if (kind == "log-uniform") return read_range<LogUniform>(kind);
         if (kind == "normal") return read_normal();
-        if (kind == "log-normal") return read_log_normal();
-        return read_triangular();
+        return kind == "log-normal" ? read_log_normal() : read_triangular();
     }
 
   private:
@@ -132,9 +131,9 @@ class VariableReader {
     }
 
     template <class Range>
-    [[nodiscard]] Distribution read_range(const char* kind) const {
+    [[nodiscard]] Distribution read_range(const std::string& kind) const {
         constexpr bool positive = std::is_same_v<Range, LogUniform>;
-        allow(kind, {"distribution", "from", "to"});
+        allow(in_quotes(kind), {"distribution", "from", "to"});
         const Range range{at("from"), at("to")};
         require_order(range.from < range.to && (!positive || range.from > 0),
                       positive ? "0 < from < to" : "from < to");
@@ -154,22 +153,19 @@ class VariableReader {
     }
 
     [[nodiscard]] Distribution read_log_normal() const {
-        allow("\"log-normal\"",
-              {"distribution", "median", "geometric_standard_deviation", "minimum", "maximum"});
-        if (!node_.has("geometric_standard_deviation"))
-            node_.fail("\"geometric_standard_deviation\" is missing", "a number above 1");
-        LogNormal normal{at("median"), node_.at("geometric_standard_deviation").number(Dimension::fraction)};
+        constexpr auto spread = "geometric_standard_deviation";
+        allow("\"log-normal\"", {"distribution", "median", spread, "minimum", "maximum"});
+        if (!node_.has(spread)) node_.fail(in_quotes(spread) + " is missing", "a number above 1");
+        LogNormal normal{at("median"), node_.at(spread).number(Dimension::fraction)};
+        const double deviation = normal.geometric_standard_deviation;
         require_order(normal.median > 0, "median > 0");
-        if (!(normal.geometric_standard_deviation > 1 &&
-              normal.geometric_standard_deviation <= widest_log_normal))
-            node_.at("geometric_standard_deviation")
-                .fail("is " + shortest(normal.geometric_standard_deviation), "a number above 1, at most 1e6");
+        if (!(deviation > 1 && deviation <= widest_log_normal))
+            node_.at(spread).fail("is " + shortest(deviation), "a number above 1, at most 1e6");
         normal.minimum = at("minimum", normal.minimum);
         normal.maximum = at("maximum", normal.maximum);
         require_order(0 <= normal.minimum && normal.minimum < normal.maximum, "0 <= minimum < maximum");
-        const double spread = std::log(normal.geometric_standard_deviation);
-        require_mass(std::log(normal.minimum / normal.median) / spread,
-                     std::log(normal.maximum / normal.median) / spread);
+        require_mass(std::log(normal.minimum / normal.median) / std::log(deviation),
+                     std::log(normal.maximum / normal.median) / std::log(deviation));
         return normal;
     }
 

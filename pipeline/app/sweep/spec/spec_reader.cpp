@@ -34,9 +34,8 @@ std::vector<LawChoice> read_laws(const View& impact) {
 }
 
 template <class Predicate>
-bool any_law(const SweepSpec& spec, Predicate&& predicate) {
-    return std::any_of(spec.laws.begin(), spec.laws.end(),
-                       [&](const LawChoice& c) { return predicate(c.law); });
+bool any_law(const SweepSpec& spec, const Predicate& predicate) {
+    return std::ranges::any_of(spec.laws, predicate, &LawChoice::law);
 }
 
 void read_fixed(const View& impact, SweepSpec& spec) {
@@ -51,8 +50,7 @@ void read_fixed(const View& impact, SweepSpec& spec) {
 }
 
 bool varies(const SweepSpec& spec, ImpactInput input) {
-    return std::any_of(spec.variables.begin(), spec.variables.end(),
-                       [&](const SweepVariable& variable) { return variable.input == input; });
+    return std::ranges::find(spec.variables, input, &SweepVariable::input) != spec.variables.end();
 }
 
 void require_input(const View& document, const SweepSpec& spec, ImpactInput input,
