@@ -58,6 +58,8 @@ std::size_t description_column(const std::string& line) {
     const auto name = line.find_first_not_of(' ');
     if (name == 0 || name == std::string::npos) return 0;
     if (name > 8) return name;         // a description in a line of its own
+    constexpr std::size_t usual = 30;  // of CLI11
+    if (name == 2 && line[name] == '-' && line.size() > usual && line[usual - 1] == ' ') return usual;
     const auto end = line.find("  ", name);
     return end == std::string::npos ? name : std::min(line.find_first_not_of(' ', end), line.size());
 }
