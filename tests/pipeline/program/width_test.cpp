@@ -51,6 +51,12 @@ TEST_CASE("no help is wider than 80 columns") {
     for (const std::string& command : commands) check_fits(sandbox, command + " --help");
 }
 
+TEST_CASE("descriptions in help keep their column, also behind a name that fills it") {
+    const Sandbox sandbox;
+    const std::string help = ashimpact_program(sandbox, "impact --help").out;
+    CHECK(help.find("\n" + std::string(30, ' ') + "MJ/m3\", for sjkr\n") != std::string::npos);
+}
+
 // What is printed does not depend on the build, and all commands together take minutes with sanitizers.
 TEST_CASE("no output on the built-in case is wider than 80 columns" * doctest::skip(test::sanitized)) {
     const Sandbox sandbox;
