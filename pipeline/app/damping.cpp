@@ -15,7 +15,7 @@
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/document/values_json.hpp"
 #include "pipeline/files/file.hpp"
-#include "pipeline/present/text/layout.hpp"
+#include "pipeline/present/text/comparison_table.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 #include "solver/inference/measured_damping.hpp"
@@ -111,11 +111,8 @@ Json measured_damping_json(const MeasuredDamping& result, const MeasurementSet& 
 }
 
 std::string range_text(const Interval& interval, const char* unit) {
-    const auto end = [&](const std::optional<double>& value) {
-        return value ? readable(*value, unit) : std::string("open");
-    };
-    return fmt::format("{} ({} to {})", readable(interval.value, unit), end(interval.lower),
-                       end(interval.upper));
+    return fmt::format("{} ({})", readable(interval.value, unit),
+                       bounds_text(interval.lower, interval.upper, unit));
 }
 
 std::string fit_text(const DampingCurveFit& fit) {

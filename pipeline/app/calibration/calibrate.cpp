@@ -17,7 +17,7 @@
 #include "pipeline/app/run_stages.hpp"
 #include "pipeline/app/terminal.hpp"
 #include "pipeline/document/values_json.hpp"
-#include "pipeline/present/text/layout.hpp"
+#include "pipeline/present/text/comparison_table.hpp"
 #include "pipeline/run/uncertainty/calibration_problem.hpp"
 #include "solver/inference/calibration/calibration.hpp"
 
@@ -103,11 +103,8 @@ Json constants_json(const Case& data, const CalibrationSummary& summary,
 }
 
 std::string interval_text(const Interval& interval, std::string_view unit) {
-    const auto end = [&](const std::optional<double>& value) {
-        return value ? readable(*value, unit) : std::string("open");
-    };
     if (!interval.lower && !interval.upper) return "not identifiable";
-    return fmt::format("{} to {}", end(interval.lower), end(interval.upper));
+    return bounds_text(interval.lower, interval.upper, unit);
 }
 
 /// Correlations of the constants with those before them, and what the data do not fix.
@@ -132,7 +129,7 @@ std::string calibration_text(const Case& data, const CalibrationSummary& summary
     for (std::size_t i = 0; i < summary.constants.size(); ++i) {
         const CalibratedConstant& constant = summary.constants[i];
         const std::string_view unit = si_unit(dimension_of(constant.quantity));
-        Interval curvature{.value = constant.value};
+        Interval curvature{constant.value, constant.standard_uncertainty};
         if (std::isfinite(constant.lower) && std::isfinite(constant.upper))
             curvature = {constant.value, constant.standard_uncertainty, constant.lower, constant.upper};
         constants.add({std::string(name_of(constant.quantity)),

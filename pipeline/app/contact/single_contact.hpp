@@ -21,7 +21,9 @@ class CommandOptions {
   public:
     /// What was typed, else the default of the option, which may be empty; "true" for a flag.
     [[nodiscard]] const std::string& operator[](std::string_view name) const;
-    [[nodiscard]] bool has(std::string_view name) const { return !(*this)[name].empty(); }
+    [[nodiscard]] bool has(std::string_view name) const {
+        return !(*this)[name].empty() || !list(name).empty();
+    }
     [[nodiscard]] std::optional<std::string> if_given(std::string_view name) const {
         return has(name) ? std::optional((*this)[name]) : std::nullopt;
     }

@@ -175,7 +175,7 @@ bool write_report(const CommandOptions& options, const Json& artifact, const Swe
 }
 
 /// Rank 0: everything but the blocks other ranks compute. @returns whether all is done
-bool lead(const CommandOptions& options, const SweepPlan& plan, const SpecFile& spec, Workers& workers,
+bool lead(const CommandOptions& options, const SweepPlan& plan, const InputFile& spec, Workers& workers,
           std::ostream& out) {
     const SweepFiles files = SweepFiles::beside(options["--output"]);
     make_folder(files.result.parent_path());
@@ -376,7 +376,7 @@ void run_sweep_command(const CommandOptions& options, MpiSession& session, const
         return;
     }
     stop_on_signals();
-    const SpecFile spec{options["spec"], sha256(text)};
+    const InputFile spec{options["spec"], sha256(text)};
     RankWorkers workers(own, session);
     const bool done = lead(options, plan, spec, workers, out);
     workers.dismiss();
@@ -386,7 +386,7 @@ void run_sweep_command(const CommandOptions& options, MpiSession& session, const
     end_by_signal();
 }
 
-Json sweep_artifact(const SweepPlan& plan, const SweepProgress& progress, const SpecFile& spec) {
+Json sweep_artifact(const SweepPlan& plan, const SweepProgress& progress, const InputFile& spec) {
     const SweepSums sums = progress.sums.total();
     Json result{{"points", plan.design().points()},
                 {"impacts", plan.impacts()},
@@ -408,7 +408,7 @@ Json sweep_artifact(const SweepPlan& plan, const SweepProgress& progress, const 
              {{"program", "ashimpact"},
               {"version", program_version()},
               {"revision", program_revision()},
-              {"inputs", Json::array({{{"file", spec.name}, {"sha256", spec.sha256}}})},
+              {"inputs", Json::array({{{"file", spec.file}, {"sha256", spec.sha256}}})},
               {"options", parse_json(plan.canonical())}}},
             {"citations", citations_of(plan)},
             {"warnings", warnings},

@@ -13,6 +13,7 @@
 #include "pipeline/app/sweep/spec/impacts.hpp"
 #include "pipeline/app/sweep/tables.hpp"
 #include "pipeline/app/sweep/workers.hpp"
+#include "pipeline/case/input_files.hpp"
 
 namespace ashimpact {
 
@@ -53,14 +54,9 @@ struct SweepCare {
 [[nodiscard]] bool complete(SweepProgress& progress, const SweepPlan& plan, const SweepFiles& files,
                             RowLog& rows, Workers& workers, const SweepCare& care);
 
-/// Name and hash of the file of the spec.
-struct SpecFile {
-    std::string name;
-    std::string sha256;
-};
-
 /// The artifact of a finished sweep, independent of processes, threads, time and interruptions.
-[[nodiscard]] Json sweep_artifact(const SweepPlan& plan, const SweepProgress& progress, const SpecFile& spec);
+[[nodiscard]] Json sweep_artifact(const SweepPlan& plan, const SweepProgress& progress,
+                                  const InputFile& spec);
 
 /// `ashimpact sweep`, as ashimpact-sweep runs it: reads the spec, continues from a checkpoint if there is
 /// one, computes the rest with the threads of all processes, and writes the result.

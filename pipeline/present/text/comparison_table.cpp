@@ -244,6 +244,14 @@ std::string bounds_text(const std::optional<Bounds>& bounds) {
     return end(bounds->lower) + " to " + end(bounds->upper);
 }
 
+std::string bounds_text(const std::optional<double>& lower, const std::optional<double>& upper,
+                        std::string_view unit) {
+    const auto end = [&](const std::optional<double>& value) {
+        return value ? readable(*value, unit) : std::string("open");
+    };
+    return end(lower) + " to " + end(upper);
+}
+
 std::string estimate_text(const std::optional<VelocityEstimate>& velocity) {
     if (!velocity) return "no finite value";
     const std::string bounds = bounds_text(velocity->interval);

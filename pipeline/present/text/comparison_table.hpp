@@ -21,6 +21,10 @@ namespace ashimpact {
 /// "1.85 to 2.01"; an end without a bound is "open". Empty if neither end is known.
 [[nodiscard]] std::string bounds_text(const std::optional<Bounds>& bounds);
 
+/// The same with a unit each: "1.85 m/s to 2.01 m/s".
+[[nodiscard]] std::string bounds_text(const std::optional<double>& lower, const std::optional<double>& upper,
+                                      std::string_view unit);
+
 /// "1.93 m/s (95 %: 1.68 to 2.21 m/s)", or "no finite value".
 [[nodiscard]] std::string estimate_text(const std::optional<VelocityEstimate>& velocity);
 

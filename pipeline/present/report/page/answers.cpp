@@ -238,11 +238,6 @@ class Grouped {
     std::vector<Entry> entries_;
 };
 
-std::string words_of(std::string key) {
-    std::replace(key.begin(), key.end(), '_', ' ');
-    return key;
-}
-
 /// Every quantity below @p node whose origin is an assumption, an inference or a publication.
 void collect(const Json& node, const std::string& path, const std::string& where, Grouped& into) {
     if (!node.is_object()) return;

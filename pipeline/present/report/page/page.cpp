@@ -293,6 +293,11 @@ std::string with_subscripts(std::string text) {
     return text;
 }
 
+std::string words_of(std::string key) {
+    std::ranges::replace(key, '_', ' ');
+    return key;
+}
+
 std::string html_name(std::string_view name) {
     return is_ascii(name) ? escaped(name) : "<bdi>" + escaped(name) + "</bdi>";
 }

@@ -93,6 +93,9 @@ void require_figure_programs();
 /// An escaped text with the symbols in it set as such: "v_in", "e_n".
 [[nodiscard]] std::string with_subscripts(std::string text);
 
+/// "work_of_adhesion" as "work of adhesion".
+[[nodiscard]] std::string words_of(std::string key);
+
 /// A user's name in HTML.
 [[nodiscard]] std::string html_name(std::string_view name);
 

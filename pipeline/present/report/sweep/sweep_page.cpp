@@ -16,12 +16,6 @@ namespace ashimpact::report {
 
 namespace {
 
-std::string words(std::string_view name) {
-    std::string text(name);
-    std::ranges::replace(text, '_', ' ');
-    return text;
-}
-
 Figure capture_figure(const CaptureFractions& captured) {
     Figure figure{
         .id = "capture",
@@ -37,8 +31,8 @@ Figure capture_figure(const CaptureFractions& captured) {
         std::vector<double> values;
         for (const CaptureCurve& curve : variable.curves)
             for (const CaptureShare& share : curve.shares) values.push_back(share.value);
-        XyPanel panel{.title = words(variable.name),
-                      .x = quantity_axis(words(variable.name), variable.unit, greatest_of(values)),
+        XyPanel panel{.title = words_of(variable.name),
+                      .x = quantity_axis(words_of(variable.name), variable.unit, greatest_of(values)),
                       .y = {.label = "captured", .unit = "%", .scale = 0.01, .from = -0.03, .to = 1.03}};
         for (const CaptureCurve& curve : variable.curves) {
             const std::string name = display_name(curve.law.name());
@@ -95,8 +89,8 @@ Figure histogram_figure(const Json& result) {
             if (found == titles.end()) {
                 titles.push_back(of);
                 figure.panels.emplace_back(
-                    XyPanel{.title = words(of),
-                            .x = quantity_axis(words(of), histogram.at("edges").value("unit", "1"),
+                    XyPanel{.title = words_of(of),
+                            .x = quantity_axis(words_of(of), histogram.at("edges").value("unit", "1"),
                                                greatest_of(edges)),
                             .y = {.label = "share", .unit = "%", .scale = 0.01, .from_zero = true}});
             }
@@ -137,13 +131,14 @@ Figure sweep_sensitivity_figure(const Json& result) {
             .title = display_name(name),
             .x = {.label = "share of the variance", .unit = "%", .scale = 0.01, .from = -0.02, .to = 1.05}};
         for (const Json& of : law.at("sensitivity")) {
-            panel.rows.push_back({.label = words(of.at("of").get<std::string>()), .heading = true});
+            panel.rows.push_back({.label = words_of(of.at("of").get<std::string>()), .heading = true});
             for (const Json& index : of.at("indices")) {
                 const std::string variable = index.at("variable").get<std::string>();
                 const Quantity first = shown_quantity(index.at("first"));
                 const Quantity total = shown_quantity(index.at("total"));
-                panel.rows.push_back(sobol_row(words(variable), variable, Look::of(Law::named(name).index()),
-                                               first.value, total.value, total.standard_uncertainty));
+                panel.rows.push_back(sobol_row(words_of(variable), variable,
+                                               Look::of(Law::named(name).index()), first.value, total.value,
+                                               total.standard_uncertainty));
                 figure.numbers.rows.push_back({name, of.at("of").get<std::string>(), variable, first.value,
                                                cell_of(first.standard_uncertainty), total.value,
                                                cell_of(total.standard_uncertainty)});
