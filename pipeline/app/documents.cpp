@@ -275,7 +275,7 @@ void add_report_commands(const CommandLine& line) {
                  "energy, critical-velocity, sensitivity.",
                  run_figure_command);
     figure.add("name", "NAME", "of the figure")->required();
-    command
+    figure
         .add_list("artifacts", "ARTIFACT",
                   "folder of a run, or artifacts of it; those not named are read beside the first")
         ->required();

@@ -280,15 +280,13 @@ void add_remarks(const std::vector<Artifact>& all, RunSummary& summary) {
 }
 
 /// The work up to and with a stage, nothing written.
-Work worked_through(const std::optional<std::string>& case_file, std::string_view last_stage,
-                    bool allow_outside) {
-    Work work;
+void work_through(const std::optional<std::string>& case_file, std::string_view last_stage,
+                  bool allow_outside, Work& work) {
     begin(load_case(case_file, allow_outside), work);
     for (const Stage& stage : stages()) {
         computed(stage, work);
         if (stage.name == last_stage) break;
     }
-    return work;
 }
 
 }  // namespace
@@ -301,12 +299,16 @@ std::vector<std::string> stage_names() {
 
 Run compute_run(const std::optional<std::string>& case_file, std::string_view last_stage,
                 bool allow_outside) {
-    return worked_through(case_file, last_stage, allow_outside).run;
+    Work work;
+    work_through(case_file, last_stage, allow_outside, work);
+    return std::move(work.run);
 }
 
 Artifacts compute_artifacts(const std::optional<std::string>& case_file, std::string_view last_stage,
                             bool allow_outside) {
-    return worked_through(case_file, last_stage, allow_outside).artifacts;
+    Work work;
+    work_through(case_file, last_stage, allow_outside, work);
+    return std::move(work.artifacts);
 }
 
 RunSummary run_stages(const RunPlan& plan) {
