@@ -86,14 +86,19 @@ constexpr std::array dampings{
                  .powers = fourth_root,
                  .lagging = {1, 2, 2.5, 3}}};
 
+/// The row of a table with that key, null without any.
+template <class Rows, class Key, class Column>
+auto* row_of(const Rows& rows, const Key& key, Column column) {
+    const auto found = std::ranges::find(rows, key, column);
+    return found == rows.end() ? nullptr : &*found;
+}
+
 const Attraction* attraction_of(const ExportSubject& subject) {
-    const auto* const found = std::ranges::find(attractions, subject.law.name(), &Attraction::law);
-    return found == attractions.end() ? nullptr : found;
+    return row_of(attractions, subject.law.name(), &Attraction::law);
 }
 
 const AddedDamping* damping_of(const ExportSubject& subject) {
-    const auto* const found = std::ranges::find(dampings, subject.damping.law, &AddedDamping::law);
-    return found == dampings.end() ? nullptr : found;
+    return row_of(dampings, subject.damping.law, &AddedDamping::law);
 }
 
 Powers powers_of(const ExportSubject& subject, const DemCheck& check) {
@@ -189,8 +194,7 @@ bool takes_betan(const ExportSubject& subject) {
 }  // namespace
 
 const DemModel* model_of(std::span<const DemModel> models, const Law& law) {
-    const auto found = std::ranges::find(models, law.name(), &DemModel::law);
-    return found == models.end() ? nullptr : &*found;
+    return row_of(models, law.name(), &DemModel::law);
 }
 
 std::optional<std::string> added_forces_refusal(const ExportSubject& subject) {

@@ -26,14 +26,18 @@ constexpr std::array critical_multiples{0.99, 1.01, 1.5, 3.0, 10.0};
 constexpr double largest_overlap = 0.1;                          // of the radius; beyond it no law here holds
 constexpr std::array velocities_without_capture{0.1, 0.5, 2.0};  // [m/s]
 
+std::vector<double> sorted_once(std::vector<double> values) {
+    std::ranges::sort(values);
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    return values;
+}
+
 std::vector<double> sizes_of(const ExportSubject& subject) {
     const double middle = std::sqrt(subject.from_diameter * subject.to_diameter);
     std::vector<double> sizes{subject.from_diameter, subject.to_diameter};
     for (const double size : {subject.reference_diameter(), 0.97 * middle})
         if (size > subject.from_diameter && size < subject.to_diameter) sizes.push_back(size);
-    std::ranges::sort(sizes);
-    sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
-    return sizes;
+    return sorted_once(std::move(sizes));
 }
 
 std::vector<double> velocities_of(const ExportSubject& subject, double diameter) {
@@ -44,9 +48,7 @@ std::vector<double> velocities_of(const ExportSubject& subject, double diameter)
         velocities.assign(velocities_without_capture.begin(), velocities_without_capture.end());
     if (subject.velocity) velocities.push_back(*subject.velocity);
     if (subject.to_velocity) std::erase_if(velocities, [&](double v) { return v > *subject.to_velocity; });
-    std::ranges::sort(velocities);
-    velocities.erase(std::unique(velocities.begin(), velocities.end()), velocities.end());
-    return velocities;
+    return sorted_once(std::move(velocities));
 }
 
 std::string_view template_text(std::string_view path) {

@@ -73,11 +73,17 @@ std::string without_trailing_blanks(std::string line) {
     return line;
 }
 
+/// Characters of the first columns, with the gaps between them.
+std::size_t span_of(const std::vector<std::size_t>& widths, std::size_t columns) {
+    std::size_t taken = columns > 1 ? (columns - 1) * gap : 0;
+    for (std::size_t i = 0; i < columns; ++i) taken += widths[i];
+    return taken;
+}
+
 /// Cuts the columns that name rows until @p room is left beside them, or they are as narrow as may be.
 void narrow_keys(std::vector<std::size_t>& widths, std::size_t keys, std::size_t width, std::size_t room) {
     for (std::size_t i = 0; i < keys; ++i) {
-        std::size_t taken = 0;
-        for (std::size_t k = 0; k < keys; ++k) taken += widths[k] + gap;
+        const std::size_t taken = span_of(widths, keys) + gap;
         if (taken + room <= width) return;
         const std::size_t excess = taken + room - width;
         widths[i] = std::max(std::min(widths[i], narrowest_key), widths[i] - std::min(widths[i], excess));
@@ -183,25 +189,19 @@ std::string TextTable::text(std::size_t indent, std::size_t width) const {
     std::vector<std::size_t> widths = column_widths();
     const std::size_t keys = std::min(keys_, widths.size());
     width = std::max(width, indent + narrowest_value) - indent;
-    std::size_t widest = 0;
-    std::size_t whole = 0;
-    for (std::size_t i = 0; i < widths.size(); ++i) {
-        whole += widths[i] + (i > 0 ? gap : 0);
-        if (i >= keys) widest = std::max(widest, widths[i]);
-    }
-    std::size_t taken = 0;
-    for (std::size_t i = 0; i < keys; ++i) taken += widths[i] + (i > 0 ? gap : 0);
-    if (whole >
-        width) {  // names are cut if that keeps the table in one piece, else as far as they have to be
+    const std::size_t whole = span_of(widths, widths.size());
+    // Names are cut so that the table stays in one piece, else as far as they have to be.
+    if (whole > width) {
         std::vector<std::size_t> cut = widths;
-        narrow_keys(cut, keys, width, whole - taken - gap);
-        std::size_t left = 0;
-        for (std::size_t i = 0; i < keys; ++i) left += widths[i] - cut[i];
-        if (whole - left > width) narrow_keys(cut = widths, keys, width, std::min(widest, width / 2));
+        narrow_keys(cut, keys, width, whole - span_of(widths, keys) - gap);
+        if (span_of(cut, cut.size()) > width) {
+            std::size_t widest = 0;
+            for (std::size_t i = keys; i < widths.size(); ++i) widest = std::max(widest, widths[i]);
+            narrow_keys(cut = widths, keys, width, std::min(widest, width / 2));
+        }
         widths = std::move(cut);
-        taken = 0;
-        for (std::size_t i = 0; i < keys; ++i) taken += widths[i] + (i > 0 ? gap : 0);
     }
+    const std::size_t taken = span_of(widths, keys);
     std::vector<std::size_t> names(keys);
     std::iota(names.begin(), names.end(), std::size_t{0});
     std::string out;

@@ -54,13 +54,8 @@ std::string frame_of(const Box& plot) {
                        pixels(plot.left), pixels(plot.top), pixels(plot.width), pixels(plot.height));
 }
 
-struct Pixel {
-    double x;
-    double y;
-};
-
-/// Whether all pixels between two lie within a twentieth of a pixel of the line that joins them.
-bool is_straight(const std::vector<Pixel>& all, std::size_t first, std::size_t last) {
+/// Whether all points [px] between two lie within a twentieth of a pixel of the line that joins them.
+bool is_straight(const std::vector<Point>& all, std::size_t first, std::size_t last) {
     const double dx = all[last].x - all[first].x;
     const double dy = all[last].y - all[first].y;
     const double length = std::hypot(dx, dy);
@@ -77,7 +72,7 @@ std::string tenths(double pixel) {
 }
 
 /// One uninterrupted line, without the vertices that nobody would miss.
-std::string polyline(const std::vector<Pixel>& all) {
+std::string polyline(const std::vector<Point>& all) {
     std::string path;
     for (std::size_t i = 0; i < all.size();) {
         path += fmt::format("{}{} {}", i == 0 ? "M" : "L", tenths(all[i].x), tenths(all[i].y));
@@ -90,7 +85,7 @@ std::string polyline(const std::vector<Pixel>& all) {
 
 std::string path_of(const std::vector<Point>& points, const Frame& frame) {
     std::string path;
-    std::vector<Pixel> piece;
+    std::vector<Point> piece;
     const auto finish = [&] {
         if (piece.size() > 1) path += polyline(piece);
         piece.clear();
@@ -105,7 +100,7 @@ std::string path_of(const std::vector<Point>& points, const Frame& frame) {
 }
 
 std::string band_of(const Series& series, const Frame& frame) {
-    std::vector<Pixel> outline;
+    std::vector<Point> outline;
     for (const Point& point : series.band)
         if (std::isfinite(point.x) && std::isfinite(point.y))
             outline.push_back({frame.across(point.x), frame.up(point.y)});

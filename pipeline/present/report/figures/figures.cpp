@@ -14,14 +14,17 @@ namespace ashimpact::report {
 
 namespace {
 
-struct Prefix {
-    std::string_view name;
-    double scale;
-};
-
-constexpr std::array prefixes{Prefix{"T", 1e12},  Prefix{"G", 1e9},   Prefix{"M", 1e6},  Prefix{"k", 1e3},
-                              Prefix{"", 1},      Prefix{"m", 1e-3},  Prefix{"µ", 1e-6}, Prefix{"n", 1e-9},
-                              Prefix{"p", 1e-12}, Prefix{"f", 1e-15}, Prefix{"a", 1e-18}};
+constexpr std::array<std::pair<std::string_view, double>, 11> prefixes{{{"T", 1e12},
+                                                                        {"G", 1e9},
+                                                                        {"M", 1e6},
+                                                                        {"k", 1e3},
+                                                                        {"", 1},
+                                                                        {"m", 1e-3},
+                                                                        {"µ", 1e-6},
+                                                                        {"n", 1e-9},
+                                                                        {"p", 1e-12},
+                                                                        {"f", 1e-15},
+                                                                        {"a", 1e-18}}};
 
 constexpr std::array<std::string_view, 5> prefixed{"Pa", "m", "s", "N", "J"};
 
@@ -65,8 +68,8 @@ Axis quantity_axis(std::string label, std::string_view si, double greatest) {
     if (si == "kg/s" && greatest > 0 && greatest < 0.1)
         return greatest < 1e-4 ? in("mg/s", 1e-6) : in("g/s", 1e-3);
     if (!(greatest > 0) || std::ranges::find(prefixed, si) == prefixed.end()) return axis;
-    for (const Prefix& prefix : prefixes)
-        if (greatest >= prefix.scale) return in(std::string(prefix.name) + axis.unit, prefix.scale);
+    for (const auto& [name, scale] : prefixes)
+        if (greatest >= scale) return in(std::string(name) + axis.unit, scale);
     return axis;
 }
 
@@ -83,29 +86,6 @@ Look look_of(const LawData& law, bool hollow) {
 
 Cell cell_of(const std::optional<double>& value) {
     return value ? Cell(*value) : Cell(std::string());
-}
-
-Row sobol_row(const std::string& label, const std::string& name, const Look& look, double first, double total,
-              const std::optional<double>& total_error) {
-    Row row{.label = label,
-            .items = {{.kind = RowItem::Kind::bar,
-                       .from = 0,
-                       .to = total,
-                       .look = look,
-                       .name = fmt::format("{}: total {:.3g} %", name, 100 * total)}}};
-    if (total_error)
-        row.items.push_back({.kind = RowItem::Kind::interval,
-                             .from = total - *total_error,
-                             .to = total + *total_error,
-                             .look = look,
-                             .name = fmt::format("{}: ± {:.2g} %", name, 100 * *total_error)});
-    row.items.push_back({.kind = RowItem::Kind::mark,
-                         .from = 0,
-                         .to = first,
-                         .look = Look::plain(3),
-                         .name = fmt::format("{}: first order {:.3g} %", name, 100 * first),
-                         .legend = "first order; bar: total"});
-    return row;
 }
 
 std::string display_name(std::string_view law) {

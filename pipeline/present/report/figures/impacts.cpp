@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -140,7 +141,7 @@ struct InvertedImpacts {
     SeriesColumn x_values;
     SeriesColumn y_values;
     Series (*line)(const SampleData&, const LawData&);
-    std::vector<SeriesColumn> listed;  ///< in the table, after sample, law and origin
+    std::span<const SeriesColumn> listed;  ///< in the table, after sample, law and origin
 };
 
 std::optional<double> value_at(const std::vector<double>& values, std::size_t i) {
@@ -199,12 +200,9 @@ std::vector<Rule> boundaries(const SampleData& sample) {
     return rules;
 }
 
-const std::vector<SeriesColumn>& damping_columns() {
-    static const std::vector<SeriesColumn> columns{&DampingSeries::velocity, &DampingSeries::restitution,
-                                                   &DampingSeries::damping,
-                                                   &DampingSeries::damping_uncertainty};
-    return columns;
-}
+constexpr std::array damping_columns{&DampingSeries::velocity, &DampingSeries::restitution,
+                                     &DampingSeries::damping, &DampingSeries::damping_uncertainty};
+constexpr std::array time_columns{&DampingSeries::velocity, &DampingSeries::contact_time};
 
 NumberTable damping_table(const RunData& run) {
     const std::string unit = " [" + run.damping_unit() + "]";
@@ -225,20 +223,16 @@ Series fit_series(const SampleData& sample, const LawData& law) {
 // Energy.
 
 struct Share {
-    std::string name;
+    std::string_view name;
     double (*of)(const CurveImpact& impact);
 };
 
 /// Where the energy goes, from the bottom of the stack up.
-const std::array<Share, 4>& shares() {
-    static const std::array<Share, 4> all{{
-        {"damping", [](const CurveImpact& i) { return i.dissipated; }},
-        {"yielding", [](const CurveImpact& i) { return i.plastic; }},
-        {"breaking the contact", [](const CurveImpact& i) { return i.adhesion; }},
-        {"rebound", [](const CurveImpact& i) { return i.restitution * i.restitution; }},
-    }};
-    return all;
-}
+constexpr std::array shares{
+    Share{"damping", [](const CurveImpact& i) { return i.dissipated; }},
+    Share{"yielding", [](const CurveImpact& i) { return i.plastic; }},
+    Share{"breaking the contact", [](const CurveImpact& i) { return i.adhesion; }},
+    Share{"rebound", [](const CurveImpact& i) { return i.restitution * i.restitution; }}};
 
 XyPanel energy_panel(const SampleData& sample, const LawData& law) {
     XyPanel panel{.title = sample.name() + ", " + law.name,
@@ -246,13 +240,15 @@ XyPanel energy_panel(const SampleData& sample, const LawData& law) {
                   .y = {.label = "share", .unit = "%", .scale = 0.01, .from = 0.0, .to = 1.0}};
     panel.x.from_zero = false;
     std::vector<double> sums(law.curve().size(), 0.0);
-    for (std::size_t k = 0; k < shares().size(); ++k) {
-        const auto& [name, share] = shares()[k];
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+        const auto& [name, share] = shares[k];
         if (std::ranges::all_of(law.curve(),
                                 [&share = share](const CurveImpact& i) { return share(i) == 0; }))
             continue;
-        Series series{
-            .name = panel.title + ", up to " + name, .legend = name, .look = Look::of(k), .area = true};
+        Series series{.name = fmt::format("{}, up to {}", panel.title, name),
+                      .legend = std::string(name),
+                      .look = Look::of(k),
+                      .area = true};
         std::vector<Point> below;
         for (std::size_t i = 0; i < sums.size(); ++i) {
             const CurveImpact& impact = law.curve()[i];
@@ -386,7 +382,7 @@ Figure damping_figure(const RunData& run) {
         .y_values = &DampingSeries::damping,
         .line = [](const SampleData& sample,
                    const LawData& law) { return curve_series(sample, law, &CurveImpact::damping); },
-        .listed = damping_columns()};
+        .listed = damping_columns};
     Figure figure{.id = "damping",
                   .title = "Damping against incident velocity",
                   .counterpart = "Figure 6",
@@ -416,7 +412,7 @@ Figure damping_fit_figure(const RunData& run) {
                                 .x_values = &DampingSeries::restitution,
                                 .y_values = &DampingSeries::damping,
                                 .line = fit_series,
-                                .listed = damping_columns()};
+                                .listed = damping_columns};
     Figure figure{.id = "damping-fit",
                   .title = "Damping against restitution, with the fits",
                   .counterpart = "Table 2",
@@ -444,7 +440,7 @@ Figure contact_time_figure(const RunData& run) {
         .y_values = &DampingSeries::contact_time,
         .line = [](const SampleData& sample,
                    const LawData& law) { return curve_series(sample, law, &CurveImpact::contact_time); },
-        .listed = {&DampingSeries::velocity, &DampingSeries::contact_time}};
+        .listed = time_columns};
     shown.y.from_zero = true;
     Figure figure{.id = "contact-time",
                   .title = "Contact time against incident velocity",
@@ -487,14 +483,14 @@ Figure energy_figure(const RunData& run) {
                   .columns = 4,
                   .narrow_columns = 2,
                   .panel_height = 210};
-    for (const Share& share : shares()) figure.numbers.columns.push_back(share.name);
+    for (const Share& share : shares) figure.numbers.columns.emplace_back(share.name);
     for (const SampleData& sample : run.samples())
         for (const LawData& law : sample.laws) {
             if (law.curve().empty()) continue;
             figure.panels.emplace_back(energy_panel(sample, law));
             for (const CurveImpact& impact : law.curve()) {
                 std::vector<Cell> row{sample.name(), law.name, impact.velocity};
-                for (const Share& share : shares()) row.emplace_back(share.of(impact));
+                for (const Share& share : shares) row.emplace_back(share.of(impact));
                 figure.numbers.rows.push_back(std::move(row));
             }
         }

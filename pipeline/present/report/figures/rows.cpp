@@ -171,6 +171,19 @@ std::string short_label(const std::string& factor) {
 
 }  // namespace
 
+Row sobol_row(const std::string& label, const std::string& name, const Look& look, double first, double total,
+              const std::optional<double>& total_error) {
+    Row row{.label = label,
+            .items = {bar(0, total, look, fmt::format("{}: total {:.3g} %", name, 100 * total))}};
+    if (total_error)
+        row.items.push_back(interval(total - *total_error, total + *total_error, look,
+                                     fmt::format("{}: ± {:.2g} %", name, 100 * *total_error)));
+    row.items.push_back(mark(first, Look::plain(3),
+                             fmt::format("{}: first order {:.3g} %", name, 100 * first),
+                             "first order; bar: total"));
+    return row;
+}
+
 Figure composition_figure(const RunData& run) {
     Figure figure{.id = "composition",
                   .title = "What the ash is made of, and how stiff that makes it",
