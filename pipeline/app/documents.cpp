@@ -118,8 +118,8 @@ void run_inspect_command(const CommandOptions& options, std::ostream& out) {
         require_quantities(View(document));
         if (document.at("provenance").contains("result_sha256") && is_edited(document))
             spdlog::warn("warning: {}: was edited after ashimpact wrote it", file);
-        out << artifact_text(document, {.result = {.all = options.has("--all")},
-                                        .provenance = spdlog::should_log(spdlog::level::debug)});
+        out << artifact_text(document, {.all = options.has("--all")},
+                             spdlog::should_log(spdlog::level::debug));
     });
 }
 

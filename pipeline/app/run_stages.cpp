@@ -125,11 +125,15 @@ Run whole_run(const RunPlan& plan, Work& work) {
 std::vector<FileContent> presentation(const RunPlan& plan, Work& work, RunSummary& summary) {
     if (!plan.report && !plan.figures) return {};
     try {
-        report::Presentation made = report::present(
-            whole_run(plan, work), {.folder = plan.folder, .page = plan.report, .figures = plan.figures});
-        summary.report = made.page;
-        summary.figures = made.files.size() - (made.page.empty() ? 0 : 1);
-        return std::move(made.files);
+        std::vector<report::RunData> runs;
+        runs.emplace_back(whole_run(plan, work), "");
+        std::vector<FileContent> files;
+        if (plan.figures) files = report::figure_files(runs.front(), plan.folder);
+        summary.figures = files.size();
+        if (!plan.report) return files;
+        summary.report = plan.folder / report::report_file;
+        files.push_back({summary.report, report::run_page(runs)});
+        return files;
     } catch (const InputError& error) {
         if (plan.from.empty() && plan.only.empty()) throw;
         summary.remarks.push_back({std::string(report::report_file),
@@ -313,7 +317,7 @@ Artifacts compute_artifacts(const std::optional<std::string>& case_file, std::st
 
 RunSummary run_stages(const RunPlan& plan) {
     const Range range = range_of(plan);
-    if (plan.figures) report::require_figure_programs();
+    if (plan.figures) report::require_converter(report::FigureFormat::pdf);
     RunFolder folder(plan.folder);
     Work work;
     RunSummary summary;

@@ -435,8 +435,8 @@ std::string result_text(const Json& result, const ResultView& view) {
     return ResultText(view).block(result, 0);
 }
 
-std::string artifact_text(const Json& artifact, const ArtifactView& view) {
-    const std::size_t width = view.result.width;
+std::string artifact_text(const Json& artifact, const ResultView& view, bool with_provenance) {
+    const std::size_t width = view.width;
     const Json& provenance = artifact.at("provenance");
     std::string text =
         fmt::format("{} by {} {} ({})\n\n", artifact.at("schema").get<std::string>(),
@@ -445,15 +445,15 @@ std::string artifact_text(const Json& artifact, const ArtifactView& view) {
     const bool is_comparison = artifact.at("stage") == "comparison";
     if (is_comparison) text += comparison_text(artifact.at("result"), width);
     std::string result;
-    if (!is_comparison || view.result.all) result = result_text(artifact.at("result"), view.result);
+    if (!is_comparison || view.all) result = result_text(artifact.at("result"), view);
     text += (is_comparison && !result.empty() ? "\n" : "") + result;
     if (const std::string legend = uncertainty_legend(text); !legend.empty()) text += "\n" + legend;
     if (!artifact.at("warnings").empty()) text += "\n";
     for (const Json& warning : artifact.at("warnings"))
         text += wrapped("warning: " + warning.get<std::string>(), width, 2) + "\n";
-    if (view.provenance) return text + "\n" + provenance_text(artifact, width);
+    if (with_provenance) return text + "\n" + provenance_text(artifact, width);
     return text + "\nInputs, options and citations: -v." +
-           (is_comparison && !view.result.all ? " Everything else it holds: --all." : "") + "\n";
+           (is_comparison && !view.all ? " Everything else it holds: --all." : "") + "\n";
 }
 
 }  // namespace ashimpact

@@ -18,13 +18,9 @@ struct ResultView {
 /// entries of one kind (such as those of contact laws) side by side, the rest as an indented list.
 [[nodiscard]] std::string result_text(const Json& result, const ResultView& view = {});
 
-/// What is shown of an artifact.
-struct ArtifactView {
-    ResultView result{};
-    bool provenance = false;  ///< inputs, options, citations too
-};
-
 /// An artifact for a reader: its result, what it warns about, and where it comes from.
-[[nodiscard]] std::string artifact_text(const Json& artifact, const ArtifactView& view = {});
+/// @param provenance whether inputs, options and citations are shown too
+[[nodiscard]] std::string artifact_text(const Json& artifact, const ResultView& view = {},
+                                        bool provenance = false);
 
 }  // namespace ashimpact

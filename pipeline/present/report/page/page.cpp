@@ -163,20 +163,6 @@ std::string file_stem(std::string_view id, Width width) {
     return std::string(id) + (width == Width::narrow ? "-single" : "");
 }
 
-/// Each figure for one column and for two, as SVG and as PDF.
-void add_figures(const RunData& run, const std::filesystem::path& folder, std::vector<FileContent>& files) {
-    for (const FigureMaker& maker : figure_makers()) {
-        const Figure figure = maker.make(run);
-        if (figure.panels.empty()) continue;
-        for (const Width width : {Width::wide, Width::narrow})
-            for (const FigureFormat format : {FigureFormat::svg, FigureFormat::pdf}) {
-                const std::string name =
-                    file_stem(figure.id, width) + (format == FigureFormat::svg ? ".svg" : ".pdf");
-                files.push_back({folder / figures_folder / name, figure_bytes(figure, width, format)});
-            }
-    }
-}
-
 constexpr std::string_view generator = "<meta name=\"generator\" content=\"ashimpact\">";
 
 std::string embedded(std::string_view path) {
@@ -250,6 +236,21 @@ const std::vector<std::string_view>& report_artifacts() {
     return files;
 }
 
+std::vector<FileContent> figure_files(const RunData& run, const std::filesystem::path& folder) {
+    std::vector<FileContent> files;
+    for (const FigureMaker& maker : figure_makers()) {
+        const Figure figure = maker.make(run);
+        if (figure.panels.empty()) continue;
+        for (const Width width : {Width::wide, Width::narrow})
+            for (const FigureFormat format : {FigureFormat::svg, FigureFormat::pdf}) {
+                const std::string name =
+                    file_stem(figure.id, width) + (format == FigureFormat::svg ? ".svg" : ".pdf");
+                files.push_back({folder / figures_folder / name, figure_bytes(figure, width, format)});
+            }
+    }
+    return files;
+}
+
 std::vector<std::filesystem::path> own_figures(const std::filesystem::path& figures) {
     std::vector<std::filesystem::path> files;
     std::error_code ignored;
@@ -262,22 +263,6 @@ std::vector<std::filesystem::path> own_figures(const std::filesystem::path& figu
             if (std::filesystem::is_regular_file(pdf, ignored)) files.push_back(pdf);
         }
     return files;
-}
-
-Presentation present(Run run, const PresentationPlan& plan) {
-    std::vector<RunData> runs;
-    runs.emplace_back(std::move(run), "");
-    Presentation made;
-    if (plan.page) {
-        made.page = plan.folder / report_file;
-        made.files.push_back({made.page, run_page(runs)});
-    }
-    if (plan.figures) add_figures(runs.front(), plan.folder, made.files);
-    return made;
-}
-
-void require_figure_programs() {
-    require_converter(FigureFormat::pdf);
 }
 
 std::string with_subscripts(std::string text) {

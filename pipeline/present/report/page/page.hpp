@@ -38,27 +38,12 @@ inline constexpr std::string_view figures_folder = "figures";
 /// The artifacts that a report and its figures are made of.
 [[nodiscard]] const std::vector<std::string_view>& report_artifacts();
 
-/// What to make of a run.
-struct PresentationPlan {
-    std::filesystem::path folder;  ///< into which it will be written
-    bool page = true;              ///< the report
-    bool figures = false;          ///< each figure as SVG and PDF, for one column and for two
-};
-
-struct Presentation {
-    std::filesystem::path page{};  ///< of the report; empty: none
-    std::vector<FileContent> files{};
-};
-
-/// Report and figures of one run, nothing written. The same run gives the same bytes.
-/// @throws InputError if the program that makes PDF files is missing
-[[nodiscard]] Presentation present(Run run, const PresentationPlan& plan);
+/// Each figure of a run for one column and for two, as SVG and as PDF, in a folder of @p folder. The same run
+/// gives the same bytes. @throws InputError if the program that makes PDF files is missing
+[[nodiscard]] std::vector<FileContent> figure_files(const RunData& run, const std::filesystem::path& folder);
 
 /// The files that an earlier run left in the folder @p figures, known by name and by the mark in the SVG.
 [[nodiscard]] std::vector<std::filesystem::path> own_figures(const std::filesystem::path& figures);
-
-/// Refuses to begin where figures could not be converted. @throws InputError saying what is missing
-void require_figure_programs();
 
 /// A figure as HTML: both forms of the drawing, caption, readout, numbers as a table and as CSV.
 /// @param id link target, unique in the page
