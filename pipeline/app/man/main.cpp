@@ -39,21 +39,6 @@ struct OptionEntry {
     Values values{};
 };
 
-/// A command as its papers need it.
-struct CommandEntry {
-    std::string name{};
-    std::string purpose{};
-    std::string example{};  ///< the footer of its help
-    std::vector<OptionEntry> options{};
-    std::vector<OptionEntry> arguments{};
-};
-
-/// The program's own options, and its commands in the order of its help.
-struct ProgramEntry {
-    CommandEntry program{};
-    std::vector<CommandEntry> commands{};
-};
-
 using Words = std::vector<std::string>;
 
 Words law_words() {
@@ -149,35 +134,33 @@ OptionEntry entry_of(const std::string& command, const CLI::Option& option) {
     return entry;
 }
 
-CommandEntry command_of(const CLI::App& app) {
-    CommandEntry entry{.name = app.get_name(), .purpose = app.get_description(), .example = app.get_footer()};
-    for (const CLI::Option* option : app.get_options()) {
-        OptionEntry one = entry_of(entry.name, *option);
-        (one.names.empty() ? entry.arguments : entry.options).push_back(std::move(one));
-    }
-    return entry;
+/// The options of a command, or its arguments.
+std::vector<OptionEntry> options_of(const CLI::App& command, bool arguments = false) {
+    std::vector<OptionEntry> options;
+    for (const CLI::Option* option : command.get_options())
+        if (OptionEntry entry = entry_of(command.get_name(), *option); entry.names.empty() == arguments)
+            options.push_back(std::move(entry));
+    return options;
 }
 
-ProgramEntry entry_of(const CLI::App& program) {
-    ProgramEntry entry{.program = command_of(program)};
-    for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
-        entry.commands.push_back(command_of(*command));
-    return entry;
+/// All commands, in the order of the help.
+std::vector<const CLI::App*> commands_of(const CLI::App& program) {
+    return program.get_subcommands([](const CLI::App*) { return true; });
 }
 
 // Completions.
 
-std::string names_of(const CommandEntry& command) {
+std::string names_of(const CLI::App& command) {
     Words names;
-    for (const OptionEntry& option : command.options)
+    for (const OptionEntry& option : options_of(command))
         names.insert(names.end(), option.names.begin(), option.names.end());
     return fmt::format("{}", fmt::join(names, " "));
 }
 
 /// The cases of one command: options by the word before, then its options and arguments.
-std::string command_case(const CommandEntry& command) {
-    std::string text = fmt::format("        {})\n            case $previous in\n", command.name);
-    for (const OptionEntry& option : command.options) {
+std::string command_case(const CLI::App& command) {
+    std::string text = fmt::format("        {})\n            case $previous in\n", command.get_name());
+    for (const OptionEntry& option : options_of(command)) {
         if (option.values.bash.empty()) continue;
         text += fmt::format("                {}) {}; return ;;\n", fmt::join(option.names, " | "),
                             option.values.bash);
@@ -186,8 +169,9 @@ std::string command_case(const CommandEntry& command) {
         "            esac\n            if [[ $current == -* ]]; then\n                _ashimpact_words "
         "'{}'\n",
         names_of(command));
-    if (!command.arguments.empty())
-        text += fmt::format("            else\n                {}\n", command.arguments.front().values.bash);
+    if (!options_of(command, true).empty())
+        text += fmt::format("            else\n                {}\n",
+                            options_of(command, true).front().values.bash);
     return text + "            fi\n            ;;\n";
 }
 
@@ -237,20 +221,20 @@ std::string specification(const OptionEntry& option) {
     return text;
 }
 
-std::string bash_completion(const ProgramEntry& entry) {
+std::string bash_completion(const CLI::App& program) {
     std::string commands;
     std::string text = helpers;
-    for (const CommandEntry& command : entry.commands) {
-        text += command_case(command);
-        commands += " " + command.name;
+    for (const CLI::App* command : commands_of(program)) {
+        text += command_case(*command);
+        commands += " " + command->get_name();
     }
     return text + fmt::format(
                       "        '') _ashimpact_words '{}{}' ;;\n    esac\n}}\n\ncomplete -F _ashimpact "
                       "ashimpact\n",
-                      names_of(entry.program), commands);
+                      names_of(program), commands);
 }
 
-std::string zsh_completion(const ProgramEntry& entry) {
+std::string zsh_completion(const CLI::App& program) {
     std::string text = R"(#compdef ashimpact
 # Completion of ashimpact for zsh; generated from the program's own command line.
 
@@ -271,19 +255,19 @@ _ashimpact() {
     typeset -A opt_args
     commands=(
 )";
-    for (const CommandEntry& command : entry.commands)
-        text += fmt::format("        '{}:{}'\n", command.name, quoted(command.purpose));
+    for (const CLI::App* command : commands_of(program))
+        text += fmt::format("        '{}:{}'\n", command->get_name(), quoted(command->get_description()));
     text += "    )\n    _arguments -C";
-    for (const OptionEntry& option : entry.program.options) text += specification(option);
+    for (const OptionEntry& option : options_of(program)) text += specification(option);
     text +=
         " \\\n                '1:command:->command' '*::argument:->argument'\n"
         "    case $state in\n"
         "        command) _describe command commands ;;\n"
         "        argument)\n            case $line[1] in\n";
-    for (const CommandEntry& command : entry.commands) {
-        text += fmt::format("            {}) _arguments", command.name);
-        for (const OptionEntry& option : command.options) text += specification(option);
-        for (const OptionEntry& argument : command.arguments) text += specification(argument);
+    for (const CLI::App* command : commands_of(program)) {
+        text += fmt::format("            {}) _arguments", command->get_name());
+        for (const OptionEntry& option : options_of(*command)) text += specification(option);
+        for (const OptionEntry& argument : options_of(*command, true)) text += specification(argument);
         text += " ;;\n";
     }
     return text + "            esac ;;\n    esac\n}\n\n_ashimpact \"$@\"\n";
@@ -317,13 +301,13 @@ std::string option_entry(const OptionEntry& option) {
     return ".TP\n" + names + "\n" + roff(text) + "\n";
 }
 
-std::string synopsis(const CommandEntry& command) {
-    std::string line = ".B ashimpact " + roff(command.name) + "\n";
-    for (const OptionEntry& option : command.options) {
+std::string synopsis(const CLI::App& command) {
+    std::string line = ".B ashimpact " + roff(command.get_name()) + "\n";
+    for (const OptionEntry& option : options_of(command)) {
         if (!option.required) continue;
         line += fmt::format("\\fB{}\\fR \\fI{}\\fR\n", roff(option.names.back()), roff(option.type));
     }
-    for (const OptionEntry& argument : command.arguments) {
+    for (const OptionEntry& argument : options_of(command, true)) {
         const std::string name = fmt::format("\\fI{}\\fR", roff(argument.type));
         line += argument.required ? name + "\n" : "[" + name + "]\n";
     }
@@ -378,38 +362,39 @@ std::string table(const std::vector<OptionEntry>& options) {
     return text + "\n";
 }
 
-std::string man_page(const ProgramEntry& entry) {
+std::string man_page(const CLI::App& program) {
     std::string page =
         heading("ashimpact", "from an XRD result of fly ash to the critical velocity of impact");
     page += ".SH SYNOPSIS\n.B ashimpact\n\\fICOMMAND\\fR [\\fIOPTIONS\\fR]\n.SH DESCRIPTION\n" +
-            roff(entry.program.purpose) + "\n.SH COMMANDS\n";
-    for (const CommandEntry& command : entry.commands)
-        page += fmt::format(".TP\n\\fB{}\\fR\n{}; see\n.BR ashimpact\\-{} (1).\n", roff(command.name),
-                            roff(command.purpose), roff(command.name));
+            roff(program.get_description()) + "\n.SH COMMANDS\n";
+    for (const CLI::App* command : commands_of(program))
+        page += fmt::format(".TP\n\\fB{}\\fR\n{}; see\n.BR ashimpact\\-{} (1).\n", roff(command->get_name()),
+                            roff(command->get_description()), roff(command->get_name()));
     page += ".SH OPTIONS\n";
-    for (const OptionEntry& option : entry.program.options) page += option_entry(option);
-    page += example_section(entry.program.example) + exit_status;
+    for (const OptionEntry& option : options_of(program)) page += option_entry(option);
+    page += example_section(program.get_footer()) + exit_status;
     page +=
         ".SH FILES\n.TP\n\\fIresults/\\fR\nWhere \\fBashimpact run\\fR writes its artifacts, unless told "
         "otherwise.\n";
     return page;
 }
 
-std::string man_page(const ProgramEntry& entry, const CommandEntry& command) {
-    std::string page = heading("ashimpact-" + command.name, command.purpose);
-    page += ".SH SYNOPSIS\n" + synopsis(command) + ".SH DESCRIPTION\n" + roff(command.purpose) +
+std::string man_page(const CLI::App& program, const CLI::App& command) {
+    std::string page = heading("ashimpact-" + command.get_name(), command.get_description());
+    page += ".SH SYNOPSIS\n" + synopsis(command) + ".SH DESCRIPTION\n" + roff(command.get_description()) +
             ".\n.PP\nQuantities carry their unit in quotes, \"44 um\"; a bare number is SI.\n";
-    if (!command.arguments.empty()) page += ".SH ARGUMENTS\n";
-    for (const OptionEntry& argument : command.arguments) page += option_entry(argument);
+    if (!options_of(command, true).empty()) page += ".SH ARGUMENTS\n";
+    for (const OptionEntry& argument : options_of(command, true)) page += option_entry(argument);
     page += ".SH OPTIONS\n";
-    for (const OptionEntry& option : command.options) page += option_entry(option);
-    page += example_section(command.example) + exit_status + ".SH SEE ALSO\n.BR ashimpact (1)";
-    for (const CommandEntry& other : entry.commands)
-        if (other.name != command.name) page += fmt::format(",\n.BR ashimpact\\-{} (1)", roff(other.name));
+    for (const OptionEntry& option : options_of(command)) page += option_entry(option);
+    page += example_section(command.get_footer()) + exit_status + ".SH SEE ALSO\n.BR ashimpact (1)";
+    for (const CLI::App* other : commands_of(program))
+        if (other->get_name() != command.get_name())
+            page += fmt::format(",\n.BR ashimpact\\-{} (1)", roff(other->get_name()));
     return page + "\n";
 }
 
-std::string reference_page(const ProgramEntry& entry) {
+std::string reference_page(const CLI::App& program) {
     std::string page = R"(# Commands
 
 This page lists every command with its options. It is written by the program that parses them, as are the manual pages and what bash and zsh complete.
@@ -417,10 +402,10 @@ This page lists every command with its options. It is written by the program tha
 Quantities carry their unit in quotes, `"44 um"`; a bare number is SI. Results go to standard output, messages to standard error. Exit status: 0 done; 2 the input is wrong; 3 a computation did not converge; 1 a defect of the program.
 
 )";
-    for (const CommandEntry& command : entry.commands) {
-        page += fmt::format("## ashimpact {}\n\n{}.\n\n", command.name, command.purpose);
-        if (!command.arguments.empty()) page += table(command.arguments);
-        page += table(command.options) + "```text\n" + example_of(command.example) + "\n```\n\n";
+    for (const CLI::App* command : commands_of(program)) {
+        page += fmt::format("## ashimpact {}\n\n{}.\n\n", command->get_name(), command->get_description());
+        if (!options_of(*command, true).empty()) page += table(options_of(*command, true));
+        page += table(options_of(*command)) + "```text\n" + example_of(command->get_footer()) + "\n```\n\n";
     }
     return page;
 }
@@ -447,14 +432,13 @@ int main(int argc, char** argv) {
         CLI::App program;
         Action action;
         set_up_commands(program, action, {}, {});
-        const ProgramEntry entry = entry_of(program);
         const std::filesystem::path folder = argv[1];
-        write(folder / "man/ashimpact.1", man_page(entry));
-        for (const CommandEntry& command : entry.commands)
-            write(folder / ("man/ashimpact-" + command.name + ".1"), man_page(entry, command));
-        write(folder / "bash/ashimpact", bash_completion(entry));
-        write(folder / "zsh/_ashimpact", zsh_completion(entry));
-        write(folder / "reference/commands.md", reference_page(entry));
+        write(folder / "man/ashimpact.1", man_page(program));
+        for (const CLI::App* command : commands_of(program))
+            write(folder / ("man/ashimpact-" + command->get_name() + ".1"), man_page(program, *command));
+        write(folder / "bash/ashimpact", bash_completion(program));
+        write(folder / "zsh/_ashimpact", zsh_completion(program));
+        write(folder / "reference/commands.md", reference_page(program));
         return 0;
     } catch (const std::exception& error) {
         std::cerr << "ashimpact-papers: " << error.what() << '\n';
