@@ -56,6 +56,32 @@ std::string digest_of(std::uint64_t chunk, const std::string& packed) {
     return sha256(std::to_string(chunk) + "\n" + packed);
 }
 
+/// Thrown for rows that differ from those that were sealed.
+class DamagedRows : public std::runtime_error {
+  public:
+    explicit DamagedRows(std::uint64_t chunk) : std::runtime_error("damaged rows"), chunk_(chunk) {}
+    [[nodiscard]] std::uint64_t chunk() const { return chunk_; }
+
+  private:
+    std::uint64_t chunk_;
+};
+
+/// Reads the packed columns of the next chunk, which must be that of this number.
+/// @throws DamagedRows unless they are there, unchanged
+std::vector<std::string> read_sealed_rows(std::istream& stream, std::uint64_t chunk, std::size_t columns) {
+    std::string digest(digest_length, '\0');
+    std::uint64_t length = 0;
+    stream.read(digest.data(), static_cast<std::streamsize>(digest.size()));
+    stream.read(reinterpret_cast<char*>(&length), sizeof(length));
+    if (!stream || length > most_packed_bytes) throw DamagedRows(chunk);
+    std::string packed_rows(length, '\0');
+    stream.read(packed_rows.data(), static_cast<std::streamsize>(length));
+    if (!stream || digest != digest_of(chunk, packed_rows)) throw DamagedRows(chunk);
+    auto read = unpacked<std::vector<std::string>>(packed_rows);  // as they were written: the digest agrees
+    if (read.size() != columns) throw DamagedRows(chunk);
+    return read;
+}
+
 /// A failed call of HDF5. Its own messages are long and would go to standard error, see silence().
 class Hdf5Error : public std::runtime_error {
   public:
@@ -244,20 +270,6 @@ std::string sealed_rows(std::uint64_t chunk, const std::vector<std::vector<doubl
     for (const auto& column : columns) packed_columns.push_back(deflated(shuffled(column, rows)));
     const std::string packed_rows = packed(std::move(packed_columns));
     return digest_of(chunk, packed_rows) + packed(packed_rows);
-}
-
-std::vector<std::string> read_sealed_rows(std::istream& stream, std::uint64_t chunk, std::size_t columns) {
-    std::string digest(digest_length, '\0');
-    std::uint64_t length = 0;
-    stream.read(digest.data(), static_cast<std::streamsize>(digest.size()));
-    stream.read(reinterpret_cast<char*>(&length), sizeof(length));
-    if (!stream || length > most_packed_bytes) throw DamagedRows(chunk);
-    std::string packed_rows(length, '\0');
-    stream.read(packed_rows.data(), static_cast<std::streamsize>(length));
-    if (!stream || digest != digest_of(chunk, packed_rows)) throw DamagedRows(chunk);
-    auto read = unpacked<std::vector<std::string>>(packed_rows);  // as they were written: the digest agrees
-    if (read.size() != columns) throw DamagedRows(chunk);
-    return read;
 }
 
 RowLog::RowLog(std::filesystem::path path) : path_(std::move(path)) {

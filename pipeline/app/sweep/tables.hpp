@@ -25,21 +25,6 @@ inline constexpr int deflate_level = 1;
 [[nodiscard]] std::string sealed_rows(std::uint64_t chunk, const std::vector<std::vector<double>>& columns,
                                       std::size_t rows);
 
-/// Thrown for rows that differ from those that were sealed.
-class DamagedRows : public std::runtime_error {
-  public:
-    explicit DamagedRows(std::uint64_t chunk) : std::runtime_error("damaged rows"), chunk_(chunk) {}
-    [[nodiscard]] std::uint64_t chunk() const { return chunk_; }
-
-  private:
-    std::uint64_t chunk_;
-};
-
-/// Reads the packed columns of the next chunk, which must be that of this number.
-/// @throws DamagedRows unless they are there, unchanged
-[[nodiscard]] std::vector<std::string> read_sealed_rows(std::istream& stream, std::uint64_t chunk,
-                                                        std::size_t columns);
-
 /// Beginning of every file of rows, by which a sweep recognises one.
 inline constexpr std::string_view row_log_mark = "ashimpact sweep rows\n";
 

@@ -6,7 +6,6 @@
 #include <limits>
 #include <set>
 
-
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "materials/contact_properties.hpp"
@@ -20,6 +19,19 @@ namespace {
 
 Eigen::Map<const Eigen::ArrayXd> array_of(ImpactColumns::Values values) {
     return {values.data(), std::ssize(values)};
+}
+
+/// Impacts of a sweep for the batch solver; the batch refers to @p impacts.
+ImpactBatch batch_of(const ImpactModel& model, const ImpactColumns& impacts) {
+    std::vector<ParameterColumn> parameters;
+    for (const auto& [name, values] : impacts.parameters) parameters.push_back({name, array_of(values)});
+    return {model.law,
+            model.detachment,
+            model.damping_law,
+            {array_of(impacts.mass), array_of(impacts.effective_radius), array_of(impacts.contact_modulus),
+             array_of(impacts.work_of_adhesion), array_of(impacts.yield_pressure), parameters},
+            array_of(impacts.damping),
+            array_of(impacts.velocity)};
 }
 
 constexpr double none = 0;
@@ -184,18 +196,6 @@ ImpactColumns::ImpactColumns(const SweepSpec& spec, const std::vector<std::vecto
 ImpactColumns::Values ImpactColumns::keep(Eigen::ArrayXd values) {
     const Eigen::ArrayXd& kept = kept_.emplace_back(std::move(values));
     return {kept.data(), static_cast<std::size_t>(kept.size())};
-}
-
-ImpactBatch batch_of(const ImpactModel& model, const ImpactColumns& impacts) {
-    std::vector<ParameterColumn> parameters;
-    for (const auto& [name, values] : impacts.parameters) parameters.push_back({name, array_of(values)});
-    return {model.law,
-            model.detachment,
-            model.damping_law,
-            {array_of(impacts.mass), array_of(impacts.effective_radius), array_of(impacts.contact_modulus),
-             array_of(impacts.work_of_adhesion), array_of(impacts.yield_pressure), parameters},
-            array_of(impacts.damping),
-            array_of(impacts.velocity)};
 }
 
 ResultColumns solve_in_batch(const ImpactModel& model, const ImpactColumns& impacts,

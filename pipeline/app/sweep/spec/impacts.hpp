@@ -57,9 +57,6 @@ struct ImpactModel {
     DampingLaw damping_law;
 };
 
-/// Impacts of a sweep for the batch solver; the batch refers to @p impacts.
-[[nodiscard]] ImpactBatch batch_of(const ImpactModel& model, const ImpactColumns& impacts);
-
 /// Results wanted in addition to the restitution (others stay empty), and the method to compute them.
 struct WantedResults {
     bool contact_time = false;

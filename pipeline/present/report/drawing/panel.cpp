@@ -180,6 +180,16 @@ Range extent(const XyPanel& panel, double Point::*of, double Mark::*at, double M
     return extent.range;
 }
 
+Range x_extent(const XyPanel& panel) {
+    Range range = extent(panel, &Point::x, &Mark::x, &Mark::x_error);
+    for (const Rule& rule : panel.rules) range = {std::min(range.from, rule.x), std::max(range.to, rule.x)};
+    return range;
+}
+
+Range y_extent(const XyPanel& panel) {
+    return extent(panel, &Point::y, &Mark::y, &Mark::y_error);
+}
+
 constexpr double row_height = 21;
 constexpr double bar_height = 15;
 
@@ -233,16 +243,6 @@ std::string item_of(const RowItem& item, const Scale& scale, double unit, double
 }
 
 }  // namespace
-
-Range x_extent(const XyPanel& panel) {
-    Range range = extent(panel, &Point::x, &Mark::x, &Mark::x_error);
-    for (const Rule& rule : panel.rules) range = {std::min(range.from, rule.x), std::max(range.to, rule.x)};
-    return range;
-}
-
-Range y_extent(const XyPanel& panel) {
-    return extent(panel, &Point::y, &Mark::y, &Mark::y_error);
-}
 
 std::string drawn(const XyPanel& panel, const Box& box) {
     const double label = 16;  // the vertical label

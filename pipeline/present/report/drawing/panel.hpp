@@ -118,10 +118,6 @@ struct Box {
 /// Height a panel needs at a width [px].
 [[nodiscard]] double height_of(const RowPanel& panel);
 
-/// Where the data of a panel end, before anything is rounded or fixed.
-[[nodiscard]] Range x_extent(const XyPanel& panel);
-[[nodiscard]] Range y_extent(const XyPanel& panel);
-
 /// Gives all panels the same ends on both axes, or on one.
 void share_axes(std::vector<Panel>& panels, bool x, bool y);
 

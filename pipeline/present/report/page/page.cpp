@@ -23,6 +23,66 @@ namespace ashimpact::report {
 
 namespace {
 
+constexpr std::string_view generator = "<meta name=\"generator\" content=\"ashimpact\">";
+
+std::string embedded(std::string_view path) {
+    const auto content = embedded_file(path);
+    if (!content) throw std::logic_error("not embedded: " + std::string(path));
+    return std::string(*content);
+}
+
+/// The hash by which a content security policy lets one inline style or script through.
+std::string policy_hash(const std::string& text) {
+    const std::string hexadecimal = sha256(text);
+    std::string bytes;
+    for (std::size_t i = 0; i + 1 < hexadecimal.size(); i += 2)
+        bytes += static_cast<char>(std::stoi(hexadecimal.substr(i, 2), nullptr, 16));
+    return "'sha256-" + base64(bytes) + "'";
+}
+
+/// @param in_text whether the whole column is text; the class of the table has that
+std::string cell_html(const Cell& cell, bool head, bool in_text) {
+    if (const auto* number = std::get_if<double>(&cell))
+        return "<td>" + (std::isfinite(*number) ? fmt::format("{:.5g}", *number) : std::string());
+    const std::string text = html_name(std::get<std::string>(cell));
+    return (head ? "<th scope=row>" : in_text ? "<td>" : "<td class=text>") + text;
+}
+
+/// Number of columns from the left that hold text only, at most those with a class in page.css.
+std::size_t text_columns(const NumberTable& table) {
+    std::size_t count = std::min<std::size_t>(3, table.columns.size());
+    for (const auto& row : table.rows)
+        for (std::size_t i = 0; i < count; ++i)
+            if (!std::holds_alternative<std::string>(row[i])) count = i;
+    return count;
+}
+
+/// A table that scrolls within the page; numbers with five significant digits.
+std::string html_table(const NumberTable& table, const std::string& label) {
+    const std::size_t texts = text_columns(table);
+    std::string html =
+        fmt::format("<table{}><thead><tr>", texts > 1 ? fmt::format(" class=\"text{}\"", texts) : "");
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        const bool text = !table.rows.empty() && std::holds_alternative<std::string>(table.rows.front()[i]);
+        html += fmt::format("<th scope=\"col\"{}>{}</th>", text ? " class=\"text\"" : "",
+                            escaped(table.columns[i]));
+    }
+    html += "</tr></thead><tbody>";
+    for (std::size_t r = 0; r < table.rows.size(); r += static_cast<std::size_t>(table.shown_every)) {
+        html += "<tr>";  // the ends of rows and cells are left out, as HTML allows
+        for (std::size_t i = 0; i < table.rows[r].size(); ++i)
+            html += cell_html(table.rows[r][i], i == 0, i < texts);
+    }
+    return html_scroll(escaped(label), html + "</tbody></table>", "scroll tall");
+}
+
+/// Sketch of an impact with the names of its quantities, in place of the paper's Figures 1 and 2.
+std::string html_sketch() {
+    std::string html = embedded("report/sketch.html");
+    std::erase(html, '\n');
+    return html + "\n";
+}
+
 /// Link targets are the figures' ids; those of further runs carry their number.
 std::string suffix(std::size_t run) {
     return run == 0 ? "" : fmt::format("-{}", run + 1);
@@ -163,40 +223,6 @@ std::string file_stem(std::string_view id, Width width) {
     return std::string(id) + (width == Width::narrow ? "-single" : "");
 }
 
-constexpr std::string_view generator = "<meta name=\"generator\" content=\"ashimpact\">";
-
-std::string embedded(std::string_view path) {
-    const auto content = embedded_file(path);
-    if (!content) throw std::logic_error("not embedded: " + std::string(path));
-    return std::string(*content);
-}
-
-/// The hash by which a content security policy lets one inline style or script through.
-std::string policy_hash(const std::string& text) {
-    const std::string hexadecimal = sha256(text);
-    std::string bytes;
-    for (std::size_t i = 0; i + 1 < hexadecimal.size(); i += 2)
-        bytes += static_cast<char>(std::stoi(hexadecimal.substr(i, 2), nullptr, 16));
-    return "'sha256-" + base64(bytes) + "'";
-}
-
-/// @param in_text whether the whole column is text; the class of the table has that
-std::string cell_html(const Cell& cell, bool head, bool in_text) {
-    if (const auto* number = std::get_if<double>(&cell))
-        return "<td>" + (std::isfinite(*number) ? fmt::format("{:.5g}", *number) : std::string());
-    const std::string text = html_name(std::get<std::string>(cell));
-    return (head ? "<th scope=row>" : in_text ? "<td>" : "<td class=text>") + text;
-}
-
-/// Number of columns from the left that hold text only, at most those with a class in page.css.
-std::size_t text_columns(const NumberTable& table) {
-    std::size_t count = std::min<std::size_t>(3, table.columns.size());
-    for (const auto& row : table.rows)
-        for (std::size_t i = 0; i < count; ++i)
-            if (!std::holds_alternative<std::string>(row[i])) count = i;
-    return count;
-}
-
 }  // namespace
 
 std::string region_label(const std::string& label, const RunData& run) {
@@ -311,30 +337,6 @@ std::string html_contents(const std::vector<std::string_view>& figures) {
         html += fmt::format("<a href=\"#{}\">{}</a>", id, words);
     }
     return html + "<a href=\"#provenance\">Provenance</a></nav>\n";
-}
-
-std::string html_sketch() {
-    std::string html = embedded("report/sketch.html");
-    std::erase(html, '\n');
-    return html + "\n";
-}
-
-std::string html_table(const NumberTable& table, const std::string& label) {
-    const std::size_t texts = text_columns(table);
-    std::string html =
-        fmt::format("<table{}><thead><tr>", texts > 1 ? fmt::format(" class=\"text{}\"", texts) : "");
-    for (std::size_t i = 0; i < table.columns.size(); ++i) {
-        const bool text = !table.rows.empty() && std::holds_alternative<std::string>(table.rows.front()[i]);
-        html += fmt::format("<th scope=\"col\"{}>{}</th>", text ? " class=\"text\"" : "",
-                            escaped(table.columns[i]));
-    }
-    html += "</tr></thead><tbody>";
-    for (std::size_t r = 0; r < table.rows.size(); r += static_cast<std::size_t>(table.shown_every)) {
-        html += "<tr>";  // the ends of rows and cells are left out, as HTML allows
-        for (std::size_t i = 0; i < table.rows[r].size(); ++i)
-            html += cell_html(table.rows[r][i], i == 0, i < texts);
-    }
-    return html_scroll(escaped(label), html + "</tbody></table>", "scroll tall");
 }
 
 std::string html_of(const Figure& figure, const std::string& id) {

@@ -49,9 +49,6 @@ inline constexpr std::string_view figures_folder = "figures";
 /// @param id link target, unique in the page
 [[nodiscard]] std::string html_of(const Figure& figure, const std::string& id);
 
-/// A table that scrolls within the page; numbers with five significant digits.
-[[nodiscard]] std::string html_table(const NumberTable& table, const std::string& label);
-
 /// A part that scrolls by itself. @param label for those who do not see it, escaped
 [[nodiscard]] std::string html_scroll(const std::string& label, const std::string& content,
                                       std::string_view look = "scroll");
@@ -65,9 +62,6 @@ inline constexpr std::string_view figures_folder = "figures";
 
 /// Links to figures and to the provenance.
 [[nodiscard]] std::string html_contents(const std::vector<std::string_view>& figures);
-
-/// Sketch of an impact with the names of its quantities, in place of the paper's Figures 1 and 2.
-[[nodiscard]] std::string html_sketch();
 
 /// A whole page: head with the strict content security policy, style and script.
 [[nodiscard]] std::string html_page(const std::string& title, const std::string& body);
