@@ -27,7 +27,7 @@
 #include "pipeline/present/report/drawing/figure.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/page/page.hpp"
-#include "pipeline/present/text/comparison_table.hpp"
+#include "pipeline/present/text/result_text.hpp"
 #include "pipeline/run/stage.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 

@@ -15,7 +15,7 @@
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/document/values_json.hpp"
 #include "pipeline/files/file.hpp"
-#include "pipeline/present/text/comparison_table.hpp"
+#include "pipeline/present/text/result_text.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 #include "solver/inference/measured_damping.hpp"

@@ -28,8 +28,8 @@
 #include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/page/page.hpp"
 #include "pipeline/present/report/sweep/sweep_page.hpp"
-#include "pipeline/present/text/artifact_text.hpp"
 #include "pipeline/present/text/layout.hpp"
+#include "pipeline/present/text/result_text.hpp"
 
 namespace ashimpact {
 

@@ -9,7 +9,7 @@
 #include "pipeline/app/command.hpp"
 #include "pipeline/app/run_stages.hpp"
 #include "pipeline/app/terminal.hpp"
-#include "pipeline/present/text/comparison_table.hpp"
+#include "pipeline/present/text/result_text.hpp"
 #include "pipeline/run/stage.hpp"
 
 namespace ashimpact {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "pipeline/document/artifact.hpp"
-#include "pipeline/present/text/comparison_table.hpp"
+#include "pipeline/present/text/result_text.hpp"
 #include "pipeline/run/results/run.hpp"
 
 namespace ashimpact {

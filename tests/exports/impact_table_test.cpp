@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/present/export/impact_table.hpp"
-
 #include <cmath>
 #include <random>
 
@@ -8,6 +6,7 @@
 
 #include "core/text/error.hpp"
 #include "materials/contact_properties.hpp"
+#include "pipeline/present/export/subject.hpp"
 #include "solver/contact/sjkr.hpp"
 #include "tests/exports/ash.hpp"
 #include "tests/relative_difference.hpp"

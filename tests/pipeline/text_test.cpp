@@ -5,9 +5,8 @@
 
 #include "core/quantities/readable.hpp"
 #include "pipeline/app/terminal.hpp"
-#include "pipeline/present/text/artifact_text.hpp"
-#include "pipeline/present/text/comparison_table.hpp"
 #include "pipeline/present/text/layout.hpp"
+#include "pipeline/present/text/result_text.hpp"
 
 using namespace ashimpact;
 

@@ -17,7 +17,7 @@
 #include "pipeline/app/run_stages.hpp"
 #include "pipeline/app/terminal.hpp"
 #include "pipeline/document/values_json.hpp"
-#include "pipeline/present/text/comparison_table.hpp"
+#include "pipeline/present/text/result_text.hpp"
 #include "pipeline/run/uncertainty/calibration_problem.hpp"
 #include "solver/inference/calibration/calibration.hpp"
 

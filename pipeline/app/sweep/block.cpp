@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "pipeline/app/sweep/tables.hpp"
+#include "pipeline/app/sweep/sweep.hpp"
 #include "pipeline/files/sha256.hpp"
 
 namespace ashimpact {

@@ -14,7 +14,6 @@
 #include "core/version.hpp"
 #include "pipeline/app/sweep/spec/impacts.hpp"
 #include "pipeline/app/sweep/sweep.hpp"
-#include "pipeline/app/sweep/tables.hpp"
 #include "pipeline/app/sweep/workers.hpp"
 #include "pipeline/app/terminal.hpp"
 #include "pipeline/files/file.hpp"
@@ -22,7 +21,7 @@
 #include "pipeline/files/sha256.hpp"
 #include "pipeline/present/report/page/page.hpp"
 #include "pipeline/present/report/sweep/sweep_page.hpp"
-#include "pipeline/present/text/artifact_text.hpp"
+#include "pipeline/present/text/result_text.hpp"
 
 namespace ashimpact {
 

@@ -3,7 +3,6 @@
 
 #include "pipeline/app/command.hpp"
 #include "pipeline/app/sweep/sweep.hpp"
-#include "pipeline/app/sweep/tables.hpp"
 #include "pipeline/app/sweep/workers.hpp"
 
 /// ashimpact-sweep: ashimpact with MPI and HDF5, whose libraries take longer to load than other

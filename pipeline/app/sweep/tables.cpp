@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/app/sweep/tables.hpp"
-
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -19,6 +17,7 @@
 #include "core/text/error.hpp"
 #include "core/version.hpp"
 #include "pipeline/app/sweep/bytes.hpp"
+#include "pipeline/app/sweep/sweep.hpp"
 #include "pipeline/files/sha256.hpp"
 #include "pipeline/present/export/folder.hpp"
 

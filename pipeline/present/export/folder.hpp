@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/json/document.hpp"
-#include "pipeline/present/export/impact_table.hpp"
 #include "pipeline/present/export/subject.hpp"
 
 namespace ashimpact {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/present/export/impact_table.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +6,7 @@
 
 #include "core/quantities/readable.hpp"
 #include "core/text/error.hpp"
+#include "pipeline/present/export/subject.hpp"
 #include "solver/batch/batch.hpp"
 
 namespace ashimpact {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/present/text/artifact_text.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -10,7 +8,7 @@
 
 #include "core/quantities/readable.hpp"
 #include "core/text/text.hpp"
-#include "pipeline/present/text/comparison_table.hpp"
+#include "pipeline/present/text/result_text.hpp"
 
 namespace ashimpact {
 

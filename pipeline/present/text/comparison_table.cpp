@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/present/text/comparison_table.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -11,6 +9,7 @@
 #include "core/quantities/readable.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/document/results_json.hpp"
+#include "pipeline/present/text/result_text.hpp"
 
 namespace ashimpact {
 

@@ -17,7 +17,7 @@
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/document/run_identity.hpp"
 #include "pipeline/files/schema.hpp"
-#include "pipeline/present/text/artifact_text.hpp"
+#include "pipeline/present/text/result_text.hpp"
 #include "solver/batch/batch.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 #include "tests/reliability/fuzz/stored_zip.hpp"

@@ -10,7 +10,7 @@
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/page/page.hpp"
-#include "pipeline/present/text/comparison_table.hpp"
+#include "pipeline/present/text/result_text.hpp"
 
 namespace ashimpact::report {
 

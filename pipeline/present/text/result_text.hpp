@@ -69,4 +69,19 @@ struct RemarkLine {
 /// @param samples number of samples of the run
 [[nodiscard]] std::vector<RemarkLine> remark_lines(const std::vector<Remark>& remarks, std::size_t samples);
 
+/// How much of a result is shown.
+struct ResultView {
+    bool all = false;  ///< every row and every part; else long ones are shortened, with a note
+    std::size_t width = output_width();  ///< characters of a line
+};
+
+/// Any JSON result for a reader: quantities in convenient units, columns as tables, histograms as bars,
+/// entries of one kind (such as those of contact laws) side by side, the rest as an indented list.
+[[nodiscard]] std::string result_text(const Json& result, const ResultView& view = {});
+
+/// An artifact for a reader: its result, what it warns about, and where it comes from.
+/// @param provenance whether inputs, options and citations are shown too
+[[nodiscard]] std::string artifact_text(const Json& artifact, const ResultView& view = {},
+                                        bool provenance = false);
+
 }  // namespace ashimpact
