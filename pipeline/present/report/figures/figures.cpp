@@ -28,6 +28,165 @@ constexpr std::array<std::pair<std::string_view, double>, 11> prefixes{{{"T", 1e
 
 constexpr std::array<std::string_view, 5> prefixed{"Pa", "m", "s", "N", "J"};
 
+RowItem bar(double from, double to, const Look& look, std::string name, std::string legend = {}) {
+    return {.kind = RowItem::Kind::bar,
+            .from = from,
+            .to = to,
+            .look = look,
+            .name = std::move(name),
+            .legend = std::move(legend)};
+}
+
+RowItem interval(double from, double to, const Look& look, std::string name) {
+    RowItem item = bar(from, to, look, std::move(name));
+    item.kind = RowItem::Kind::interval;
+    return item;
+}
+
+RowItem mark(double at, const Look& look, std::string name, std::string legend) {
+    RowItem item = bar(at, at, look, std::move(name), std::move(legend));
+    item.kind = RowItem::Kind::mark;
+    return item;
+}
+
+/// Position of a phase among all of the run, so that it looks the same in every sample.
+std::size_t position(std::vector<std::string>& names, const std::string& name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+    names.push_back(name);
+    return names.size() - 1;
+}
+
+Row fractions_row(const SampleModulus& modulus, double PhaseShare::*fraction, const std::string& label,
+                  std::vector<std::string>& names) {
+    Row row{.label = label};
+    double from = 0;
+    for (const PhaseShare& phase : modulus.phases) {
+        const double share = phase.*fraction;
+        row.items.push_back(bar(from, from + share, Look::of(position(names, phase.name)),
+                                fmt::format("{}: {:.4g} %", phase.name, 100 * share), phase.name));
+        from += share;
+    }
+    return row;
+}
+
+RowPanel fractions_panel(const RunData& run) {
+    RowPanel panel{.title = "Composition",
+                   .x = {.label = "fraction", .unit = "%", .scale = 0.01, .from = 0.0, .to = 1.0}};
+    std::vector<std::string> names;
+    for (const SampleData& sample : run.samples()) {
+        panel.rows.push_back({.label = sample.name(), .heading = true});
+        panel.rows.push_back(fractions_row(*sample.modulus, &PhaseShare::weight_fraction, "weight", names));
+        panel.rows.push_back(fractions_row(*sample.modulus, &PhaseShare::volume_fraction, "volume", names));
+    }
+    return panel;
+}
+
+RowPanel modulus_panel(const RunData& run) {
+    RowPanel panel{.title = "Young's modulus and its bounds",
+                   .x = {.label = "E", .unit = "GPa", .scale = 1e9}};
+    for (const SampleData& sample : run.samples()) {
+        const Quantity& modulus = sample.modulus->young_modulus;
+        panel.rows.push_back({.label = sample.name(), .heading = true});
+        Row bounds{.label = "bounds"};
+        if (const auto& known = sample.modulus->bounds) {
+            const double from = known->lower.value;
+            const double to = known->upper.value;
+            bounds.items = {bar(from, to, Look::plain(3),
+                                fmt::format("bounds {:.4g} to {:.4g} GPa", from / 1e9, to / 1e9), "bounds")};
+        }
+        panel.rows.push_back(std::move(bounds));
+        Row own{.label = "E"};
+        if (const double u = modulus.standard_uncertainty.value_or(0); u > 0)
+            own.items.push_back(interval(modulus.value - u, modulus.value + u, Look::plain(0),
+                                         fmt::format("± {:.3g} GPa (standard uncertainty)", u / 1e9)));
+        own.items.push_back(mark(modulus.value, Look::plain(0),
+                                 fmt::format("E = {:.4g} GPa", modulus.value / 1e9),
+                                 "E by the rule of the case, ± u"));
+        panel.rows.push_back(std::move(own));
+    }
+    return panel;
+}
+
+std::string dominant(const RunData& run) {
+    std::string text;
+    for (const SampleData& sample : run.samples())
+        if (const auto& contributions = sample.modulus->contributions; !contributions.empty())
+            text += fmt::format(" {}: {} gives {:.3g} % of the variance of E.", sample.name(),
+                                contributions.front().what, 100 * contributions.front().share);
+    return text.empty() ? " No uncertainty of the phases is known." : text;
+}
+
+NumberTable numbers(const RunData& run) {
+    NumberTable table{.columns = {"sample", "phase", "weight fraction", "volume fraction", "density [kg/m3]",
+                                  "Young's modulus [Pa]"}};
+    for (const SampleData& sample : run.samples()) {
+        for (const PhaseShare& phase : sample.modulus->phases)
+            table.rows.push_back({sample.name(), phase.name, phase.weight_fraction, phase.volume_fraction,
+                                  cell_of(phase.density), cell_of(phase.young_modulus)});
+        table.rows.push_back({sample.name(), "the whole", 1.0, 1.0, sample.modulus->density.value,
+                              sample.modulus->young_modulus.value});
+    }
+    return table;
+}
+
+RowItem velocity_mark(double value, const Look& look, const std::string& name, const std::string& legend) {
+    return mark(value, look, fmt::format("{}: {:.4g} m/s", name, value), legend);
+}
+
+/// The interval of a value; an open end is drawn a factor 1.5 away.
+RowItem velocity_interval(double value, const Bounds& bounds, const Look& look, const std::string& name) {
+    const double from = bounds.lower && *bounds.lower > 0 ? *bounds.lower : value / 1.5;
+    const double to = bounds.upper.value_or(value * 1.5);
+    return interval(from, to, look, fmt::format("{}: 95 % from {:.3g} to {:.3g} m/s", name, from, to));
+}
+
+/// A velocity with its interval where there is one, in the row and in the table.
+void add_velocity(Row& row, NumberTable& table, const std::string& sample, const std::string& what,
+                  double value, const std::optional<Bounds>& interval, const Look& look) {
+    const std::string name = sample + ", " + what;
+    if (interval) row.items.push_back(velocity_interval(value, *interval, look, name));
+    row.items.push_back(velocity_mark(value, look, name, what));
+    const Bounds bounds = interval.value_or(Bounds{});
+    table.rows.push_back({sample, what, value, cell_of(bounds.lower), cell_of(bounds.upper)});
+}
+
+Row law_row(const SampleData& sample, const LawData& law, NumberTable& table) {
+    Row row{.label = law.name};
+    const auto head = law.headline();
+    if (!head) return row;
+    add_velocity(row, table, sample.name(), law.name, head->value, head->interval, look_of(law));
+    if (!sample.sample->published) return row;
+    if (const Quantity* printed = sample.sample->published->critical_velocity.find(law.choice.law)) {
+        const std::string what = law.name + ", published";
+        row.items.push_back(
+            velocity_mark(printed->value, Look::plain(5), sample.name() + ", " + what, "published"));
+        row.items.back().shift = 7;
+        table.rows.push_back({sample.name(), what, printed->value, "", ""});
+    }
+    return row;
+}
+
+Row measured_row(const SampleData& sample, const MeasuredCriticalVelocity& measured, NumberTable& table) {
+    Row row{.label = "measured"};
+    std::optional<Bounds> interval;
+    if (measured.lower || measured.upper) interval = {measured.lower, measured.upper};
+    add_velocity(row, table, sample.name(), row.label, *measured.value, interval, Look::plain(3));
+    return row;
+}
+
+/// The influences on a critical velocity; empty if none are stated.
+std::vector<Influence> influences_of(const LawData& law) {
+    if (law.velocity == nullptr || !law.velocity->uncertainty) return {};
+    return law.velocity->uncertainty->influences;
+}
+
+/// An input beside its bar: "E of mullite".
+std::string short_label(const std::string& factor) {
+    constexpr std::string_view modulus = "Young's modulus";
+    return factor.starts_with(modulus) ? "E" + factor.substr(modulus.size()) : factor;
+}
+
 }  // namespace
 
 const std::vector<FigureMaker>& figure_makers() {
@@ -134,6 +293,118 @@ RunData::RunData(Run run, std::string label) : label_(std::move(label)), run_(st
 
 std::string RunData::damping_unit() const {
     return std::string(unit_of(run_.data.damping_law));
+}
+
+Row sobol_row(const std::string& label, const std::string& name, const Look& look, double first, double total,
+              const std::optional<double>& total_error) {
+    Row row{.label = label,
+            .items = {bar(0, total, look, fmt::format("{}: total {:.3g} %", name, 100 * total))}};
+    if (total_error)
+        row.items.push_back(interval(total - *total_error, total + *total_error, look,
+                                     fmt::format("{}: ± {:.2g} %", name, 100 * *total_error)));
+    row.items.push_back(mark(first, Look::plain(3),
+                             fmt::format("{}: first order {:.3g} %", name, 100 * first),
+                             "first order; bar: total"));
+    return row;
+}
+
+Figure composition_figure(const RunData& run) {
+    Figure figure{.id = "composition",
+                  .title = "What the ash is made of, and how stiff that makes it",
+                  .counterpart = "Table 1",
+                  .caption =
+                      "Left: the phases of each sample by weight, as the XRD result gives them, and by "
+                      "volume, as Eq. 1 needs them. Right: Young's modulus by the mixture rule of the case "
+                      "with its standard uncertainty u, and the bounds between which it lies however the "
+                      "phases are arranged. The bounds take the moduli of the phases as exact, u does not." +
+                      dominant(run),
+                  .numbers = numbers(run),
+                  .columns = 2};
+    figure.panels.emplace_back(fractions_panel(run));
+    figure.panels.emplace_back(modulus_panel(run));
+    return figure;
+}
+
+Figure critical_velocity_figure(const RunData& run) {
+    NumberTable table{.columns = {"sample", "what", "critical velocity [m/s]", "lower end of 95 % [m/s]",
+                                  "upper end of 95 % [m/s]"}};
+    RowPanel panel{.title = "",
+                   .x = {.label = "critical velocity", .unit = "m/s", .spacing = Spacing::logarithmic}};
+    bool with_measured = false;
+    for (const SampleData& sample : run.samples()) {
+        panel.rows.push_back({.label = sample.name(), .heading = true});
+        Row analytic{.label = "analytic, Eq. 30"};
+        if (sample.analytic->critical_velocity > 0)
+            analytic.items.push_back(velocity_mark(sample.analytic->critical_velocity, Look::plain(2, true),
+                                                   sample.name() + ", analytic", analytic.label));
+        table.rows.push_back({sample.name(), "analytic, Eq. 30", sample.analytic->critical_velocity, "", ""});
+        panel.rows.push_back(std::move(analytic));
+        for (const LawData& law : sample.laws) panel.rows.push_back(law_row(sample, law, table));
+        if (const auto& measured = sample.velocity->measured; measured && measured->value) {
+            with_measured = true;
+            panel.rows.push_back(measured_row(sample, *measured, table));
+        }
+    }
+    Figure figure{.id = "critical-velocity",
+                  .title = "The critical velocity, every way there is",
+                  .counterpart = "Table 4",
+                  .caption =
+                      "A particle slower than its critical velocity sticks. Analytic: the energy to separate "
+                      "the surfaces alone (Eq. 30). Dynamic: by each contact law with its damping, with the "
+                      "interval that holds it with 95 %.",
+                  .numbers = std::move(table),
+                  .columns = 1};
+    if (with_measured) figure.caption += " Measured: as the case reports it, or from which impacts stuck.";
+    figure.caption += " " + run.run().comparison.conclusion;
+    figure.panels.emplace_back(std::move(panel));
+    return figure;
+}
+
+Figure sensitivity_figure(const RunData& run) {
+    Figure figure{
+        .id = "sensitivity",
+        .title = "What the interval of the critical velocity comes from",
+        .caption =
+            "Sobol indices of v_c: the share of its variance that each uncertain input makes by itself "
+            "(first order, mark), and with all that it does together with others (total, bar). Only what the "
+            "case states to be uncertain is in it; an input without an uncertainty counts as exact.",
+        .numbers = {.columns = {"sample", "law", "input", "first order", "its standard error", "total",
+                                "its standard error"}},
+        .columns = 2};
+    bool extrapolated = false;
+    for (const SampleData& sample : run.samples()) {
+        RowPanel panel{.title = sample.name(),
+                       .x = {.label = "share of the variance of v_c",
+                             .unit = "%",
+                             .scale = 0.01,
+                             .from = -0.02,
+                             .to = 1.05}};
+        for (const LawData& law : sample.laws) {
+            std::vector<Influence> influences = influences_of(law);
+            if (influences.empty() && law.extrapolated()) {
+                influences = law.velocity->extrapolated->uncertainty.influences;
+                extrapolated = extrapolated || !influences.empty();
+            }
+            if (influences.empty()) continue;
+            panel.rows.push_back({.label = law.name, .heading = true});
+            for (const auto& [factor, first, total] : influences) {
+                figure.numbers.rows.push_back({sample.name(), law.name, factor, first.value,
+                                               first.standard_error, total.value, total.standard_error});
+                if (!(total.value >= 0.005 || first.value >= 0.005)) continue;  // too small to be seen
+                panel.rows.push_back(sobol_row(short_label(factor), law.name + ", " + factor, look_of(law),
+                                               first.value, total.value));
+            }
+        }
+        if (!panel.rows.empty()) figure.panels.emplace_back(std::move(panel));
+    }
+    if (figure.panels.empty())
+        figure.caption += " This case has no such indices, so there is nothing to show.";
+    if (extrapolated)
+        figure.caption +=
+            " Where impacts were measured, the indices are those of the extrapolated v_c; the interval of "
+            "the critical velocity itself comes from the scatter of the impacts and from which of them "
+            "stuck.";
+    return figure;
 }
 
 }  // namespace ashimpact::report
