@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "materials/contact_properties.hpp"
 
+#include <cmath>
 #include <numbers>
+#include <string>
 
 #include "core/quantities/checks.hpp"
+#include "core/text/error.hpp"
 
 namespace ashimpact {
 
@@ -14,6 +17,23 @@ double plane_strain_compliance(const ElasticBody& body) {
     require_positive("young_modulus", body.young_modulus, Dimension::pressure);
     require_poisson_ratio("poisson_ratio", body.poisson_ratio);
     return (1 - body.poisson_ratio * body.poisson_ratio) / body.young_modulus;
+}
+
+double interfacial_energy(const SurfaceEnergies& energies) {
+    if (!energies.interfacial)
+        throw InputError("the rule dupre has no interfacial energy", "an energy per area [J/m2]");
+    require_not_negative("interfacial energy", *energies.interfacial, Dimension::energy_per_area);
+    return *energies.interfacial;
+}
+
+/// (w^5 R^4/E*^2)^(1/3) [J]
+double energy_scale(const AdhesiveContact& contact) {
+    require_not_negative("work_of_adhesion", contact.work_of_adhesion, Dimension::energy_per_area);
+    require_positive("effective_radius", contact.effective_radius, Dimension::length);
+    require_positive("contact_modulus", contact.contact_modulus, Dimension::pressure);
+    const double w = contact.work_of_adhesion;
+    const double r = contact.effective_radius;
+    return w * r * std::cbrt(w / contact.contact_modulus * w / contact.contact_modulus * r);
 }
 
 }  // namespace
@@ -52,6 +72,77 @@ double sphere_density(double radius, double mass) {
     require_positive("radius", radius, Dimension::length);
     require_positive("mass", mass, Dimension::mass);
     return mass / (4.0 / 3.0 * std::numbers::pi * radius * radius * radius);
+}
+
+double work_of_adhesion(AdhesionRule rule, const SurfaceEnergies& energies) {
+    require_not_negative("surface energy of the particle", energies.particle, Dimension::energy_per_area);
+    require_not_negative("surface energy of the wall", energies.wall, Dimension::energy_per_area);
+    if (rule == AdhesionRule::dupre) {
+        const double w = energies.particle + energies.wall - interfacial_energy(energies);
+        require_not_negative("work of adhesion by the rule dupre", w, Dimension::energy_per_area);
+        return w;
+    }
+    if (energies.interfacial)
+        throw InputError(
+            "an interfacial energy is given, which the rule " + std::string(name_of(rule)) + " does not use",
+            "the rule dupre, or no interfacial energy");
+    const double geometric_mean = std::sqrt(energies.particle) * std::sqrt(energies.wall);
+    return rule == AdhesionRule::girifalco_good ? 2 * geometric_mean : geometric_mean;
+}
+
+double roughness_reduction(double effective_radius, const Roughness& roughness) {
+    require_positive("effective_radius", effective_radius, Dimension::length);
+    require_not_negative("rms roughness", roughness.rms, Dimension::length);
+    require_positive("closest distance of the surfaces", roughness.closest_distance, Dimension::length);
+    if (roughness.rms == 0) return 1;
+    const double asperity = 1.48 * roughness.rms;
+    const double held_off = 1 + asperity / roughness.closest_distance;
+    return 1 / (1 + effective_radius / asperity) + 1 / (held_off * held_off);
+}
+
+double separation_energy_constant(Separation separation) {
+    const double first_touch = 6 * std::cbrt(4.0);
+    const double end = separation == Separation::pull_off ? 1 : -3 * std::cbrt(3.0);
+    return std::cbrt(std::pow(std::numbers::pi, 5)) * (first_touch + end) / 10;
+}
+
+double separation_velocity_constant(Separation separation) {
+    return std::sqrt(1.5 / std::numbers::pi * separation_energy_constant(separation));
+}
+
+double separation_energy(const AdhesiveContact& contact, Separation separation) {
+    return separation_energy_constant(separation) * energy_scale(contact);
+}
+
+double separation_velocity(const AdhesiveContact& contact, double density, Separation separation) {
+    return std::sqrt(2 * separation_energy(contact, separation) /
+                     sphere_mass(contact.effective_radius, density));
+}
+
+namespace dong2013 {
+
+double separation_energy(const AdhesiveContact& contact) {
+    return energy_constant * energy_scale(contact);
+}
+
+double separation_velocity_from_mass(const AdhesiveContact& contact, double mass) {
+    require_positive("mass", mass, Dimension::mass);
+    return std::sqrt(velocity_squared_constant / mass * energy_scale(contact));
+}
+
+double separation_velocity(const AdhesiveContact& contact, double density) {
+    require_positive("density", density, Dimension::density);
+    const double r = contact.effective_radius;
+    return velocity_constant * std::sqrt(energy_scale(contact) / (density * r * r * r));
+}
+
+}  // namespace dong2013
+
+double tabor_parameter(const AdhesiveContact& contact, double equilibrium_distance) {
+    require_positive("equilibrium_distance", equilibrium_distance, Dimension::length);
+    static_cast<void>(energy_scale(contact));
+    const double strain = contact.work_of_adhesion / (contact.contact_modulus * equilibrium_distance);
+    return std::cbrt(contact.effective_radius / equilibrium_distance * strain * strain);
 }
 
 }  // namespace ashimpact

@@ -10,7 +10,7 @@
 
 #include "core/quantities/names.hpp"
 #include "materials/composition.hpp"
-#include "materials/porosity.hpp"
+#include "materials/mixture_rules.hpp"
 
 namespace ashimpact {
 

@@ -10,7 +10,6 @@
 #include "core/quantities/checks.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/text/text.hpp"
-#include "core/text/utf8.hpp"
 
 namespace ashimpact {
 

@@ -1,15 +1,153 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tables/vocabulary.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <map>
+#include <optional>
+#include <regex>
 #include <span>
 #include <stdexcept>
+
+#include <fmt/format.h>
 
 #include "core/embedded.hpp"
 #include "core/json/document.hpp"
 #include "core/text/text.hpp"
-#include "core/text/utf8.hpp"
 
 namespace ashimpact {
+
+namespace {
+
+constexpr std::size_t longest_heading =
+    200;  // no heading is longer; a regular expression needs stack for each byte
+
+/// Central intervals of the normal distribution: their half-widths in standard deviations.
+struct Coverage {
+    std::string_view per_cent;
+    double factor;
+};
+constexpr std::array coverages{Coverage{"68", 1},       Coverage{"68.3", 1},     Coverage{"68.27", 1},
+                               Coverage{"90", 1.64485}, Coverage{"95", 1.95996}, Coverage{"95.4", 2},
+                               Coverage{"95.45", 2},    Coverage{"95.5", 2},     Coverage{"99", 2.57583},
+                               Coverage{"99.7", 3},     Coverage{"99.73", 3}};
+
+/// Words in a heading that announce an interval, or an expanded uncertainty.
+const WordLists& special_words() {
+    static const WordLists words("uncertainty words");
+    return words;
+}
+
+/// True if @p holds any word of a text.
+template <class Predicate>
+bool any_word(std::string_view text, Predicate&& holds) {
+    std::string word;
+    for (const char c : transliterated(text) + ' ') {
+        const auto byte = static_cast<unsigned char>(c);
+        if (std::isalnum(byte) != 0 || byte >= 0x80) {
+            word += c;
+            continue;
+        }
+        if (!word.empty() && holds(word)) return true;
+        word.clear();
+    }
+    return false;
+}
+
+bool holds_plus_minus(std::string_view text) {
+    return std::ranges::any_of(std::array<std::string_view, 3>{"\u00b1", "+-", "+/-"},
+                               [&](auto sign) { return text.find(sign) != std::string_view::npos; });
+}
+
+bool names_interval(std::string_view text) {
+    return any_word(text,
+                    [](const std::string& word) { return special_words().list_of(word) == "interval"; });
+}
+
+/// Whether a cell holds nothing but digits and signs, as most that are searched for a heading do.
+bool is_number(std::string_view cell) {
+    return cell.find_first_not_of("+-.,0123456789 ") == std::string_view::npos;
+}
+
+/// Position of the statement in a heading, and its number.
+struct Statement {
+    std::size_t begin;
+    std::size_t length;
+    std::string number;
+};
+
+/// The second group of an expression is the statement, the third one its number.
+std::optional<Statement> found(const std::string& heading, const std::regex& expression) {
+    std::smatch match;
+    if (!std::regex_search(heading, match, expression)) return std::nullopt;
+    std::string number = match.str(3);
+    std::replace(number.begin(), number.end(), ',', '.');
+    return Statement{static_cast<std::size_t>(match.position(2)), static_cast<std::size_t>(match.length(2)),
+                     number};
+}
+
+/// A multiple of the standard uncertainty. "2s" may also belong to a name such as "Probe 2s".
+std::optional<Statement> multiple_in(const std::string& heading) {
+    constexpr auto flags = std::regex::icase | std::regex::ECMAScript;
+    static const std::regex factor(R"((^|[^a-z])(k *= *(\d+(?:[.,]\d+)?)))", flags);
+    static const std::regex sigmas(
+        "(^|[^a-z0-9.,])((\\d(?:[.,]\\d+)?) *[-*]? *(?:\u03c3|(?:sigma|sd|std|stdabw)(?![a-z])))", flags);
+    static const std::regex marked("((?:[(\\[]|\u00b1|\\+/?-) *)((\\d(?:[.,]\\d+)?) *s)(?![a-z0-9])", flags);
+    static const std::regex alone(R"(^( *)((\d(?:[.,]\d+)?) *s)(?= *(?:$|[(\[])))", flags);
+    static const std::regex after_word(R"(([^ _()\[\],;]+)[ _,]+((\d(?:[.,]\d+)?) *s)(?= *(?:$|[(\[])))",
+                                       flags);
+    for (const std::regex* expression : {&factor, &sigmas, &marked, &alone})
+        if (auto statement = found(heading, *expression)) return statement;
+    std::smatch match;
+    if (std::regex_search(heading, match, after_word) && is_uncertainty_word(match.str(1)))
+        return found(heading, after_word);
+    return std::nullopt;
+}
+
+/// A coverage in per cent, where the heading speaks of an uncertainty.
+std::optional<Statement> coverage_in(const std::string& heading) {
+    constexpr auto flags = std::regex::icase | std::regex::ECMAScript;
+    static const std::regex per_cent(R"((^|[^0-9.,])((\d\d(?:[.,]\d+)?) *(?:%|percent|prozent)))", flags);
+    static const std::regex of_symbol(R"((^|[^a-z])(?:u)_?((?:0[.,])?(95|99))(?![0-9]))", flags);
+    if (auto statement = found(heading, of_symbol)) return statement;
+    auto statement = found(heading, per_cent);
+    if (!statement) return std::nullopt;
+    const std::string rest =
+        heading.substr(0, statement->begin) + ' ' + heading.substr(statement->begin + statement->length);
+    const bool uncertain =
+        holds_plus_minus(rest) || names_interval(rest) || any_word(rest, is_uncertainty_word);
+    return uncertain ? statement : std::nullopt;
+}
+
+/// The heading without the statement, and without brackets and signs that are left without content.
+std::string without(const std::string& heading, const Statement& statement) {
+    static const std::regex empty_brackets("[(\\[] *(?:\u00b1|\\+/?-)? *[,;]? *[)\\]]");
+    static const std::regex open_sign(R"(([(\[]) *[,;] *)");
+    static const std::regex close_sign(R"( *[,;] *([)\]]))");
+    static const std::regex blanks(" +");
+    std::string rest =
+        heading.substr(0, statement.begin) + ' ' + heading.substr(statement.begin + statement.length);
+    rest = std::regex_replace(rest, empty_brackets, " ");
+    rest = std::regex_replace(rest, open_sign, "$1");
+    rest = std::regex_replace(rest, close_sign, "$1");
+    rest = std::regex_replace(rest, blanks, " ");
+    std::string_view text = trimmed(rest);
+    while (text.ends_with(',') || text.ends_with(';')) text = trimmed(text.substr(0, text.size() - 1));
+    return std::string(text);
+}
+
+constexpr auto remedy = "write \"1 sigma\", \"2 sigma\" or \"k=2\" into the heading";
+
+std::string problem_of_coverage(const std::string& rest, bool is_known) {
+    if (!is_known) return std::string("its coverage is not one that is known here (") + remedy + ")";
+    if (names_interval(rest) && !holds_plus_minus(rest))
+        return "an interval may be given by its whole width (write \"\u00b1\" into the heading of "
+               "half-widths)";
+    return {};
+}
+
+}  // namespace
 
 namespace vocabulary {
 std::span<const EmbeddedFile> embedded_table();  // generated, see cmake/EmbedFiles.cmake
@@ -46,6 +184,57 @@ bool says_no_number(std::string_view text) {
 const WordLists& uncertainty_words() {
     static const WordLists words("uncertainty", "+");
     return words;
+}
+
+StatedCoverage read_coverage(std::string_view heading) {
+    StatedCoverage coverage{.rest = std::string(heading), .stated = {}, .problem = {}};
+    if (heading.size() > longest_heading || is_number(heading)) return coverage;
+    if (const auto multiple = multiple_in(coverage.rest)) {
+        coverage.stated = coverage.rest.substr(multiple->begin, multiple->length);
+        coverage.factor = whole_decimal(multiple->number).value_or(1);
+        if (!(coverage.factor >= 0.5 && coverage.factor <= 10))
+            coverage.problem = std::string("such a multiple is not plausible (") + remedy + ")";
+        coverage.rest = without(coverage.rest, *multiple);
+        return coverage;
+    }
+    if (const auto per_cent = coverage_in(coverage.rest)) {
+        coverage.stated = coverage.rest.substr(per_cent->begin, per_cent->length);
+        const auto* const known = std::ranges::find(coverages, per_cent->number, &Coverage::per_cent);
+        if (known != coverages.end()) coverage.factor = known->factor;
+        coverage.rest = without(coverage.rest, *per_cent);
+        coverage.problem = problem_of_coverage(coverage.rest, known != coverages.end());
+        return coverage;
+    }
+    const auto is_expanded = [](const std::string& word) {
+        return special_words().list_of(word) == "expanded";
+    };
+    if (any_word(heading, is_expanded) && any_word(heading, is_uncertainty_word))
+        coverage.problem = std::string("an expanded uncertainty needs its coverage factor (") + remedy + ")";
+    return coverage;
+}
+
+bool is_uncertainty_word(std::string_view text) {
+    return uncertainty_words().holds(text);
+}
+
+std::vector<Finding> coverage_findings(std::string_view code,
+                                       const std::vector<std::pair<std::string, StatedCoverage>>& columns) {
+    std::vector<Finding> findings;
+    std::map<double, std::vector<std::string>> divided;
+    for (const auto& [heading, coverage] : columns) {
+        if (!coverage.problem.empty())
+            findings.push_back({code, Severity::remark,
+                                fmt::format("uncertainties of column {} are not read, as {}",
+                                            in_quotes(heading), coverage.problem)});
+        else if (coverage.factor != 1)
+            divided[coverage.factor].push_back(in_quotes(heading));
+    }
+    for (const auto& [factor, headings] : divided)
+        findings.push_back(
+            {code, Severity::remark,
+             fmt::format("uncertainties of {} {} are divided by {} for standard ones, as the heading says",
+                         headings.size() == 1 ? "column" : "columns", joined(headings), shortest(factor))});
+    return findings;
 }
 
 }  // namespace ashimpact

@@ -13,7 +13,6 @@
 
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
-#include "core/text/utf8.hpp"
 
 namespace ashimpact {
 

@@ -243,14 +243,11 @@ void solve_impacts(const Call& call, const BatchOutputs& outputs) {
                                 reader.contact(law),
                                 reader.column(Parameter::damping),
                                 reader.column(Parameter::velocity)};
-        const bool single = common_size(batch.contact, {{"damping", batch.damping.size()},
-                                                        {"velocity", batch.velocity.size()}}) == 1;
         BatchOutputs part;
         for (const auto column : {&BatchOutputs::restitution, &BatchOutputs::contact_time,
                                   &BatchOutputs::approach_time, &BatchOutputs::maximum_overlap})
             if (outputs.*column != nullptr) part.*column = outputs.*column + first;
-        solve_impacts(batch, part, options);
-        if (!single) return;
+        if (solve_impacts(batch, part, options).count > 1) return;
         for (double* column : {part.restitution, part.contact_time, part.approach_time, part.maximum_overlap})
             if (column != nullptr) std::fill_n(column, size, *column);
     });

@@ -14,15 +14,13 @@
 #include <spdlog/spdlog.h>
 
 #include "core/json/document.hpp"
-#include "core/json/writer.hpp"
 #include "core/text/error.hpp"
 #include "interface/web/single_contact.hpp"
 #include "materials/xrd/xrd.hpp"
 #include "pipeline/app/run_stages.hpp"
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/document/artifact.hpp"
-#include "pipeline/document/case_json.hpp"
-#include "pipeline/document/run_json.hpp"
+#include "pipeline/document/results_json.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/present/report/drawing/figure.hpp"
 #include "pipeline/present/report/figures/figures.hpp"

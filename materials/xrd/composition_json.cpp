@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "materials/xrd/composition_json.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +8,7 @@
 #include "core/json/view.hpp"
 #include "core/text/text.hpp"
 #include "materials/xrd/readers.hpp"
+#include "materials/xrd/xrd.hpp"
 
 namespace ashimpact::xrd {
 

@@ -8,7 +8,6 @@
 #include "core/tables/vocabulary.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
-#include "core/text/utf8.hpp"
 #include "core/units/units.hpp"
 #include "materials/xrd/xrd.hpp"
 

@@ -10,8 +10,8 @@
 
 #include "core/quantities/names.hpp"
 #include "core/quantities/quantity.hpp"
-#include "core/tables/coverage.hpp"
 #include "core/tables/text_lines.hpp"
+#include "core/tables/vocabulary.hpp"
 
 namespace ashimpact::xrd {
 

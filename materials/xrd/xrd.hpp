@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/json/view.hpp"
 #include "core/quantities/names.hpp"
 #include "materials/composition.hpp"
 
@@ -77,5 +78,23 @@ struct PeakIntensity {
 /// 2013). Validity: every crystalline phase is listed. Errors: InputError for intensities below zero, ratios
 /// not above zero.
 [[nodiscard]] std::vector<PhaseFraction> adiabatic_fractions(const std::vector<PeakIntensity>& peaks);
+
+/// The composition of a sample in JSON. A case and the project's own XRD results write it in the same way,
+/// which docs/case.md describes.
+namespace xrd {
+
+/// Reads the fractions: "weight_fractions" or "volume_fractions" (an object with a fraction under the name of
+/// each phase), "phases" (a list of such fractions with names) or "peaks". The place of each phase is its
+/// JSON pointer. Errors: InputError with the JSON pointer for a fraction outside 0 to 1, a phase that is
+/// there twice, and fractions given in more than one way or in none.
+[[nodiscard]] Analysis read_fractions_json(const View& node);
+
+/// Completes fractions, from any source, by the keys beside them: "densities" of single phases,
+/// "amorphous", "amorphous_phase" and "internal_standard". What is not there stays as it is in @p analysis.
+/// Errors: InputError with the JSON pointer for a density of no phase, and an amorphous part that is stated
+/// twice.
+[[nodiscard]] Analysis completed_by_json(Analysis analysis, const View& node);
+
+}  // namespace xrd
 
 }  // namespace ashimpact

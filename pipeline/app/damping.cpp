@@ -4,14 +4,14 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "core/json/document.hpp"
 #include "core/json/view.hpp"
-#include "core/json/writer.hpp"
-#include "core/quantities/readable.hpp"
+#include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/app/command.hpp"
 #include "pipeline/app/contact/single_contact.hpp"
-#include "pipeline/case/measurement_json.hpp"
+#include "pipeline/case/case_parts.hpp"
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/document/values_json.hpp"
 #include "pipeline/files/file.hpp"

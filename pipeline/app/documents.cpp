@@ -10,9 +10,9 @@
 #include <spdlog/spdlog.h>
 
 #include "core/embedded.hpp"
+#include "core/json/document.hpp"
 #include "core/json/view.hpp"
-#include "core/json/writer.hpp"
-#include "core/quantities/readable.hpp"
+#include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/app/command.hpp"
@@ -20,8 +20,7 @@
 #include "pipeline/app/terminal.hpp"
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/document/artifact.hpp"
-#include "pipeline/document/run_identity.hpp"
-#include "pipeline/document/run_json.hpp"
+#include "pipeline/document/results_json.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/files/schema.hpp"
 #include "pipeline/present/report/drawing/figure.hpp"

@@ -6,12 +6,12 @@
 #include <fmt/format.h>
 
 #include "core/json/document.hpp"
-#include "core/quantities/readable.hpp"
+#include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "materials/contact_properties.hpp"
 #include "pipeline/app/command.hpp"
-#include "pipeline/case/laws.hpp"
+#include "pipeline/case/case.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/present/export/folder.hpp"
 #include "pipeline/present/export/subject.hpp"

@@ -6,20 +6,18 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "core/json/document.hpp"
 #include "core/json/view.hpp"
-#include "core/json/writer.hpp"
-#include "core/quantities/readable.hpp"
+#include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "materials/contact_properties.hpp"
-#include "materials/separation_energy.hpp"
-#include "materials/work_of_adhesion.hpp"
 #include "pipeline/app/command.hpp"
 #include "pipeline/app/contact/single_contact.hpp"
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/present/text/layout.hpp"
-#include "pipeline/run/critical_velocity.hpp"
+#include "pipeline/run/stage.hpp"
 #include "solver/motion/explicit_scheme.hpp"
 #include "solver/motion/regime.hpp"
 #include "solver/motion/trajectory.hpp"

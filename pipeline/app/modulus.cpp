@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/run/modulus.hpp"
-
 #include <ostream>
 #include <string>
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "core/json/document.hpp"
 #include "core/json/view.hpp"
-#include "core/json/writer.hpp"
 #include "core/quantities/checks.hpp"
-#include "core/quantities/readable.hpp"
+#include "core/quantities/quantity.hpp"
 #include "core/text/text.hpp"
 #include "materials/xrd/xrd.hpp"
 #include "pipeline/app/command.hpp"

@@ -7,14 +7,10 @@
 
 #include "core/text/text.hpp"
 #include "pipeline/case/case_reader.hpp"
-#include "pipeline/document/case_json.hpp"
+#include "pipeline/document/results_json.hpp"
 #include "pipeline/document/run_folder.hpp"
-#include "pipeline/document/run_identity.hpp"
-#include "pipeline/document/run_json.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/files/schema.hpp"
-#include "pipeline/files/schema_version.hpp"
-#include "pipeline/files/sha256.hpp"
 #include "pipeline/present/report/page/page.hpp"
 #include "pipeline/run/stage.hpp"
 

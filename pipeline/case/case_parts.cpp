@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/case/case_parts.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/quantities/checks.hpp"
 #include "core/text/text.hpp"
-#include "materials/xrd/composition_json.hpp"
 #include "materials/xrd/xrd.hpp"
-#include "pipeline/case/measurement_parts.hpp"
+#include "solver/motion/impact.hpp"
 
 namespace ashimpact {
 
@@ -316,6 +316,20 @@ PublishedSample read_published(const View& node, const std::string& source,
                  time.read(entry.at("contact_time"))});
     published.critical_contact_times = time.read_by_law(node, "critical_contact_times");
     return published;
+}
+
+void read_detachments(const std::optional<View>& node, std::vector<LawChoice>& choices,
+                      const std::string& known_laws) {
+    if (!node) return;
+    for (const auto& [name, value] : node->members()) {
+        const Law law = at_place(value.pointer(), [&key = name] { return Law::named(key); });
+        const Detachment detachment = named<Detachment>(value.text());
+        if (const auto reason = refusal(law, detachment)) value.fail(*reason, admissible_detachments(law));
+        const auto chosen = std::find_if(choices.begin(), choices.end(),
+                                         [&](const LawChoice& choice) { return choice.law == law; });
+        if (chosen == choices.end()) value.fail("the law is not among \"laws\"", known_laws);
+        chosen->detachment = detachment;
+    }
 }
 
 }  // namespace ashimpact

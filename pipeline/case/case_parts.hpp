@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/json/view.hpp"
 #include "pipeline/case/case.hpp"
 #include "pipeline/case/input_files.hpp"
+#include "solver/inference/impacts/measurement.hpp"
 
 /// Readers of the parts of a case. The document conforms to the schema; what a schema cannot say is checked
 /// here. Errors: InputError with the JSON pointer.
@@ -41,5 +45,37 @@ struct ReadAnalysis {
 /// d/sqrt(12).
 [[nodiscard]] PublishedSample read_published(const View& node, const std::string& source,
                                              const std::optional<View>& rounding);
+
+/// Replaces the detachments of laws by those that a document gives, {"<law>": "<detachment>"}.
+/// @param known_laws what @p choices are called in messages, such as "a law of the case"
+/// @throws InputError with the JSON pointer for a law that is not among @p choices or does not admit its
+/// detachment
+void read_detachments(const std::optional<View>& node, std::vector<LawChoice>& choices,
+                      const std::string& known_laws);
+
+/// The camera that velocities were read from. @throws InputError with the JSON pointer
+[[nodiscard]] Camera read_camera(const View& node);
+
+/// Measured impacts, from columns in the case or a file; @p camera serves impacts whose uncertainty neither
+/// says. @throws InputError with the JSON pointer, or the file and line
+[[nodiscard]] MeasuredRestitution read_measured(const View& node, InputFiles& files,
+                                                const std::optional<View>& camera);
+
+/// How measured impacts are fitted, and how uncertainties are propagated to v_c. Absent keys have their
+/// defaults.
+[[nodiscard]] FitChoices read_fit_choices(const std::optional<View>& node);
+[[nodiscard]] UncertaintyChoices read_uncertainty_choices(const std::optional<View>& node);
+
+/// Reads impacts in columns: velocity, restitution or rebound_velocity and, where they are known,
+/// velocity_uncertainty, rebound_uncertainty (standard, of v_in and v_r), velocity_correlation (of these two
+/// errors) and impacts (of which a point is the mean). Restitution 0 is a capture. restitution_uncertainty
+/// may stand in place of rebound_uncertainty; the errors of v_in and e_n are then taken as independent.
+/// @throws InputError with the JSON pointer for columns that contradict each other or invalid impacts
+[[nodiscard]] MeasurementSet read_measurement_columns(const View& node);
+
+/// Checks impacts before they are used. A restitution of 1 or more must be explained by three standard
+/// uncertainties.
+/// @throws InputError naming the point, or its line
+void check_impacts(const MeasurementSet& set);
 
 }  // namespace ashimpact

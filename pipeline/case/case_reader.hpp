@@ -3,8 +3,11 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "core/finding.hpp"
+#include "core/json/document.hpp"
 #include "core/json/view.hpp"
 #include "materials/phase_catalogue.hpp"
 #include "pipeline/case/case.hpp"

@@ -6,7 +6,6 @@
 #include "core/embedded.hpp"
 #include "core/text/error.hpp"
 #include "pipeline/files/file.hpp"
-#include "pipeline/files/sha256.hpp"
 
 namespace ashimpact {
 

@@ -62,4 +62,21 @@ struct Envelope {
 /// The notes of an artifact; of one without "notes" its warnings, as remarks of code "warning".
 [[nodiscard]] std::vector<Note> read_notes(const View& artifact);
 
+/// Identity of the run that an artifact is of. @throws InputError if it has none
+[[nodiscard]] std::string run_of(const Json& document);
+
+/// Whether the result of an artifact is not what ashimpact wrote. Layout and comments do not count.
+[[nodiscard]] bool is_edited(const Json& document);
+
+/// Refuses artifacts of different runs. @throws InputError naming one that does not belong to the first
+void require_one_run(const std::vector<Artifact>& artifacts);
+
+/// Checks every quantity of an edited result: it is possible, and lies inside of its interval.
+/// @throws InputError with the JSON pointer of the first that does not
+void require_possible_result(const Json& document);
+
+/// Artifacts that were computed from another version of one that they read, in words: "3-analytic.json was
+/// computed from another 2-contact.json".
+[[nodiscard]] std::vector<std::string> outdated(const std::vector<Artifact>& artifacts);
+
 }  // namespace ashimpact

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/document/fields.hpp"
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/document/shared_fields.hpp"
 
@@ -146,5 +147,241 @@ void fields(auto& io, Is<ComparisonResult> auto& result) {
 
 template Json to_json(const ComparisonResult& result, DampingLaw law);
 template ComparisonResult from_json(const View& result, DampingLaw law);
+
+void fields(auto& io, Is<StageMomentum> auto& stage) {
+    io("duration", stage.duration, Dimension::time);
+    io("static_impulse", stage.static_impulse, Dimension::impulse);
+    io("damping_impulse", stage.damping_impulse, Dimension::impulse);
+    io("mean_force", stage.mean_force, Dimension::force);
+    io("residual", stage.residual, Dimension::impulse);
+}
+
+void fields(auto& io, Is<HistoryMomentum> auto& momentum) {
+    io("approach", momentum.approach);
+    io("rebound", momentum.rebound);
+    io("mean_force_ratio", momentum.mean_force_ratio);
+    io.object("equation_44", [&](auto& inner) {
+        inner("damping_impulse", momentum.damping_impulse, Dimension::impulse);
+        inner("momentum_lost", momentum.momentum_lost, Dimension::impulse);
+        inner("holds", momentum.damping_exceeds_loss);
+    });
+    io.object("equation_45", [&](auto& inner) {
+        inner.derived("approach_time", momentum.approach.duration, Dimension::time);
+        inner.derived("rebound_time", momentum.rebound.duration, Dimension::time);
+        inner("holds", momentum.rebound_is_longer);
+    });
+    io("verdict", momentum.verdict);
+}
+
+constexpr FieldColumn<TrajectoryPoint> trajectory_columns[]{
+    {"time", &TrajectoryPoint::time, Dimension::time},
+    {"overlap", &TrajectoryPoint::overlap, Dimension::length},
+    {"velocity", &TrajectoryPoint::velocity, Dimension::velocity},
+    {"contact_radius", &TrajectoryPoint::contact_radius, Dimension::length},
+    {"repulsive_force", &TrajectoryPoint::repulsive_force, Dimension::force},
+    {"attractive_force", &TrajectoryPoint::attractive_force, Dimension::force},
+    {"damping_force", &TrajectoryPoint::damping_force, Dimension::force}};
+
+void fields(auto& io, Is<History> auto& history) {
+    io("part", history.part);
+    io("velocity", history.velocity, Dimension::velocity);
+    io.lenient("damping", history.damping, dimension_of(io.damping_law()));
+    if (!is_of_a_curve(history.part)) {
+        io.lenient("outcome", history.outcome);
+        io.lenient("restitution", history.restitution, Dimension::fraction);
+        io("contact_time", history.contact_time, Dimension::time);
+        io.lenient("maximum_overlap", history.maximum_overlap, Dimension::length);
+        io.lenient("greatest_pressure", history.greatest_pressure, Dimension::pressure);
+        io("yield_pressure", history.yield_pressure, Dimension::pressure);
+        io.unless_empty("momentum", history.momentum);
+    }
+    io.object("trajectory",
+              [&](auto& inner) { inner.columns(history.trajectory, trajectory_columns, false); });
+}
+
+void fields(auto& io, Is<ContactTimeAt> auto& time) {
+    io("law", time.law);
+    io("velocity", time.velocity, Dimension::velocity);
+    io("restitution", time.restitution, Dimension::fraction);
+    io("contact_time", time.contact_time, Dimension::time);
+}
+
+constexpr FieldColumn<CurveImpact> curve_columns[]{
+    {"velocity", &CurveImpact::velocity, Dimension::velocity},
+    {"lower_velocity", &CurveImpact::lower, Dimension::velocity},
+    {"upper_velocity", &CurveImpact::upper, Dimension::velocity},
+    {"restitution", &CurveImpact::restitution, Dimension::fraction},
+    {"damping", &CurveImpact::damping, Dimension::damping, true},
+    {"contact_time", &CurveImpact::contact_time, Dimension::time},
+    {"dissipated", &CurveImpact::dissipated, Dimension::fraction},
+    {"adhesion", &CurveImpact::adhesion, Dimension::fraction},
+    {"plastic", &CurveImpact::plastic, Dimension::fraction}};
+
+void fields(auto& io, Is<LawCurve> auto& curve) {
+    io("start", curve.start, Dimension::velocity);
+    io.lenient("histories", curve.histories);
+    io.columns(curve.impacts, curve_columns, true);
+}
+
+void fields(auto& io, Is<SampleHistories> auto& sample) {
+    io("name", sample.name);
+    io.lenient("contact_times", sample.contact_times);
+    io.under_laws(sample.laws, {"name", "contact_times", "curves"});
+    io.lenient("curves", sample.curves);
+}
+
+template Json to_json(const HistoriesResult& result, DampingLaw law);
+template HistoriesResult from_json(const View& result, DampingLaw law);
+
+void fields(auto& io, Is<Regime> auto& regime) {
+    io.lenient("tabor_parameter", regime.tabor_parameter);
+    io.lenient("equilibrium_separation", regime.equilibrium_separation, Dimension::length);
+    io.lenient("adhesion", regime.adhesion);
+    io.lenient("transition_parameter", regime.transition_parameter);
+    io.lenient("greatest_pressure", regime.greatest_pressure, Dimension::pressure);
+    io("yield_pressure", regime.yield_pressure, Dimension::pressure);
+    io.lenient("damping_number", regime.damping_number);
+    io.lenient("adhesion_number", regime.adhesion_number);
+    io("yield_velocity", regime.yield_velocity, Dimension::velocity);
+    io("law_yield_velocity", regime.law_yield_velocity, Dimension::velocity);
+    io.lenient("yields", regime.yields);
+    io.lenient("contact_radius", regime.contact_radius, Dimension::length);
+    io.lenient("relative_contact_radius", regime.relative_contact_radius);
+    io.lenient("relative_overlap", regime.relative_overlap);
+    io.by_hand(
+        "warnings", regime.warnings,
+        [](const std::vector<Finding>& findings) { return Json(texts_of(findings)); },
+        [](const View& node) {
+            std::vector<Finding> findings;
+            for (const std::string& text : node.texts())
+                findings.push_back({regime_code, Severity::remark, text});
+            return findings;
+        });
+}
+
+Json regime_json(const Regime& regime) {
+    return to_json(regime, DampingLaw::constant);
+}
+
+Json check_json(const CriticalVelocityCheck& check) {
+    return to_json(check, DampingLaw::constant);
+}
+
+template <class Io>
+void fields(Io& io, Is<MeasuredCriticalVelocity> auto& measured) {
+    std::optional<VelocityEstimate> velocity;
+    if (measured.value) velocity = estimate_of(measured);
+    Bounds interval{measured.lower, measured.upper};
+    io("critical_velocity", velocity, WithoutInterval{});
+    io.lenient("interval", interval, Dimension::velocity);
+    io("fastest_capture", measured.fastest_capture, Dimension::velocity);
+    io("slowest_rebound", measured.slowest_rebound, Dimension::velocity);
+    io("transition_width", measured.width, Dimension::velocity);
+    io.lenient("note", measured.note);
+    if constexpr (Io::reads) {
+        if (velocity) measured.value = velocity->value;
+        if (velocity) measured.standard_uncertainty = velocity->standard_uncertainty;
+        measured.lower = interval.lower;
+        measured.upper = interval.upper;
+    }
+}
+
+Json measured_velocity_json(const MeasuredCriticalVelocity& measured) {
+    return to_json(measured, DampingLaw::constant);
+}
+
+void fields(auto& io, Is<Influence> auto& influence) {
+    io("factor", influence.factor);
+    io("first", influence.first.value, NullIfNotFinite{});
+    io("first_error", influence.first.standard_error, NullIfNotFinite{});
+    io("total", influence.total.value, NullIfNotFinite{});
+    io("total_error", influence.total.standard_error, NullIfNotFinite{});
+}
+
+void fields(auto& io, Is<CalibrationResponse> auto& response) {
+    io.lenient("density", response.density);
+    io.lenient("work_of_adhesion", response.work_of_adhesion);
+}
+
+void fields(auto& io, Is<VelocityUncertainty> auto& uncertainty) {
+    io.derived("method", std::string("Monte Carlo, sobol"));
+    io.lenient("evaluations", uncertainty.evaluations);
+    io.lenient("undefined", uncertainty.undefined);
+    io("mean", uncertainty.mean, Dimension::velocity);
+    io("median", uncertainty.median, Dimension::velocity);
+    io.lenient("relative_standard_uncertainties", uncertainty.relative);
+    io.lenient("taken_as_exact", uncertainty.taken_as_exact);
+    io("influences", uncertainty.influences);
+    io.unless_empty("powers_of_contact_modulus", uncertainty.response);
+    io.unless_empty("damping", uncertainty.damping);
+}
+
+void fields(auto& io, Is<ExtrapolatedVelocity> auto& extrapolated) {
+    io("critical_velocity", extrapolated.velocity, WithoutInterval{});
+    io("interval", extrapolated.velocity.interval, Dimension::velocity);
+    io("uncertainty", extrapolated.uncertainty);
+    io.unless_empty("check", extrapolated.check);
+}
+
+namespace {
+
+/// Sets the interval of a velocity, which is beside it and within it; either may be open where an edit
+/// dropped it.
+void set_interval(const View& node, VelocityEstimate& velocity) {
+    const Bounds within = velocity.interval.value_or(Bounds{});
+    velocity.interval = std::nullopt;
+    if (const auto beside = node.find("interval"))
+        read_value(*beside, velocity.interval.emplace(), Dimension::velocity);
+    if (!node.at("critical_velocity").has("interval")) return;
+    const Bounds beside = velocity.interval.value_or(Bounds{});
+    if (within == beside) return;
+    node.at("interval")
+        .fail(std::string(within.lower != beside.lower ? "lower" : "upper") +
+                  " is not that of the interval in critical_velocity",
+              "the same interval in both places");
+}
+
+}  // namespace
+
+template <class Io>
+void fields(Io& io, Is<LawCriticalVelocity> auto& velocity) {
+    io.lenient("detachment", velocity.detachment);
+    io.derived("damping_law", io.damping_law());
+    io.lenient("damping", velocity.damping, dimension_of(io.damping_law()));
+    io("critical_velocity", velocity.velocity);
+    io("verdict", velocity.verdict);
+    io("contact_time", velocity.contact_time, Dimension::time);
+    io("maximum_overlap", velocity.maximum_overlap, Dimension::length);
+    io.lenient("crossings", velocity.crossings, Dimension::velocity);
+    io("dissipated", velocity.dissipated, Dimension::energy);
+    io.lenient("plastic", velocity.plastic, Dimension::energy);
+    io("detachment_energy", velocity.detachment_energy, Dimension::energy);
+    io("regime", velocity.regime);
+    io.unless_empty("interval_note", velocity.interval_note);
+    if (velocity.velocity && velocity.velocity->interval)
+        io.derived("interval", *velocity.velocity->interval, Dimension::velocity);
+    io.unless_empty("uncertainty", velocity.uncertainty);
+    io.unless_empty("check", velocity.check);
+    if (Io::reads || velocity.from_impacts) io("extrapolated", velocity.extrapolated);
+    if constexpr (Io::reads) {
+        velocity.from_impacts = velocity.extrapolated.has_value();
+        if (velocity.velocity) set_interval(io.node(), *velocity.velocity);
+    }
+}
+
+Json critical_velocity_json(const LawCriticalVelocity& velocity, DampingLaw law) {
+    Json json = to_json(velocity, law);
+    if (velocity.velocity) json["critical_velocity"] = value_json(*velocity.velocity, WithoutInterval{});
+    return json;
+}
+
+void fields(auto& io, Is<SampleCriticalVelocity> auto& sample) {
+    io("name", sample.name);
+    io("measured", sample.measured);
+    io.under_laws(sample.laws, {"name", "measured"});
+}
+
+template Json to_json(const CriticalVelocityResult& result, DampingLaw law);
+template CriticalVelocityResult from_json(const View& result, DampingLaw law);
 
 }  // namespace ashimpact

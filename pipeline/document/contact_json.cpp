@@ -2,7 +2,7 @@
 // Results up to the restitution data: modulus, contact, analytic velocity, restitution.
 #include "core/quantities/checks.hpp"
 #include "materials/contact_properties.hpp"
-#include "pipeline/case/measurement_json.hpp"
+#include "pipeline/case/case_parts.hpp"
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/document/shared_fields.hpp"
 #include "solver/contact/law_parameters.hpp"

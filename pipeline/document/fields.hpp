@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "core/json/view.hpp"
-#include "pipeline/case/law_map.hpp"
+#include "pipeline/case/values.hpp"
 #include "pipeline/document/values_json.hpp"
 #include "pipeline/run/results/note.hpp"
 #include "solver/damping/damping.hpp"

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string_view>
+
+#include "core/json/document.hpp"
 #include "core/json/view.hpp"
+#include "pipeline/case/case.hpp"
+#include "pipeline/document/artifact.hpp"
 #include "pipeline/run/results/run.hpp"
 
 /// The results of stages as the "result" of their artifacts, and back. Reading back what was written gives
@@ -72,5 +77,28 @@ extern template ComparisonResult from_json(const View& result, DampingLaw law);
 
 /// The paper's extrapolation and the estimate compared.
 [[nodiscard]] Json comparison_json(const FitComparison& comparison);
+
+/// The result of a stage of a run. @param file of its artifact
+[[nodiscard]] Json result_json(const Run& run, std::string_view file);
+
+/// The options of a case that a stage works with, defaults included. @param file of its artifact
+[[nodiscard]] Json options_json(const Case& data, std::string_view file);
+
+/// Sets the result and the record of one stage from its artifact. The case has to be read first: the samples
+/// of a result become those of the case, in its order.
+/// @throws InputError naming the file, for values that no stage can have written and for missing samples
+void read_artifact(const Artifacts& artifacts, std::string_view file, Run& run);
+
+/// The run of the artifacts that are there.
+[[nodiscard]] Run read_run(const Artifacts& artifacts);
+
+/// The case, complete, as a case document: reading it back gives the same case.
+[[nodiscard]] Json case_json(const Case& data);
+
+/// a, b and c of a published fit.
+[[nodiscard]] Json quadratic_json(const DampingPolynomial& fit);
+
+/// Impacts in the columns that read_measurement_columns() reads.
+[[nodiscard]] Json measurement_columns(const MeasurementSet& set);
 
 }  // namespace ashimpact

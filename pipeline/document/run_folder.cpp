@@ -12,7 +12,7 @@
 #include <unistd.h>
 
 #include "core/text/error.hpp"
-#include "pipeline/files/signals.hpp"
+#include "pipeline/files/file.hpp"
 
 namespace ashimpact {
 

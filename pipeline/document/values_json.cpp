@@ -21,31 +21,11 @@ std::optional<double> number_if(const View& node, std::string_view key, Dimensio
 
 }  // namespace
 
-Json value_json(double value, NullIfNotFinite) {
-    return finite_json(value);
-}
-
-Json value_json(double value, Dimension dimension) {
-    return quantity_json(value, dimension);
-}
-
-Json value_json(const Quantity& quantity, Dimension /*dimension*/) {
-    return quantity;
-}
-
-Json value_json(const Quantity& quantity, AnyUnit) {
-    return quantity;
-}
-
 Json value_json(const Stated& stated, Dimension /*dimension*/) {
     Json json = stated.quantity;
     json["origin"] = name_of(stated.origin);
     if (!stated.source.empty()) json["source"] = stated.source;
     return json;
-}
-
-Json value_json(const std::vector<double>& values, Dimension dimension) {
-    return column_json(values, dimension);
 }
 
 Json value_json(const Bounds& bounds, Dimension dimension) {
@@ -66,32 +46,8 @@ Json value_json(const VelocityEstimate& velocity) {
     return json;
 }
 
-void read_value(const View& node, double& value) {
-    value = node.number(Dimension::fraction);
-}
-
-void read_value(const View& node, double& value, NullIfNotFinite) {
-    value = node.number(Dimension::fraction);
-}
-
-void read_value(const View& node, double& value, Dimension dimension) {
-    value = node.number(dimension);
-}
-
-void read_value(const View& node, int& value) {
-    value = node.integer();
-}
-
 void read_value(const View& node, std::size_t& value) {
     value = static_cast<std::size_t>(std::max(0, node.integer()));
-}
-
-void read_value(const View& node, bool& value) {
-    value = node.truth();
-}
-
-void read_value(const View& node, std::string& value) {
-    value = node.text();
 }
 
 void read_value(const View& node, Law& value) {
@@ -104,10 +60,6 @@ void read_value(const View& node, std::array<double, 2>& range) {
     range = {values[0], values[1]};
 }
 
-void read_value(const View& node, Quantity& value, Dimension dimension) {
-    value = node.quantity(dimension);
-}
-
 void read_value(const View& node, Quantity& value, AnyUnit) {
     value = {.value = node.at("value").number(Dimension::fraction), .unit = node.at("unit").text()};
     value.standard_uncertainty = number_if(node, "standard_uncertainty", Dimension::fraction);
@@ -115,10 +67,6 @@ void read_value(const View& node, Quantity& value, AnyUnit) {
 
 void read_value(const View& node, Stated& value, Dimension dimension) {
     value = read_stated(node, dimension);
-}
-
-void read_value(const View& node, std::vector<double>& values, Dimension dimension) {
-    values = node.column(dimension);
 }
 
 void read_value(const View& node, Bounds& bounds, Dimension dimension) {
@@ -136,10 +84,6 @@ void read_value(const View& node, VelocityEstimate& velocity) {
     if (const auto method = node.find("method")) read_value(*method, velocity.method.emplace());
 }
 
-void read_value(const View& node, VelocityEstimate& velocity, WithoutInterval) {
-    read_value(node, velocity);
-}
-
 std::vector<double> read_column_with_gaps(const View& values, Dimension dimension) {
     std::vector<double> column;
     for (const View& element : values.elements())
@@ -152,10 +96,6 @@ Json matrix_json(const Eigen::MatrixXd& matrix) {
     Json rows = Json::array();
     for (const auto& row : matrix.rowwise()) rows.push_back(std::vector<double>(row.begin(), row.end()));
     return rows;
-}
-
-Json finite_json(double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
 Json estimate_json(const Interval& interval, std::string_view unit) {

@@ -4,16 +4,18 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <fstream>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
 #include <fcntl.h>
+#include <fmt/format.h>
+#include <nettle/sha2.h>
 #include <unistd.h>
 
 #include "core/text/error.hpp"
-#include "pipeline/files/signals.hpp"
 
 namespace ashimpact {
 
@@ -175,6 +177,16 @@ void write_files(std::span<const FileContent> files) {
 void write_file(const std::filesystem::path& path, const std::string& content) {
     const FileContent file{path, content};
     write_files(std::span(&file, 1));
+}
+
+std::string sha256(std::string_view bytes) {
+    sha256_ctx context;
+    sha256_init(&context);
+    // The one cast the C interface needs: it reads octets.
+    sha256_update(&context, bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
+    std::array<std::uint8_t, SHA256_DIGEST_SIZE> digest{};
+    sha256_digest(&context, digest.size(), digest.data());
+    return fmt::format("{:02x}", fmt::join(digest, ""));
 }
 
 }  // namespace ashimpact

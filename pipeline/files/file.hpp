@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <csignal>
 #include <cstddef>
 #include <filesystem>
+#include <initializer_list>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace ashimpact {
 
@@ -44,5 +47,28 @@ void write_files(std::span<const FileContent> files);
 
 /// The same for one file.
 void write_file(const std::filesystem::path& path, const std::string& content);
+
+/// SHA-256 of some bytes, 64 hexadecimal digits.
+[[nodiscard]] std::string sha256(std::string_view bytes);
+
+/// Blocks the signals that end the program while it exists. Meant for renames, which are quick, and never for
+/// operations that can block.
+class SignalsHeld {
+  public:
+    SignalsHeld() {
+        sigset_t ending;
+        sigemptyset(&ending);
+        for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) sigaddset(&ending, signal);
+        pthread_sigmask(SIG_BLOCK, &ending, &before_);
+    }
+    ~SignalsHeld() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    SignalsHeld(const SignalsHeld&) = delete;
+    SignalsHeld& operator=(const SignalsHeld&) = delete;
+    SignalsHeld(SignalsHeld&&) = delete;
+    SignalsHeld& operator=(SignalsHeld&&) = delete;
+
+  private:
+    sigset_t before_{};
+};
 
 }  // namespace ashimpact

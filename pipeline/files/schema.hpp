@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/json/document.hpp"
+#include "core/json/view.hpp"
 
 namespace ashimpact {
 
@@ -23,8 +24,23 @@ namespace ashimpact {
 /// allowed
 void validate_document(const Json& document, std::string_view schema_name);
 
-/// The part of a schema that describes the value under @p path (keys and indices, outermost first),
-/// references resolved; null if there is none.
-[[nodiscard]] const Json* schema_part(const Json& schema, const std::vector<std::string>& path);
+/// Version of the schemas of cases, sweep specs and artifacts that this program writes and reads.
+inline constexpr int schema_version = 1;
+
+/// Refuses a document of another version. Cases and specs may leave the version out; artifacts may not.
+/// @throws InputError that says which version is read
+inline void require_schema_version(const Json& document, bool is_artifact) {
+    const std::string read = std::to_string(schema_version) + ", the version that this program reads";
+    if (!document.is_object()) return;  // the schema says what is wrong
+    if (!document.contains("schema_version")) {
+        if (!is_artifact || !document.contains("schema")) return;
+        throw InputError("\"schema_version\" is missing: an artifact of an earlier version of ashimpact",
+                         read + "; run its case again")
+            .at("/");
+    }
+    const Json& version = document["schema_version"];
+    if (version.is_number_integer() && version == schema_version) return;
+    throw InputError("is " + version.dump().substr(0, 40), read).at("/schema_version");
+}
 
 }  // namespace ashimpact

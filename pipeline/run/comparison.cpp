@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/run/comparison.hpp"
-
 #include <algorithm>
 #include <limits>
 
 #include <fmt/format.h>
 
-#include "core/quantities/readable.hpp"
-#include "pipeline/run/comparison/equal_velocities.hpp"
-#include "pipeline/run/comparison/reported_velocity.hpp"
+#include "core/quantities/quantity.hpp"
+#include "pipeline/run/comparison/velocities.hpp"
+#include "pipeline/run/stage.hpp"
 
 namespace ashimpact {
 
@@ -202,11 +200,12 @@ std::vector<std::string> exact_properties(const SampleContact& contact) {
 
 /// Why laws have no damping from which a velocity would follow: the first finding of the fit on a law of this
 /// sample, or of the reading of its dampings.
-std::string no_damping_reason(const Sample& sample, const std::vector<const StageRecord*>& stages) {
+std::string no_damping_reason(const Sample& sample, const Run& run) {
     if (!sample.restitution) return "no impacts were given";
-    for (const StageRecord* stage : stages)
-        for (const Note& note : stage->notes)
-            if (note.sample == sample.name && note.law) return note.text;
+    for (const std::string_view file : {fit_artifact, damping_artifact})
+        if (const StageRecord* stage = run.record(file))
+            for (const Note& note : stage->notes)
+                if (note.sample == sample.name && note.law) return note.text;
     return "no damping follows from the impacts";
 }
 
@@ -234,24 +233,21 @@ SampleComparison comparison_of(const ComparedSample& of, const Case& data, const
 
 }  // namespace
 
-ComparisonResult comparison_stage(const Case& data, const ComparedResults& results,
-                                  const std::vector<const StageRecord*>& reasons, StageRecord& record) {
+ComparisonResult comparison_stage(const Run& run, StageRecord& record) {
     record.citations = {"dong2013, Tables 1, 3 and 4, Eq. 30"};
+    const Case& data = run.data;
     ComparisonResult result{.name = data.name};
     Gap gap;
     for (std::size_t i = 0; i < data.samples.size(); ++i) {
-        const ComparedSample of{data.samples[i],
-                                results.moduli.samples[i],
-                                results.contacts.samples[i],
-                                results.analytic.samples[i],
-                                results.fits.samples[i].laws,
-                                results.velocities.samples[i],
-                                results.histories.samples[i]};
+        const ComparedSample of{data.samples[i],         run.modulus.samples[i],
+                                run.contact.samples[i],  run.analytic.samples[i],
+                                run.fit.samples[i].laws, run.critical_velocity.samples[i],
+                                run.histories.samples[i]};
         for (const auto& [law, velocity] : of.velocities.laws)
             gap.take(velocity, of.analytic.critical_velocity);
-        result.samples.push_back(comparison_of(of, data, no_damping_reason(of.sample, reasons)));
+        result.samples.push_back(comparison_of(of, data, no_damping_reason(of.sample, run)));
     }
-    result.equal_velocities = equal_velocities(data, results.contacts, results.dampings);
+    result.equal_velocities = equal_velocities(data, run.contact, run.damping);
     if (gap.known()) result.dynamic_over_analytic = RatioRange{gap.least_ratio, gap.greatest_ratio};
     result.conclusion = gap.sentence();
     return result;

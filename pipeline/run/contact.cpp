@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/run/contact.hpp"
-
 #include <algorithm>
 #include <cmath>
+#include <set>
 
+#include "core/quantities/quantity.hpp"
 #include "core/text/text.hpp"
-#include "materials/work_of_adhesion.hpp"
+#include "materials/composition.hpp"
+#include "materials/contact_properties.hpp"
+#include "materials/phase_catalogue.hpp"
+#include "pipeline/run/stage.hpp"
 #include "solver/contact/law_parameters.hpp"
+#include "solver/contact/transition.hpp"
 #include "solver/motion/impact.hpp"
+#include "solver/motion/regime.hpp"
 
 namespace ashimpact {
 
@@ -167,6 +172,77 @@ SampleContact contact_of(const Sample& sample, const Case& data, const SampleMod
     return contact;
 }
 
+/// Eq. 30 for a cohesion of finite range: between 0 (DMT) and the value of JKR.
+CohesiveVelocity cohesive(const ContactPair& contact, double jkr_energy) {
+    const double lambda = transition_parameter_of(contact);
+    const double energy = lambda > 0 ? cohesive_separation_energy(contact, lambda) : 0;
+    const double fitted = lambda > 0 ? fitted_energy_ratio(lambda) * jkr_energy : 0;
+    const auto with_velocity = [&](double separated) {
+        return AnalyticVelocity{separated, std::sqrt(2 * separated / contact.mass)};
+    };
+    return {with_velocity(energy), lambda, with_velocity(fitted), fitted_energy_error};
+}
+
+SampleAnalytic analytic_of(const SampleContact& sample) {
+    const AdhesiveContact contact{.work_of_adhesion = sample.pair.work_of_adhesion,
+                                  .effective_radius = sample.pair.effective_radius,
+                                  .contact_modulus = sample.pair.contact_modulus};
+    // Of two spheres m* and R* are those of one sphere of this density on a wall.
+    const double density = sample.partner ? sphere_density(sample.pair.effective_radius, sample.pair.mass)
+                                          : sample.density.value();
+    SampleAnalytic analytic{{separation_energy(contact), separation_velocity(contact, density)}, sample.name};
+    analytic.load_controlled = {separation_energy(contact, Separation::load_controlled),
+                                separation_velocity(contact, density, Separation::load_controlled)};
+    analytic.with_printed_constants = {dong2013::separation_energy(contact),
+                                       dong2013::separation_velocity(contact, density)};
+    analytic.maugis_dugdale = cohesive(sample.pair, analytic.separation_energy);
+    return analytic;
+}
+
+/// Reuss and Voigt on (K, G), which hold for any arrangement of the phases; without every Poisson ratio the
+/// series and parallel models on E take their place.
+/// Pores soften them as they soften the chosen rule, by a factor of the porosity and Poisson's ratio alone.
+ModulusBounds bounds_of(const ModulusEstimate& estimate, MixtureRule chosen) {
+    const double softening = estimate.young_modulus / estimate.by(chosen).value().young_modulus;
+    const auto bound = [&](MixtureRule first, MixtureRule second) {
+        auto result = estimate.by(first);
+        if (!result) result = estimate.by(second).value();
+        result->young_modulus *= softening;
+        result->standard_uncertainty *= softening;
+        return *result;
+    };
+    const auto quantity = [](const RuleResult& result) {
+        return make_quantity(result.young_modulus, Dimension::pressure, result.standard_uncertainty);
+    };
+    const RuleResult lower = bound(MixtureRule::reuss, MixtureRule::series);
+    const RuleResult upper = bound(MixtureRule::voigt, MixtureRule::parallel);
+    return {quantity(lower), quantity(upper), lower.rule, upper.rule};
+}
+
+void add_citations(const Composition& composition, std::vector<std::string>& citations) {
+    std::set<std::string> known(citations.begin(), citations.end());
+    const auto add = [&](const PhaseProperty& property) {
+        for (const std::string& citation : property.citations)
+            if (known.insert(citation).second) citations.push_back(citation);
+    };
+    for (const Component& component : composition.components) {
+        add(component.phase.density);
+        add(component.phase.young_modulus);
+        if (component.phase.poisson_ratio) add(*component.phase.poisson_ratio);
+    }
+}
+
+/// The porosity of a sample; where the case gives none, from its density and that of the phases.
+std::optional<Porosity> porosity_of(const Sample& sample, const Composition& composition,
+                                    StageRecord& record) {
+    if (!sample.porosity_from_density) return sample.porosity;
+    const PorosityFromDensity found = at_place("the sample " + sample.name, [&] {
+        return porosity_from_density(*sample.porosity, sample.density->quantity, composition.density);
+    });
+    record.note(found.finding, sample.name);
+    return found.porosity;
+}
+
 }  // namespace
 
 ContactResult contact_stage(const Case& data, const ModulusResult& moduli, StageRecord& record) {
@@ -176,6 +252,64 @@ ContactResult contact_stage(const Case& data, const ModulusResult& moduli, Stage
     ContactResult result;
     for (std::size_t i = 0; i < data.samples.size(); ++i)
         result.samples.push_back(contact_of(data.samples[i], data, moduli.samples[i], record));
+    return result;
+}
+
+AnalyticResult analytic_stage(const ContactResult& contacts, StageRecord& record) {
+    record.citations = {"dong2013, Eqs. 28-30", "thornton1998"};
+    AnalyticResult result;
+    for (const SampleContact& sample : contacts.samples) result.samples.push_back(analytic_of(sample));
+    return result;
+}
+
+PorosityFromDensity porosity_from_density(Porosity porosity, const Quantity& apparent, double true_density) {
+    porosity.value = porosity_from_densities(apparent.value, true_density);
+    if (apparent.standard_uncertainty)
+        porosity.standard_uncertainty = *apparent.standard_uncertainty / true_density;
+    return {porosity,
+            {"porosity", Severity::remark,
+             "a porosity of " + readable_number(porosity.value) + " follows from the density"}};
+}
+
+SampleModulus sample_modulus(const Composition& composition, const ModulusEstimate& estimate,
+                             MixtureRule rule) {
+    SampleModulus sample{
+        .rule = rule,
+        .young_modulus =
+            make_quantity(estimate.young_modulus, Dimension::pressure, estimate.standard_uncertainty),
+        .bounds = bounds_of(estimate, rule),
+        .rules = estimate.rules,
+        .density = make_quantity(estimate.density, Dimension::density, estimate.density_uncertainty),
+        .poisson_ratio = estimate.poisson_ratio,
+        .poisson_ratio_assumed = estimate.poisson_ratio_assumed,
+        .contributions = estimate.contributions};
+    for (const Component& component : composition.components)
+        sample.phases.push_back({.name = component.name,
+                                 .phase = component.phase.name,
+                                 .weight_fraction = component.weight_fraction,
+                                 .volume_fraction = component.volume_fraction,
+                                 .density = component.phase.density.value,
+                                 .young_modulus = component.phase.young_modulus.value});
+    return sample;
+}
+
+ModulusResult modulus_stage(const Case& data, StageRecord& record) {
+    const PhaseCatalogue catalogue({PhaseSet{.name = "case", .phases = data.phases}});
+    record.citations = {"dong2013, Eq. 1"};
+    ModulusResult result;
+    for (const Sample& sample : data.samples) {
+        const Composition composition = compose(sample.analysis, catalogue);
+        const auto porosity = porosity_of(sample, composition, record);
+        const ModulusEstimate estimate =
+            estimate_modulus(composition, {.rule = data.mixture_rule, .porosity = porosity});
+        SampleModulus modulus = sample_modulus(composition, estimate, data.mixture_rule);
+        modulus.name = sample.name;
+        modulus.diameter = sample.diameter.quantity;
+        result.samples.push_back(std::move(modulus));
+        record.note(composition.notes, sample.name);
+        record.note(estimate.notes, sample.name);
+        add_citations(composition, record.citations);
+    }
     return result;
 }
 

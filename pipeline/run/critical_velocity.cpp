@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/run/critical_velocity.hpp"
-
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/run/uncertainty/calibrated_constants.hpp"
-#include "pipeline/run/uncertainty/uncertain_contact.hpp"
+#include "pipeline/run/stage.hpp"
+#include "pipeline/run/uncertainty/calibration.hpp"
 #include "pipeline/run/uncertainty/velocity_uncertainty.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/damping/damping.hpp"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/run/fit.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/run/stage.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/inference/calibration/reconstruction.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/run/histories.hpp"
-
-#include "pipeline/run/curves/drawn_curves.hpp"
+#include "pipeline/run/curves/model_curve.hpp"
+#include "pipeline/run/stage.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/inference/calibration/reconstruction.hpp"

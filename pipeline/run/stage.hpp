@@ -4,6 +4,13 @@
 #include <string_view>
 #include <vector>
 
+#include "materials/modulus.hpp"
+#include "pipeline/case/case.hpp"
+#include "pipeline/run/results/contact.hpp"
+#include "pipeline/run/results/critical_velocity.hpp"
+#include "pipeline/run/results/damping.hpp"
+#include "pipeline/run/results/histories.hpp"
+#include "pipeline/run/results/note.hpp"
 #include "pipeline/run/results/run.hpp"
 #include "pipeline/run/uncertainty/contact_models.hpp"
 
@@ -36,5 +43,72 @@ struct Stage {
 
 /// Computes the result of a stage and adds its record to the run.
 void compute_stage(const Stage& stage, Run& run, ContactModels& models);
+
+/// Phases, fractions both ways and Young's modulus by every rule; Dong et al. 2013, Eq. 1.
+[[nodiscard]] ModulusResult modulus_stage(const Case& data, StageRecord& record);
+
+/// A porosity law with the porosity that an apparent density implies.
+struct PorosityFromDensity {
+    Porosity porosity;
+    Finding finding;  ///< the porosity
+};
+
+/// Completes a porosity law with P = 1 - apparent/true [kg/m3]; the uncertainty is that of the apparent
+/// density. Errors: InputError for an apparent density above the true one.
+[[nodiscard]] PorosityFromDensity porosity_from_density(Porosity porosity, const Quantity& apparent,
+                                                        double true_density);
+
+/// Composition and modulus of one sample; name and diameter are left empty.
+[[nodiscard]] SampleModulus sample_modulus(const Composition& composition, const ModulusEstimate& estimate,
+                                           MixtureRule rule);
+
+/// Contact modulus, effective radius and mass, and work of adhesion; Dong et al. 2013, Eqs. 6, 7 and 11.
+[[nodiscard]] ContactResult contact_stage(const Case& data, const ModulusResult& moduli, StageRecord& record);
+
+/// Energy to separate a JKR contact and the velocity that just supplies it; Dong et al. 2013, Eqs. 28-30,
+/// read with the contact modulus and the work of adhesion.
+[[nodiscard]] AnalyticResult analytic_stage(const ContactResult& contacts, StageRecord& record);
+
+/// The restitution data of each sample: as measured, or reconstructed from published fits eta(e) by searching
+/// the velocity at which an impact with eta(e) gives e back.
+[[nodiscard]] RestitutionResult restitution_stage(const Case& data, const ContactResult& contacts,
+                                                  StageRecord& record);
+
+/// The damping that gives back each restitution, with its uncertainty and the reachable range, the parts of
+/// eta(v_in) and the rising branch; Dong et al. 2013, section 4.2. Captures (restitution 0) bound the damping
+/// but do not fix it: they are listed apart.
+[[nodiscard]] DampingStageResult damping_stage(const Case& data, const ContactResult& contacts,
+                                               const RestitutionResult& restitutions, ContactModels& models,
+                                               StageRecord& record);
+
+/// eta(e) over the rising branch of e(v), quadratic by default, and the critical damping eta(0); Dong et al.
+/// 2013, section 4.3, Tables 2 and 3. Of measured impacts also the critical damping that all of them support,
+/// captures included, whatever the form of eta; reconstructed ones are fitted by least squares.
+[[nodiscard]] FitResult fit_stage(const Case& data, const ContactResult& contacts,
+                                  const RestitutionResult& restitutions, const DampingStageResult& dampings,
+                                  ContactModels& models, StageRecord& record);
+
+/// The dynamic critical velocity at the critical damping (Dong et al. 2013, section 4.3, Table 4) with its
+/// interval, what dominates it, the regime of the impact, and the measured one beside it.
+[[nodiscard]] CriticalVelocityResult critical_velocity_stage(const Case& data, const ModulusResult& moduli,
+                                                             const ContactResult& contacts,
+                                                             const RestitutionResult& restitutions,
+                                                             const FitResult& fits, ContactModels& models,
+                                                             StageRecord& record);
+
+/// The critical velocity of one damping and the regime of the impact, without an interval.
+[[nodiscard]] LawCriticalVelocity law_critical_velocity(const CriticalVelocityProblem& problem);
+
+/// Overlap against time just above the critical velocity and in the middle of the rising branch, with the
+/// momentum balance of each; Dong et al. 2013, section 4.4, Eqs. 35-45, Figure 9. With the curves of the
+/// figures.
+[[nodiscard]] HistoriesResult histories_stage(const Case& data, const ContactResult& contacts,
+                                              const DampingStageResult& dampings, const FitResult& fits,
+                                              const CriticalVelocityResult& velocities, StageRecord& record);
+
+/// Compares analytic, dynamic and measured critical velocities, and published values with ours, and states in
+/// words what the ratio of dynamic to analytic velocities means.
+/// @param run with the results of all other stages
+[[nodiscard]] ComparisonResult comparison_stage(const Run& run, StageRecord& record);
 
 }  // namespace ashimpact

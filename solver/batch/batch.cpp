@@ -68,6 +68,7 @@ class ImpactSolver {
           table_(batch::table_for(options.method, problems)) {}
 
     [[nodiscard]] BatchReport solve() && {
+        report_.count = problems_.count;
         report_.scalar = batch::solve_in_chunks(
             problems_, options_.threads,
             [&](const Problems& chunk, std::size_t first) { return solve_chunk(chunk, first); });

@@ -81,6 +81,7 @@ struct FailedImpact {
 
 /// Results of a batch that are no columns.
 struct BatchReport {
+    std::size_t count = 0;               ///< how many impacts: the length of the columns, 1 if all are single
     std::vector<FailedImpact> failed{};  ///< by place; all their numbers are NaN, and they count as captures
     /// How many were left to solve_impact(): too near capture for double precision, or plastic.
     std::int64_t scalar = 0;

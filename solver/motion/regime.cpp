@@ -6,7 +6,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "materials/separation_energy.hpp"
+#include "materials/contact_properties.hpp"
 #include "solver/contact/cohesive_zone.hpp"
 #include "solver/contact/maugis_dugdale.hpp"
 #include "solver/contact/pressure.hpp"

@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 
-#include "materials/separation_energy.hpp"
+#include "materials/contact_properties.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/contact_cases.hpp"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/text/utf8.hpp"
-
 #include <string>
 #include <vector>
 

@@ -6,7 +6,6 @@
 #include <doctest/doctest.h>
 
 #include "core/quantities/quantity.hpp"
-#include "core/tables/coverage.hpp"
 #include "materials/xrd/table_layout.hpp"
 
 namespace ashimpact::test {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "materials/porosity.hpp"
-
 #include <array>
 #include <cmath>
 
 #include <doctest/doctest.h>
 
+#include "materials/mixture_rules.hpp"
 #include "tests/core/messages.hpp"
 #include "tests/relative_difference.hpp"
 

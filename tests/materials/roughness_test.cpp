@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "core/text/error.hpp"
-#include "materials/work_of_adhesion.hpp"
+#include "materials/contact_properties.hpp"
 #include "tests/relative_difference.hpp"
 
 using namespace ashimpact;

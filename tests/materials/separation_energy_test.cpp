@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "materials/separation_energy.hpp"
-
 #include <cmath>
 #include <numbers>
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "materials/work_of_adhesion.hpp"
-
 #include <cmath>
 
 #include <doctest/doctest.h>
 
 #include "core/text/error.hpp"
+#include "materials/contact_properties.hpp"
 #include "tests/relative_difference.hpp"
 
 namespace ashimpact::test {

@@ -98,8 +98,8 @@ bool rebounds(const Column& column, const ImpactCase& impact, double velocity) {
 
 namespace {
 
-constexpr double below = 0.999;
-constexpr double above = 1.001;
+constexpr double slower = 0.999;
+constexpr double faster = 1.001;
 
 std::vector<ImpactCase> covered(const Column& column, std::span<const ImpactCase> impacts) {
     std::vector<ImpactCase> selected;
@@ -182,7 +182,7 @@ std::vector<ComparedVerdict> compare_verdicts(
         std::vector<ImpactCase> tries;
         for (const auto& one : compared)
             if (column.covers(one.impact))
-                for (const double factor : {below, above})
+                for (const double factor : {slower, faster})
                     tries.push_back(at_velocity(one.impact, factor * one.critical_velocity));
         const auto verdicts = column.rebounds(tries);
         std::size_t i = 0;

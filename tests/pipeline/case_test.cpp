@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/case/case.hpp"
+
 #include <cmath>
 
 #include <doctest/doctest.h>
 
 #include "pipeline/case/case_reader.hpp"
-#include "pipeline/case/laws.hpp"
-#include "pipeline/document/case_json.hpp"
+#include "pipeline/document/results_json.hpp"
 #include "pipeline/files/schema.hpp"
 #include "tests/pipeline/sandbox.hpp"
 #include "tests/relative_difference.hpp"

@@ -6,7 +6,6 @@
 
 #include "core/text/error.hpp"
 #include "pipeline/files/file.hpp"
-#include "pipeline/files/sha256.hpp"
 #include "tests/pipeline/sandbox.hpp"
 
 using namespace ashimpact;

@@ -6,7 +6,6 @@
 
 #include "core/json/document.hpp"
 #include "core/json/view.hpp"
-#include "core/json/writer.hpp"
 #include "pipeline/files/schema.hpp"
 #include "pipeline/run/results/critical_velocity.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-#include "pipeline/document/run_json.hpp"
+#include "pipeline/document/results_json.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/calibration/reconstruction.hpp"
 #include "solver/motion/impact.hpp"

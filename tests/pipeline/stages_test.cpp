@@ -4,15 +4,15 @@
 
 #include <doctest/doctest.h>
 
-#include "materials/separation_energy.hpp"
+#include "materials/contact_properties.hpp"
 #include "pipeline/app/run_stages.hpp"
 #include "pipeline/case/case.hpp"
 #include "pipeline/case/case_reader.hpp"
-#include "pipeline/document/run_json.hpp"
+#include "pipeline/document/results_json.hpp"
 #include "pipeline/files/schema.hpp"
-#include "pipeline/run/comparison/equal_velocities.hpp"
+#include "pipeline/run/comparison/velocities.hpp"
 #include "pipeline/run/stage.hpp"
-#include "pipeline/run/uncertainty/calibration_problem.hpp"
+#include "pipeline/run/uncertainty/calibration.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/momentum_balance.hpp"
 #include "tests/pipeline/sandbox.hpp"

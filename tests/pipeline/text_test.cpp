@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "core/quantities/readable.hpp"
+#include "core/quantities/quantity.hpp"
 #include "pipeline/app/terminal.hpp"
 #include "pipeline/present/text/layout.hpp"
 #include "pipeline/present/text/result_text.hpp"

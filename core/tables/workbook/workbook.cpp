@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "core/tables/workbook/formats.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 
@@ -120,34 +119,8 @@ std::string cell_name(std::size_t row, std::size_t column) {
     return letters + std::to_string(row + 1);
 }
 
-std::string shown_number(double value) {
-    return fmt::format("{:.15g}", value);
-}
-
-std::string shown_per_cent(double fraction) {
-    return shown_number(100 * fraction) + " %";
-}
-
-std::string shown_date(std::string_view date) {
-    return std::string(date) + " (a date)";
-}
-
-std::string shown_formula(std::string_view formula) {
-    return '=' + std::string(formula) + " (a formula, saved without its result)";
-}
-
 bool is_workbook(std::string_view bytes) {
     return bytes.starts_with(zip_mark) || bytes.starts_with(old_excel_mark);
-}
-
-std::vector<Sheet> read_workbook(std::string_view bytes) {
-    constexpr auto allowed = "a spreadsheet saved as .xlsx or .ods, without a password, or the table as CSV";
-    if (bytes.starts_with(old_excel_mark))
-        throw InputError("this is an old Excel file (.xls), or one with a password", allowed);
-    const Archive archive(bytes);
-    if (auto sheets = read_xlsx(archive)) return *std::move(sheets);
-    if (auto sheets = read_ods(archive)) return *std::move(sheets);
-    throw InputError("this is a zip archive and no spreadsheet", allowed);
 }
 
 ChosenSheet::ChosenSheet(std::string_view bytes, const SheetRequest& request) {
@@ -198,33 +171,6 @@ std::string in_rows(std::string text) {
                 text.replace(at, word.size(), row);
         }
     return text;
-}
-
-pugi::xml_document parse_part(const std::string& content, const std::string& name) {
-    pugi::xml_document document;
-    const auto status = document.load_buffer(
-        content.data(), content.size(), pugi::parse_default | pugi::parse_ws_pcdata, pugi::encoding_auto);
-    if (!status)
-        throw InputError("the part " + name + " of the spreadsheet is damaged: " + status.description(),
-                         "an undamaged file without a password");
-    return document;
-}
-
-std::string_view local_name(const char* name) {
-    const std::string_view whole(name);
-    return whole.substr(whole.find(':') == std::string_view::npos ? 0 : whole.find(':') + 1);
-}
-
-pugi::xml_node child_of(const pugi::xml_node& node, std::string_view name) {
-    for (const pugi::xml_node& child : node)
-        if (local_name(child.name()) == name) return child;
-    return {};
-}
-
-std::optional<std::string> attribute_of(const pugi::xml_node& node, std::string_view name) {
-    for (const pugi::xml_attribute& attribute : node.attributes())
-        if (local_name(attribute.name()) == name) return attribute.value();
-    return std::nullopt;
 }
 
 }  // namespace ashimpact

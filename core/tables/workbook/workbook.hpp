@@ -48,16 +48,6 @@ class Sheet {
 /// The name of a cell, counted from zero: "B7".
 [[nodiscard]] std::string cell_name(std::size_t row, std::size_t column);
 
-/// A number as a spreadsheet shows it: 15 significant digits at most, which hides that 0.1 is binary.
-[[nodiscard]] std::string shown_number(double value);
-
-/// The same for a cell in the format of per cent: "21.3 %" for 0.213.
-[[nodiscard]] std::string shown_per_cent(double fraction);
-
-/// Marks of cells that hold no number and are to be named in messages as what they are.
-[[nodiscard]] std::string shown_date(std::string_view date);
-[[nodiscard]] std::string shown_formula(std::string_view formula);
-
 /// Whether the bytes begin as a spreadsheet does; old Excel files count, so that they are refused as such.
 [[nodiscard]] bool is_workbook(std::string_view bytes);
 

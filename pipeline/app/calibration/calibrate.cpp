@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "core/json/document.hpp"
 #include "core/json/view.hpp"
-#include "core/json/writer.hpp"
-#include "core/quantities/readable.hpp"
+#include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/app/command.hpp"
@@ -18,7 +18,7 @@
 #include "pipeline/app/terminal.hpp"
 #include "pipeline/document/values_json.hpp"
 #include "pipeline/present/text/result_text.hpp"
-#include "pipeline/run/uncertainty/calibration_problem.hpp"
+#include "pipeline/run/uncertainty/calibration.hpp"
 #include "solver/inference/calibration/calibration.hpp"
 
 namespace ashimpact {

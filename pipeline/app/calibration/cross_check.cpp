@@ -6,13 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "core/json/document.hpp"
 #include "core/json/view.hpp"
-#include "core/json/writer.hpp"
-#include "core/quantities/readable.hpp"
+#include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "pipeline/app/command.hpp"
 #include "pipeline/app/run_stages.hpp"
-#include "pipeline/document/case_json.hpp"
+#include "pipeline/document/results_json.hpp"
 #include "pipeline/present/text/layout.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/calibration/reconstruction.hpp"

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "pipeline/app/sweep/sweep.hpp"
-#include "pipeline/files/sha256.hpp"
+#include "pipeline/files/file.hpp"
 
 namespace ashimpact {
 

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "core/json/document.hpp"
 #include "core/json/view.hpp"
-#include "core/json/writer.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "core/version.hpp"
@@ -17,8 +17,7 @@
 #include "pipeline/app/sweep/workers.hpp"
 #include "pipeline/app/terminal.hpp"
 #include "pipeline/files/file.hpp"
-#include "pipeline/files/schema_version.hpp"
-#include "pipeline/files/sha256.hpp"
+#include "pipeline/files/schema.hpp"
 #include "pipeline/present/report/page/page.hpp"
 #include "pipeline/present/report/sweep/sweep_page.hpp"
 #include "pipeline/present/text/result_text.hpp"

@@ -13,7 +13,6 @@
 #include "pipeline/app/sweep/bytes.hpp"
 #include "pipeline/app/terminal.hpp"
 #include "pipeline/files/file.hpp"
-#include "pipeline/files/sha256.hpp"
 
 namespace ashimpact {
 

@@ -18,7 +18,7 @@
 #include "core/version.hpp"
 #include "pipeline/app/sweep/bytes.hpp"
 #include "pipeline/app/sweep/sweep.hpp"
-#include "pipeline/files/sha256.hpp"
+#include "pipeline/files/file.hpp"
 #include "pipeline/present/export/folder.hpp"
 
 namespace ashimpact {

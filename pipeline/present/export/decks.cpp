@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "core/quantities/readable.hpp"
+#include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "materials/contact_properties.hpp"
 #include "pipeline/present/export/folder.hpp"

@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 
 #include "core/embedded.hpp"
+#include "core/json/document.hpp"
 #include "core/json/view.hpp"
-#include "core/json/writer.hpp"
-#include "core/quantities/readable.hpp"
+#include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "core/version.hpp"

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "core/quantities/readable.hpp"
+#include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "pipeline/present/export/subject.hpp"
 #include "solver/batch/batch.hpp"

@@ -7,13 +7,13 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include "core/quantities/readable.hpp"
+#include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "materials/contact_properties.hpp"
-#include "pipeline/case/laws.hpp"
+#include "pipeline/case/case_reader.hpp"
 #include "pipeline/document/artifact.hpp"
-#include "pipeline/document/run_json.hpp"
+#include "pipeline/document/results_json.hpp"
 #include "pipeline/run/stage.hpp"
 #include "solver/inference/calibration/reconstruction.hpp"
 #include "solver/motion/damping_inversion.hpp"

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "core/quantities/readable.hpp"
+#include "core/quantities/quantity.hpp"
 #include "pipeline/present/export/folder.hpp"
 
 namespace ashimpact {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "core/quantities/readable.hpp"
+#include "core/quantities/quantity.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/present/text/result_text.hpp"

@@ -8,8 +8,8 @@
 
 #include "core/json/document.hpp"
 #include "pipeline/present/text/layout.hpp"
-#include "pipeline/run/results/comparison.hpp"
 #include "pipeline/run/results/note.hpp"
+#include "pipeline/run/results/run.hpp"
 
 namespace ashimpact {
 

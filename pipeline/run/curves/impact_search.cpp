@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include "pipeline/run/curves/velocity_search.hpp"
 #include "solver/batch/batch.hpp"
+#include "solver/numeric/interpolation.hpp"
 
 namespace ashimpact::curves {
 
@@ -50,6 +50,82 @@ struct ContactTimes {
         time = observed;
     }
     [[nodiscard]] double at(double wanted) const { return time + slope * (wanted - place); }
+};
+
+constexpr double farthest_step = 0.5;  ///< of x where an end of the bracket is not known yet
+
+/// Searches the velocity at which an impact of fixed damping has a wanted restitution. Works on x = ln v.
+/// Each step interpolates x through the nearest impacts solved so far (Neville's scheme) and stays inside the
+/// bracket that they give; restitution has to rise with velocity.
+class VelocitySearch {
+  public:
+    VelocitySearch() = default;
+    /// @param restitution wanted, above 0 [1]
+    /// @param guess of x
+    /// @param adhesive with adhesion e^2 is nearly linear in v above capture, without it e is
+    /// @param enough change of x that ends the search
+    VelocitySearch(double restitution, double guess, bool adhesive, double enough)
+        : adhesive_(adhesive), enough_(enough), place_of_height_(height(restitution)), place_(guess) {}
+
+    /// x to try next, or the answer.
+    [[nodiscard]] double place() const { return place_; }
+    [[nodiscard]] bool is_open() const { return state_ == State::open; }
+    [[nodiscard]] bool is_found() const { return state_ == State::found; }
+
+    /// Records the restitution at place(), 0 for a capture, and chooses the next place.
+    void observe(double restitution) {
+        const double wanted = place_of_height_.wanted();
+        place_of_height_.bound(place_, restitution < (adhesive_ ? std::sqrt(wanted) : wanted));
+        double next = std::numeric_limits<double>::quiet_NaN();
+        if (restitution > 0) {
+            place_of_height_.insert({.value = height(restitution), .x = place_});
+            next = interpolated();
+            // A point that is farther than all others may have been dropped: then next is only where it was.
+            const bool met =
+                place_of_height_.count() > 1
+                    ? place_of_height_.nearest().x == place_ && std::abs(next - place_) <= enough_
+                    : std::abs(place_of_height_.nearest().value - wanted) <= 1e-12 * wanted;
+            if (met) {
+                place_ = next;
+                state_ = State::found;
+                return;
+            }
+        }
+        place_ = inside(next);
+        if (++steps_ == most_steps) state_ = State::failed;
+    }
+
+  private:
+    enum class State { open, found, failed };
+    static constexpr int most_steps = 60;
+
+    /// e, or e^2 with adhesion.
+    [[nodiscard]] double height(double restitution) const {
+        return adhesive_ ? restitution * restitution : restitution;
+    }
+    /// x at the wanted restitution through the points kept.
+    [[nodiscard]] double interpolated() const {
+        if (place_of_height_.count() > 1) return place_of_height_.interpolated();
+        const double rise = adhesive_ ? 1.0 : 0.2;  // dh/dx, roughly
+        const auto& [height, place] = place_of_height_.nearest();
+        return place + (place_of_height_.wanted() - height) / rise;
+    }
+    /// The next x, from one outside of the bracket or not known.
+    [[nodiscard]] double inside(double next) const {
+        const double slow = place_of_height_.lower();
+        const double fast = place_of_height_.upper();
+        const bool possible = place_of_height_.contains(next);
+        if (std::isinf(slow)) return possible ? std::max(next, fast - farthest_step) : fast - 0.2;
+        if (std::isinf(fast)) return possible ? std::min(next, slow + farthest_step) : slow + 0.2;
+        return possible ? next : (slow + fast) / 2;
+    }
+
+    bool adhesive_ = false;
+    double enough_ = 0;  ///< change of x
+    InverseInterpolation<4> place_of_height_;
+    double place_ = 0;
+    int steps_ = 0;
+    State state_ = State::open;
 };
 
 }  // namespace

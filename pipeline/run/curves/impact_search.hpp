@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "pipeline/case/laws.hpp"
+#include "pipeline/case/case.hpp"
 #include "solver/contact/pair.hpp"
 
 namespace ashimpact::curves {

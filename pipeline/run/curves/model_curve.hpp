@@ -4,6 +4,9 @@
 #include <vector>
 
 #include "pipeline/case/case.hpp"
+#include "pipeline/run/results/contact.hpp"
+#include "pipeline/run/results/critical_velocity.hpp"
+#include "pipeline/run/results/damping.hpp"
 #include "pipeline/run/results/histories.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/damping/damping_polynomial.hpp"
@@ -32,5 +35,11 @@ struct CurveProblem {
 /// band that the uncertainty of eta(e) makes. Empty for damping laws other than the constant one, whose
 /// restitution need not rise with velocity, and where the curve cannot be solved.
 [[nodiscard]] ModelCurve model_curve(const CurveProblem& problem);
+
+/// Adds what the figures draw of each law beside its histories: the model's curve e(v_in), the impact at v_c
+/// and one of the falling branch. A law without a fit has no curve; what does not converge is left out.
+/// @param result with the histories of every sample of the case
+void add_curves(const Case& data, const ContactResult& contacts, const DampingStageResult& dampings,
+                const FitResult& fits, const CriticalVelocityResult& velocities, HistoriesResult& result);
 
 }  // namespace ashimpact::curves

@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 
 #include "pipeline/case/case.hpp"
-#include "pipeline/case/law_map.hpp"
+#include "pipeline/case/values.hpp"
 #include "pipeline/run/results/note.hpp"
 #include "solver/damping/damping_polynomial.hpp"
 #include "solver/inference/curve/headline.hpp"

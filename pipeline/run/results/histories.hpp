@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/case/law_map.hpp"
+#include "pipeline/case/values.hpp"
 #include "pipeline/run/results/note.hpp"
 #include "solver/motion/impact.hpp"
 #include "solver/motion/momentum_balance.hpp"

@@ -6,11 +6,9 @@
 #include <cctype>
 #include <utility>
 
-#include "core/tables/coverage.hpp"
 #include "core/tables/vocabulary.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
-#include "core/text/utf8.hpp"
 #include "core/units/units.hpp"
 
 namespace ashimpact {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/quantities/names.hpp"
-#include "core/tables/coverage.hpp"
+#include "core/tables/vocabulary.hpp"
 
 namespace ashimpact {
 

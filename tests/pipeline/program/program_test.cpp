@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "core/embedded.hpp"
+#include "pipeline/files/file.hpp"
 #include "pipeline/files/schema.hpp"
-#include "pipeline/files/sha256.hpp"
 #include "tests/pipeline/sandbox.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/sanitized.hpp"

@@ -11,9 +11,8 @@
 #include <fmt/format.h>
 
 #include "pipeline/document/artifact.hpp"
-#include "pipeline/document/run_json.hpp"
+#include "pipeline/document/results_json.hpp"
 #include "pipeline/files/file.hpp"
-#include "pipeline/files/sha256.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/page/page.hpp"

@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-#include "core/json/writer.hpp"
+#include "core/json/document.hpp"
 #include "pipeline/app/sweep/sweep.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/files/schema.hpp"

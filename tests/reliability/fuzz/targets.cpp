@@ -15,7 +15,7 @@
 #include "materials/xrd/xrd.hpp"
 #include "pipeline/app/sweep/block.hpp"
 #include "pipeline/case/case_reader.hpp"
-#include "pipeline/document/run_identity.hpp"
+#include "pipeline/document/artifact.hpp"
 #include "pipeline/files/schema.hpp"
 #include "pipeline/present/text/result_text.hpp"
 #include "solver/batch/batch.hpp"

@@ -8,7 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "core/text/error.hpp"
-#include "materials/separation_energy.hpp"
+#include "materials/contact_properties.hpp"
 #include "solver/contact/cohesive_zone.hpp"
 #include "solver/contact/maugis_dugdale.hpp"
 #include "solver/contact/pressure.hpp"

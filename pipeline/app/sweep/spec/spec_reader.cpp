@@ -2,14 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/json/document.hpp"
 #include "core/json/view.hpp"
-#include "core/json/writer.hpp"
 #include "core/quantities/checks.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/app/sweep/spec/spec.hpp"
-#include "pipeline/case/laws.hpp"
+#include "pipeline/case/case_parts.hpp"
 #include "pipeline/files/schema.hpp"
-#include "pipeline/files/schema_version.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/motion/impact.hpp"

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <nettle/base64.h>
 
-#include "core/text/utf8.hpp"
+#include "core/text/text.hpp"
 
 namespace ashimpact::report {
 

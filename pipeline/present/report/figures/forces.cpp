@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "core/quantities/readable.hpp"
+#include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "solver/contact/cohesive_zone.hpp"

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "core/quantities/readable.hpp"
+#include "core/quantities/quantity.hpp"
 #include "core/text/text.hpp"
-#include "pipeline/document/case_json.hpp"
+#include "pipeline/document/results_json.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/page/page.hpp"

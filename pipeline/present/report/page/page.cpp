@@ -9,12 +9,11 @@
 #include <fmt/format.h>
 
 #include "core/embedded.hpp"
-#include "core/quantities/readable.hpp"
+#include "core/quantities/quantity.hpp"
 #include "core/text/text.hpp"
-#include "core/text/utf8.hpp"
 #include "core/version.hpp"
-#include "pipeline/document/case_json.hpp"
-#include "pipeline/files/sha256.hpp"
+#include "pipeline/document/results_json.hpp"
+#include "pipeline/files/file.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/run/stage.hpp"
 #include "solver/batch/parallel.hpp"

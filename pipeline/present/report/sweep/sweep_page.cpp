@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "core/json/document.hpp"
 #include "core/json/view.hpp"
-#include "core/json/writer.hpp"
-#include "core/quantities/readable.hpp"
+#include "core/quantities/quantity.hpp"
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/page/page.hpp"

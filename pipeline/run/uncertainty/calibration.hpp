@@ -10,6 +10,11 @@
 
 namespace ashimpact {
 
+/// The calibration of a case, starting from its moduli and contacts.
+/// @throws InputError with the place in the case
+[[nodiscard]] CalibrationProblem calibration_problem(const Case& data, const ModulusResult& moduli,
+                                                     const ContactResult& contacts);
+
 /// How the inferred constants of each sample of a case follow its contact modulus: those that the case's
 /// calibration leaves free and whose origin is "inferred". All others do not follow.
 /// @param record gets a note if the calibration cannot be linearised; they are then taken as independent
