@@ -17,6 +17,7 @@
 #include "interface/c/floating_point.hpp"
 #include "solver/batch/single_impacts.hpp"
 #include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
 #include "solver/motion/impact.hpp"
 
 namespace ashimpact {

@@ -15,6 +15,7 @@
 #include "core/text/text.hpp"
 #include "solver/batch/batch.hpp"
 #include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
 
 namespace ashimpact {
 

@@ -12,7 +12,7 @@
 #include "pipeline/app/contact/single_contact.hpp"
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
-#include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/impact.hpp"
 #include "solver/motion/scale.hpp"

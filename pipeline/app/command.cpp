@@ -20,6 +20,7 @@
 #include "pipeline/app/terminal.hpp"
 #include "pipeline/present/text/layout.hpp"
 #include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
 #include "solver/damping/damping.hpp"
 
 namespace ashimpact {

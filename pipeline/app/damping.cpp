@@ -16,7 +16,7 @@
 #include "pipeline/document/values_json.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/present/text/result_text.hpp"
-#include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 #include "solver/inference/measured_damping.hpp"
 #include "solver/motion/damping_inversion.hpp"

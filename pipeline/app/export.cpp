@@ -17,6 +17,7 @@
 #include "pipeline/present/export/subject.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/contact/maugis_dugdale.hpp"
+#include "solver/contact/pair.hpp"
 
 namespace ashimpact {
 

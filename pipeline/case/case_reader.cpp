@@ -17,6 +17,7 @@
 #include "pipeline/files/file.hpp"
 #include "pipeline/files/schema.hpp"
 #include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
 #include "solver/motion/impact.hpp"
 
 namespace ashimpact {

@@ -6,6 +6,7 @@
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/document/shared_fields.hpp"
 #include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
 
 namespace ashimpact {
 

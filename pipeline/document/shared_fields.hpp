@@ -3,7 +3,7 @@
 
 #include "pipeline/document/fields.hpp"
 #include "pipeline/run/results/contact.hpp"
-#include "solver/inference/measured_critical_velocity.hpp"
+#include "solver/inference/critical_velocity_uncertainty.hpp"
 
 /// Fields of structs that several artifacts have.
 namespace ashimpact {

@@ -19,6 +19,7 @@
 #include "materials/modulus.hpp"
 #include "solver/contact/law.hpp"
 #include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/inference/calibration/calibration.hpp"
 

@@ -9,7 +9,7 @@
 #include "pipeline/run/stage.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/damping/damping.hpp"
-#include "solver/inference/calibration/reconstruction.hpp"
+#include "solver/inference/calibration/calibration_objective.hpp"
 #include "solver/inference/measured_damping.hpp"
 
 namespace ashimpact {

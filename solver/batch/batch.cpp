@@ -12,8 +12,8 @@
 #include "solver/batch/problems.hpp"
 #include "solver/batch/tables/critical_table.hpp"
 #include "solver/contact/dmt.hpp"
+#include "solver/motion/regime.hpp"
 #include "solver/motion/scale.hpp"
-#include "solver/motion/velocity_scales.hpp"
 
 namespace ashimpact {
 
@@ -99,7 +99,7 @@ class ImpactSolver {
                               .contact_time = column(outputs_.contact_time, 1),
                               .approach_time = column(outputs_.approach_time, 2),
                               .maximum_overlap = column(outputs_.maximum_overlap, 3)};
-        batch::kernels_of(chunk.law).impacts(task);
+        batch::kernels_of(chunk.law, chunk.damping_law).impacts(task);
         const std::int64_t scalar = solve_the_undecided(chunk, task, first);
         if (outputs_.outcome != nullptr)
             std::transform(task.end, task.end + task.count, outputs_.outcome + first, [](LaneEnd how) {
@@ -183,15 +183,16 @@ void invert_alone(const DampingProblem& problem, double& damping, double& greate
 std::int64_t invert(const Problems& chunk, batch::RestitutionTable* table, double* damping,
                     double* greatest) {
     SearchResults searched;
-    batch::kernels_of(chunk.law).inversions({.damping_law = chunk.damping_law,
-                                             .detachment = chunk.detachment,
-                                             .table = table,
-                                             .count = chunk.count,
-                                             .inputs = chunk.inputs,
-                                             .number_unit = searched.unit.data(),
-                                             .number = searched.number.data(),
-                                             .undamped = searched.undamped.data(),
-                                             .found = searched.found.data()});
+    batch::kernels_of(chunk.law, chunk.damping_law)
+        .inversions({.damping_law = chunk.damping_law,
+                     .detachment = chunk.detachment,
+                     .table = table,
+                     .count = chunk.count,
+                     .inputs = chunk.inputs,
+                     .number_unit = searched.unit.data(),
+                     .number = searched.number.data(),
+                     .undamped = searched.undamped.data(),
+                     .found = searched.found.data()});
     std::int64_t solved_alone = 0;
     for (std::size_t i = 0; i < chunk.count; ++i) {
         const double wanted = chunk.inputs.restitution.at(i);
@@ -213,17 +214,17 @@ using Answer = std::optional<CriticalVelocity>;
 /// Reads problems from the table of their law; undecided where it has none.
 void look_up(const Problems& problems, PieceState* state, double* value) {
     const auto& [law, detachment, damping_law, count, inputs] = problems;
-    if (!law.is_adhesive() || detachment == Detachment::zero_force || !batch::has_kernels(law)) {
+    if (!law.is_adhesive() || detachment == Detachment::zero_force || !batch::has_kernels(law, damping_law)) {
         std::fill_n(state, count, PieceState::undecided);
         return;
     }
-    batch::kernels_of(law).critical_velocities(
-        {.damping_law = damping_law,
-         .table = &batch::CriticalTable::of(law, detachment, damping_law),
-         .count = count,
-         .inputs = inputs,
-         .state = state,
-         .value = value});
+    batch::kernels_of(law, damping_law)
+        .critical_velocities({.damping_law = damping_law,
+                              .table = &batch::CriticalTable::of(law, detachment, damping_law),
+                              .count = count,
+                              .inputs = inputs,
+                              .state = state,
+                              .value = value});
 }
 
 /// The answer of the table, if it has one that is possible.
@@ -237,7 +238,7 @@ Answer read(PieceState state, double value) {
 /// The answer that needs neither a table nor an integration, if there is one.
 Answer closed_form(const CriticalVelocityProblem& problem) {
     const auto& [law, detachment, damping, contact] = problem;
-    if (!is_self_similar(law, contact)) return std::nullopt;
+    if (!is_self_similar(law, contact) || !has_one_number(damping.law)) return std::nullopt;
     if (detachment == Detachment::zero_force)
         return CriticalVelocity{.verdict = CaptureVerdict::never_captured};
     if (law.is_adhesive() || damping.coefficient == 0.0) return std::nullopt;
@@ -318,7 +319,7 @@ std::optional<CriticalVelocity> critical_velocity_without_integration(
     const CriticalVelocityProblem& problem) {
     if (const Answer answer = closed_form(problem)) return answer;
     const auto& [law, detachment, damping, contact] = problem;
-    Inputs inputs = batch::inputs_of(law, contact);
+    Inputs inputs = batch::inputs_of(law, damping.law, contact);
     inputs.damping = {&damping.coefficient, 1};
     PieceState state = PieceState::undecided;
     double value = 0.0;

@@ -14,8 +14,8 @@
 #include "core/quantities/checks.hpp"
 #include "core/text/error.hpp"
 #include "solver/batch/parallel.hpp"
-#include "solver/batch/range_lanes.hpp"
 #include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
 
 namespace ashimpact::batch {
 
@@ -68,17 +68,30 @@ Input input_of(const Column& column) {
     return {column.data(), static_cast<std::size_t>(column.size())};
 }
 
-/// Adds the columns of the parameters that a law takes. @throws InputError where one is missing
-void add_parameters(Law law, const ContactColumns& contact, Inputs& inputs) {
+/// The parameters that two laws take; the inputs of kernels point to them.
+const std::vector<LawParameter>& parameters_for(Law law, DampingLaw damping_law) {
+    static const auto all = [] {
+        std::vector<std::vector<LawParameter>> found;
+        for (std::size_t i = 0; i < Law::count(); ++i)
+            for (const DampingLaw damping : all_values<DampingLaw>)
+                found.push_back(parameters_of(Law::at(i), damping));
+        return found;
+    }();
+    return all[law.index() * all_values<DampingLaw>.size() + static_cast<std::size_t>(damping_law)];
+}
+
+/// Adds the columns of the parameters that laws take. @throws InputError where one is missing
+void add_parameters(Law law, DampingLaw damping_law, const ContactColumns& contact, Inputs& inputs) {
+    const std::vector<LawParameter>& parameters = parameters_for(law, damping_law);
     const auto column_of = [&](const LawParameter& parameter) {
         return std::ranges::find(contact.parameters, parameter.name, &ParameterColumn::name);
     };
     const auto is_given = [&](const LawParameter& parameter) {
         return column_of(parameter) != contact.parameters.end();
     };
-    if (const auto fault = parameter_fault(law, is_given))
+    if (const auto fault = parameter_fault(parameters, is_given))
         throw InputError(fault->problem(), fault->allowed());
-    for (const LawParameter& parameter : law.parameters())
+    for (const LawParameter& parameter : parameters)
         if (is_given(parameter))
             inputs.parameters[inputs.parameter_count++] = {&parameter,
                                                            input_of(column_of(parameter)->values)};
@@ -149,17 +162,17 @@ Problems problems_of(Law law, Detachment detachment, DampingLaw damping_law, con
                   .velocity = {&one, 1},
                   .restitution = {&one, 1}};
     for (const OwnColumn& column : own) inputs.*column.input = input_of(column.values);
-    add_parameters(law, contact, inputs);
+    add_parameters(law, damping_law, contact, inputs);
     return {law, detachment, damping_law, common_size(inputs), inputs};
 }
 
-Inputs inputs_of(Law law, const ContactPair& contact) {
+Inputs inputs_of(Law law, DampingLaw damping_law, const ContactPair& contact) {
     Inputs inputs{.mass = {&contact.mass, 1},
                   .effective_radius = {&contact.effective_radius, 1},
                   .contact_modulus = {&contact.contact_modulus, 1},
                   .work_of_adhesion = {&contact.work_of_adhesion, 1},
                   .yield_pressure = {&contact.yield_pressure, 1}};
-    for (const LawParameter& parameter : law.parameters()) {
+    for (const LawParameter& parameter : parameters_for(law, damping_law)) {
         for (const auto& entry : contact.parameters)
             if (entry.first == parameter.name)
                 inputs.parameters[inputs.parameter_count++] = {&parameter, {&entry.second, 1}};

@@ -37,12 +37,12 @@ struct Problems {
 };
 
 /// @throws InputError if the law does not admit the detachment, if lengths of columns differ, or if a
-/// parameter of the law is missing
+/// parameter of one of the laws is missing
 [[nodiscard]] Problems problems_of(Law law, Detachment detachment, DampingLaw damping_law,
                                    const ContactColumns& contact, std::initializer_list<OwnColumn> own);
 
 /// The inputs of one pair; they refer to the numbers of @p contact, which must outlive them.
-[[nodiscard]] Inputs inputs_of(Law law, const ContactPair& contact);
+[[nodiscard]] Inputs inputs_of(Law law, DampingLaw damping_law, const ContactPair& contact);
 
 /// Checks that a law admits a detachment, as refusal() does, from answers computed once per process. @throws
 /// InputError
@@ -68,5 +68,20 @@ std::int64_t solve_in_chunks(
 /// Whether the kernel has decided an impact, and its end is possible: 0 < e < 1 if damped, and a positive
 /// contact time if it is computed. The scalar solver takes the others.
 [[nodiscard]] bool is_possible_end(const ImpactTask& task, std::size_t i);
+
+/// Values that a column may have.
+struct Range {
+    double least;
+    double greatest;
+    bool or_zero = false;
+
+    [[nodiscard]] bool holds(double value) const {
+        return (value >= least && value <= greatest) || (or_zero && value == 0.0);
+    }
+};
+
+/// How many values are in a range, until the first that is not; at most @p count. Several values are looked
+/// at in each instruction.
+[[nodiscard]] std::size_t count_within(const Range& range, const double* values, std::size_t count);
 
 }  // namespace ashimpact::batch

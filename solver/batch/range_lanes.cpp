@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/batch/range_lanes.hpp"
+#include "solver/batch/problems.hpp"
 
 // This file once more for each instruction set.
 #undef HWY_TARGET_INCLUDE

@@ -11,15 +11,15 @@ namespace ashimpact {
 SingleImpacts::SingleImpacts(Law law, Detachment detachment, DampingLaw damping_law)
     : law_(law), detachment_(detachment), damping_law_(damping_law) {
     batch::require_admissible(law, detachment);
-    if (!batch::has_kernels(law)) return;
+    if (!batch::has_kernels(law, damping_law)) return;
     table_ = &batch::restitution_table(law, detachment, damping_law);
-    kernels_ = batch::kernels_of(law);
+    kernels_ = batch::kernels_of(law, damping_law);
 }
 
 std::optional<double> SingleImpacts::restitution(const ContactPair& contact, double damping,
                                                  double velocity) const {
     if (table_ == nullptr) return std::nullopt;
-    batch::Inputs inputs = batch::inputs_of(law_, contact);
+    batch::Inputs inputs = batch::inputs_of(law_, damping_law_, contact);
     inputs.damping = {&damping, 1};
     inputs.velocity = {&velocity, 1};
     if (batch::admissible_count(inputs, 1) == 0) return std::nullopt;
@@ -44,7 +44,7 @@ std::optional<double> SingleImpacts::restitution(const ContactPair& contact, dou
 }
 
 std::optional<double> SingleImpacts::critical_velocity(const ContactPair& contact, double damping) const {
-    batch::Inputs inputs = batch::inputs_of(law_, contact);
+    batch::Inputs inputs = batch::inputs_of(law_, damping_law_, contact);
     inputs.damping = {&damping, 1};
     if (batch::admissible_count(inputs, 1) == 0) return std::nullopt;
     const auto critical =

@@ -7,7 +7,7 @@
 #include "solver/contact/detachment.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/contact/pressure.hpp"
-#include "solver/contact/tabor.hpp"
+#include "solver/contact/transition.hpp"
 #include "solver/numeric/power.hpp"
 
 namespace ashimpact {
@@ -42,13 +42,16 @@ struct Hertz {
     [[nodiscard]] constexpr U overlap(const U& u) const {
         return power<4>(u);
     }
+    /// Attraction |F_a| [k L^(3/2)].
+    template <class U>
+    [[nodiscard]] constexpr U attraction(const U& /*u*/) const {
+        return U(0);
+    }
     /// Total static force, positive where repulsive [k L^(3/2)]; Eq. 9.
     template <class U>
     [[nodiscard]] constexpr U force(const U& u) const {
         return power<6>(u);
     }
-    /// Attractive part of the force, never positive [k L^(3/2)].
-    [[nodiscard]] Real attractive_force(const Real& /*u*/) const { return Real{}; }
 
     /// State u at first touch.
     [[nodiscard]] Real touch() const { return Real{}; }

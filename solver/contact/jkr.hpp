@@ -9,7 +9,7 @@
 #include "solver/contact/detachment.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/contact/pressure.hpp"
-#include "solver/contact/tabor.hpp"
+#include "solver/contact/transition.hpp"
 #include "solver/numeric/power.hpp"
 
 namespace ashimpact {
@@ -46,12 +46,18 @@ struct Jkr {
     [[nodiscard]] constexpr U overlap(const U& u) const {
         return power<4>(u) - adhesion * u;
     }
+    /// Attraction |F_a| [k L^(3/2)], sqrt(8 pi w E* a^3): the force of the flat punch that JKR adds to Hertz.
+    template <class U>
+    [[nodiscard]] constexpr U attraction(const U& u) const {
+        return (adhesion * Real(1.5)) * power<3>(u);
+    }
     /// Total static force, positive where repulsive [k L^(3/2)].
     template <class U>
     [[nodiscard]] constexpr U force(const U& u) const {
-        return power<6>(u) - (adhesion * Real(1.5)) * power<3>(u);
+        return power<6>(u) - attraction(u);
     }
-    /// Attractive part of the force, never positive [k L^(3/2)]: the tensile rim of Eq. 18. Where the whole
+    /// Attractive part of the force as the paper divides it, never positive [k L^(3/2)]: the tensile rim of
+    /// Eq. 18. Where the whole
     /// contact is tensile (u^3 <= adhesion/2, Eq. 26) it is the total force.
     [[nodiscard]] Real attractive_force(const Real& u) const {
         using std::sqrt;

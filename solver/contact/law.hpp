@@ -11,7 +11,7 @@
 #include "solver/contact/detachment.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/contact/pressure.hpp"
-#include "solver/contact/tabor.hpp"
+#include "solver/contact/transition.hpp"
 
 namespace ashimpact {
 

@@ -6,20 +6,35 @@
 #include "core/quantities/checks.hpp"
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
+#include "solver/contact/pair.hpp"
 
 namespace ashimpact {
+
+namespace {
+
+void add_new(std::vector<LawParameter>& found, std::span<const LawParameter> parameters) {
+    for (const LawParameter& parameter : parameters)
+        if (std::ranges::find(found, parameter.name, &LawParameter::name) == found.end())
+            found.push_back(parameter);
+}
+
+}  // namespace
 
 const std::vector<LawParameter>& law_parameters() {
     static const auto all = [] {
         std::vector<LawParameter> found;
-        for (std::size_t i = 0; i < Law::count(); ++i)
-            for (const LawParameter& parameter : Law::at(i).parameters())
-                if (std::none_of(found.begin(), found.end(),
-                                 [&](const LawParameter& known) { return known.name == parameter.name; }))
-                    found.push_back(parameter);
+        for (std::size_t i = 0; i < Law::count(); ++i) add_new(found, Law::at(i).parameters());
+        for (const DampingLaw law : all_values<DampingLaw>) add_new(found, parameters_of(law));
         return found;
     }();
     return all;
+}
+
+std::vector<LawParameter> parameters_of(Law law, DampingLaw damping_law) {
+    std::vector<LawParameter> found;
+    add_new(found, law.parameters());
+    add_new(found, parameters_of(damping_law));
+    return found;
 }
 
 std::string ParameterFault::problem() const {
@@ -39,11 +54,11 @@ std::string ParameterFault::allowed() const {
     return text;
 }
 
-std::optional<ParameterFault> parameter_fault(Law law,
+std::optional<ParameterFault> parameter_fault(std::span<const LawParameter> parameters,
                                               const std::function<bool(const LawParameter&)>& is_given) {
-    for (const LawParameter& parameter : law.parameters()) {
+    for (const LawParameter& parameter : parameters) {
         ParameterFault group{.parameters = {}, .given = 0};
-        for (const LawParameter& other : law.parameters()) {
+        for (const LawParameter& other : parameters) {
             const bool same =
                 parameter.choice == 0 ? other.name == parameter.name : other.choice == parameter.choice;
             if (!same) continue;
@@ -66,18 +81,18 @@ void require_allowed(const LawParameter& parameter, double value) {
                                                                       parameter.dimension);
 }
 
-void require_parameters(Law law, const ParameterValues<double>& values) {
+void require_parameters(std::span<const LawParameter> parameters, const ParameterValues<double>& values) {
     const auto is_given = [&](const LawParameter& parameter) { return values.has(parameter); };
-    if (const auto fault = parameter_fault(law, is_given))
+    if (const auto fault = parameter_fault(parameters, is_given))
         throw InputError(fault->problem(), fault->allowed());
-    for (const LawParameter& parameter : law.parameters())
+    for (const LawParameter& parameter : parameters)
         if (values.has(parameter)) require_allowed(parameter, values[parameter]);
 }
 
-ParameterValues<double> typical_parameters(Law law) {
+ParameterValues<double> typical_parameters(std::span<const LawParameter> parameters) {
     ParameterValues<double> values;
-    while (const auto fault =
-               parameter_fault(law, [&](const LawParameter& parameter) { return values.has(parameter); }))
+    while (const auto fault = parameter_fault(
+               parameters, [&](const LawParameter& parameter) { return values.has(parameter); }))
         values.set(fault->parameters.front().name, fault->parameters.front().typical);
     return values;
 }

@@ -3,14 +3,16 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "solver/contact/law.hpp"
+#include "solver/damping/damping.hpp"
 
 namespace ashimpact {
 
-/// The parameters of all registered laws, each name once.
+/// The parameters of all registered contact and damping laws, each name once.
 [[nodiscard]] const std::vector<LawParameter>& law_parameters();
 
 /// Parameters of a law of which too few or, of a choice, too many are given.
@@ -21,18 +23,28 @@ struct ParameterFault {
     [[nodiscard]] std::string allowed() const;  ///< what each of them is, in words
 };
 
-/// The first parameter or choice of the law that is not given as it must be; none if all are.
+/// The parameters that a contact law and a damping law take together.
+[[nodiscard]] std::vector<LawParameter> parameters_of(Law law, DampingLaw damping_law);
+
+/// The first parameter or choice of the laws that is not given as it must be; none if all are.
 [[nodiscard]] std::optional<ParameterFault> parameter_fault(
-    Law law, const std::function<bool(const LawParameter&)>& is_given);
+    std::span<const LawParameter> parameters, const std::function<bool(const LawParameter&)>& is_given);
+[[nodiscard]] inline std::optional<ParameterFault> parameter_fault(
+    Law law, const std::function<bool(const LawParameter&)>& is_given) {
+    return parameter_fault(law.parameters(), is_given);
+}
 
 /// Checks one value of a parameter [SI]. @throws InputError naming it, its value, unit and what is allowed
 void require_allowed(const LawParameter& parameter, double value);
 
-/// Checks that a law has the parameters it needs and that their values are allowed. @throws InputError
-void require_parameters(Law law, const ParameterValues<double>& values);
+/// Checks that laws have the parameters they need and that their values are allowed. @throws InputError
+void require_parameters(std::span<const LawParameter> parameters, const ParameterValues<double>& values);
 
-/// Typical values of the parameters that a law requires, one for each choice. For code whose results do not
+/// Typical values of the parameters that laws require, one for each choice. For code whose results do not
 /// depend on them, such as tables in scaled numbers.
-[[nodiscard]] ParameterValues<double> typical_parameters(Law law);
+[[nodiscard]] ParameterValues<double> typical_parameters(std::span<const LawParameter> parameters);
+[[nodiscard]] inline ParameterValues<double> typical_parameters(Law law) {
+    return typical_parameters(law.parameters());
+}
 
 }  // namespace ashimpact

@@ -4,12 +4,11 @@
 #include <array>
 #include <string_view>
 
+#include "core/quantities/parameter.hpp"
 #include "solver/contact/detachment.hpp"
 #include "solver/contact/jkr.hpp"
 #include "solver/contact/pair.hpp"
-#include "solver/contact/parameter.hpp"
 #include "solver/contact/pressure.hpp"
-#include "solver/contact/tabor.hpp"
 #include "solver/contact/transition.hpp"
 
 namespace ashimpact {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "solver/contact/parameter.hpp"
+#include "core/quantities/parameter.hpp"
 
 namespace ashimpact {
 

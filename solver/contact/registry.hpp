@@ -23,6 +23,16 @@ inline constexpr bool has_polynomials = requires(const L<double>& law) {
     law.overlap(1.0);
 };
 
+/// Attractive part of a law's force at u, never positive [k L^(3/2)]; laws that divide the force otherwise
+/// than for damping have a member of that name.
+template <template <class> class L, class Real>
+[[nodiscard]] Real attractive_force(const L<Real>& law, const Real& u) {
+    if constexpr (requires { law.attractive_force(u); })
+        return law.attractive_force(u);
+    else
+        return Real(0) - law.attraction(u);
+}
+
 template <template <class> class L, class Result, class Visitor>
 Result visit_one(Visitor& visitor) {
     return visitor.template operator()<L>();

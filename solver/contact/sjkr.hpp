@@ -7,11 +7,11 @@
 #include <optional>
 #include <string_view>
 
+#include "core/quantities/parameter.hpp"
 #include "solver/contact/detachment.hpp"
 #include "solver/contact/pair.hpp"
-#include "solver/contact/parameter.hpp"
 #include "solver/contact/pressure.hpp"
-#include "solver/contact/tabor.hpp"
+#include "solver/contact/transition.hpp"
 #include "solver/numeric/power.hpp"
 
 namespace ashimpact {
@@ -60,13 +60,16 @@ struct Sjkr {
     [[nodiscard]] constexpr U overlap(const U& u) const {
         return power<4>(u);
     }
+    /// Attraction |F_a| [k L^(3/2)].
+    template <class U>
+    [[nodiscard]] constexpr U attraction(const U& u) const {
+        return adhesion * power<4>(u);
+    }
     /// Total static force, positive where repulsive [k L^(3/2)].
     template <class U>
     [[nodiscard]] constexpr U force(const U& u) const {
-        return power<6>(u) - adhesion * power<4>(u);
+        return power<6>(u) - attraction(u);
     }
-    /// Attractive part of the force, never positive [k L^(3/2)].
-    [[nodiscard]] Real attractive_force(const Real& u) const { return -adhesion * power<4>(u); }
 
     /// State u at first touch.
     [[nodiscard]] Real touch() const { return Real{}; }

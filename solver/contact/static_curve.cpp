@@ -10,6 +10,7 @@
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/numeric/series.hpp"
 
@@ -30,7 +31,7 @@ StaticCurve::StaticCurve(Law law, const ContactPair& contact) : law_(law), lengt
     require_positive("effective_radius", contact.effective_radius, Dimension::length);
     require_positive("contact_modulus", contact.contact_modulus, Dimension::pressure);
     require_not_negative("work_of_adhesion", contact.work_of_adhesion, Dimension::energy_per_area);
-    require_parameters(law, contact.parameters);
+    require_parameters(law.parameters(), contact.parameters);
     if (can_yield(law, contact)) {
         throw InputError(
             "a contact of law '" + std::string(law.name()) + "' that can yield has no static curve",
@@ -89,7 +90,7 @@ StaticPoint StaticCurve::point(double root) const {
     return law_.visit<StaticPoint>([&]<template <class> class L>() -> StaticPoint {
         if constexpr (has_polynomials<L>) {
             const L<double> numeric{adhesion_};
-            const double attraction = numeric.attractive_force(root);
+            const double attraction = attractive_force(numeric, root);
             return {.contact_radius = root * root * length_,
                     .overlap = numeric.overlap(root) * length_,
                     .repulsive_force = std::max(0.0, numeric.force(root) - attraction) * force_unit_,

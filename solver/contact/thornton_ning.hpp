@@ -57,12 +57,17 @@ struct ThorntonNing {
     [[nodiscard]] constexpr U overlap(const U& u) const {
         return Jkr<Real>{adhesion}.overlap(u);
     }
+    /// Attraction |F_a| [k L^(3/2)].
+    template <class U>
+    [[nodiscard]] constexpr U attraction(const U& u) const {
+        return Jkr<Real>{adhesion}.attraction(u);
+    }
     /// Total static force, positive where repulsive [k L^(3/2)].
     template <class U>
     [[nodiscard]] constexpr U force(const U& u) const {
         return Jkr<Real>{adhesion}.force(u);
     }
-    /// Attractive part of the force, never positive [k L^(3/2)].
+    /// Attractive part of the force as the paper divides it, never positive [k L^(3/2)].
     [[nodiscard]] Real attractive_force(const Real& u) const {
         return Jkr<Real>{adhesion}.attractive_force(u);
     }
@@ -121,10 +126,15 @@ struct YieldedContact {
         const Real half_yield = (yield_number * power<4>(at_yield) + adhesion * power<3>(at_yield)) / Real(2);
         return (Real(1.5) * yield_number) * power<4>(u) + adhesion * power<3>(u) - half_yield;
     }
+    /// Attraction on every branch, the punch part of JKR, positive [k L^(3/2)].
+    template <class U>
+    [[nodiscard]] U attraction(const U& u) const {
+        return (Real(1.5) * adhesion) * power<3>(u);
+    }
     /// Force on the plastic branch [k L^(3/2)].
     template <class U>
     [[nodiscard]] U plastic_force(const U& u) const {
-        return plastic_hertz_force(u) - (Real(1.5) * adhesion) * power<3>(u);
+        return plastic_hertz_force(u) - attraction(u);
     }
     /// Flattening R*/R_p <= 1 after loading to @p u [1].
     [[nodiscard]] Real flattening(const Real& u) const { return plastic_hertz_force(u) / power<6>(u); }

@@ -10,8 +10,8 @@
 #include "core/text/error.hpp"
 #include "solver/critical_velocity/backward_orbit.hpp"
 #include "solver/damping/registry.hpp"
+#include "solver/motion/regime.hpp"
 #include "solver/motion/scaled_impact.hpp"
-#include "solver/motion/velocity_scales.hpp"
 
 namespace ashimpact {
 
@@ -22,15 +22,16 @@ struct Search {
     const CriticalVelocityProblem& problem;
     const Scale& scale;
 
+    [[nodiscard]] bool damped() const { return is_damped(problem.damping, problem.contact.parameters); }
     [[nodiscard]] CriticalImpacts operator()(const Motion<Extended>& motion) const {
-        const Damping& damping = problem.damping;
         if (problem.detachment == Detachment::zero_force) return {CaptureVerdict::never_captured};
         const bool breaking_costs = motion.potential(*motion.end) > motion.potential(motion.touch);
-        if (damping.coefficient == 0.0 && !breaking_costs) return {CaptureVerdict::never_captured};
+        if (!damped() && !breaking_costs) return {CaptureVerdict::never_captured};
         if (velocity_of_adhesion(problem.law, problem.contact) == 0.0) {
-            if (const auto verdict = verdict_without_adhesion(damping, problem.contact)) return {*verdict};
+            if (const auto verdict = verdict_without_adhesion(problem.damping, problem.contact))
+                return {*verdict};
         }
-        if (damping.coefficient > 0.0)  // beyond the range of numbers there is no verdict to be had
+        if (damped())  // beyond the range of numbers there is no verdict to be had
             require_positive("the velocity that this damping captures", scale.velocity, Dimension::velocity);
         return critical_impacts(motion);
     }
@@ -39,7 +40,7 @@ struct Search {
     }
     [[nodiscard]] CriticalImpacts operator()(const CohesiveMotion& motion) const {
         const bool costs_nothing = problem.detachment == Detachment::zero_overlap;
-        if (problem.damping.coefficient == 0.0 && costs_nothing) return {CaptureVerdict::never_captured};
+        if (!damped() && costs_nothing) return {CaptureVerdict::never_captured};
         return critical_impacts(motion);
     }
 };
@@ -105,20 +106,15 @@ void confirm(const CriticalVelocityProblem& problem, CriticalVelocity& result) {
 }  // namespace
 
 std::optional<CaptureVerdict> verdict_without_adhesion(const Damping& damping, const ContactPair& contact) {
-    if (damping.coefficient == 0.0) return CaptureVerdict::never_captured;
     using Verdict = std::optional<CaptureVerdict>;
+    // Damping that vanishes at touch but captures has the same scaled coefficient at every velocity.
+    const Scale any = Scale::of_length(contact, contact.effective_radius);
     return RegisteredDampings::visit<Verdict>(damping.law, [&]<class D>() -> Verdict {
-        if constexpr (D::shape(0.0) != 0.0) {
-            return std::nullopt;
-        } else if constexpr (D::overdamped_squared == std::numeric_limits<double>::infinity()) {
-            return CaptureVerdict::never_captured;
-        } else {
-            // Such a law's scaled coefficient is the same at every velocity.
-            const Scale any = Scale::of_length(contact, contact.effective_radius);
-            const double number = damping.coefficient / D::unit(any);
-            return number * number >= D::overdamped_squared ? CaptureVerdict::always_captured
-                                                            : CaptureVerdict::never_captured;
-        }
+        const auto coefficients = coefficients_of<D>(damping.coefficient, contact.parameters);
+        for (std::size_t k = 0; k < terms_of<D>; ++k)
+            if (coefficients[k] != 0.0 && touch_shapes<D>()[k] != 0.0) return std::nullopt;
+        return is_overdamped(damping.law, any.damping_number(damping)) ? CaptureVerdict::always_captured
+                                                                       : CaptureVerdict::never_captured;
     });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -16,15 +17,15 @@ struct ContactRadiusDamping {
     static constexpr double overdamped_squared = std::numeric_limits<double>::infinity();
     static constexpr double error_weight = 1.0;
 
-    /// eta at u = sqrt(contact radius) for the scaled coefficient 1.
+    /// Terms of eta at u = sqrt(contact radius), each for the scaled coefficient 1.
     template <class U>
-    [[nodiscard]] static constexpr U shape(const U& u) {
-        return u * u;
+    [[nodiscard]] static constexpr std::array<U, 1> shapes(const U& u, const StaticForces<U>& /*forces*/) {
+        return {u * u};
     }
-    /// The coefficient whose scaled value is 1 [Pa s].
+    /// Coefficients whose scaled value is 1 [Pa s].
     template <class Scale>
-    [[nodiscard]] static auto unit(const Scale& scale) {
-        return scale.momentum() / (scale.length * scale.radius_length);
+    [[nodiscard]] static auto units(const Scale& scale) {
+        return std::array{scale.momentum() / (scale.length * scale.radius_length)};
     }
     /// Scaled coefficient of a Hertz impact with e = 1 - @p loss, within a few per cent [1].
     [[nodiscard]] static double hertz_number(double loss) { return 0.88 * -std::log1p(-loss); }

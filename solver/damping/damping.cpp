@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/damping/damping.hpp"
 
+#include <algorithm>
+
 #include "solver/damping/registry.hpp"
 
 namespace ashimpact {
@@ -13,8 +15,28 @@ std::string_view unit_of(DampingLaw law) {
     return si_unit(dimension_of(law));
 }
 
+std::span<const LawParameter> parameters_of(DampingLaw law) {
+    using Parameters = std::span<const LawParameter>;
+    return RegisteredDampings::visit<Parameters>(law, []<class D>() -> Parameters {
+        if constexpr (requires { D::parameters; }) return D::parameters;
+        return {};
+    });
+}
+
+bool has_one_number(DampingLaw law) {
+    return RegisteredDampings::visit<bool>(law, []<class D>() { return terms_of<D> == 1; });
+}
+
+bool is_damped(const Damping& damping, const ParameterValues<double>& values) {
+    return RegisteredDampings::visit<bool>(damping.law, [&]<class D>() {
+        return std::ranges::any_of(coefficients_of<D>(damping.coefficient, values),
+                                   [](double c) { return c != 0.0; });
+    });
+}
+
 bool vanishes_at_touch(DampingLaw law) {
-    return RegisteredDampings::visit<bool>(law, []<class D>() { return D::shape(0.0) == 0.0; });
+    return RegisteredDampings::visit<bool>(
+        law, []<class D>() { return touch_shapes<D>() == std::array<double, terms_of<D>>{}; });
 }
 
 double overdamped_squared(DampingLaw law) {

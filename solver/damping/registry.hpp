@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <tuple>
 
 #include "solver/damping/constant.hpp"
 #include "solver/damping/contact_radius.hpp"
@@ -11,6 +12,27 @@
 #include "solver/damping/tsuji.hpp"
 
 namespace ashimpact {
+
+/// Shapes of the terms of law D at first touch of a contact without adhesion.
+template <class D>
+[[nodiscard]] constexpr auto touch_shapes() {
+    return D::shapes(0.0, StaticForces<double>{0.0, 0.0});
+}
+
+/// How many terms law D has.
+template <class D>
+inline constexpr std::size_t terms_of = std::tuple_size_v<decltype(touch_shapes<D>())>;
+
+/// Coefficients of the terms of law D [SI], from its coefficient C and its parameters. A law of several terms
+/// has a member coefficients() that gives them.
+template <class D>
+[[nodiscard]] std::array<double, terms_of<D>> coefficients_of(double coefficient,
+                                                              const ParameterValues<double>& values) {
+    if constexpr (terms_of<D> == 1)
+        return {coefficient};
+    else
+        return D::coefficients(coefficient, values);
+}
 
 /// A list of damping laws in the order of DampingLaw.
 template <class... D>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -16,15 +17,15 @@ struct TsujiDamping {
     static constexpr double overdamped_squared = 5.0;  ///< a Hertz contact has e = 0 from C = sqrt(5) on
     static constexpr double error_weight = 3.0;
 
-    /// eta at u = sqrt(contact radius) for the scaled coefficient 1.
+    /// Terms of eta at u = sqrt(contact radius), each for the scaled coefficient 1.
     template <class U>
-    [[nodiscard]] static constexpr U shape(const U& u) {
-        return u;
+    [[nodiscard]] static constexpr std::array<U, 1> shapes(const U& u, const StaticForces<U>& /*forces*/) {
+        return {u};
     }
-    /// The coefficient whose scaled value is 1: sqrt(m k) L^(1/4) is the unit of damping itself [1].
+    /// Coefficients whose scaled value is 1: sqrt(m k) L^(1/4) is the unit of damping itself [1].
     template <class Scale>
-    [[nodiscard]] static auto unit(const Scale& scale) {
-        return decltype(scale.momentum())(1);
+    [[nodiscard]] static auto units(const Scale& scale) {
+        return std::array{decltype(scale.momentum())(1)};
     }
     /// Restitution of a Hertz impact that ends at zero overlap, for a scaled coefficient, exactly [1].
     [[nodiscard]] static double hertz_restitution(double number) {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/inference/measured_critical_velocity.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <tuple>
 #include <utility>
 
+#include "solver/inference/critical_velocity_uncertainty.hpp"
 #include "solver/inference/curve/recorded_impacts.hpp"
 #include "solver/numeric/gsl/search.hpp"
 #include "solver/numeric/gsl/statistics.hpp"

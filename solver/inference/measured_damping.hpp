@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "core/finding.hpp"
+#include "solver/inference/critical_velocity_uncertainty.hpp"
 #include "solver/inference/curve/headline.hpp"
 #include "solver/inference/extrapolation/damping_curve_fit.hpp"
 #include "solver/inference/impacts/inverted_impacts.hpp"
-#include "solver/inference/measured_critical_velocity.hpp"
 
 namespace ashimpact {
 

@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "core/text/error.hpp"
+#include "solver/motion/regime.hpp"
 #include "solver/motion/scaled_impact.hpp"
-#include "solver/motion/velocity_scales.hpp"
 #include "solver/numeric/gsl/search.hpp"
 
 namespace ashimpact {

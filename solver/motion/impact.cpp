@@ -10,6 +10,7 @@
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/motion/impact_result.hpp"
 #include "solver/motion/scaled_impact.hpp"
@@ -102,7 +103,7 @@ void validate(const ContactPair& contact) {
 
 void validate(const Impact& impact) {
     validate(impact.contact);
-    require_parameters(impact.law, impact.contact.parameters);
+    require_parameters(parameters_of(impact.law, impact.damping.law), impact.contact.parameters);
     require_positive("velocity", impact.velocity, Dimension::velocity);
     require_not_negative("damping", impact.damping.coefficient, dimension_of(impact.damping.law));
     if (const auto reason = refusal(impact.law, impact.contact, impact.detachment)) {

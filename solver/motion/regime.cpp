@@ -12,8 +12,8 @@
 #include "solver/contact/pressure.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/contact/transition.hpp"
+#include "solver/motion/scale.hpp"
 #include "solver/motion/scaled_impact.hpp"
-#include "solver/motion/velocity_scales.hpp"
 #include "solver/numeric/series.hpp"
 
 namespace ashimpact {
@@ -243,6 +243,35 @@ double tabor_parameter_of(const ContactPair& contact) {
 
 Regime regime_of(const Impact& impact, double maximum_overlap) {
     return Judge(impact, maximum_overlap).judged();
+}
+
+double velocity_of_damping(const Damping& damping, const ContactPair& contact) {
+    const auto numbers = Scale::of(contact, 1.0).damping_numbers(damping, contact.parameters);
+    return RegisteredDampings::visit<double>(damping.law, [&]<class D>() {
+        double velocity = 0.0;
+        for (std::size_t k = 0; k < terms_of<D>; ++k)
+            if (touch_shapes<D>()[k] != 0.0) velocity = std::max(velocity, std::pow(numbers[k], 5));
+        return velocity;
+    });
+}
+
+double velocity_of_adhesion(Law law, const ContactPair& contact) {
+    return law.visit<double>([&]<template <class> class L>() {
+        // The adhesion number falls with a power of length.
+        const double at_one = L<double>::adhesion_number(contact, 1.0);
+        if (at_one == 0.0) return 0.0;
+        const double exponent = std::log2(L<double>::adhesion_number(contact, 0.5) / at_one);
+        const double length = std::pow(at_one, 1.0 / exponent);
+        return std::sqrt(hertz_stiffness(contact) * length * length * std::sqrt(length) / contact.mass);
+    });
+}
+
+double yield_velocity(const ContactPair& contact) {
+    const double contact_radius = std::numbers::pi * contact.effective_radius * contact.yield_pressure /
+                                  (2.0 * contact.contact_modulus);
+    const double overlap = contact_radius * contact_radius / contact.effective_radius;
+    const double energy = 0.4 * hertz_stiffness(contact) * overlap * overlap * std::sqrt(overlap);
+    return std::sqrt(2.0 * energy / contact.mass);
 }
 
 }  // namespace ashimpact

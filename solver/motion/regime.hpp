@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "core/finding.hpp"
-#include "solver/contact/tabor.hpp"
+#include "solver/contact/law.hpp"
+#include "solver/contact/transition.hpp"
+#include "solver/damping/damping.hpp"
 #include "solver/motion/impact.hpp"
 
 namespace ashimpact {
@@ -53,5 +55,17 @@ inline constexpr double widest_contact = 0.3;
 /// A contact yields where the pressure in its centre, by Law::pressure(), reaches p_y; the
 /// potential of the law gives the velocity. Brach-Dunn is empirical and has no range of Tabor parameters.
 [[nodiscard]] Regime regime_of(const Impact& impact, double maximum_overlap);
+
+/// Velocity at which the part of the damping that is constant is of order one, beta = 1: eta^5/(m^3 k^2); 0
+/// without such a part [m/s].
+[[nodiscard]] double velocity_of_damping(const Damping& damping, const ContactPair& contact);
+
+/// Velocity at which the law's adhesion number is one; 0 for a law or a pair without adhesion [m/s].
+[[nodiscard]] double velocity_of_adhesion(Law law, const ContactPair& contact);
+
+/// Yield velocity V_y of an undamped Hertz impact: (1/2) m V_y^2 is the elastic energy when the centre
+/// reaches p_y; for a sphere (pi^2/sqrt40) (p_y^5/(E*^4 rho))^(1/2), Thornton & Ning 1998. Infinite without a
+/// yield pressure [m/s].
+[[nodiscard]] double yield_velocity(const ContactPair& contact);
 
 }  // namespace ashimpact

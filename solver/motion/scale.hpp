@@ -46,7 +46,7 @@ struct BasicScale {
     [[nodiscard]] Real force() const { return energy() / length; }            ///< [N]
     [[nodiscard]] Real momentum() const { return mass * velocity; }           ///< [N s]
 
-    /// The scaled coefficient of a damping law [1]; beta = eta m^(-3/5) k^(-2/5) V^(-1/5) for constant
+    /// The scaled coefficient C of a damping law [1]; beta = eta m^(-3/5) k^(-2/5) V^(-1/5) for constant
     /// damping.
     [[nodiscard]] Real damping_number(const Damping& damping) const {
         return Real(damping.coefficient) / damping_unit(damping.law);
@@ -57,7 +57,23 @@ struct BasicScale {
     }
     /// The coefficient whose scaled value is 1 [unit of the law].
     [[nodiscard]] Real damping_unit(DampingLaw law) const {
-        return RegisteredDampings::visit<Real>(law, [this]<class D>() { return D::unit(*this); });
+        return RegisteredDampings::visit<Real>(law, [this]<class D>() { return D::units(*this)[0]; });
+    }
+    /// The scaled coefficients of all terms of a damping law D. @param values those of its parameters
+    template <class D>
+    [[nodiscard]] DampingNumbers<Real> damping_numbers(double coefficient,
+                                                       const ParameterValues<double>& values) const {
+        static_assert(terms_of<D> <= most_damping_terms);
+        const auto coefficients = coefficients_of<D>(coefficient, values);
+        const auto units = D::units(*this);
+        DampingNumbers<Real> numbers{};
+        for (std::size_t k = 0; k < terms_of<D>; ++k) numbers[k] = Real(coefficients[k]) / units[k];
+        return numbers;
+    }
+    [[nodiscard]] DampingNumbers<Real> damping_numbers(const Damping& damping,
+                                                       const ParameterValues<double>& values) const {
+        return RegisteredDampings::visit<DampingNumbers<Real>>(
+            damping.law, [&]<class D>() { return damping_numbers<D>(damping.coefficient, values); });
     }
 };
 using Scale = BasicScale<double>;

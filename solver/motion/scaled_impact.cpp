@@ -22,11 +22,8 @@ std::optional<std::string> cohesive_refusal(const ContactPair& contact, Detachme
 
 CohesiveMotion scaled_cohesive_motion(const Impact& impact, Precision precision) {
     const Scale scale = Scale::of(impact.contact, maugis_velocity(impact.contact));
-    const auto damping =
-        ScaledDamping<Extended>::of(impact.damping.law, scale.damping_number(impact.damping));
-    const StaticBranch<Extended> hertz{{}, {}, power<6>(Polynomial<Extended>::identity())};
-    return {zone_of(transition_parameter(impact.contact)), damping.on_branch(hertz), impact.detachment,
-            precision};
+    return {zone_of(transition_parameter(impact.contact)), scaled_damping<Extended>(impact, scale),
+            impact.detachment, precision};
 }
 
 template <class Real>
@@ -42,9 +39,7 @@ ScaledImpact<Real> scaled_impact(const Impact& impact, Precision precision) {
     using Plastic = ThorntonNing<double>;
     const YieldedContact<Real> contact{Real(Plastic::adhesion_number(impact.contact, scale.length)),
                                        Real(Plastic::yield_number(impact.contact, scale.length))};
-    const auto damping =
-        ScaledDamping<Real>::of(impact.damping.law, Real(scale.damping_number(impact.damping)));
-    return {scale, 1, PlasticMotion<Real>(contact, damping, impact.detachment)};
+    return {scale, 1, PlasticMotion<Real>(contact, scaled_damping<Real>(impact, scale), impact.detachment)};
 }
 
 template <class Real>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <variant>
 
 #include "solver/contact/registry.hpp"
@@ -11,12 +12,20 @@
 
 namespace ashimpact {
 
+/// The damping of an impact in a scale.
+template <class Real>
+[[nodiscard]] ScaledDamping<Real> scaled_damping(const Impact& impact, const Scale& scale) {
+    const auto numbers = scale.damping_numbers(impact.damping, impact.contact.parameters);
+    DampingNumbers<Real> precise{};
+    std::ranges::copy(numbers, precise.begin());
+    return ScaledDamping<Real>::of(impact.damping.law, precise);
+}
+
 /// The scaled equation of motion of an elastic impact without a cohesive zone. The scale sets the velocity;
 /// that of the impact is not used. Law maugis-dugdale without adhesion is Hertz.
 template <class Real>
 [[nodiscard]] Motion<Real> scaled_motion(const Impact& impact, const Scale& scale) {
-    const auto damping =
-        ScaledDamping<Real>::of(impact.damping.law, Real(scale.damping_number(impact.damping)));
+    const auto damping = scaled_damping<Real>(impact, scale);
     return impact.law.visit<Motion<Real>>([&]<template <class> class L>() {
         if constexpr (has_polynomials<L>) {
             return make_motion<L, Real>(L<double>::adhesion_number(impact.contact, scale.length), damping,

@@ -65,7 +65,7 @@ class Sampler {
             if constexpr (requires(L<Extended> law) { law.attractive_force(u, force); })
                 return L<Extended>{adhesion}.attractive_force(u, force);
             else if constexpr (has_polynomials<L>)
-                return L<Extended>{adhesion}.attractive_force(u);
+                return ashimpact::attractive_force(L<Extended>{adhesion}, u);
             else
                 return 0;  // without adhesion, or it would have a cohesive zone
         });

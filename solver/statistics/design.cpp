@@ -8,7 +8,6 @@
 #include <boost/random/sobol.hpp>
 
 #include "core/text/error.hpp"
-#include "solver/statistics/philox.hpp"
 
 namespace ashimpact {
 

@@ -15,7 +15,6 @@
 #include "solver/batch/parallel.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
 #include "solver/statistics/design.hpp"
-#include "solver/statistics/philox.hpp"
 
 namespace ashimpact {
 

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "solver/statistics/philox.hpp"
+#include "solver/statistics/design.hpp"
 
 // This file once more for each instruction set.
 #undef HWY_TARGET_INCLUDE

@@ -16,8 +16,8 @@
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/follow.hpp"
 #include "solver/motion/impact.hpp"
+#include "solver/motion/regime.hpp"
 #include "solver/motion/scaled_impact.hpp"
-#include "solver/motion/velocity_scales.hpp"
 #include "solver/numeric/gsl/search.hpp"
 
 namespace ashimpact {

@@ -9,6 +9,7 @@
 #include "solver/damping/registry.hpp"
 #include "solver/motion/damping_inversion.hpp"
 #include "solver/motion/scale.hpp"
+#include "solver/numeric/power.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/contact_cases.hpp"
 #include "tests/support/worst.hpp"
@@ -22,7 +23,9 @@ namespace {
 double damping_at(DampingLaw law, double coefficient, double contact_radius, double velocity) {
     const Scale scale = Scale::of(ash(0.0), velocity);
     const double u = std::sqrt(contact_radius / scale.radius_length);
-    const double shape = RegisteredDampings::visit<double>(law, [u]<class D>() { return D::shape(u); });
+    const double shape = RegisteredDampings::visit<double>(law, [u]<class D>() {
+        return D::shapes(u, StaticForces<double>{power<6>(u), 0.0})[0];
+    });
     return scale.damping_number({law, coefficient}) * shape * scale.momentum() / scale.length;
 }
 
@@ -38,9 +41,13 @@ TEST_CASE("a damping law stands where its name does, and shape is never negative
         CAPTURE(name_of(all_values<DampingLaw>[i]));
         CHECK(static_cast<std::size_t>(law) == i);
         for (const double u : {0.0, 0.3, 1.0, 2.0}) {
-            CHECK(RegisteredDampings::visit<double>(law, [u]<class D>() { return D::shape(u); }) >= 0.0);
+            CHECK(RegisteredDampings::visit<double>(law, [u]<class D>() {
+                      return D::shapes(u, StaticForces<double>{power<6>(u), 0.0})[0];
+                  }) >= 0.0);
         }
-        CHECK(RegisteredDampings::visit<double>(law, []<class D>() { return D::shape(1.0); }) == 1.0);
+        CHECK(RegisteredDampings::visit<double>(law, []<class D>() {
+                  return D::shapes(1.0, StaticForces<double>{1.0, 0.0})[0];
+              }) == 1.0);
     }
 }
 

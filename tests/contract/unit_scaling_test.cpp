@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/damping_inversion.hpp"
 #include "solver/motion/trajectory.hpp"

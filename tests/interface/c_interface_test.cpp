@@ -18,6 +18,7 @@
 #include "interface/include/ashimpact.h"
 #include "solver/batch/batch.hpp"
 #include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
 #include "tests/support/contact_cases.hpp"
 
 using namespace ashimpact;

@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
 #include "solver/motion/impact.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/data_file.hpp"

@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
 #include "solver/motion/scale.hpp"
 
 namespace ashimpact::test {

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "solver/numeric/gsl/statistics.hpp"
-#include "solver/statistics/philox.hpp"
+#include "solver/statistics/design.hpp"
 
 namespace ashimpact::test {
 

@@ -11,6 +11,7 @@
 #include "core/json/document.hpp"
 #include "core/units/units.hpp"
 #include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
 #include "solver/motion/impact.hpp"
 #include "solver/motion/regime.hpp"
 

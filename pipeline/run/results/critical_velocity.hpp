@@ -15,7 +15,6 @@
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/calibration/calibration.hpp"
 #include "solver/inference/critical_velocity_uncertainty.hpp"
-#include "solver/inference/measured_critical_velocity.hpp"
 #include "solver/motion/regime.hpp"
 #include "solver/statistics/interval.hpp"
 #include "solver/statistics/propagation.hpp"

@@ -15,7 +15,7 @@
 #include "pipeline/run/results/damping.hpp"
 #include "pipeline/run/results/histories.hpp"
 #include "pipeline/run/results/note.hpp"
-#include "solver/inference/measured_critical_velocity.hpp"
+#include "solver/inference/critical_velocity_uncertainty.hpp"
 
 namespace ashimpact {
 

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/quantities/parameter.hpp"
 #include "solver/batch/lanes/number_task.hpp"
-#include "solver/contact/parameter.hpp"
 
 namespace ashimpact {
 
@@ -98,11 +98,12 @@ struct Kernels {
 template <template <class> class L>
 [[nodiscard]] Kernels law_kernels();
 
-/// The kernels of a law; those of a law without any leave every problem to the scalar solver.
-[[nodiscard]] Kernels kernels_of(Law law);
+/// The kernels of a law; without any, every problem is left to the scalar solver.
+[[nodiscard]] Kernels kernels_of(Law law, DampingLaw damping_law);
 
-/// Whether the law has kernels: it is in the list of solver/CMakeLists.txt.
-[[nodiscard]] bool has_kernels(Law law);
+/// Whether there are kernels: the contact law is in the list of solver/CMakeLists.txt, and the damping law
+/// has one number.
+[[nodiscard]] bool has_kernels(Law law, DampingLaw damping_law);
 
 /// The table of a law's impacts for the chosen instruction set.
 [[nodiscard]] RestitutionTable& restitution_table(Law law, Detachment detachment, DampingLaw damping_law);

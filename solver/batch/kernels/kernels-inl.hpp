@@ -65,7 +65,7 @@ HWY_FLATTEN inline void scale_task(const batch::Inputs& in, std::size_t count, S
         const auto scale = BasicScale<LaneNumber>::of(pair, LaneNumber(read(in.velocity, i, count)));
         const LaneNumber adhesion = F::template ContactLaw<LaneNumber>::adhesion_number(pair, scale.length);
         adhesion.lanes().store(out.adhesion + i);
-        (read(in.damping, i, count) / F::Damping::unit(scale).lanes()).store(out.damping + i);
+        (read(in.damping, i, count) / F::Damping::units(scale)[0].lanes()).store(out.damping + i);
         scale.length.lanes().store(out.length + i);
         scale.time().lanes().store(out.time + i);
     }
@@ -310,7 +310,7 @@ HWY_FLATTEN inline void scale_block(const batch::CriticalTask& task, std::size_t
             .length = LaneNumber(length),
             .radius_length = LaneNumber(sqrt(pair.effective_radius.lanes() * length))};
         const Lanes number =
-            read(task.inputs.damping, first + i, task.count) / F::Damping::unit(scale).lanes();
+            read(task.inputs.damping, first + i, task.count) / F::Damping::units(scale)[0].lanes();
         velocity.store(block.unit + i);
         select(adhesive, number, 0.0).store(block.number + i);
     }

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "solver/damping/registry.hpp"
+#include "solver/numeric/power.hpp"
 
 namespace ashimpact {
 
@@ -208,7 +209,7 @@ struct Form {
   private:
     static constexpr L<Symbol> law{Symbol::monomial(0, 1)};
     static constexpr Symbol u = Symbol::monomial(1, 0);
-    static constexpr Symbol shape_of_u = Damping::shape(u);
+    static constexpr Symbol shape_of_u = Damping::shapes(u, {power<6>(u), law.attraction(u)})[0];
 
   public:
     /// q = u^2, u = sqrt(contact radius).
@@ -231,10 +232,12 @@ struct Form {
     static constexpr Symbol potential = stiffness.antiderivative();    ///< U(q)
 };
 
-/// Calls @p call with the Form of a contact law and a damping law.
+/// Calls @p call with the Form of a contact law and a damping law of one term.
 template <template <class> class L, class Call>
 void with_form(DampingLaw damping_law, const Call& call) {
-    RegisteredDampings::visit<void>(damping_law, [&]<class Damping>() { call(Form<L, Damping>()); });
+    RegisteredDampings::visit<void>(damping_law, [&]<class Damping>() {
+        if constexpr (terms_of<Damping> == 1) call(Form<L, Damping>());
+    });
 }
 
 }  // namespace ashimpact

@@ -5,10 +5,11 @@
 #include <tuple>
 
 #include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
 #include "solver/contact/registry.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/motion/regime.hpp"
 #include "solver/motion/scale.hpp"
-#include "solver/motion/velocity_scales.hpp"
 #include "solver/numeric/chebyshev.hpp"
 
 namespace ashimpact::batch {

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
+#include <Eigen/Core>
 #include <Eigen/Dense>
 
+#include "solver/damping/damping_polynomial.hpp"
 #include "solver/inference/calibration/calibration.hpp"
+#include "solver/motion/impact.hpp"
 #include "solver/numeric/gsl/fit.hpp"
 
 namespace ashimpact {
@@ -63,5 +67,67 @@ class CalibrationObjective {
     std::vector<CalibrationSlot> slots_;
     Eigen::LLT<Eigen::MatrixXd> covariance_;
 };
+
+/// One inverted measurement: the damping that gives back a measured restitution.
+struct DampingPoint {
+    double restitution;           ///< e_n [1]
+    double damping;               ///< eta [kg/s]
+    double standard_uncertainty;  ///< of the damping [kg/s]; 0 where unknown, then for every point
+};
+
+/// eta = a e_n^2 + b e_n + c; Dong et al. 2013, Table 2, section 4.3.
+struct DampingFit {
+    DampingPolynomial damping;
+    Eigen::Matrix3d covariance;  ///< of (c, b, a), the coefficients in ascending powers [kg2/s2]
+    double chi_squared;  ///< weighted sum of squared residuals; unweighted [kg2/s2] where uncertainties are
+                         ///< unknown
+    double residual_deviation;  ///< standard deviation of the residuals [kg/s]
+    int degrees_of_freedom;     ///< points - 3
+};
+
+/// Least-squares quadratic with covariance (GSL multifit). Where the uncertainties are unknown the covariance
+/// is scaled by the scatter of the residuals; with exactly three points it is then zero.
+/// @throws InputError for fewer than three distinct restitutions or values that are not finite
+[[nodiscard]] DampingFit fit_damping(std::span<const DampingPoint> points);
+
+/// A particle and law whose measured restitution is known only through a published fit eta(e_n).
+struct PublishedDamping {
+    Law law;
+    Detachment detachment;
+    ContactPair contact;
+    DampingPolynomial damping;  ///< eta(e_n), constant during an impact [kg/s]
+};
+
+/// The incident velocity at which an impact with this damping rebounds with restitution @p restitution [m/s].
+/// Restitution rises monotonically with velocity for constant damping, unless the contact yields.
+/// @param impact its velocity is not used
+/// @throws InputError for another damping law, a restitution outside (0, 1) or not reached at any velocity
+[[nodiscard]] double velocity_of_restitution(const Impact& impact, double restitution);
+
+/// The velocity at which an impact with damping eta(e) has restitution @p e [m/s]: one point of the curve
+/// e_n(v_in) that a published fit implies. Reconstructed, not measured: label it so. Each restitution has one
+/// velocity; a velocity may have two restitutions, see least_rebound().
+[[nodiscard]] double reconstructed_velocity(const PublishedDamping& published, double e);
+
+/// A point of a reconstructed curve.
+struct CurvePoint {
+    double velocity;     ///< [m/s]
+    double restitution;  ///< [1]
+};
+
+/// The rebound of least velocity on the curve: where its rising branch begins.
+///
+/// For adhesive laws the curve folds there. eta falls with e, and with it v_c(eta), in proportion to e. At
+/// fixed eta a rebound e needs only a share of order e^2 more than v_c. So from (v_c, 0) the curve first runs
+/// back to lower velocities (Brach-Dunn, 88 um: by 0.85 %), and rises from the fold on. No measurement shows
+/// the part below the fold, where e falls with velocity.
+///
+/// For Hertz it folds only if eta falls by more than 4.283 of itself per unit of e (docs/dong2013.md). The
+/// paper's fits fall by 1.9 at most, so that their rising branch begins at v_c with e = 0.
+[[nodiscard]] CurvePoint least_rebound(const PublishedDamping& published);
+
+/// Restitution of the curve at @p velocity [m/s]: the least one on the rising branch; 0 below the velocity of
+/// least_rebound() [1].
+[[nodiscard]] double reconstructed_restitution(const PublishedDamping& published, double velocity);
 
 }  // namespace ashimpact

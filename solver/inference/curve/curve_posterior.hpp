@@ -8,7 +8,7 @@
 #include <Eigen/Dense>
 
 #include "solver/inference/curve/recorded_impacts.hpp"
-#include "solver/surrogate/curve_table.hpp"
+#include "solver/surrogate/cohesive_velocity_map.hpp"
 
 namespace ashimpact {
 

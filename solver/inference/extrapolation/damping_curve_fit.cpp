@@ -10,7 +10,6 @@
 #include "core/text/error.hpp"
 #include "core/text/text.hpp"
 #include "solver/batch/parallel.hpp"
-#include "solver/inference/extrapolation/restitution_curve.hpp"
 #include "solver/numeric/gsl/fit.hpp"
 #include "solver/numeric/gsl/search.hpp"
 #include "solver/numeric/gsl/statistics.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/inference/extrapolation/restitution_curve.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "solver/inference/extrapolation/damping_curve_fit.hpp"
 
 namespace ashimpact {
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/motion/branches/cohesive_motion.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "solver/contact/transition.hpp"
+#include "solver/numeric/power.hpp"
 
 namespace ashimpact {
 
@@ -24,9 +27,108 @@ CohesiveState end_of(const CohesiveZone& zone, Detachment detachment) {
     return zone.pull_off();
 }
 
+/// The static law of a touching state as power series of any parameter, from that of the contact radius:
+/// order by order, each new coefficient from those before it. Names as in CohesiveZone. The first
+/// coefficients come from the zone and have its digits, the others those of Real.
+template <class Real>
+class SeriesOfZone {
+  public:
+    using Terms = Series<Real>;
+
+    SeriesOfZone(const CohesiveZone& zone, const CohesiveState& state)
+        : lambda_(static_cast<Real>(zone.lambda())) {
+        angle_[0] = static_cast<Real>(state.angle);
+        outer_[0] = static_cast<Real>(state.cohesive_radius);
+        sine_[0] = static_cast<Real>(std::sin(state.angle));
+        cosine_[0] = static_cast<Real>(state.contact_radius() / state.cohesive_radius);
+        quadratic_[0] = static_cast<Real>(zone.quadratic(state.angle));
+        linear_[0] = static_cast<Real>(zone.linear(state.angle));
+    }
+
+    /// Computes coefficient @p n of overlap_by_radius and force; @p radius is known up to n.
+    void advance(const Terms& radius, std::size_t n) {
+        const auto product = [n](const Terms& x, const Terms& y) { return product_coefficient(x, y, n); };
+        sine_cosine_[n] = product(sine_, cosine_);
+        angle_cosine_[n] = product(angle_, cosine_);
+        outer_squared_[n] = product(outer_, outer_);
+        wall_[n] = product(sine_, outer_squared_);
+        pull_[n] = 2 * lambda_ * wall_[n] + 4 * lambda_ * lambda_ / 3 * outer_[n];
+        numerator_[n] = product(angle_, pull_);
+        denominator_[n] = 2 * product(quadratic_, outer_) + linear_[n];
+        divide(m_, numerator_, denominator_, n);
+        cosine_m_[n] = product(cosine_, m_);
+        turn_[n] = product(cosine_, cosine_m_) + product(outer_, sine_);
+        gain_[n] =
+            2 * (product(radius, cosine_m_) + wall_[n]) + 4 * lambda_ / 3 * (outer_[n] - product(m_, sine_));
+        cosine_gain_[n] = product(cosine_, gain_);
+        divide(overlap_by_radius, cosine_gain_, turn_, n);
+        radius_squared_[n] = product(radius, radius);
+        spread_[n] = sine_cosine_[n] + angle_[n];
+        attraction[n] = lambda_ * product(outer_squared_, spread_);
+        force[n] = product(radius_squared_, radius) - attraction[n];
+    }
+
+    /// Computes coefficient n + 1 of what follows the contact radius, from the coefficients 0..n of its
+    /// derivative @p rate by the parameter.
+    void follow(const Terms& rate, std::size_t n) {
+        const auto product = [n](const Terms& x, const Terms& y) { return product_coefficient(x, y, n); };
+        const Real factor = Real(1) / static_cast<Real>(n + 1);
+        radius_fall_[n] = -rate[n];
+        divide(angle_rate_, radius_fall_, turn_, n);  // d(theta)/da = -1/T
+        angle_[n + 1] = factor * angle_rate_[n];
+        sine_[n + 1] = factor * product(cosine_, angle_rate_);
+        cosine_[n + 1] = -factor * product(sine_, angle_rate_);
+        outer_[n + 1] = -factor * product(cosine_m_, angle_rate_);
+        swing_[n] = product(angle_cosine_, angle_rate_);
+        quadratic_[n + 1] = factor * 2 * lambda_ * product(sine_, swing_);
+        linear_[n + 1] = factor * 4 * lambda_ * lambda_ / 3 * swing_[n];
+    }
+
+    Terms overlap_by_radius{};  ///< d(delta)/da
+    Terms force{};
+    Terms attraction{};  ///< a^3 - force
+
+  private:
+    static void divide(Terms& quotient, const Terms& numerator, const Terms& denominator, std::size_t n) {
+        Real rest = numerator[n];
+        for (std::size_t k = 0; k < n; ++k) rest -= quotient[k] * denominator[n - k];
+        quotient[n] = rest / denominator[0];
+    }
+
+    Real lambda_;
+    Terms angle_{}, outer_{}, sine_{}, cosine_{}, quadratic_{}, linear_{};
+    Terms radius_fall_{}, angle_rate_{}, swing_{}, sine_cosine_{}, angle_cosine_{}, outer_squared_{}, wall_{},
+        pull_{};
+    Terms numerator_{}, denominator_{}, m_{}, cosine_m_{}, turn_{}, gain_{}, cosine_gain_{};
+    Terms radius_squared_{}, spread_{};
+};
+
+/// Radius of convergence, under a name that does not read as a contact radius.
+template <class Real>
+Extended convergence(const Series<Real>& terms) {
+    return static_cast<Extended>(radius(terms));
+}
+
+/// The series about @p start, whose first terms keep their digits.
+template <class Real>
+MotionExpansion<Extended> from_start(const MotionState<Extended>& start, const MotionExpansion<Real>& x,
+                                     Extended step) {
+    MotionExpansion<Extended> result{};
+    std::copy(x.position.begin(), x.position.end(), result.position.begin());
+    std::copy(x.velocity.begin(), x.velocity.end(), result.velocity.begin());
+    std::copy(x.time.begin(), x.time.end(), result.time.begin());
+    std::copy(x.dissipation.begin(), x.dissipation.end(), result.dissipation.begin());
+    result.position[0] = start.position;
+    result.velocity[0] = start.velocity;
+    result.time[0] = start.time;
+    result.dissipation[0] = start.dissipation;
+    result.step = step;
+    return result;
+}
+
 }  // namespace
 
-CohesiveMotion::CohesiveMotion(const CohesiveZone& zone, const Polynomial<Extended>& damping,
+CohesiveMotion::CohesiveMotion(const CohesiveZone& zone, const ScaledDamping<Extended>& damping,
                                Detachment detachment, Precision precision)
     : zone_(zone),
       touching_(zone, damping, precision),
@@ -73,6 +175,125 @@ std::optional<std::string> cohesive_refusal(const CohesiveZone& zone, Detachment
 
 double maugis_velocity(const ContactPair& contact) {
     return std::sqrt(maugis_units(contact).energy() / contact.mass);
+}
+
+TouchingBranch::TouchingBranch(const CohesiveZone& zone, const ScaledDamping<Extended>& damping,
+                               Precision precision)
+    : zone_(zone), precision_(precision) {
+    const Polynomial<Extended> hertz = power<6>(Polynomial<Extended>::identity());
+    damping_ = damping.on_branch({hertz, {}});
+    per_attraction_ = damping.on_branch({hertz, Polynomial<Extended>(1)}) - damping_;
+    follows_attraction_ = acts(per_attraction_);
+    rooted_ = !damping_.even() || !per_attraction_.even();
+    for (Polynomial<Extended>* p : {&damping_, &per_attraction_}) {
+        if (!rooted_) *p = p->of_square();
+        powers_.require(*p);
+    }
+}
+
+Extended TouchingBranch::damping(Extended q) const {
+    if (!follows_attraction_) return damping_(q);
+    const Extended a = state(q).contact_radius();
+    return damping_(q) + per_attraction_(q) * (a * a * a - force(q));
+}
+
+template <class Real>
+Real TouchingBranch::damping_term(const PowerSeries<Real>& powers, const Series<Real>& attraction,
+                                  Series<Real>& share, std::size_t n) const {
+    const Real own = composed(damping_, powers, n);
+    if (!follows_attraction_) return own;
+    share[n] = composed(per_attraction_, powers, n);
+    return own + product_coefficient(share, attraction, n);
+}
+
+Extended TouchingBranch::coordinate(const CohesiveState& state) const {
+    const Extended a = state.contact_radius();
+    return rooted_ ? std::sqrt(a) : a;
+}
+
+CohesiveState TouchingBranch::state(Extended q) const {
+    return zone_.at_contact_radius(rooted_ ? q * q : q);
+}
+
+Extended TouchingBranch::slope(Extended q) const {
+    const CohesiveState at = state(q);
+    const CohesiveZone::Slopes slopes = zone_.slopes(at);
+    const Extended by_radius = at.contact_radius() / at.cohesive_radius * slopes.overlap / slopes.radius;
+    return rooted_ ? 2 * q * by_radius : by_radius;
+}
+
+MotionExpansion<Extended> TouchingBranch::expand(const MotionState<Extended>& state) const {
+    return precision_ == Precision::extended ? expanded<Extended>(state) : expanded<double>(state);
+}
+
+template <class Real>
+MotionExpansion<Extended> TouchingBranch::expanded(const MotionState<Extended>& start) const {
+    using Terms = Series<Real>;
+    MotionExpansion<Real> x{};
+    x.position[0] = static_cast<Real>(start.position);
+    x.velocity[0] = static_cast<Real>(start.velocity);
+    SeriesOfZone<Real> zone(zone_, state(start.position));
+    PowerSeries<Real> powers{};
+    Terms radius{};
+    Terms rate{};  // of the contact radius
+    Terms slope{};
+    Terms eta{};
+    Terms share{};  // of the attraction in it
+    Terms drag_force{};
+    Terms total{};
+    Terms power{};
+    for (std::size_t n = 0; n + 1 < radius.size(); ++n) {
+        const auto product = [n](const Terms& a, const Terms& b) { return product_coefficient(a, b, n); };
+        radius[n] = rooted_ ? product(x.position, x.position) : x.position[n];
+        rate[n] = rooted_ ? 2 * product(x.position, x.velocity) : x.velocity[n];
+        zone.advance(radius, n);
+        slope[n] = rooted_ ? 2 * product(x.position, zone.overlap_by_radius) : zone.overlap_by_radius[n];
+        powers_.advance(powers, x.position, n);
+        eta[n] = damping_term(powers, zone.attraction, share, n);
+        drag_force[n] = product(eta, x.velocity);
+        total[n] = zone.force[n] + drag_force[n];
+        power[n] = product(slope, drag_force);
+        const Real factor = Real(1) / static_cast<Real>(n + 1);
+        x.position[n + 1] = factor * x.velocity[n];
+        x.velocity[n + 1] = -factor * product(slope, total);
+        x.time[n + 1] = factor * slope[n];
+        x.dissipation[n + 1] = factor * product(power, x.velocity);
+        zone.follow(rate, n);
+    }
+    // Fast enough, the motion hardly feels the contact, and time is the series that converges least. What
+    // counts of it is a part of the time that a unit length takes.
+    Terms time = x.time;
+    time[0] = 1 / (1 + std::abs(x.velocity[0]));
+    const Extended within = std::min({convergence(x.position), convergence(x.velocity), convergence(time)});
+    return from_start(start, x, within / (std::numbers::e_v<Extended> * std::numbers::e_v<Extended>));
+}
+
+TouchingBranch::Statics TouchingBranch::statics(Extended q) const {
+    using Terms = Series<Extended>;
+    Statics result{};
+    SeriesOfZone<Extended> zone(zone_, state(q));
+    PowerSeries<Extended> powers{};
+    Terms place{};  // q itself
+    place[0] = q;
+    place[1] = 1;
+    Terms radius{};
+    Terms rate{};
+    Terms share{};
+    Terms twice{};
+    twice[0] = 2 * q;
+    twice[1] = 2;
+    for (std::size_t n = 0; n < place.size(); ++n) {
+        radius[n] = rooted_ ? product_coefficient(place, place, n) : place[n];
+        rate[n] = rooted_ ? twice[n] : Extended(n == 0 ? 1 : 0);
+        zone.advance(radius, n);
+        result.force[n] = zone.force[n];
+        result.slope[n] =
+            rooted_ ? product_coefficient(twice, zone.overlap_by_radius, n) : zone.overlap_by_radius[n];
+        powers_.advance(powers, place, n);
+        result.damping[n] = damping_term(powers, zone.attraction, share, n);
+        if (n + 1 < place.size()) zone.follow(rate, n);
+    }
+    return result;
 }
 
 }  // namespace ashimpact

@@ -4,11 +4,77 @@
 #include <optional>
 #include <string>
 
+#include "solver/contact/cohesive_zone.hpp"
 #include "solver/contact/detachment.hpp"
 #include "solver/contact/pair.hpp"
-#include "solver/motion/branches/cohesive_branches.hpp"
+#include "solver/motion/branches/motion.hpp"
+#include "solver/numeric/extended.hpp"
 
 namespace ashimpact {
+
+/// Why the detachment is not admissible for this transition parameter, in words; none if it is.
+[[nodiscard]] std::optional<std::string> cohesive_refusal(const CohesiveZone& zone, Detachment detachment);
+
+/// The same for a contact, without other validation.
+[[nodiscard]] std::optional<std::string> cohesive_refusal(const ContactPair& contact, Detachment detachment);
+
+/// Velocity for which BasicScale has the units of Maugis [m/s]; w must be above 0.
+[[nodiscard]] double maugis_velocity(const ContactPair& contact);
+
+/// The touching part of a Maugis-Dugdale impact (CohesiveZone) in the regularised form of Motion:
+///
+///     dq/dtheta = v,   dv/dtheta = -delta'(q) (eta(q) v + F(q)),   dt/dtheta = delta'(q),
+///
+/// with q the contact radius a, or sqrt(a) where the damping needs it. Units of Maugis, mass 1. The
+/// attraction |F_a| = a^3 - F is no polynomial of q, so the damping is taken as p(q) + p_a(q) |F_a|.
+class TouchingBranch {
+  public:
+    /// @param damping linear in the attraction
+    TouchingBranch(const CohesiveZone& zone, const ScaledDamping<Extended>& damping, Precision precision);
+
+    [[nodiscard]] Extended coordinate(const CohesiveState& state) const;
+    [[nodiscard]] CohesiveState state(Extended q) const;
+    [[nodiscard]] Extended overlap(Extended q) const { return zone_.overlap(state(q)); }
+    [[nodiscard]] Extended slope(Extended q) const;  ///< d(delta)/dq
+    [[nodiscard]] Extended force(Extended q) const { return zone_.force(state(q)); }
+    [[nodiscard]] Extended potential(Extended q) const { return zone_.potential(state(q)); }
+    [[nodiscard]] Extended damping(Extended q) const;
+
+    /// The motion as Taylor series about a state; MotionExpansion::step as in MotionStepper.
+    [[nodiscard]] MotionExpansion<Extended> expand(const MotionState<Extended>& state) const;
+
+    /// d(delta)/dq, F and eta as power series of q - @p q.
+    struct Statics {
+        Series<Extended> slope;
+        Series<Extended> force;
+        Series<Extended> damping;
+    };
+    [[nodiscard]] Statics statics(Extended q) const;
+
+  private:
+    /// Coefficient @p n of eta, from those up to n of the powers of q and of the attraction.
+    template <class Real>
+    [[nodiscard]] Real damping_term(const PowerSeries<Real>& powers, const Series<Real>& attraction,
+                                    Series<Real>& share, std::size_t n) const;
+    template <class Real>
+    [[nodiscard]] MotionExpansion<Extended> expanded(const MotionState<Extended>& start) const;
+
+    CohesiveZone zone_;
+    bool rooted_;  ///< q = sqrt(a)
+    bool follows_attraction_;
+    Polynomial<Extended> damping_;         ///< p
+    Polynomial<Extended> per_attraction_;  ///< p_a
+    PowerChain powers_;                    ///< those of q in both
+    Precision precision_;
+};
+
+/// The part of the impact in which the surfaces attract one another across a gap, without damping. q is the
+/// radius c of the cohesive zone, in which everything is a polynomial.
+struct GapBranch : Motion<Extended> {
+    explicit GapBranch(const CohesiveZone& zone)
+        : Motion(branch_motion<Extended>({zone.gap_overlap(), zone.gap_force(), {}},
+                                         ScaledDamping<Extended>::none())) {}
+};
 
 /// A Maugis-Dugdale impact: the branches it moves on, where it begins and where it ends; units of Maugis,
 /// mass 1.
@@ -20,8 +86,7 @@ class CohesiveMotion {
   public:
     using Number = Extended;
 
-    /// @param damping eta as a polynomial of sqrt(a)
-    CohesiveMotion(const CohesiveZone& zone, const Polynomial<Extended>& damping, Detachment detachment,
+    CohesiveMotion(const CohesiveZone& zone, const ScaledDamping<Extended>& damping, Detachment detachment,
                    Precision precision);
 
     [[nodiscard]] const CohesiveZone& zone() const { return zone_; }
@@ -54,14 +119,5 @@ class CohesiveMotion {
     CohesiveState end_;
     Extended outside_ = 0;
 };
-
-/// Why the detachment is not admissible for this transition parameter, in words; none if it is.
-[[nodiscard]] std::optional<std::string> cohesive_refusal(const CohesiveZone& zone, Detachment detachment);
-
-/// The same for a contact, without other validation.
-[[nodiscard]] std::optional<std::string> cohesive_refusal(const ContactPair& contact, Detachment detachment);
-
-/// Velocity for which BasicScale has the units of Maugis [m/s]; w must be above 0.
-[[nodiscard]] double maugis_velocity(const ContactPair& contact);
 
 }  // namespace ashimpact

@@ -16,29 +16,41 @@ namespace ashimpact {
 /// One branch of a static law as polynomials of u = sqrt(contact radius), scaled.
 template <class Real>
 struct StaticBranch {
-    Polynomial<Real> overlap;    ///< delta(u)
-    Polynomial<Real> force;      ///< F(u), positive where repulsive
-    Polynomial<Real> repulsion;  ///< Hertzian part of F; the rest is attraction
+    Polynomial<Real> overlap;               ///< delta(u)
+    StaticForces<Polynomial<Real>> forces;  ///< F(u) = F_r - |F_a|
 };
 
-/// A damping law with its scaled coefficient.
+/// A damping law with its scaled coefficients.
 template <class Real>
 struct ScaledDamping {
-    /// eta(u) on a branch, scaled [1].
-    std::function<Polynomial<Real>(const StaticBranch<Real>&)> on_branch;
+    using Forces = StaticForces<Polynomial<Real>>;
+
+    std::function<Polynomial<Real>(const Forces&)> on_branch;  ///< eta(u), scaled [1]
     bool overdamped = false;  ///< captures every impact that touches at zero contact radius
 
-    /// A registered damping law. @param number scaled coefficient [1]
-    [[nodiscard]] static ScaledDamping of(DampingLaw law, Real number) {
-        const auto eta = [law, number](const StaticBranch<Real>& /*branch*/) {
-            const auto u = Polynomial<Real>::identity();
-            return number *
-                   RegisteredDampings::visit<Polynomial<Real>>(law, [&]<class D>() { return D::shape(u); });
+    /// Damping law D.
+    template <class D>
+    [[nodiscard]] static ScaledDamping by(const DampingNumbers<Real>& numbers) {
+        const auto eta = [numbers](const Forces& forces) {
+            const auto shapes = D::shapes(Polynomial<Real>::identity(), forces);
+            Polynomial<Real> sum = numbers[0] * shapes[0];
+            for (std::size_t k = 1; k < shapes.size(); ++k) sum = sum + numbers[k] * shapes[k];
+            return sum;
         };
-        return {eta, is_overdamped(law, number)};
+        return {eta, numbers[0] * numbers[0] >= Real(D::overdamped_squared)};
     }
-    [[nodiscard]] static ScaledDamping none() { return of(DampingLaw::constant, Real(0)); }
+    /// A registered damping law.
+    [[nodiscard]] static ScaledDamping of(DampingLaw law, const DampingNumbers<Real>& numbers) {
+        return RegisteredDampings::visit<ScaledDamping>(law, [&]<class D>() { return by<D>(numbers); });
+    }
+    [[nodiscard]] static ScaledDamping none() { return of(DampingLaw::constant, {}); }
 };
+
+/// Whether a polynomial differs from zero.
+template <class Real>
+[[nodiscard]] bool acts(const Polynomial<Real>& p) {
+    return std::ranges::any_of(p.coefficient, [](const Real& c) { return c != Real(0); });
+}
 
 /// The equation of motion of one impact on one branch, scaled (mass 1, Hertz stiffness 1), in the regularised
 /// coordinate q:
@@ -72,6 +84,7 @@ struct Motion {
         using std::sqrt;
         return squared ? sqrt(q > Real(0) ? q : Real(0)) : q;
     }
+    [[nodiscard]] bool damped() const { return acts(damping); }
     [[nodiscard]] RestPlace<Real> rest() const {
         return {equilibrium, overlap(equilibrium), potential(equilibrium)};
     }
@@ -85,13 +98,14 @@ extern template struct Motion<long double>;
 /// The equation of motion on a branch; touch, equilibrium and end remain to be set.
 template <class Real>
 [[nodiscard]] Motion<Real> branch_motion(const StaticBranch<Real>& branch, const ScaledDamping<Real>& eta) {
-    const Polynomial<Real> damping = eta.on_branch(branch);
+    const Polynomial<Real> damping = eta.on_branch(branch.forces);
+    const Polynomial<Real> force = branch.forces.repulsion - branch.forces.attraction;
     Motion<Real> motion;
     motion.overdamped = eta.overdamped;
-    motion.squared = branch.overlap.even() && branch.force.even() && damping.even();
+    motion.squared = branch.overlap.even() && force.even() && damping.even();
     const auto reduced = [&](const Polynomial<Real>& p) { return motion.squared ? p.of_square() : p; };
     motion.overlap = reduced(branch.overlap);
-    motion.force = reduced(branch.force);
+    motion.force = reduced(force);
     motion.damping = reduced(damping);
     motion.slope = motion.overlap.derivative();
     motion.stiffness = motion.slope * motion.force;
@@ -109,12 +123,10 @@ template <template <class> class L, class Real>
     const L<Real> numeric{adhesion};
     const L<Polynomial<Real>> law{Polynomial<Real>(adhesion)};
     const auto u = Polynomial<Real>::identity();
-    Motion<Real> motion = branch_motion<Real>({law.overlap(u), law.force(u), power<6>(u)}, damping);
+    Motion<Real> motion = branch_motion<Real>({law.overlap(u), {power<6>(u), law.attraction(u)}}, damping);
     motion.touch = motion.coordinate(numeric.touch());
     motion.equilibrium = motion.coordinate(*numeric.detachment_point(Detachment::zero_force));
-    const bool damped = std::any_of(motion.damping.coefficient.begin(), motion.damping.coefficient.end(),
-                                    [](const Real& c) { return c != Real(0); });
-    const bool by_force = detachment == Detachment::zero_force && damped;
+    const bool by_force = detachment == Detachment::zero_force && motion.damped();
     if (!by_force) motion.end = motion.coordinate(*numeric.detachment_point(detachment));
     return motion;
 }

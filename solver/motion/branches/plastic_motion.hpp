@@ -93,7 +93,7 @@ template <class Real>
 Motion<Real> PlasticMotion<Real>::loading_motion() const {
     const auto u = Polynomial<Real>::identity();
     Motion<Real> motion = branch_motion<Real>(
-        {contact_.plastic_overlap(u), contact_.plastic_force(u), contact_.plastic_hertz_force(u)}, damping_);
+        {contact_.plastic_overlap(u), {contact_.plastic_hertz_force(u), contact_.attraction(u)}}, damping_);
     motion.touch = motion.coordinate(yield());
     // Without force beyond yield; 0 where the branch is repulsive throughout.
     const auto force = [&](Real x) { return contact_.plastic_force(x); };
@@ -107,10 +107,9 @@ Motion<Real> PlasticMotion<Real>::unloading(Real u_greatest) const {
     const auto u = Polynomial<Real>::identity();
     const Real flattening = contact_.flattening(u_greatest);
     const Real adhesion = contact_.adhesion;
-    const Polynomial<Real> repulsion = flattening * power<6>(u);
     Motion<Real> motion = branch_motion<Real>(
         {flattening * power<4>(u) - adhesion * u + Polynomial<Real>(contact_.permanent_overlap(u_greatest)),
-         repulsion - (Real(1.5) * adhesion) * power<3>(u), repulsion},
+         {flattening * power<6>(u), contact_.attraction(u)}},
         damping_);
     const ThorntonNing<Real> flattened{adhesion /
                                        flattening};  // same points in u, in units of the flattened sphere

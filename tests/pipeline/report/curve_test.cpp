@@ -7,6 +7,7 @@
 #include "pipeline/run/curves/impact_search.hpp"
 #include "pipeline/run/curves/model_curve.hpp"
 #include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/motion/impact.hpp"
 #include "tests/relative_difference.hpp"

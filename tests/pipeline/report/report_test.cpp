@@ -16,7 +16,7 @@
 #include "pipeline/present/report/drawing/markup.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "pipeline/present/report/page/page.hpp"
-#include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
 #include "tests/pipeline/sandbox.hpp"
 
 namespace ashimpact::report {

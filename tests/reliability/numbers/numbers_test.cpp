@@ -26,7 +26,7 @@ std::size_t wanted_sets() {
 }
 
 double share_of(const ContactCase& c) {
-    return batch::has_kernels(c.law) ? 1.0 : 0.25;
+    return batch::has_kernels(c.law, c.damping_law) ? 1.0 : 0.25;
 }
 
 }  // namespace

@@ -213,7 +213,7 @@ void check_random_impacts(const ContactCase& c, std::size_t count, Random& rando
     batch::for_each_item(count, [&](std::size_t i) { all[i] = solve(impacts[i]); });
 
     // Where a law has no kernels, a batch calls the scalar solver again: one impact of eight shows that.
-    const std::size_t batch_every = batch::has_kernels(c.law) ? 1 : 8;
+    const std::size_t batch_every = batch::has_kernels(c.law, c.damping_law) ? 1 : 8;
     Many many;
     for (std::size_t i = 0; i < count; ++i) {
         ++report.impacts;

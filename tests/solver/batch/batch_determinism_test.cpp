@@ -123,8 +123,9 @@ TEST_CASE("an impact's result does not depend, in any bit, on order, number and 
 
 TEST_CASE("a piece of a table is the same, in every bit, whoever asked for it first, and when") {
     const auto table = [] {
-        return std::make_unique<batch::RestitutionTable>(batch::kernels_of(Law::of<Dmt>()).numbers,
-                                                         Detachment::zero_overlap, DampingLaw::constant);
+        return std::make_unique<batch::RestitutionTable>(
+            batch::kernels_of(Law::of<Dmt>(), DampingLaw::constant).numbers, Detachment::zero_overlap,
+            DampingLaw::constant);
     };
     const auto ask = [](batch::RestitutionTable& of, unsigned seed) {
         Places places(seed);

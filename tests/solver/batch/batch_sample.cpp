@@ -120,7 +120,7 @@ std::vector<Impacts> random_impacts(Eigen::Index count, double most_damping, std
     std::vector<Impacts> sets;
     for (std::size_t i = 0; i < Law::count(); ++i) {
         const Law law = Law::at(i);
-        if (!batch::has_kernels(law)) continue;
+        if (!batch::has_kernels(law, DampingLaw::constant)) continue;
         for (const Detachment detachment : all_values<Detachment>) {
             if (refusal(law, detachment)) continue;
             for (const DampingLaw damping : all_values<DampingLaw>) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/contact/parameter.hpp"
+#include "core/quantities/parameter.hpp"
 
 #include <cmath>
 
@@ -7,6 +7,7 @@
 
 #include "solver/batch/batch.hpp"
 #include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
 #include "solver/contact/sjkr.hpp"
 #include "tests/support/contact_cases.hpp"
 #include "tests/support/errors.hpp"

@@ -10,9 +10,9 @@
 
 #include "materials/contact_properties.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/motion/regime.hpp"
 #include "solver/motion/scale.hpp"
 #include "solver/motion/trajectory.hpp"
-#include "solver/motion/velocity_scales.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/contact_cases.hpp"
 #include "tests/support/errors.hpp"

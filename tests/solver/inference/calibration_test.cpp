@@ -11,7 +11,6 @@
 
 #include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/calibration/calibration_objective.hpp"
-#include "solver/inference/calibration/reconstruction.hpp"
 #include "solver/numeric/gsl/statistics.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/errors.hpp"

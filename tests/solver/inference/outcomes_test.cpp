@@ -6,9 +6,9 @@
 #include <doctest/doctest.h>
 
 #include "core/text/error.hpp"
+#include "solver/inference/critical_velocity_uncertainty.hpp"
 #include "solver/inference/impacts/inverted_impacts.hpp"
 #include "solver/inference/impacts/measurement.hpp"
-#include "solver/inference/measured_critical_velocity.hpp"
 #include "solver/numeric/gsl/interpolation.hpp"
 #include "solver/numeric/gsl/search.hpp"
 #include "solver/numeric/gsl/statistics.hpp"

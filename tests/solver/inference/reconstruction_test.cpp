@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/inference/calibration/reconstruction.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +9,7 @@
 
 #include "materials/contact_properties.hpp"
 #include "solver/critical_velocity/critical_velocity.hpp"
+#include "solver/inference/calibration/calibration_objective.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/contact_cases.hpp"
 #include "tests/support/errors.hpp"

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A damping that follows the static force (Hunt & Crossley 1975), F_d = zeta F_r d(delta)/dt: the equation of
 // motion takes eta as the damping law gives it on each branch. Scaled, as in the solver's own units.
+#include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include <doctest/doctest.h>
 
 #include "solver/contact/registry.hpp"
 #include "solver/critical_velocity/backward_orbit.hpp"
 #include "solver/motion/follow.hpp"
+#include "solver/motion/scale.hpp"
 
 using namespace ashimpact;
 
@@ -15,7 +19,7 @@ namespace {
 
 /// eta = zeta F_r, where F_r is the Hertzian part of the force.
 ScaledDamping<Extended> hunt_crossley(Extended zeta) {
-    return {[zeta](const StaticBranch<Extended>& branch) { return zeta * branch.repulsion; }, false};
+    return {[zeta](const auto& forces) { return zeta * forces.repulsion; }, false};
 }
 
 /// A contact of law L at adhesion number @p adhesion.
@@ -147,5 +151,144 @@ TEST_CASE("the ledger of an impact closes") {
         closes(contact<Sjkr>(0.1L, zeta, Detachment::zero_overlap));
         closes(contact<Jkr>(0.1L, zeta, Detachment::pull_off));
         closes(PlasticMotion<Extended>({0.1L, 0.3L}, hunt_crossley(zeta), Detachment::pull_off));
+    }
+}
+
+// Brach & Dunn 1995: F_d = (zeta_H F_r + zeta_A |F_a|) d(delta)/dt, the toy of two terms. As a type of a
+// damping law, so that what a registered law goes through is tested.
+namespace {
+
+struct TwoTerms {
+    static constexpr double overdamped_squared = std::numeric_limits<double>::infinity();
+
+    template <class U>
+    [[nodiscard]] static constexpr std::array<U, 2> shapes(const U& /*u*/, const StaticForces<U>& forces) {
+        return {forces.repulsion, forces.attraction};
+    }
+    template <class Scale>
+    [[nodiscard]] static auto units(const Scale& scale) {
+        return std::array{1 / scale.velocity, 1 / scale.velocity};
+    }
+    /// The second coefficient is that of the attraction; the values stand for those of parameters.
+    [[nodiscard]] static std::array<double, 2> coefficients(double c, const ParameterValues<double>& values) {
+        return {c, values.begin()->second};
+    }
+};
+
+ScaledDamping<Extended> two_terms(double repulsive, double adhesive) {
+    const Scale scale =
+        Scale::of({.mass = 1, .effective_radius = 1, .contact_modulus = 0.75, .work_of_adhesion = 0}, 1);
+    const auto numbers = scale.damping_numbers<TwoTerms>(repulsive, {{"adhesive", adhesive}});
+    return ScaledDamping<Extended>::by<TwoTerms>({numbers[0], numbers[1]});
+}
+
+/// e of an impact at unit velocity by Runge & Kutta's method in time, with the force as a function of u.
+double restitution_in_time(double repulsive, double adhesive, double adhesion) {
+    // DMT: F = delta^(3/2) - A on zero overlap and above.
+    double overlap = 0;
+    double velocity = 1;
+    constexpr double step = 2e-5;
+    const auto rate = [&](double x, double v) {
+        const double hertz = x > 0 ? x * std::sqrt(x) : 0;
+        return -(hertz - adhesion) - (repulsive * hertz + adhesive * adhesion) * v;
+    };
+    while (true) {
+        const double k1 = rate(overlap, velocity);
+        const double k2 = rate(overlap + step / 2 * velocity, velocity + step / 2 * k1);
+        const double k3 = rate(overlap + step / 2 * (velocity + step / 2 * k1), velocity + step / 2 * k2);
+        const double k4 = rate(overlap + step * (velocity + step / 2 * k2), velocity + step * k3);
+        const double next = overlap + step * (velocity + step / 6 * (k1 + k2 + k3));
+        const double faster = velocity + step / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+        if (next <= 0) return -(velocity + (faster - velocity) * overlap / (overlap - next));
+        overlap = next;
+        velocity = faster;
+    }
+}
+
+}  // namespace
+
+TEST_CASE("two terms: a coefficient of 0 leaves the other, equal ones damp with the whole of the force") {
+    const auto e = [](const ScaledDamping<Extended>& damping) {
+        return follow(make_motion<Jkr, Extended>(0.2L, damping, Detachment::pull_off), 1.0_ext)
+            .restitution(1);
+    };
+    CHECK(e(two_terms(0.4, 0)) == e(hunt_crossley(0.4)));
+    CHECK(e(two_terms(0.4, 0.4)) < e(two_terms(0.4, 0)));
+    CHECK(e(two_terms(0, 0)) == e(ScaledDamping<Extended>::none()));
+    CHECK(e(two_terms(0, 0.4)) < e(ScaledDamping<Extended>::none()));
+    // With w = 0 nothing is left of the second term.
+    CHECK(follow(make_motion<Jkr, Extended>(0, two_terms(0.4, 7), Detachment::pull_off), 1.0_ext)
+              .restitution(1) ==
+          follow(make_motion<Jkr, Extended>(0, hunt_crossley(0.4), Detachment::pull_off), 1.0_ext)
+              .restitution(1));
+}
+
+TEST_CASE("two terms give the restitution of an integration in time") {
+    for (const auto& [repulsive, adhesive] : {std::pair{0.3, 0.0}, {0.0, 0.8}, {0.3, 0.8}, {0.2, 2.0}}) {
+        CAPTURE(repulsive);
+        CAPTURE(adhesive);
+        const auto motion =
+            make_motion<Dmt, Extended>(0.1L, two_terms(repulsive, adhesive), Detachment::zero_overlap);
+        const auto e = static_cast<double>(follow(motion, 1.0_ext).restitution(1));
+        CHECK(e > 0.1);
+        CHECK(std::abs(e - restitution_in_time(repulsive, adhesive, 0.1)) < 1e-6);
+    }
+}
+
+TEST_CASE("two terms on a cohesive zone: limits of DMT and JKR, ledger, v_c") {
+    const ScaledDamping<Extended> damping = two_terms(0.3, 0.5);
+    const auto closes = [](const auto& motion, const Orbit<Extended>& orbit, Extended velocity) {
+        const MotionState<Extended>& last = orbit.last();
+        const Extended after = last.velocity * last.velocity / 2 + orbit.last_potential + last.dissipation +
+                               orbit.plastic_work + orbit.jumps;
+        static_cast<void>(motion);
+        const Extended before = velocity * velocity / 2 + orbit.touch_potential;
+        CHECK(std::abs(before - after) < 1e-15L * std::abs(before));
+    };
+    // Units of Maugis, in which the adhesion number of DMT is 2 and that of JKR sqrt(8/3), |F_a| = sqrt(6
+    // a^3).
+    const auto of_zone = [&](Extended lambda, Detachment detachment) {
+        return CohesiveMotion(CohesiveZone(lambda), damping, detachment, Precision::extended);
+    };
+    const CohesiveMotion hard = of_zone(1e-3L, Detachment::zero_overlap);
+    const Motion<Extended> dmt = make_motion<Dmt, Extended>(2, damping, Detachment::zero_overlap);
+    const CohesiveMotion soft = of_zone(1e3L, Detachment::pull_off);
+    const Motion<Extended> jkr =
+        make_motion<Jkr, Extended>(std::sqrt(8.0_ext / 3), damping, Detachment::pull_off);
+    for (const Extended velocity : {8.0L, 20.0L}) {
+        const auto differ = [&](const CohesiveMotion& zone, const Motion<Extended>& limit) {
+            const Orbit<Extended> orbit = follow(zone, velocity);
+            closes(zone, orbit, velocity);
+            return std::abs(orbit.restitution(velocity) - follow(limit, velocity).restitution(velocity));
+        };
+        CHECK(differ(hard, dmt) < 1e-2L);
+        CHECK(differ(soft, jkr) < 1e-2L);
+    }
+    // The rebound velocity stays below 1/zeta at every velocity: too little here to break the contact.
+    const CohesiveMotion strong = of_zone(0.7L, Detachment::pull_off);
+    CHECK(critical_impacts(strong).verdict == CaptureVerdict::always_captured);
+    CHECK(follow(strong, 1e4_ext).outcome == Outcome::capture);
+    const CohesiveMotion weak(CohesiveZone(0.7L), two_terms(0.05, 0.1), Detachment::pull_off,
+                              Precision::extended);
+    const CriticalImpacts found = critical_impacts(weak);
+    REQUIRE(found.impacts.size() == 1);
+    CHECK(parts_outcomes(weak, found.impacts.front().velocity, 1e-9L));
+}
+
+TEST_CASE("two terms: v_c parts capture and rebound, the ledger of a yielded contact closes") {
+    for (const double adhesive : {0.1, 3.0}) {
+        for (const Motion<Extended>& motion :
+             {make_motion<Dmt, Extended>(0.01L, two_terms(0.5, adhesive), Detachment::zero_overlap),
+              make_motion<Jkr, Extended>(0.1L, two_terms(0.5, adhesive), Detachment::pull_off)}) {
+            const CriticalImpacts found = critical_impacts(motion);
+            REQUIRE(found.impacts.size() == 1);
+            CHECK(parts_outcomes(motion, found.impacts.front().velocity, 1e-9L));
+        }
+        const PlasticMotion<Extended> plastic({0.1L, 0.3L}, two_terms(0.2, adhesive), Detachment::pull_off);
+        const Orbit<Extended> orbit = follow(plastic, 1.0_ext);
+        const MotionState<Extended>& last = orbit.last();
+        const Extended after =
+            last.velocity * last.velocity / 2 + orbit.last_potential + last.dissipation + orbit.plastic_work;
+        CHECK(std::abs(0.5L + orbit.touch_potential - after) < 1e-17L);
     }
 }

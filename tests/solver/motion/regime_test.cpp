@@ -11,7 +11,6 @@
 #include "solver/contact/registry.hpp"
 #include "solver/contact/transition.hpp"
 #include "solver/motion/scale.hpp"
-#include "solver/motion/velocity_scales.hpp"
 #include "tests/relative_difference.hpp"
 #include "tests/support/contact_cases.hpp"
 #include "tests/support/errors.hpp"

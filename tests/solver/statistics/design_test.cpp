@@ -9,7 +9,6 @@
 #include <doctest/doctest.h>
 
 #include "core/text/error.hpp"
-#include "solver/statistics/philox.hpp"
 
 using namespace ashimpact;
 

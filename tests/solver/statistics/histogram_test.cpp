@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 
-#include "solver/statistics/philox.hpp"
+#include "solver/statistics/design.hpp"
 
 using namespace ashimpact;
 

@@ -8,7 +8,6 @@
 #include <doctest/doctest.h>
 
 #include "solver/statistics/design.hpp"
-#include "solver/statistics/philox.hpp"
 #include "solver/statistics/propagation.hpp"
 #include "tests/relative_difference.hpp"
 

@@ -11,6 +11,7 @@
 #include "materials/contact_properties.hpp"
 #include "pipeline/app/contact/single_contact.hpp"
 #include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
 #include "solver/statistics/design.hpp"
 
 namespace ashimpact {

@@ -7,6 +7,7 @@
 #include "core/text/text.hpp"
 #include "pipeline/app/sweep/spec/spec.hpp"
 #include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
 #include "solver/damping/damping.hpp"
 
 namespace ashimpact {

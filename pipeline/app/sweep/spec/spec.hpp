@@ -15,6 +15,7 @@
 #include "pipeline/case/case.hpp"
 #include "solver/contact/law.hpp"
 #include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/statistics/design.hpp"
 #include "solver/statistics/distribution.hpp"

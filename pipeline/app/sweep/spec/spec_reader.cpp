@@ -10,6 +10,7 @@
 #include "pipeline/case/case_parts.hpp"
 #include "pipeline/files/schema.hpp"
 #include "solver/contact/law_parameters.hpp"
+#include "solver/contact/pair.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/motion/impact.hpp"
 
