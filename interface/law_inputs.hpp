@@ -18,8 +18,7 @@ inline constexpr LawParameter yield_pressure{
     .otherwise = std::numeric_limits<double>::infinity(),
 };
 
-/// What a law takes beside the properties that every contact has: its parameters and, if it is plastic, the
-/// yield pressure.
+/// The parameters of a law and, if it is plastic, the yield pressure.
 [[nodiscard]] inline std::vector<LawParameter> inputs_of(Law law) {
     std::vector<LawParameter> inputs(law.parameters().begin(), law.parameters().end());
     if (law.is_plastic()) inputs.push_back(yield_pressure);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cfenv>
 #include <exception>
 #include <new>
 #include <optional>
@@ -14,13 +15,87 @@
 #include "core/text/text.hpp"
 #include "core/version.hpp"
 #include "interface/c/calls.hpp"
-#include "interface/c/floating_point.hpp"
 #include "solver/batch/single_impacts.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/motion/impact.hpp"
 
+#if defined(__x86_64__) && defined(__GNUC__)
+#include <xmmintrin.h>
+#endif
+
 namespace ashimpact {
+
+namespace {
+
+/// Floating point as the solver expects it, for the life of this object: nothing traps, results are rounded
+/// to nearest and denormal numbers are kept. The caller's environment comes back with it, flags included:
+/// codes such as OpenFOAM trap, others flush denormal numbers to zero.
+class CompleteFloatingPoint {
+  public:
+    CompleteFloatingPoint() {
+        std::feholdexcept(&callers_);
+        std::fesetenv(FE_DFL_ENV);
+    }
+    ~CompleteFloatingPoint() { std::fesetenv(&callers_); }
+    CompleteFloatingPoint(const CompleteFloatingPoint&) = delete;
+    CompleteFloatingPoint& operator=(const CompleteFloatingPoint&) = delete;
+
+  private:
+    std::fenv_t callers_{};
+};
+
+#if defined(__x86_64__) && defined(__GNUC__)
+
+/// The same on x86-64, without saving the x87 unit's flags, which takes as long as an impact from a table.
+class OwnFloatingPoint {
+  public:
+    OwnFloatingPoint() {
+        if ((x87_status() & x87_flags) != 0) {
+            complete_.emplace();
+            return;
+        }
+        sse_ = _mm_getcsr();
+        _mm_setcsr(default_sse);
+        x87_ = x87_control();
+        if (x87_ != default_x87) set_x87_control(default_x87);
+    }
+    ~OwnFloatingPoint() {
+        if (complete_) return;
+        if ((x87_status() & x87_flags) != 0) __asm__ volatile("fnclex");
+        if (x87_ != default_x87) set_x87_control(x87_);
+        _mm_setcsr(sse_);
+    }
+    OwnFloatingPoint(const OwnFloatingPoint&) = delete;
+    OwnFloatingPoint& operator=(const OwnFloatingPoint&) = delete;
+
+  private:
+    static constexpr unsigned short default_x87 = 0x037F;  ///< as FE_DFL_ENV has it
+    static constexpr unsigned int default_sse = 0x1F80;
+    static constexpr unsigned short x87_flags = 0x7F;  ///< of exceptions, and of a stack fault
+
+    static unsigned short x87_control() {
+        unsigned short control = 0;
+        __asm__ volatile("fnstcw %0" : "=m"(control));
+        return control;
+    }
+    static void set_x87_control(unsigned short control) { __asm__ volatile("fldcw %0" : : "m"(control)); }
+    static unsigned short x87_status() {
+        unsigned short status = 0;
+        __asm__ volatile("fnstsw %0" : "=am"(status));
+        return status;
+    }
+
+    unsigned int sse_ = 0;
+    unsigned short x87_ = default_x87;
+    std::optional<CompleteFloatingPoint> complete_{};
+};
+
+#else
+using OwnFloatingPoint = CompleteFloatingPoint;
+#endif
+
+}  // namespace
 
 /// Impacts of spheres one by one, with the constants of a model.
 struct SphereImpacts {
@@ -92,8 +167,7 @@ void take_constants(ashimpact_model& model, const ashimpact_parameter* parameter
     }
 }
 
-/// The contact of a model's constants, admissible numbers in the place of those that are missing; without
-/// parameters of its law.
+/// The contact of a model's constants without parameters of its law; missing ones get admissible numbers.
 ContactPair contact_of(const ashimpact_model& model) {
     ContactPair pair{.mass = model[Parameter::mass].value_or(1.0),
                      .effective_radius = model[Parameter::effective_radius].value_or(1.0),

@@ -131,9 +131,8 @@ void find_failure(std::size_t first, std::size_t size, bool only_one, const Solv
     }
 }
 
-/// Calls solve(reader, first, size) for the chunks of a call, whose numbers the reader gives.
+/// Calls solve(reader, first, size) for the chunks of a call; rethrows for the first problem that fails.
 /// @param needed besides the contact
-/// @throws what solve throws for the first problem that fails, with its place
 template <class Solve>
 void in_chunks(const Call& call, std::initializer_list<Parameter> needed, const Solve& solve) {
     call.parameters.require_contact();
@@ -182,18 +181,12 @@ Parameter parameter_named(std::string_view name) {
 }
 
 Parameter alternative_to(Parameter parameter) {
-    switch (parameter) {
-        case Parameter::density:
-            return Parameter::mass;
-        case Parameter::mass:
-            return Parameter::density;
-        case Parameter::diameter:
-            return Parameter::effective_radius;
-        case Parameter::effective_radius:
-            return Parameter::diameter;
-        default:
-            return parameter;
+    for (const auto& [one, other] : {std::pair{Parameter::density, Parameter::mass},
+                                     std::pair{Parameter::diameter, Parameter::effective_radius}}) {
+        if (parameter == one) return other;
+        if (parameter == other) return one;
     }
+    return parameter;
 }
 
 void require_taken(Law law, Parameter parameter) {

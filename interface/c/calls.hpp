@@ -14,8 +14,7 @@
 
 namespace ashimpact {
 
-/// What calls take by name; parameters that laws declare of their own come behind these, in the order of
-/// law_parameters().
+/// Parameters of calls by name; those of laws follow, in the order of law_parameters().
 enum class Parameter : std::size_t {
     density,
     mass,
@@ -37,8 +36,7 @@ inline constexpr std::size_t most_parameters = 24;
 [[nodiscard]] std::string_view name_of(Parameter parameter);
 /// The parameter of that name. @throws InputError naming all of them
 [[nodiscard]] Parameter parameter_named(std::string_view name);
-/// The parameter that another one replaces: mass and density, diameter and effective_radius; itself for the
-/// others.
+/// Mass for density, diameter for effective_radius, and back; the same parameter for others.
 [[nodiscard]] Parameter alternative_to(Parameter parameter);
 /// @throws InputError for a parameter that only other laws declare
 void require_taken(Law law, Parameter parameter);
@@ -57,8 +55,7 @@ struct Strided {
     [[nodiscard]] double operator[](std::size_t i) const { return values[i * stride]; }
 };
 
-/// Where the numbers of a call come from, a constant or a column for each parameter. Of a parameter and its
-/// alternative the one that is set last counts.
+/// A constant or a column for each parameter; setting one removes its alternative.
 class Parameters {
   public:
     void set(Parameter parameter, Strided source);
@@ -101,7 +98,6 @@ struct DampingOutputs {
 };
 
 /// Solve the problems of a call; impacts by tables where the results asked for are in them.
-/// @param outputs arrays of call.count numbers; null where a result is not asked for
 /// @throws InputError naming the first impact it concerns, where there are several; ConvergenceError
 void solve_impacts(const Call& call, const BatchOutputs& outputs);
 /// v_c; 0 where nothing is captured, infinite where everything is [m/s].

@@ -6,8 +6,11 @@
 #include <filesystem>
 #include <functional>
 #include <sstream>
+#include <string_view>
+#include <vector>
 
 #include <emscripten/emscripten.h>
+#include <fmt/format.h>
 #include <spdlog/details/null_mutex.h>
 #include <spdlog/sinks/base_sink.h>
 #include <spdlog/sinks/ostream_sink.h>
@@ -15,8 +18,9 @@
 
 #include "core/json/document.hpp"
 #include "core/text/error.hpp"
-#include "interface/web/single_contact.hpp"
+#include "interface/law_inputs.hpp"
 #include "materials/xrd/xrd.hpp"
+#include "pipeline/app/contact/single_contact.hpp"
 #include "pipeline/app/run_stages.hpp"
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/document/artifact.hpp"
@@ -27,16 +31,20 @@
 #include "pipeline/present/report/page/page.hpp"
 #include "pipeline/present/text/result_text.hpp"
 #include "pipeline/run/stage.hpp"
+#include "solver/contact/pair.hpp"
+#include "solver/critical_velocity/critical_velocity.hpp"
 #include "solver/inference/impacts/measurement.hpp"
+#include "solver/motion/impact.hpp"
+#include "solver/motion/scale.hpp"
 
 // Tells the page a line while a computation goes on, if it listens.
 EM_JS(void, tell_page, (const char* line), {
     if (Module["onProgress"]) Module["onProgress"](UTF8ToString(line));
 });
 
-namespace {
+namespace ashimpact {
 
-using ashimpact::Json;
+namespace {
 
 /// Columns of the summary in a page.
 constexpr std::size_t text_width = 100;
@@ -78,8 +86,7 @@ Json failure(int status, const std::exception& error) {
     return {{"status", status}, {"error", {{"message", error.what()}}}};
 }
 
-/// Runs a function of the page; its exit status and errors are those of the program.
-/// @return JSON text, valid until the next call
+/// Runs a function of the page, with the exit status of the program. @return JSON, valid until the next call
 const char* answered(const std::function<Json()>& work) {
     static std::string answer;
     const Messages messages;
@@ -87,11 +94,11 @@ const char* answered(const std::function<Json()>& work) {
     try {
         result = work();
         result["status"] = 0;
-    } catch (const ashimpact::InputError& error) {
+    } catch (const InputError& error) {
         result = failure(2, error);
         result["error"].update(
             {{"place", error.place()}, {"problem", error.problem()}, {"allowed", error.allowed()}});
-    } catch (const ashimpact::ConvergenceError& error) {
+    } catch (const ConvergenceError& error) {
         result = failure(3, error);
     } catch (const std::exception& error) {
         result = failure(1, error);
@@ -106,31 +113,31 @@ std::optional<std::string> case_named(const char* file) {
 }
 
 /// What a page shows of a run before it opens an artifact.
-Json shown(const ashimpact::RunSummary& run) {
+Json shown(const RunSummary& run) {
     Json result{{"files", Json::array()}, {"samples", run.samples}, {"remarks", Json::array()}};
-    for (const ashimpact::Artifact& artifact : run.written) {
+    for (const Artifact& artifact : run.written) {
         result["files"].push_back(artifact.file);
-        if (artifact.file == ashimpact::comparison_artifact)
-            result["text"] = ashimpact::comparison_text(artifact.document.at("result"), text_width);
+        if (artifact.file == comparison_artifact)
+            result["text"] = comparison_text(artifact.document.at("result"), text_width);
     }
-    if (!run.report.empty()) result["files"].push_back(ashimpact::report::report_file);
-    for (const ashimpact::RemarkLine& line : ashimpact::remark_lines(run.remarks, run.samples))
+    if (!run.report.empty()) result["files"].push_back(report::report_file);
+    for (const RemarkLine& line : remark_lines(run.remarks, run.samples))
         result["remarks"].push_back({{"text", line.text}, {"decides", line.decides}});
     return result;
 }
 
 /// What was read of the impacts of each sample: how many rebounds, captures and unknown ones, the least and
 /// the greatest velocity [m/s]; null where a sample has none.
-Json impacts_read(const ashimpact::Case& data) {
+Json impacts_read(const Case& data) {
     Json all = Json::array();
-    for (const ashimpact::Sample& sample : data.samples) {
+    for (const Sample& sample : data.samples) {
         all.push_back(nullptr);
         if (!sample.restitution) continue;
-        const auto* measured = std::get_if<ashimpact::MeasuredRestitution>(&*sample.restitution);
+        const auto* measured = std::get_if<MeasuredRestitution>(&*sample.restitution);
         if (measured == nullptr || measured->impacts.points.empty()) continue;
-        const ashimpact::MeasurementSet& impacts = measured->impacts;
+        const MeasurementSet& impacts = measured->impacts;
         const auto [slowest, fastest] =
-            std::ranges::minmax_element(impacts.points, {}, &ashimpact::Measurement::velocity);
+            std::ranges::minmax_element(impacts.points, {}, &Measurement::velocity);
         all.back() = {{"rebounds", impacts.rebounds()},
                       {"captures", impacts.captures()},
                       {"unknown", impacts.unknown},
@@ -142,13 +149,12 @@ Json impacts_read(const ashimpact::Case& data) {
 
 /// The case without its measured impacts, as a file beside it.
 std::string without_impacts(const std::string& file) {
-    Json document = ashimpact::at_place(ashimpact::FileName{file},
-                                        [&] { return ashimpact::parse_json(ashimpact::read_file(file)); });
+    Json document = at_place(FileName{file}, [&] { return parse_json(read_file(file)); });
     if (document.is_object() && document.contains("samples") && document.at("samples").is_array())
         for (Json& sample : document.at("samples"))
             if (sample.is_object()) sample.erase("restitution");
     const auto beside = std::filesystem::path(file).parent_path() / "without-impacts.json";
-    ashimpact::write_file(beside, document.dump());
+    write_file(beside, document.dump());
     return beside.string();
 }
 
@@ -157,9 +163,127 @@ std::optional<std::string> refusal(const std::function<void()>& reader) {
     try {
         reader();
         return std::nullopt;
-    } catch (const ashimpact::InputError& error) {
+    } catch (const InputError& error) {
         return error.what();
     }
+}
+
+/// An impact with the contact of the page, whose keys are options: contact_modulus is --contact-modulus.
+Impact impact_of(const Json& contact, double velocity) {
+    CommandOptions options;
+    for (const auto& [key, value] : contact.items()) {
+        if (!value.is_number() && !value.is_string()) continue;
+        std::string name = "--" + key;
+        std::ranges::replace(name, '_', '-');
+        options.text_of(name) =
+            value.is_string() ? value.get<std::string>() : fmt::format("{}", value.get<double>());
+    }
+    return read_contact(options).impact(read_damping(options), velocity);
+}
+
+/// Damping over increasing velocity [m/s]: linear between these, constant beyond them.
+struct DampingCourse {
+    std::vector<double> velocities;
+    std::vector<double> dampings;
+};
+
+DampingCourse course_of(const Json& contact, double constant) {
+    auto velocities = contact.at("velocities").get<std::vector<double>>();
+    auto dampings = contact.contains("dampings") ? contact.at("dampings").get<std::vector<double>>()
+                                                 : std::vector<double>(velocities.size(), constant);
+    if (velocities.empty() || dampings.size() != velocities.size())
+        throw InputError("dampings are not as many as velocities", "one for each, at least one");
+    return {std::move(velocities), std::move(dampings)};
+}
+
+/// The critical velocity of impacts with a damping.
+CriticalVelocity critical_velocity_with(double damping, const Impact& impact) {
+    return critical_velocity({.law = impact.law,
+                              .detachment = impact.detachment,
+                              .damping = {impact.damping.law, damping},
+                              .contact = impact.contact});
+}
+
+/// Where no damping is stated, its scaled coefficient is 1 at this velocity [m/s].
+constexpr double guess_velocity = 1;
+
+/// Where restitution leaves zero on a course: the velocity that is the critical one of the damping there.
+CriticalVelocity critical_velocity_on(const DampingCourse& course, const std::vector<double>& restitution,
+                                      const Impact& impact) {
+    const auto first = std::find_if(restitution.begin(), restitution.end(), [](double e) { return e > 0; });
+    if (first == restitution.end()) return critical_velocity_with(course.dampings.back(), impact);
+    if (first == restitution.begin()) return critical_velocity_with(course.dampings.front(), impact);
+    const auto after = static_cast<std::size_t>(first - restitution.begin());
+    double captured = 0;  // shares of the way between the two velocities
+    double rebounding = 1;
+    const auto between = [&](const std::vector<double>& values, double share) {
+        return values[after - 1] + share * (values[after] - values[after - 1]);
+    };
+    constexpr double enough = 1e-9;
+    while (rebounding - captured > enough) {
+        const double middle = (captured + rebounding) / 2;
+        const auto critical = critical_velocity_with(between(course.dampings, middle), impact).value;
+        (critical && between(course.velocities, middle) > *critical ? rebounding : captured) = middle;
+    }
+    CriticalVelocity found;
+    found.value = between(course.velocities, rebounding);
+    return found;
+}
+
+/// One impact, as `ashimpact impact --json`. Keys are the options of that command, numbers in SI.
+Json single_impact_json(const Json& contact) {
+    const Impact impact = impact_of(contact, contact.at("velocity").get<double>());
+    return impact_json(impact, solve_impact(impact));
+}
+
+/// The registered laws: `laws`, by name `title`, `by_default` (of a case that names none) and `parameters`,
+/// each with `name`, `unit` (SI), `description`, `example` and `choice` (one of those with the same number,
+/// not 0, is given); `damping_laws`, by name the `unit` (SI) of the coefficient.
+Json laws_json() {
+    const std::vector<Law> by_default = default_laws();
+    Json laws = Json::object();
+    for (std::size_t i = 0; i < Law::count(); ++i) {
+        const Law law = Law::at(i);
+        Json parameters = Json::array();
+        for (const LawParameter& parameter : inputs_of(law))
+            parameters.push_back({{"name", parameter.name},
+                                  {"unit", si_unit(parameter.dimension)},
+                                  {"description", parameter.description},
+                                  {"example", parameter.example},
+                                  {"choice", parameter.choice}});
+        laws[law.name()] = {{"title", report::display_name(law.name())},
+                            {"by_default", std::ranges::find(by_default, law) != by_default.end()},
+                            {"parameters", parameters}};
+    }
+    Json dampings = Json::object();
+    for (const DampingLaw law : all_values<DampingLaw>) dampings[name_of(law)] = {{"unit", unit_of(law)}};
+    return {{"laws", laws}, {"damping_laws", dampings}};
+}
+
+/// Restitution at `velocities` [m/s] and critical velocity of one contact; other keys as above. `dampings`,
+/// one for each velocity, are linear between velocities, which then have to increase, and constant beyond
+/// them; v_c is where restitution leaves zero. Without `damping` a guess replaces it: scaled coefficient 1 at
+/// 1 m/s.
+/// @return `restitution`, `critical_velocity` (null if there is none), `always_captured`, `damping`
+Json curve_json(const Json& contact) {
+    Impact impact = impact_of(contact, 1);
+    if (!contact.contains("damping"))
+        impact.damping.coefficient =
+            Scale::of(impact.contact, guess_velocity).damping_coefficient(impact.damping.law, 1);
+    const DampingCourse course = course_of(contact, impact.damping.coefficient);
+    const double damping = impact.damping.coefficient;
+    std::vector<double> restitution;
+    for (std::size_t i = 0; i < course.velocities.size(); ++i) {
+        impact.velocity = course.velocities[i];
+        impact.damping.coefficient = course.dampings[i];
+        validate(impact);
+        restitution.push_back(restitution_of(impact));
+    }
+    const CriticalVelocity critical = critical_velocity_on(course, restitution, impact);
+    return {{"restitution", restitution},
+            {"critical_velocity", critical.value ? Json(*critical.value) : Json(nullptr)},
+            {"damping", damping},
+            {"always_captured", critical.verdict == CaptureVerdict::always_captured}};
 }
 
 }  // namespace
@@ -169,15 +293,15 @@ extern "C" {
 /// All stages of a case, as `ashimpact run`; an empty @p case_file is the built-in case.
 const char* ashimpact_run(const char* case_file, const char* folder) {
     return answered(
-        [&] { return shown(ashimpact::run_stages({.case_file = case_named(case_file), .folder = folder})); });
+        [&] { return shown(run_stages({.case_file = case_named(case_file), .folder = folder})); });
 }
 
 /// What needs no measured impacts: modulus, contact, analytic critical velocity. No report.
 const char* ashimpact_evaluate(const char* case_file, const char* folder) {
     return answered([&] {
-        const ashimpact::LoadedCase loaded = ashimpact::load_case(case_file);  // whose messages name the case
-        Json result = shown(ashimpact::run_stages(
-            {.case_file = without_impacts(case_file), .folder = folder, .report = false}));
+        const LoadedCase loaded = load_case(case_file);  // whose messages name the case
+        Json result =
+            shown(run_stages({.case_file = without_impacts(case_file), .folder = folder, .report = false}));
         result["impacts"] = impacts_read(loaded.data);
         return result;
     });
@@ -186,25 +310,23 @@ const char* ashimpact_evaluate(const char* case_file, const char* folder) {
 /// Reads and checks a case and every file that it names.
 const char* ashimpact_validate(const char* case_file) {
     return answered([&] {
-        const ashimpact::LoadedCase loaded = ashimpact::load_case(case_named(case_file));
+        const LoadedCase loaded = load_case(case_named(case_file));
         Json samples = Json::array();
         for (const auto& sample : loaded.data.samples) samples.push_back(sample.name);
         Json warnings = Json::array();
-        for (const ashimpact::SampleFinding& each : loaded.findings)
-            warnings.push_back(ashimpact::text_of({.sample = each.sample, .text = each.finding.text}));
+        for (const SampleFinding& each : loaded.findings)
+            warnings.push_back(text_of({.sample = each.sample, .text = each.finding.text}));
         return Json{{"name", loaded.data.name}, {"samples", samples}, {"warnings", warnings}};
     });
 }
 
-/// What a table is, told by the reader that takes it: "impacts" or "xrd". Where none does, "unknown", and the
-/// message of each reader.
+/// Which reader takes a table: "impacts", "xrd", or "unknown" with the message of each reader.
 const char* ashimpact_kind(const char* file) {
     return answered([&] {
-        const std::string bytes = ashimpact::read_file(file);
-        const auto as_impacts =
-            refusal([&] { static_cast<void>(ashimpact::read_measurements(bytes, file)); });
+        const std::string bytes = read_file(file);
+        const auto as_impacts = refusal([&] { static_cast<void>(read_measurements(bytes, file)); });
         if (!as_impacts) return Json{{"kind", "impacts"}};
-        const auto as_xrd = refusal([&] { static_cast<void>(ashimpact::read_xrd(bytes, file)); });
+        const auto as_xrd = refusal([&] { static_cast<void>(read_xrd(bytes, file)); });
         if (!as_xrd) return Json{{"kind", "xrd"}};
         return Json{{"kind", "unknown"}, {"impacts", *as_impacts}, {"xrd", *as_xrd}};
     });
@@ -212,33 +334,28 @@ const char* ashimpact_kind(const char* file) {
 
 /// The impacts of a table as columns of a case, velocity and rebound_velocity in m/s.
 const char* ashimpact_impacts(const char* file) {
-    return answered([&] {
-        return ashimpact::measurement_columns(ashimpact::read_measurements(ashimpact::read_file(file), file),
-                                              true);
-    });
+    return answered([&] { return measurement_columns(read_measurements(read_file(file), file)); });
 }
 
-/// Restitution and critical velocity of one contact, JSON in and out; single_contact.hpp has the keys.
+/// Restitution and critical velocity of one contact, JSON in and out; see curve_json().
 const char* ashimpact_curve(const char* contact) {
-    return answered([&] { return ashimpact::curve_json(ashimpact::parse_json(contact)); });
+    return answered([&] { return curve_json(parse_json(contact)); });
 }
 
-/// What each law takes; single_contact.hpp has the keys.
+/// What each law takes; see laws_json().
 const char* ashimpact_laws() {
-    return answered(ashimpact::laws_json);
+    return answered(laws_json);
 }
 
-/// One impact, JSON in and out; single_contact.hpp has the keys.
+/// One impact, JSON in and out; see single_impact_json().
 const char* ashimpact_impact(const char* contact) {
-    return answered([&] { return ashimpact::single_impact_json(ashimpact::parse_json(contact)); });
+    return answered([&] { return single_impact_json(parse_json(contact)); });
 }
 
 /// One figure of a finished run as SVG, @p width "single" or "double".
 const char* ashimpact_figure(const char* folder, const char* name, const char* width) {
     return answered([&] {
-        namespace report = ashimpact::report;
-        const report::RunData run(
-            ashimpact::read_run(ashimpact::load_artifacts(folder, report::report_artifacts())), "");
+        const report::RunData run(read_run(load_artifacts(folder, report::report_artifacts())), "");
         const report::Figure figure = report::figure_named(name, run);
         const auto wide = std::string_view(width) == "single" ? report::Width::narrow : report::Width::wide;
         return Json{{"svg", figure.panels.empty() ? "" : report::svg_of(figure, wide)},
@@ -247,3 +364,5 @@ const char* ashimpact_figure(const char* folder, const char* name, const char* w
     });
 }
 }
+
+}  // namespace ashimpact

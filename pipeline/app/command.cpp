@@ -20,7 +20,6 @@
 #include "pipeline/app/terminal.hpp"
 #include "pipeline/present/text/layout.hpp"
 #include "solver/contact/law_parameters.hpp"
-#include "solver/contact/pair.hpp"
 #include "solver/damping/damping.hpp"
 
 namespace ashimpact {
@@ -109,8 +108,7 @@ bool is_command(const std::string& line) {
                        [&](const std::string& beginning) { return line.starts_with(beginning); });
 }
 
-/// The lines of a text no longer than the output is wide, and commands such that they can be typed as they
-/// stand; JSON, which is for programs, as it is.
+/// Wraps lines to the width of the output, commands so that they can be pasted; JSON stays as it is.
 std::string laid_out(const std::string& text) {
     if (text.starts_with('{') || text.starts_with('[')) return text;
     const std::size_t width = output_width();
@@ -190,8 +188,7 @@ std::vector<const char*> words_of(int argc, const char* const* argv) {
     return words;
 }
 
-/// Makes every option and argument of the program's commands refuse an empty value, and those that name a
-/// file or folder the "-" that elsewhere means a stream.
+/// Makes options and arguments refuse an empty value, and paths "-", which elsewhere means a stream.
 void refuse_empty_values(CLI::App& program) {
     for (CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
         for (CLI::Option* option : command->get_options()) {

@@ -78,14 +78,12 @@ void add_document_commands(const CommandLine& line);
 /// Checks that an argument is a number from @p least to @p most.
 [[nodiscard]] CLI::Validator number_within(double least, double most);
 
-/// `ashimpact export`: writes a folder that runs in another code.
-/// @param image makes an HDF5 file, of tables only: by the program that is linked with HDF5
-/// @throws InputError for a subject that the code cannot do, with the reason; then nothing is written
+/// `ashimpact export`: writes a folder that runs in another code. @param image makes the HDF5 file of tables
+/// @throws InputError with the reason if the code cannot do the subject; then nothing is written
 void run_export_command(const CommandOptions& options, const TableImage& image, std::ostream& out);
 
-/// The program: parses the command line, runs one command, turns errors into one line and an exit status.
-/// @param sweep what `ashimpact sweep` does
-/// @param exporter what `ashimpact export` does
+/// Parses the command line, runs one command, turns errors into one line and an exit status.
+/// @param sweep, exporter bodies of `ashimpact sweep` and `ashimpact export`
 /// @returns 0 done; 2 the user's input is wrong; 3 a computation did not converge; 1 a defect of ours.
 [[nodiscard]] int run_program(int argc, const char* const* argv, const CommandBody& sweep,
                               const CommandBody& exporter);

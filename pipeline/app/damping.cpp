@@ -2,13 +2,11 @@
 #include <ostream>
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include "core/json/document.hpp"
 #include "core/json/view.hpp"
 #include "core/quantities/quantity.hpp"
 #include "core/text/error.hpp"
-#include "core/text/text.hpp"
 #include "pipeline/app/command.hpp"
 #include "pipeline/app/contact/single_contact.hpp"
 #include "pipeline/case/case_parts.hpp"
@@ -16,7 +14,6 @@
 #include "pipeline/document/values_json.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/present/text/result_text.hpp"
-#include "solver/contact/pair.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 #include "solver/inference/measured_damping.hpp"
 #include "solver/motion/damping_inversion.hpp"
@@ -24,12 +21,6 @@
 namespace ashimpact {
 
 namespace {
-
-Json damping_json(const Impact& impact, const DampingInversion& inversion) {
-    Json json = impact_json(impact, inversion.impact);
-    json["greatest_restitution"] = quantity_json(inversion.greatest_restitution, Dimension::fraction);
-    return json;
-}
 
 double read_frame_rate(const CommandOptions& options) {
     try {
@@ -52,8 +43,7 @@ double read_size_scatter(const CommandOptions& options) {
 MeasurementSet read_impacts(const CommandOptions& options) {
     MeasurementSet set =
         read_measurements(read_file(options["--impacts"]), options["--impacts"], options["--sheet"]);
-    for (const Finding& warning : set.warnings)
-        spdlog::warn("warning: {}: {}", options["--impacts"], warning.text);
+    warn_of(set.warnings, options["--impacts"]);
     if (options.has("--frame-rate") != options.has("--pixel-size"))
         throw InputError("one of the two is missing", "both or neither").at("--frame-rate, --pixel-size");
     if (options.has("--frames") && !options.has("--frame-rate"))
@@ -90,20 +80,20 @@ Json measured_damping_json(const MeasuredDamping& result, const MeasurementSet& 
     json["rising_branch"] = result.rising && !result.rising->is_hidden()
                                 ? rising_branch_json(result.rising->upper, result.rising->falls_beyond)
                                 : Json(nullptr);
-    json["critical_velocity"] =
-        result.estimate ? headline_json(result.estimate->curve.critical_velocity) : Json(nullptr);
-    json["extrapolated"] = nullptr;
-    if (result.extrapolated) {
-        json["extrapolated"] = damping_fit_json(with_indices(*result.extrapolated, result.rising->indices));
-        json["extrapolated"]["check"] =
-            check_json(checked(result.extrapolated->critical_velocity, result.measured, true));
-    }
-    json["direct"] = nullptr;
-    if (result.estimate) {
-        json["direct"] = damping_estimate_json(summary_of(*result.estimate));
-        json["direct"]["check"] =
-            check_json(checked(result.estimate->curve.critical_velocity, result.measured, true));
-    }
+    const auto with_check = [&](Json fit, const Interval& velocity) {
+        fit["check"] = check_json(checked(velocity, result.measured, true));
+        return fit;
+    };
+    const auto* const curve = result.estimate ? &result.estimate->curve : nullptr;
+    json["critical_velocity"] = curve != nullptr ? headline_json(curve->critical_velocity) : Json(nullptr);
+    json["extrapolated"] =
+        result.extrapolated
+            ? with_check(damping_fit_json(with_indices(*result.extrapolated, result.rising->indices)),
+                         result.extrapolated->critical_velocity)
+            : Json(nullptr);
+    json["direct"] = curve != nullptr ? with_check(damping_estimate_json(summary_of(*result.estimate)),
+                                                   curve->critical_velocity)
+                                      : Json(nullptr);
     json["comparison"] = result.comparison ? comparison_json(*result.comparison) : Json(nullptr);
     json["measured"] = measured_velocity_json(result.measured);
     json["notes"] = texts_of(result.findings);
@@ -146,16 +136,13 @@ std::string parts_text(const DampingParts& parts) {
 }
 
 std::string measured_text(const MeasuredCriticalVelocity& measured) {
-    if (!measured.value && measured.lower)
-        return fmt::format("v_c > {}: {}", readable(*measured.lower, "m/s"), measured.note);
-    if (!measured.value && measured.upper)
-        return fmt::format("v_c < {}: {}", readable(*measured.upper, "m/s"), measured.note);
-    if (!measured.value) return measured.note;
-    return fmt::format("{}: {}",
-                       range_text({*measured.value, measured.standard_uncertainty.value_or(0), measured.lower,
-                                   measured.upper},
-                                  "m/s"),
-                       measured.note);
+    const auto& lower = measured.lower;
+    const auto& upper = measured.upper;
+    if (measured.value)
+        return range_text({*measured.value, measured.standard_uncertainty.value_or(0), lower, upper}, "m/s") +
+               ": " + measured.note;
+    if (lower) return fmt::format("v_c > {}: {}", readable(*lower, "m/s"), measured.note);
+    return upper ? fmt::format("v_c < {}: {}", readable(*upper, "m/s"), measured.note) : measured.note;
 }
 
 std::string result_text(const MeasuredDamping& result, const MeasurementSet& set) {
@@ -190,8 +177,7 @@ std::string result_text(const MeasuredDamping& result, const MeasurementSet& set
            "Intervals are of 95 % and hold for the contact as given; a case propagates its uncertainty.\n";
 }
 
-/// `damping --impacts FILE`: damping and critical velocity from a series of measured impacts under one law;
-/// intervals are those of the impacts, the contact is taken as exactly known.
+/// `damping --impacts FILE`: intervals are those of the impacts; the contact counts as exactly known.
 void run_measured_damping_command(const CommandOptions& options, std::ostream& out) {
     const ContactChoice choice = read_contact(options);
     if (read_damping(options).law != DampingLaw::constant)
@@ -201,8 +187,7 @@ void run_measured_damping_command(const CommandOptions& options, std::ostream& o
     how.extrapolated = {.order = options.whole("--order", 2), .robust = options.has("--robust")};
     if (options.has("--size-scatter")) how.size_scatter = read_size_scatter(options);
     const MeasuredDamping result = analyse_impacts(choice.law, choice.detachment, choice.contact, set, how);
-    for (const Finding& finding : result.findings)
-        spdlog::warn("warning: {}: {}", options["--impacts"], finding.text);
+    warn_of(result.findings, options["--impacts"]);
     out << (options.has("--json") ? write_json(measured_damping_json(result, set), Digits::seventeen)
                                   : result_text(result, set));
 }
@@ -228,13 +213,11 @@ void run_damping_command(const CommandOptions& options, std::ostream& out) {
                                  .restitution = options.number("--restitution", Dimension::fraction)};
     const DampingInversion inversion =
         at_place("--restitution", [&] { return damping_from_restitution(problem); });
-    const Impact impact{.law = problem.law,
-                        .detachment = problem.detachment,
-                        .damping = inversion.damping,
-                        .contact = problem.contact,
-                        .velocity = problem.velocity};
-    warn_of_regime(regime_of(impact, inversion.impact.maximum_overlap));
-    out << (options.has("--json") ? write_json(damping_json(impact, inversion), Digits::seventeen)
+    const Impact impact = choice.impact(inversion.damping, problem.velocity);
+    warn_of(regime_of(impact, inversion.impact.maximum_overlap).warnings);
+    Json json = impact_json(impact, inversion.impact);
+    json["greatest_restitution"] = quantity_json(inversion.greatest_restitution, Dimension::fraction);
+    out << (options.has("--json") ? write_json(json, Digits::seventeen)
                                   : impact_text(impact, inversion.impact));
 }
 

@@ -172,16 +172,14 @@ report::RunData loaded(const std::filesystem::path& folder, const std::string& l
 
 /// Refuses what is neither the folder of a run nor one of its artifacts.
 void require_known(const std::vector<std::string>& given) {
-    const auto& files = report::report_artifacts();
+    const std::vector<std::string> files(report::report_artifacts().begin(),
+                                         report::report_artifacts().end());
     for (const std::string& name : given) {
         std::error_code ignored;
-        if (std::filesystem::is_directory(name, ignored)) continue;
-        if (std::find(files.begin(), files.end(), std::filesystem::path(name).filename().string()) !=
-            files.end())
-            continue;
-        const std::vector<std::string> allowed(files.begin(), files.end());
-        throw InputError("is no artifact of a run", "the folder of a run, or " + joined(allowed))
-            .at(FileName{name});
+        const std::string file = std::filesystem::path(name).filename().string();
+        if (!std::filesystem::is_directory(name, ignored) && std::ranges::find(files, file) == files.end())
+            throw InputError("is no artifact of a run", "the folder of a run, or " + joined(files))
+                .at(FileName{name});
     }
 }
 
@@ -213,33 +211,29 @@ std::optional<Json> sweep_result(const std::string& file) {
     });
 }
 
-void report_sweep(const Json& result, const CommandOptions& options, std::ostream& out) {
-    const std::filesystem::path file(options.list("runs").front());
-    std::filesystem::path output = options["--output"];
-    if (output.empty()) output = std::filesystem::path(file).replace_extension(".html");
-    write_file(output, at_place(FileName{file.string()}, [&] {
-                   return report::sweep_page(result, capture_fractions(result), file.filename().string());
-               }));
-    out << output.string() << '\n';
-}
-
 void run_report_command(const CommandOptions& options, std::ostream& out) {
     const std::vector<std::string>& folders = options.list("runs");
-    if (folders.size() == 1)
-        if (const auto sweep = sweep_result(folders.front())) {
-            report_sweep(*sweep, options, out);
-            return;
-        }
+    const std::filesystem::path first(folders.front());
     std::filesystem::path output = options["--output"];
+    const auto finish = [&](const std::filesystem::path& standard, const std::string& page) {
+        if (output.empty()) output = standard;
+        write_file(output, page);
+        out << output.string() << '\n';
+    };
+    if (folders.size() == 1)
+        if (const auto sweep = sweep_result(folders.front()))
+            return finish(std::filesystem::path(first).replace_extension(".html"),
+                          at_place(FileName{first.string()}, [&] {
+                              return report::sweep_page(*sweep, capture_fractions(*sweep),
+                                                        first.filename().string());
+                          }));
     if (output.empty() && folders.size() > 1)
         throw InputError("is missing; several runs have no folder in common for their report", "-o FILE.html")
             .at("-o");
-    if (output.empty()) output = std::filesystem::path(folders.front()) / report::report_file;
     std::vector<report::RunData> runs;
     for (const std::string& folder : folders)
         runs.push_back(loaded(folder, folders.size() > 1 ? folder : ""));
-    write_file(output, report::run_page(runs));
-    out << output.string() << '\n';
+    finish(first / report::report_file, report::run_page(runs));
 }
 
 void run_figure_command(const CommandOptions& options, std::ostream& out) {

@@ -125,10 +125,9 @@ void refuse_contact_options(const CommandOptions& options) {
 
 ExportSubject subject_of(const CommandOptions& options) {
     if (!options.has("run")) {
-        if (options.has("--sample"))
-            throw InputError("there is no run", "the folder of a run before it").at("--sample");
-        if (options.has("--follow-velocity"))
-            throw InputError("there is no run", "the folder of a run").at("--follow-velocity");
+        for (const auto& [option, allowed] : {std::pair{"--sample", "the folder of a run before it"},
+                                              std::pair{"--follow-velocity", "the folder of a run"}})
+            if (options.has(option)) throw InputError("there is no run", allowed).at(option);
         if (!options.has("--law"))
             throw InputError("neither a run nor an impact is given",
                              "RUN_DIR --sample S, or --law, --radius and the other options of an impact")

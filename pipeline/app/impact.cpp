@@ -70,13 +70,10 @@ Solution solve(const CommandOptions& options, const Impact& impact) {
 
 void run_impact_command(const CommandOptions& options, std::ostream& out) {
     const ContactChoice choice = read_contact(options);
-    const Impact impact{.law = choice.law,
-                        .detachment = choice.detachment,
-                        .damping = read_damping(options),
-                        .contact = choice.contact,
-                        .velocity = options.positive("--velocity", Dimension::velocity)};
+    const Damping damping = read_damping(options);
+    const Impact impact = choice.impact(damping, options.positive("--velocity", Dimension::velocity));
     const auto [result, time_step] = solve(options, impact);
-    warn_of_regime(regime_of(impact, result.maximum_overlap));
+    warn_of(regime_of(impact, result.maximum_overlap).warnings);
     if (options.has("--trajectory")) {
         const auto points = trajectory(impact, options.whole("--points"));
         write_file(options["--trajectory"], trajectory_csv(points));
@@ -100,10 +97,7 @@ std::string verdict_text(const CriticalVelocity& result) {
 
 std::string critical_velocity_text(const CriticalVelocityProblem& problem, const CriticalVelocity& result) {
     TextList list;
-    list.add("law", fmt::format("{}, contact ends at {}", problem.law.name(), name_of(problem.detachment)));
-    list.add("damping",
-             fmt::format("{} ({})", readable(problem.damping.coefficient, unit_of(problem.damping.law)),
-                         name_of(problem.damping.law)));
+    add_model(list, problem.law, problem.detachment, problem.damping);
     list.add("critical velocity", verdict_text(result));
     if (result.verdict == CaptureVerdict::finite) {
         list.add("contact time",
@@ -120,16 +114,6 @@ std::string critical_velocity_text(const CriticalVelocityProblem& problem, const
     return list.text(0);
 }
 
-/// The regime of the impact at v_c.
-Regime regime_at(const CriticalVelocityProblem& problem, const CriticalVelocity& result) {
-    return regime_of({.law = problem.law,
-                      .detachment = problem.detachment,
-                      .damping = problem.damping,
-                      .contact = problem.contact,
-                      .velocity = *result.value},
-                     result.maximum_overlap.value_or(0));
-}
-
 void run_critical_velocity_command(const CommandOptions& options, std::ostream& out) {
     const ContactChoice choice = read_contact(options);
     const CriticalVelocityProblem problem{.law = choice.law,
@@ -137,10 +121,12 @@ void run_critical_velocity_command(const CommandOptions& options, std::ostream& 
                                           .damping = read_damping(options),
                                           .contact = choice.contact};
     const CriticalVelocity result = at_place("--damping", [&] { return critical_velocity(problem); });
-    std::string regime;
+    std::string regime_at_capture;
     if (result.value) {
-        warn_of_regime(regime_at(problem, result));
-        regime = regime_text(regime_at(problem, result));
+        const Regime regime =
+            regime_of(choice.impact(problem.damping, *result.value), result.maximum_overlap.value_or(0));
+        warn_of(regime.warnings);
+        regime_at_capture = regime_text(regime);
     }
     if (options.has("--json")) {
         Json json{{"law", problem.law.name()}};
@@ -148,7 +134,7 @@ void run_critical_velocity_command(const CommandOptions& options, std::ostream& 
         out << write_json(json, Digits::seventeen);
         return;
     }
-    out << critical_velocity_text(problem, result) + regime;
+    out << critical_velocity_text(problem, result) + regime_at_capture;
 }
 
 /// One body of the pair. @p young and @p poisson name the options

@@ -10,8 +10,7 @@
 
 namespace {
 
-/// Replaces this process by ashimpact-sweep, which links MPI and HDF5: loading them takes longer than the
-/// other commands take to run. Process, arguments and environment stay the same for mpirun.
+/// Replaces this process by ashimpact-sweep, which links MPI and HDF5: they take long to load.
 void hand_over(char** argv) {
     const auto program = std::filesystem::read_symlink("/proc/self/exe").replace_filename("ashimpact-sweep");
     execv(program.c_str(), argv);

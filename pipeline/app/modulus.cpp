@@ -3,7 +3,6 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include "core/json/document.hpp"
 #include "core/json/view.hpp"
@@ -34,27 +33,24 @@ Quantity read_fraction(const char* option, const std::string& text) {
 Amorphous read_amorphous(const std::string& text, FractionBasis basis) {
     if (text == "none") return AmorphousNone{};
     if (text == "remainder") return AmorphousRemainder{};
-    const Quantity fraction = [&] {
-        try {
-            return read_fraction("--amorphous-fraction", text);
-        } catch (const InputError& error) {
-            throw InputError(error.problem(),
-                             "a fraction of the whole (0.42, \"42 %\", \"42 +- 2 %\"), none, remainder")
-                .at(error.place());
-        }
-    }();
-    if (fraction.value == 0) return AmorphousNone{};
-    return AmorphousFraction{fraction.value, fraction.standard_uncertainty, basis};
+    try {
+        const Quantity fraction = read_fraction("--amorphous-fraction", text);
+        if (fraction.value == 0) return AmorphousNone{};
+        return AmorphousFraction{fraction.value, fraction.standard_uncertainty, basis};
+    } catch (const InputError& error) {
+        throw InputError(error.problem(),
+                         "a fraction of the whole (0.42, \"42 %\", \"42 +- 2 %\"), none, remainder")
+            .at(error.place());
+    }
 }
 
 void refuse_contradictions(const CommandOptions& options) {
-    const int ways = (!options.has("--amorphous-fraction") ? 0 : 1) +
-                     (!options.has("--crystalline-total") ? 0 : 1) +
-                     (!options.has("--internal-standard") ? 0 : 1);
+    const int ways = int{options.has("--amorphous-fraction")} + int{options.has("--crystalline-total")} +
+                     int{options.has("--internal-standard")};
     if (ways > 1)
         throw InputError("the amorphous part is given in " + std::to_string(ways) + " ways", "one of them")
             .at("--amorphous-fraction, --crystalline-total, --internal-standard");
-    if (!options.has("--internal-standard") != !options.has("--added-fraction"))
+    if (options.has("--internal-standard") != options.has("--added-fraction"))
         throw InputError("one is given without the other",
                          "the phase of the standard, and its weight over that of the mixture")
             .at("--internal-standard, --added-fraction");
@@ -88,12 +84,6 @@ XrdSample completed(const XrdSample& sample, const CommandOptions& options) {
         return with_internal_standard(sample, options["--internal-standard"], added.value,
                                       added.standard_uncertainty);
     });
-}
-
-Composition composed(const XrdSample& sample, const PhaseCatalogue& catalogue) {
-    return compose(sample.analysis, catalogue,
-                   "--amorphous-fraction X (of the whole; none; remainder: what is missing to 100 %), "
-                   "--crystalline-total X, or --internal-standard PHASE with --added-fraction X");
 }
 
 std::optional<double> measured_density(const CommandOptions& options) {
@@ -136,10 +126,10 @@ std::optional<Porosity> porosity_of(const CommandOptions& options, double true_d
 
 struct SampleEstimate {
     std::string name;
-    Composition composition;
-    ModulusEstimate estimate;
-    std::optional<Porosity> porosity;
-    ParticleDensity density;
+    Composition composition{};
+    ModulusEstimate estimate{};
+    std::optional<Porosity> porosity{};
+    ParticleDensity density{};
     std::vector<Finding> warnings;  ///< of the reader, the composition and the estimate
 };
 
@@ -225,12 +215,11 @@ Json sample_json(const SampleEstimate& sample, MixtureRule rule) {
 
 SampleEstimate estimated(const XrdSample& sample, const PhaseCatalogue& catalogue,
                          const CommandOptions& options, MixtureRule rule) {
-    SampleEstimate result{.name = sample.name,
-                          .composition = composed(sample, catalogue),
-                          .estimate = {},
-                          .porosity = {},
-                          .density = {},
-                          .warnings = sample.warnings};
+    SampleEstimate result{.name = sample.name, .warnings = sample.warnings};
+    result.composition =
+        compose(sample.analysis, catalogue,
+                "--amorphous-fraction X (of the whole; none; remainder: what is missing to 100 %), "
+                "--crystalline-total X, or --internal-standard PHASE with --added-fraction X");
     std::vector<Finding> inferred;
     result.porosity = porosity_of(options, result.composition.density, inferred);
     result.estimate = estimate_modulus(result.composition, {.rule = rule, .porosity = result.porosity});
@@ -250,16 +239,14 @@ void run_modulus_command(const CommandOptions& options, std::ostream& out) {
     const PhaseCatalogue catalogue = catalogue_of(options);
     const XrdResult result =
         read_xrd(read_start(options["file"], longest_xrd_file + 1), options["file"], options["--sheet"]);
-    for (const Finding& warning : result.warnings)
-        spdlog::warn("warning: {}: {}", options["file"], warning.text);
+    warn_of(result.warnings, options["file"]);
 
     std::vector<SampleEstimate> estimates;
     for (const XrdSample& sample : chosen(result, options["--sample"])) {
         const XrdSample whole = completed(sample, options);
         SampleEstimate estimate =
             at_place(FileName{options["file"]}, [&] { return estimated(whole, catalogue, options, rule); });
-        for (const Finding& warning : estimate.warnings)
-            spdlog::warn("warning: {}: {}", options["file"], warning.text);
+        warn_of(estimate.warnings, options["file"]);
         estimate.warnings.insert(estimate.warnings.begin(), result.warnings.begin(), result.warnings.end());
         estimates.push_back(std::move(estimate));
     }

@@ -67,12 +67,12 @@ bool note_edits(const Stage& stage, const Artifacts& before, StageRecord& record
             record.note(
                 {"edited", Severity::remark, std::string(file) + " was edited after ashimpact wrote it"});
         edited = edited || artifact.edited;
-        rests = rests || artifact.edited || artifact.document.at("provenance").value("edited", false);
+        rests = rests || artifact.document.at("provenance").value("edited", false);
     }
     if (rests && !edited)
         record.note(
             {"rests-on-edit", Severity::remark, "computed from artifacts that rest on an edited one"});
-    return rests;
+    return rests || edited;
 }
 
 /// Computes a stage and seals its artifact.
@@ -141,9 +141,9 @@ std::vector<FileContent> presentation(const RunPlan& plan, Work& work, RunSummar
 }
 
 std::vector<std::string> artifact_names() {
-    std::vector<std::string> names{std::string(case_artifact), std::string(manifest_artifact)};
-    for (const Stage& stage : stages()) names.emplace_back(stage.file);
-    names.emplace_back(report::report_file);
+    const auto& files = report::report_artifacts();
+    std::vector<std::string> names(files.begin(), files.end());
+    names.insert(names.end(), {std::string(manifest_artifact), std::string(report::report_file)});
     return names;
 }
 

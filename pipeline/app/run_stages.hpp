@@ -32,8 +32,7 @@ struct RunSummary {
     std::size_t figures = 0;         ///< files of figures written
 };
 
-/// Runs the stages and writes their artifacts. Everything is read, checked and computed before the first file
-/// is touched; then all are replaced at once.
+/// Runs the stages. All is read, checked and computed first; then all artifacts are replaced at once.
 /// @throws InputError, ConvergenceError; nothing is written then
 [[nodiscard]] RunSummary run_stages(const RunPlan& plan);
 

@@ -28,11 +28,6 @@ constexpr std::string_view warning_word = "warning:";
 enum class Color { automatic, always, never };
 Color color_choice = Color::automatic;
 
-bool is_set(const char* variable) {
-    const char* value = std::getenv(variable);
-    return value != nullptr && *value != '\0';
-}
-
 std::string_view line_at(std::string_view text, std::size_t begin) {
     return text.substr(begin, std::min(text.find('\n', begin), text.size()) - begin);
 }
@@ -168,9 +163,11 @@ std::string error_in_color(std::string_view text) {
 
 bool is_colored(int descriptor) {
     if (color_choice != Color::automatic) return color_choice == Color::always;
-    const char* terminal = std::getenv("TERM");
-    const bool dumb = terminal != nullptr && std::string_view(terminal) == "dumb";
-    return isatty(descriptor) == 1 && !is_set("NO_COLOR") && !dumb;
+    const auto variable = [](const char* name) {
+        const char* value = std::getenv(name);
+        return std::string_view(value == nullptr ? "" : value);
+    };
+    return isatty(descriptor) == 1 && variable("NO_COLOR").empty() && variable("TERM") != "dumb";
 }
 
 std::string with_colors(std::string_view text) {

@@ -28,8 +28,7 @@ void choose_color(std::string_view when);
 /// An error message for a terminal: red.
 [[nodiscard]] std::string error_in_color(std::string_view text);
 
-/// Messages on standard error, wrapped unless they are errors. Warnings are held until the command has
-/// accepted its input: an input error prints one line. Safe for several threads.
+/// Wrapped messages on standard error; errors in one line, which drop the warnings held so far. Thread-safe.
 class Messages : public spdlog::sinks::base_sink<std::mutex> {
   public:
     ~Messages() override;
@@ -51,9 +50,8 @@ class Messages : public spdlog::sinks::base_sink<std::mutex> {
 [[nodiscard]] const std::string& program_word();
 void set_program_word(const char* typed);
 
-/// The help of a command in lines of at most @p width characters. Descriptions are wrapped within their
-/// column, commands of examples with a backslash, so that they can be pasted. program_word() replaces
-/// "ashimpact" at the start of an example.
+/// Help in lines of at most @p width characters, descriptions wrapped in their column, examples so that they
+/// can be pasted, beginning with program_word().
 [[nodiscard]] std::string help_layout(const std::string& help, std::size_t width);
 
 /// One line on a command line that could not be parsed: command, problem, what is allowed, where help is.
@@ -62,8 +60,7 @@ void set_program_word(const char* typed);
 /// Progress of a computation as one line on standard error: the share done, the rate, the time left.
 class Progress {
   public:
-    /// @param done at the start; it does not count for the rate
-    /// @param noun what is counted, such as "impacts"
+    /// @param done at the start, not counted in the rate @param noun such as "impacts"
     Progress(std::uint64_t total, std::uint64_t done, bool shown, const char* noun = "impacts");
     ~Progress();
     Progress(const Progress&) = delete;

@@ -60,6 +60,12 @@ def _axes(axes: Optional["Axes"]) -> "Axes":
     return pyplot.figure(figsize=(5.5, 3.6), layout="constrained").add_subplot()
 
 
+def _finished(axes: "Axes", **settings: Any) -> "Axes":
+    axes.set(**settings)
+    axes.legend()
+    return axes
+
+
 def _samples(artifacts: Artifacts, stage: str) -> list[Mapping[str, Any]]:
     if stage not in artifacts:
         raise InputError(f"no artifact {stage}; allowed: what ashimpact.run() returns")
@@ -102,9 +108,7 @@ def composition(artifacts: Artifacts, axes: Optional["Axes"] = None) -> "Axes":
         axes.bar(range(len(samples)), share, bottom=bottom, label=name, **look)
         bottom += share
     axes.set_xticks(range(len(samples)), [sample["name"] for sample in samples])
-    axes.set_ylabel("volume fraction [1]")
-    axes.legend()
-    return axes
+    return _finished(axes, ylabel="volume fraction [1]")
 
 
 def restitution(artifacts: Artifacts, sample: Optional[str] = None, axes: Optional["Axes"] = None) -> "Axes":
@@ -113,9 +117,7 @@ def restitution(artifacts: Artifacts, sample: Optional[str] = None, axes: Option
     for series in _sample(artifacts, "4-restitution", sample)["series"]:
         label = ", ".join(series["laws"]) if series["origin"] == "reconstructed" else series["origin"]
         axes.plot(_values(series["velocity"]), _values(series["restitution"]), "o", label=label, markersize=4)
-    axes.set(xlabel=_VELOCITY, ylabel="restitution $e_n$ [1]", ylim=(0.0, 1.0))
-    axes.legend()
-    return axes
+    return _finished(axes, xlabel=_VELOCITY, ylabel="restitution $e_n$ [1]", ylim=(0.0, 1.0))
 
 
 def restitution_curve(
@@ -131,9 +133,7 @@ def restitution_curve(
     critical = float(_batch.critical_velocities(**threads_free).critical_velocity)
     if 0.0 < critical < np.inf:
         axes.axvline(critical, linewidth=0.8, **style)
-    axes.set(xlabel=_VELOCITY, ylabel="restitution $e_n$ [1]")
-    axes.legend()
-    return axes
+    return _finished(axes, xlabel=_VELOCITY, ylabel="restitution $e_n$ [1]")
 
 
 def _curves(axes: "Axes", nodes: Iterator[tuple[str, Any]], key: str, quantity: str) -> "Axes":
@@ -142,9 +142,7 @@ def _curves(axes: "Axes", nodes: Iterator[tuple[str, Any]], key: str, quantity: 
     for law, node in nodes:
         unit = node[key]["unit"]
         axes.plot(_values(node["velocity"]), _values(node[key]), marker="o", markersize=3, label=law, **_style(law))
-    axes.set(xlabel=_VELOCITY, ylabel=f"{quantity} [{unit}]")
-    axes.legend()
-    return axes
+    return _finished(axes, xlabel=_VELOCITY, ylabel=f"{quantity} [{unit}]")
 
 
 def damping(artifacts: Artifacts, sample: Optional[str] = None, axes: Optional["Axes"] = None) -> "Axes":
@@ -165,9 +163,7 @@ def damping_fit(artifacts: Artifacts, sample: Optional[str] = None, axes: Option
         if law in points:
             node = points[law]
             axes.plot(_values(node["restitution"]), _values(node["damping"]), "o", markersize=3, color=style["color"])
-    axes.set(xlabel="restitution $e_n$ [1]", ylabel=rf"damping $\eta$ [{unit}]")
-    axes.legend()
-    return axes
+    return _finished(axes, xlabel="restitution $e_n$ [1]", ylabel=rf"damping $\eta$ [{unit}]")
 
 
 def contact_time(artifacts: Artifacts, sample: Optional[str] = None, axes: Optional["Axes"] = None) -> "Axes":
@@ -223,9 +219,7 @@ def histories(
                 raise InputError(f"unknown quantity {quantity!r}; allowed: " + ", ".join(path))
             unit = path[quantity]["unit"]
             axes.plot(_values(path["time"]), _values(path[quantity]), label=law, **_style(law))
-    axes.set(xlabel="time [s]", ylabel=f"{quantity.replace('_', ' ')} [{unit}]")
-    axes.legend()
-    return axes
+    return _finished(axes, xlabel="time [s]", ylabel=f"{quantity.replace('_', ' ')} [{unit}]")
 
 
 def energy(artifacts: Artifacts, sample: Optional[str] = None, axes: Optional["Axes"] = None) -> "Axes":
@@ -238,9 +232,7 @@ def energy(artifacts: Artifacts, sample: Optional[str] = None, axes: Optional["A
         axes.bar(range(len(nodes)), share, bottom=bottom, label=key.replace("_", " "), color=_STYLES[place][0])
         bottom += share
     axes.set_xticks(range(len(nodes)), [law for law, _ in nodes])
-    axes.set_ylabel("energy at $v_c$ [J]")
-    axes.legend()
-    return axes
+    return _finished(axes, ylabel="energy at $v_c$ [J]")
 
 
 def sizes(
@@ -252,6 +244,4 @@ def sizes(
     critical = _batch.critical_velocities(radius=radii, **contact).critical_velocity
     shown = np.where((critical > 0.0) & np.isfinite(critical), critical, np.nan)
     axes.plot(2e6 * radii, shown, label=label or contact["law"], **_style(contact["law"]))
-    axes.set(xlabel="diameter [µm]", ylabel="critical velocity [m/s]", xscale="log", yscale="log")
-    axes.legend()
-    return axes
+    return _finished(axes, xlabel="diameter [µm]", ylabel="critical velocity [m/s]", xscale="log", yscale="log")

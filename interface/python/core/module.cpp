@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of the Python module that is not Python: the calls of the C library on numpy's arrays, and the
-// tables of laws.
+// The C++ part of the Python module: calls on numpy's arrays, and the tables of laws.
 #include <chrono>
 #include <optional>
 #include <string>
@@ -62,9 +61,6 @@ class PythonCall {
     }
     PythonCall(const PythonCall&) = delete;
     PythonCall& operator=(const PythonCall&) = delete;
-    PythonCall(PythonCall&&) = delete;
-    PythonCall& operator=(PythonCall&&) = delete;
-    ~PythonCall() = default;
 
     /// An array for a result.
     [[nodiscard]] Array column() const { return Array(static_cast<py::ssize_t>(call_.count)); }
@@ -82,8 +78,7 @@ class PythonCall {
     Call call_;
 };
 
-/// @return restitution, contact time, approach time and greatest overlap; without the last two, None for
-/// them, by tables
+/// @return restitution, contact time, approach time, greatest overlap; the last two None if by tables
 py::tuple impacts(const PythonCall& call, bool turning_point) {
     Array restitution = call.column();
     Array contact_time = call.column();
@@ -130,8 +125,7 @@ py::dict laws() {
     return all;
 }
 
-/// Name, SI unit, text, laws, typical value [SI] and number of the choice of each parameter that laws take
-/// beside those of every contact.
+/// SI unit, text, laws, typical value [SI] and number of the choice of each law parameter, by name.
 py::dict table_of_law_parameters() {
     py::dict table;
     for (std::size_t i = 0; i < Law::count(); ++i) {

@@ -153,6 +153,25 @@ std::string calibration_text(const Case& data, const CalibrationSummary& summary
 
 // Hypotheses beside one another.
 
+/// The observation furthest from what is calibrated, in standard uncertainties.
+struct LargestResidual {
+    std::string what = "none";  ///< "contact time of 88 um, brach-dunn"
+    double in_uncertainties = 0;
+};
+
+/// An impact that rebounded and that a calibrated model captures.
+struct FalseCapture {
+    std::string sample;
+    std::string law;
+    double velocity;              ///< at which its contact time was measured [m/s]
+    double captured_up_to;        ///< [m/s]
+    double velocity_uncertainty;  ///< standard [m/s]
+
+    [[nodiscard]] double in_uncertainties() const {
+        return (captured_up_to - velocity) / velocity_uncertainty;
+    }
+};
+
 /// A set of free constants and what calibration makes of it.
 struct CalibrationHypothesis {
     std::string name;
@@ -160,12 +179,11 @@ struct CalibrationHypothesis {
     std::optional<CalibrationSummary> summary{};
     bool velocities_only = false;  ///< the summary is that of the critical velocities alone
     std::string failure{};         ///< why there is none, or none of all observations
-};
+    std::vector<FalseCapture> captures{};
+    LargestResidual largest{};
 
-/// What was compared: the observations, and the names of the samples they are of.
-struct ComparedObservations {
-    const CalibrationProblem& problem;
-    std::vector<std::string> samples;
+    /// Whether chi^2 lacks the contact times or counts one that the model has not.
+    [[nodiscard]] bool lacks_times() const { return velocities_only || !captures.empty(); }
 };
 
 std::vector<CalibrationHypothesis> hypotheses_of(bool elastic_wall, std::size_t samples) {
@@ -198,75 +216,51 @@ double greatest_difference(const std::vector<CalibrationResidual>& residuals) {
     return greatest;
 }
 
-/// The observation furthest from what is calibrated, in standard uncertainties.
-struct LargestResidual {
-    std::string what;  ///< "contact time of 88 um, brach-dunn"
-    double in_uncertainties;
-};
-
-LargestResidual largest_residual(const CalibrationSummary& summary, bool velocities_only,
-                                 const ComparedObservations& observations) {
-    LargestResidual largest{"none", 0};
+LargestResidual largest_residual(const Case& data, const CalibrationProblem& problem,
+                                 const CalibrationHypothesis& hypothesis) {
+    LargestResidual largest;
     const auto compare = [&](const char* what, const auto& observed,
                              const std::vector<CalibrationResidual>& residuals) {
         for (std::size_t i = 0; i < residuals.size(); ++i) {
             const double size = residuals[i].relative_difference() / residuals[i].relative_uncertainty;
             if (residuals[i].captured_up_to || std::abs(size) <= std::abs(largest.in_uncertainties)) continue;
-            largest = {fmt::format("{} of {}, {}", what, observations.samples[observed[i].sample],
+            largest = {fmt::format("{} of {}, {}", what, data.samples[observed[i].sample].name,
                                    observed[i].law.name()),
                        size};
         }
     };
-    compare("v_c", observations.problem.critical_velocities, summary.critical_velocities);
-    if (!velocities_only) compare("contact time", observations.problem.contact_times, summary.contact_times);
+    compare("v_c", problem.critical_velocities, hypothesis.summary->critical_velocities);
+    if (!hypothesis.velocities_only)
+        compare("contact time", problem.contact_times, hypothesis.summary->contact_times);
     return largest;
 }
 
-/// An impact that rebounded and that a calibrated model captures.
-struct FalseCapture {
-    std::string sample;
-    std::string law;
-    double velocity;              ///< at which its contact time was measured [m/s]
-    double captured_up_to;        ///< [m/s]
-    double velocity_uncertainty;  ///< standard [m/s]
-
-    [[nodiscard]] double in_uncertainties() const {
-        return (captured_up_to - velocity) / velocity_uncertainty;
-    }
-};
-
-std::vector<FalseCapture> false_captures(const CalibrationSummary& summary,
-                                         const ComparedObservations& observations) {
+std::vector<FalseCapture> false_captures(const Case& data, const CalibrationProblem& problem,
+                                         const CalibrationSummary& summary) {
     std::vector<FalseCapture> captures;
     for (std::size_t i = 0; i < summary.contact_times.size(); ++i) {
-        const ContactTimeObservation& observed = observations.problem.contact_times[i];
+        const ContactTimeObservation& observed = problem.contact_times[i];
         if (const auto up_to = summary.contact_times[i].captured_up_to)
-            captures.push_back({observations.samples[observed.sample], std::string(observed.law.name()),
+            captures.push_back({data.samples[observed.sample].name, std::string(observed.law.name()),
                                 observed.velocity, *up_to, observed.velocity_uncertainty});
     }
     return captures;
 }
 
-/// Whether chi^2 lacks the contact times or counts one that the model has not.
-bool lacks_times(const CalibrationHypothesis& hypothesis, const ComparedObservations& observations) {
-    return hypothesis.velocities_only || !false_captures(*hypothesis.summary, observations).empty();
-}
-
 /// The hypothesis that AIC prefers, of those that have all contact times, or the end.
-auto preferred(const std::vector<CalibrationHypothesis>& hypotheses,
-               const ComparedObservations& observations) {
+auto preferred(const std::vector<CalibrationHypothesis>& hypotheses) {
     auto best = hypotheses.end();
     for (auto each = hypotheses.begin(); each != hypotheses.end(); ++each)
-        if (each->summary && !lacks_times(*each, observations) &&
+        if (each->summary && !each->lacks_times() &&
             (best == hypotheses.end() || each->summary->akaike < best->summary->akaike))
             best = each;
     return best;
 }
 
 /// What a hypothesis lacks to be compared, and why.
-std::string remark_on(const CalibrationHypothesis& hypothesis, const ComparedObservations& observations) {
+std::string remark_on(const CalibrationHypothesis& hypothesis) {
     if (!hypothesis.summary) return fmt::format("{}: {}\n", hypothesis.name, hypothesis.failure);
-    if (!lacks_times(hypothesis, observations)) return {};
+    if (!hypothesis.lacks_times()) return {};
     std::string text =
         hypothesis.velocities_only
             ? fmt::format(
@@ -274,7 +268,7 @@ std::string remark_on(const CalibrationHypothesis& hypothesis, const ComparedObs
                   hypothesis.name, hypothesis.failure)
             : hypothesis.name +
                   ": a captured impact has no contact time, that just above v_c, prolonged, counts";
-    for (const FalseCapture& capture : false_captures(*hypothesis.summary, observations)) {
+    for (const FalseCapture& capture : hypothesis.captures) {
         text += fmt::format("; contact time of {}, {}: captured at {}, up to {}", capture.sample, capture.law,
                             readable(capture.velocity, "m/s"), readable(capture.captured_up_to, "m/s"));
         if (capture.velocity_uncertainty > 0)
@@ -284,11 +278,11 @@ std::string remark_on(const CalibrationHypothesis& hypothesis, const ComparedObs
     return text + "\n";
 }
 
-/// Calibrates under the hypotheses that a case allows: moduli from XRD or one contact modulus for all, one
-/// density or one a size, the wall as given or free; the work of adhesion is free in all of them. A
-/// hypothesis that cannot be brought to all observations is calibrated by the critical velocities alone.
-/// @param problem of the case; its free constants are not used
-std::vector<CalibrationHypothesis> compare_hypotheses(const CalibrationProblem& problem, bool elastic_wall) {
+/// Calibrates under the hypotheses that a case allows: moduli from XRD or one contact modulus, one density or
+/// one a size, the wall as given or free; w is always free. If not all observations can be calibrated, v_c
+/// alone is.
+std::vector<CalibrationHypothesis> compare_hypotheses(const Case& data, const CalibrationProblem& problem) {
+    const bool elastic_wall = data.wall && std::holds_alternative<ElasticWall>(*data.wall);
     std::vector<CalibrationHypothesis> hypotheses = hypotheses_of(elastic_wall, problem.samples.size());
     Progress progress(hypotheses.size(), 0, on_terminal(), "hypotheses");
     std::uint64_t begun = 0;
@@ -296,47 +290,49 @@ std::vector<CalibrationHypothesis> compare_hypotheses(const CalibrationProblem& 
         progress.update(begun++);
         CalibrationProblem own = problem;
         own.free = hypothesis.free;
-        try {
-            hypothesis.summary = calibrate_despite_captures(own);
-        } catch (const InputError& error) {
-            hypothesis.failure = error.what();
-        } catch (const ConvergenceError& error) {
-            hypothesis.failure = error.what();
+        const auto calibrated_by = [&](CalibrationSummary (*method)(const CalibrationProblem&)) {
+            std::string failure;
+            try {
+                hypothesis.summary = method(own);
+            } catch (const InputError& error) {
+                failure = error.what();
+            } catch (const ConvergenceError& error) {
+                failure = error.what();
+            }
+            return failure;
+        };
+        hypothesis.failure = calibrated_by(calibrate_despite_captures);
+        if (!hypothesis.summary) {
+            calibrated_by(calibrate_by_velocities);  // may lack observations: the first failure stands
+            hypothesis.velocities_only = hypothesis.summary.has_value();
         }
-        if (hypothesis.summary) continue;
-        try {
-            hypothesis.summary = calibrate_by_velocities(own);
-            hypothesis.velocities_only = true;
-        } catch (const InputError&) {  // too few of them: the failure stands
-        } catch (const ConvergenceError&) {
-        }
+        if (!hypothesis.summary) continue;
+        hypothesis.captures = false_captures(data, problem, *hypothesis.summary);
+        hypothesis.largest = largest_residual(data, problem, hypothesis);
     }
     return hypotheses;
 }
 
-std::string hypotheses_text(const std::vector<CalibrationHypothesis>& hypotheses,
-                            const ComparedObservations& observations) {
+std::string hypotheses_text(const std::vector<CalibrationHypothesis>& hypotheses) {
     TextTable table({"hypothesis", "constants", "chi^2", "degrees of freedom", "probability", "AIC",
                      "worst v_c", "worst contact time", "largest residual [u]"});
     const auto percent = [](double share) { return fmt::format("{:.2f} %", 100 * share); };
     std::string remarks;
     for (const CalibrationHypothesis& hypothesis : hypotheses) {
-        remarks += remark_on(hypothesis, observations);
+        remarks += remark_on(hypothesis);
         if (!hypothesis.summary) continue;
         const CalibrationSummary& summary = *hypothesis.summary;
-        const bool captured = !false_captures(summary, observations).empty();
         const char* bound = hypothesis.velocities_only ? "> " : "";
-        const LargestResidual largest = largest_residual(summary, hypothesis.velocities_only, observations);
         table.add({hypothesis.name, std::to_string(summary.constants.size()),
                    bound + readable_number(summary.chi_squared), std::to_string(summary.degrees_of_freedom),
                    readable_number(summary.probability, 2), bound + readable_number(summary.akaike),
                    percent(greatest_difference(summary.critical_velocities)),
-                   captured                     ? "captured"
+                   !hypothesis.captures.empty() ? "captured"
                    : hypothesis.velocities_only ? "-"
                                                 : percent(greatest_difference(summary.contact_times)),
-                   fmt::format("{:+.1f} {}", largest.in_uncertainties, largest.what)});
+                   fmt::format("{:+.1f} {}", hypothesis.largest.in_uncertainties, hypothesis.largest.what)});
     }
-    const auto best = preferred(hypotheses, observations);
+    const auto best = preferred(hypotheses);
     const std::string verdict =
         best == hypotheses.end()
             ? "No hypothesis could be calibrated.\n"
@@ -344,15 +340,13 @@ std::string hypotheses_text(const std::vector<CalibrationHypothesis>& hypotheses
     return table.text() + remarks + verdict;
 }
 
-Json hypotheses_json(const std::vector<CalibrationHypothesis>& hypotheses,
-                     const ComparedObservations& observations) {
+Json hypotheses_json(const std::vector<CalibrationHypothesis>& hypotheses) {
     Json list = Json::array();
-    const auto best = preferred(hypotheses, observations);
+    const auto best = preferred(hypotheses);
     for (auto each = hypotheses.begin(); each != hypotheses.end(); ++each) {
         Json json{{"hypothesis", each->name}, {"preferred", each == best}};
         if (each->summary) {
             const CalibrationSummary& summary = *each->summary;
-            const LargestResidual largest = largest_residual(summary, each->velocities_only, observations);
             json.update({{"constants", summary.constants.size()},
                          {"velocities_only", each->velocities_only},
                          {"chi_squared", summary.chi_squared},
@@ -362,9 +356,10 @@ Json hypotheses_json(const std::vector<CalibrationHypothesis>& hypotheses,
                          {"worst_critical_velocity", greatest_difference(summary.critical_velocities)},
                          {"worst_contact_time", greatest_difference(summary.contact_times)},
                          {"largest_residual",
-                          {{"observation", largest.what}, {"in_uncertainties", largest.in_uncertainties}}}});
+                          {{"observation", each->largest.what},
+                           {"in_uncertainties", each->largest.in_uncertainties}}}});
             json["captured"] = Json::array();
-            for (const FalseCapture& capture : false_captures(summary, observations))
+            for (const FalseCapture& capture : each->captures)
                 json["captured"].push_back(
                     {{"sample", capture.sample},
                      {"law", capture.law},
@@ -401,13 +396,9 @@ void run_calibrate_command(const CommandOptions& options, std::ostream& out) {
                 throw InputError("nothing is published for these samples that constants could be found from",
                                  "critical velocities with their damping, contact times")
                     .at("/samples");
-            const auto hypotheses =
-                compare_hypotheses(problem, data.wall && std::holds_alternative<ElasticWall>(*data.wall));
-            ComparedObservations observations{problem, {}};
-            for (const Sample& sample : data.samples) observations.samples.push_back(sample.name);
-            out << (options.has("--json")
-                        ? write_json(hypotheses_json(hypotheses, observations), Digits::seventeen)
-                        : hypotheses_text(hypotheses, observations));
+            const auto hypotheses = compare_hypotheses(data, problem);
+            out << (options.has("--json") ? write_json(hypotheses_json(hypotheses), Digits::seventeen)
+                                          : hypotheses_text(hypotheses));
             return;
         }
         if (data.calibration.empty())

@@ -33,10 +33,10 @@ struct CurvePoint {
 struct Prediction {
     Law law;
     DampingPolynomial published;
-    std::optional<DampingFit> predicted;
-    std::optional<double> velocity;  ///< v_c at the predicted eta_c [m/s]
-    std::optional<double> printed;   ///< published v_c [m/s]
-    double greatest_difference = 0;  ///< of e_n from the reference curve, at one velocity [1]
+    std::optional<DampingFit> predicted{};
+    std::optional<double> velocity{};  ///< v_c at the predicted eta_c [m/s]
+    std::optional<double> printed{};   ///< published v_c [m/s]
+    double greatest_difference = 0;    ///< of e_n from the reference curve, at one velocity [1]
 };
 
 struct SampleCheck {
@@ -46,15 +46,10 @@ struct SampleCheck {
     std::vector<Prediction> others{};
 };
 
-Detachment detachment_of(const Case& data, Law law) {
-    for (const LawChoice& choice : data.laws)
-        if (choice.law == law) return choice.detachment;
-    return law.default_detachment();
-}
-
 PublishedDamping curve_of(const Case& data, const ContactPair& contact, Law law,
                           const DampingPolynomial& fit) {
-    return {law, detachment_of(data, law), contact, fit};
+    const auto chosen = std::ranges::find(data.laws, law, &LawChoice::law);
+    return {law, chosen != data.laws.end() ? chosen->detachment : law.default_detachment(), contact, fit};
 }
 
 std::vector<CurvePoint> reference_points(const PublishedDamping& reference, const Reconstruction& plan) {
@@ -72,8 +67,7 @@ std::vector<CurvePoint> reference_points(const PublishedDamping& reference, cons
 
 /// The fit that a law would have published, had it been given the reference curve.
 Prediction prediction_of(const PublishedDamping& law, const std::vector<CurvePoint>& points) {
-    Prediction prediction{
-        .law = law.law, .published = law.damping, .predicted = {}, .velocity = {}, .printed = {}};
+    Prediction prediction{.law = law.law, .published = law.damping};
     std::vector<DampingPoint> inverted;
     for (const CurvePoint& point : points) {
         try {
@@ -120,40 +114,31 @@ SampleCheck check_sample(const Case& data, const Sample& sample, const Reconstru
 }
 
 Json check_json(const SampleCheck& check) {
-    std::vector<double> velocity;
-    std::vector<double> restitution;
-    for (const CurvePoint& point : check.points) {
-        velocity.push_back(point.velocity);
-        restitution.push_back(point.restitution);
-    }
+    const auto column = [&](Dimension dimension, const auto& value_of) {
+        std::vector<double> values;
+        for (const CurvePoint& point : check.points) values.push_back(value_of(point));
+        return column_json(values, dimension);
+    };
     Json json{{"name", check.name},
               {"reference_law", check.reference.name()},
-              {"velocity", column_json(velocity, Dimension::velocity)},
+              {"velocity", column(Dimension::velocity, [](const CurvePoint& p) { return p.velocity; })},
               {"restitution",
-               {{std::string(check.reference.name()), column_json(restitution, Dimension::fraction)}}},
+               {{std::string(check.reference.name()),
+                 column(Dimension::fraction, [](const CurvePoint& p) { return p.restitution; })}}},
               {"predictions", Json::object()}};
     for (std::size_t i = 0; i < check.others.size(); ++i) {
         const Prediction& other = check.others[i];
         const std::string name(other.law.name());
-        std::vector<double> values;
-        for (const CurvePoint& point : check.points) values.push_back(point.others[i]);
-        json["restitution"][name] = column_json(values, Dimension::fraction);
-        Json entry{{"greatest_difference_in_restitution", other.greatest_difference},
-                   {"published", quadratic_json(other.published)},
-                   {"predicted", nullptr}};
-        if (other.predicted) entry["predicted"] = quadratic_json(other.predicted->damping);
-        entry["predicted_critical_velocity"] = quantity_json(other.velocity, Dimension::velocity);
-        entry["published_critical_velocity"] = quantity_json(other.printed, Dimension::velocity);
-        json["predictions"][name] = entry;
+        json["restitution"][name] =
+            column(Dimension::fraction, [&](const CurvePoint& point) { return point.others[i]; });
+        json["predictions"][name] = {
+            {"greatest_difference_in_restitution", other.greatest_difference},
+            {"published", quadratic_json(other.published)},
+            {"predicted", other.predicted ? quadratic_json(other.predicted->damping) : Json(nullptr)},
+            {"predicted_critical_velocity", quantity_json(other.velocity, Dimension::velocity)},
+            {"published_critical_velocity", quantity_json(other.printed, Dimension::velocity)}};
     }
     return json;
-}
-
-/// a, b and c of a fit, each with four digits.
-std::vector<std::string> coefficients(const DampingPolynomial& fit) {
-    std::vector<std::string> texts;
-    for (const double value : fit.coefficients.reverse()) texts.push_back(fmt::format("{:.4f}", value));
-    return texts;
 }
 
 std::string check_text(const SampleCheck& check) {
@@ -167,13 +152,10 @@ std::string check_text(const SampleCheck& check) {
         curves.add(std::move(row));
     }
     TextTable fits({"fit of", "", "a [kg/s]", "b [kg/s]", "c [kg/s]", "v_c [m/s]", "e_n apart by"});
-    const auto velocity = [](const std::optional<double>& value) {
-        return value ? fmt::format("{:#.3g}", *value) : std::string("-");
-    };
     const auto add = [&](std::vector<std::string> row, const DampingPolynomial& fit,
                          const std::optional<double>& critical, std::string apart) {
-        for (std::string& text : coefficients(fit)) row.push_back(std::move(text));
-        row.push_back(velocity(critical));
+        for (const double value : fit.coefficients.reverse()) row.push_back(fmt::format("{:.4f}", value));
+        row.push_back(critical ? fmt::format("{:#.3g}", *critical) : std::string("-"));
         row.push_back(std::move(apart));
         fits.add(std::move(row));
     };

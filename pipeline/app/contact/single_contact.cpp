@@ -18,6 +18,7 @@
 #include "pipeline/case/case_reader.hpp"
 #include "pipeline/document/results_json.hpp"
 #include "pipeline/present/text/layout.hpp"
+#include "solver/contact/law_parameters.hpp"
 #include "solver/damping/damping.hpp"
 
 namespace ashimpact {
@@ -67,12 +68,6 @@ std::optional<Sphere> read_partner(const CommandOptions& options) {
         throw InputError("is missing", "the radius of the second sphere; or its --partner-diameter")
             .at("--partner-radius");
     return std::nullopt;
-}
-
-/// R* and m* (Eq. 6 and the text under Eq. 2): of the sphere on a wall, or of both spheres.
-Sphere effective(const Sphere& sphere, const std::optional<Sphere>& partner) {
-    if (!partner) return sphere;
-    return {effective_radius(sphere.radius, partner->radius), effective_mass(sphere.mass, partner->mass)};
 }
 
 /// The share of the work of adhesion that roughness leaves.
@@ -243,7 +238,10 @@ ContactChoice read_contact(const CommandOptions& options) {
     const Sphere sphere = read_sphere(options, "--");
     warn_if_implausible(sphere.radius, sphere_density(sphere.radius, sphere.mass));
     const std::optional<Sphere> partner = read_partner(options);
-    const auto [radius, mass] = effective(sphere, partner);
+    // R* and m* (Eq. 6 and the text under Eq. 2)
+    const auto [radius, mass] = !partner ? sphere
+                                         : Sphere{effective_radius(sphere.radius, partner->radius),
+                                                  effective_mass(sphere.mass, partner->mass)};
     const double smooth_adhesion = read_work_of_adhesion(options, law);
     const ContactPair contact{.mass = mass,
                               .effective_radius = radius,
@@ -305,8 +303,15 @@ std::string regime_text(const Regime& regime) {
     return list.text(0);
 }
 
-void warn_of_regime(const Regime& regime) {
-    for (const Finding& warning : regime.warnings) spdlog::warn("warning: {}", warning.text);
+void warn_of(const std::vector<Finding>& findings, const std::string& place) {
+    for (const Finding& finding : findings)
+        spdlog::warn("warning: {}{}{}", place, place.empty() ? "" : ": ", finding.text);
+}
+
+void add_model(TextList& list, Law law, Detachment detachment, const Damping& damping) {
+    list.add("law", fmt::format("{}, contact ends at {}", law.name(), name_of(detachment)));
+    list.add("damping", fmt::format("{} ({})", readable(damping.coefficient, unit_of(damping.law)),
+                                    name_of(damping.law)));
 }
 
 std::string impact_text(const Impact& impact, const ImpactResult& result) {
@@ -314,10 +319,7 @@ std::string impact_text(const Impact& impact, const ImpactResult& result) {
         return value ? readable(*value, "s") : std::string(none);
     };
     TextList list;
-    list.add("law", fmt::format("{}, contact ends at {}", impact.law.name(), name_of(impact.detachment)));
-    list.add("damping",
-             fmt::format("{} ({})", readable(impact.damping.coefficient, unit_of(impact.damping.law)),
-                         name_of(impact.damping.law)));
+    add_model(list, impact.law, impact.detachment, impact.damping);
     list.add("velocity", readable(impact.velocity, "m/s"));
     list.add("outcome", std::string(name_of(result.outcome)));
     list.add("restitution", readable_number(result.restitution));

@@ -10,6 +10,7 @@
 
 #include "core/json/document.hpp"
 #include "core/units/units.hpp"
+#include "pipeline/present/text/layout.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/motion/impact.hpp"
@@ -61,6 +62,11 @@ struct ContactChoice {
     ContactPair contact;
     Sphere sphere;
     std::optional<Sphere> partner{};  ///< none: a flat wall
+
+    /// @param velocity [m/s]
+    [[nodiscard]] Impact impact(const Damping& damping, double velocity) const {
+        return {law, detachment, damping, contact, velocity};
+    }
 };
 
 /// The option of a law parameter: "--cohesion-energy-density".
@@ -78,10 +84,13 @@ struct ContactChoice {
 /// The lines a reader gets of it.
 [[nodiscard]] std::string impact_text(const Impact& impact, const ImpactResult& result);
 
+/// Adds the lines on contact law and damping.
+void add_model(TextList& list, Law law, Detachment detachment, const Damping& damping);
+
 /// The lines on the regime of an impact.
 [[nodiscard]] std::string regime_text(const Regime& regime);
 
-/// Puts the warnings of a regime on standard error.
-void warn_of_regime(const Regime& regime);
+/// Puts findings on standard error as warnings. @param place a file, or empty
+void warn_of(const std::vector<Finding>& findings, const std::string& place = {});
 
 }  // namespace ashimpact

@@ -97,8 +97,6 @@ class Chunk {
             std::vector<Moments>& moments = sums.observables.emplace_back(plan_.design().groups());
             if (each.observable == Observable::captured) {
                 add_captures(samples_of(results.restitution), moments, histogram);
-            } else if (each.observable == Observable::restitution) {
-                add_values(samples_of(results.restitution), each.bins, moments, histogram);
             } else {
                 const std::vector<double> values = values_of(each.observable, results, impacts);
                 add_values(samples_of(values), each.bins, moments, histogram);
@@ -144,41 +142,20 @@ class Chunk {
         }
     }
 
-    /// Values of the points of one group, from as many blocks as there are.
-    [[nodiscard]] std::vector<double> group_of(std::span<const double> values, std::uint32_t group) const {
-        const std::uint32_t groups = plan_.design().groups();
-        const std::size_t start = (group + groups - first_ % groups) % groups;
-        std::vector<double> picked;
-        picked.reserve(values.size() / groups + values.size() / points_);
-        for (std::size_t block = 0; block < values.size(); block += points_)
-            for (std::size_t i = start; i < points_; i += groups) picked.push_back(values[block + i]);
-        return picked;
-    }
-
-    /// Removes points with an impact that did not converge, as their part of the variance is unknown.
-    static void remove_unknown(Columns& blocks) {
-        std::vector<std::size_t> known;
-        for (std::size_t i = 0; i < blocks[0].size(); ++i)
-            if (std::none_of(blocks.begin(), blocks.end(),
-                             [&](const std::vector<double>& block) { return std::isnan(block[i]); }))
-                known.push_back(i);
-        if (known.size() == blocks[0].size()) return;
-        for (auto& block : blocks) {
-            std::vector<double> kept;
-            kept.reserve(known.size());
-            for (const std::size_t i : known) kept.push_back(block[i]);
-            block = std::move(kept);
-        }
-    }
-
+    /// Sums of each group of points, without points of which an impact did not converge.
     [[nodiscard]] std::vector<SobolSums> sobol_by_group(const std::vector<double>& values) const {
+        const std::uint32_t groups = plan_.design().groups();
         std::vector<SobolSums> sums;
-        const std::span<const double> all(values);
-        for (std::uint32_t group = 0; group < plan_.design().groups(); ++group) {
-            Columns blocks;
-            for (std::size_t block = 0; block < plan_.impacts_a_point(); ++block)
-                blocks.push_back(group_of(all.subspan(block * points_, points_), group));
-            remove_unknown(blocks);
+        for (std::uint32_t group = 0; group < groups; ++group) {
+            Columns blocks(plan_.impacts_a_point());
+            for (std::size_t i = (group + groups - first_ % groups) % groups; i < points_; i += groups) {
+                const auto value = [&](std::size_t block) { return values[block * points_ + i]; };
+                bool known = true;
+                for (std::size_t block = 0; block < blocks.size(); ++block)
+                    known = known && !std::isnan(value(block));
+                for (std::size_t block = 0; known && block < blocks.size(); ++block)
+                    blocks[block].push_back(value(block));
+            }
             sums.push_back(SobolSums::of({blocks[0], blocks[1], {blocks.begin() + 2, blocks.end()}}));
         }
         return sums;
@@ -209,19 +186,14 @@ constexpr std::size_t chunk_impacts = 8192;
 constexpr std::uint64_t tabulated_from = 500'000;  ///< points from which a table pays
 
 Design design_of(const SweepSpec& spec) {
-    std::vector<Distribution> distributions;
-    for (const SweepVariable& variable : spec.variables) distributions.push_back(variable.distribution);
-    return {std::move(distributions), spec.sampling,
+    return {distributions_of(spec), spec.sampling,
             spec.sensitivity.empty() ? std::size_t{1} : std::size_t{2}};
 }
 
 bool asks_for(const SweepSpec& spec, Observable observable) {
-    const auto holds = [&](const std::vector<Observable>& list) {
-        return std::find(list.begin(), list.end(), observable) != list.end();
-    };
-    return holds(spec.sensitivity) || holds(spec.table) ||
-           std::ranges::find(spec.statistics, observable, &ObservableStatistics::observable) !=
-               spec.statistics.end();
+    return std::ranges::count(spec.sensitivity, observable) + std::ranges::count(spec.table, observable) +
+               std::ranges::count(spec.statistics, observable, &ObservableStatistics::observable) >
+           0;
 }
 
 }  // namespace

@@ -63,8 +63,7 @@ class SweepPlan {
     std::size_t chunk_points_;
 };
 
-/// 2^level consecutive chunks, the first of which is a multiple of 2^level: a node of the tree in which
-/// chunks are merged, and the work that one thread does at a time.
+/// 2^level consecutive chunks from a multiple of 2^level on: a node of the merge tree, one unit of work.
 struct Block {
     std::uint64_t first = 0;
     unsigned level = 0;

@@ -45,13 +45,6 @@ void check_result(const std::filesystem::path& result) {
     require_writable_folder(folder.empty() ? "." : folder);
 }
 
-/// The report replaces a page of ours and nothing else.
-void check_report(const SweepFiles& files) {
-    const auto status = std::filesystem::status(files.report);
-    if (std::filesystem::exists(status) && !report::is_own_page(files.report))
-        refuse(files.report, "is there already and is no report of ours", "another -o, or --no-report");
-}
-
 /// A sweep may replace its own table, even after an edit of its spec, but not that of another result.
 void check_table(const SweepFiles& files, const SweepPlan& plan) {
     if (!std::filesystem::exists(files.table)) return;
@@ -61,9 +54,8 @@ void check_table(const SweepFiles& files, const SweepPlan& plan) {
         refuse(files.table, "is there already and is the table of another sweep", another);
 }
 
-/// Refuses a table that cannot have room, before anything is computed. Digits of numbers drawn at random do
-/// not shrink: 6.5 bytes are left of each. Everything else is taken to shrink to a hundredth of its 8 bytes.
-/// Until the table is written its rows stand beside it.
+/// Refuses a table that the disk has no room for: 6.5 bytes for each random number, which does not compress,
+/// 0.08 for others; rows stand beside the table until it is written.
 void check_room(const SweepFiles& files, const SweepPlan& plan) {
     double random = 0;
     for (const SweepVariable& variable : plan.spec().variables)
@@ -90,9 +82,8 @@ bool is_foreign(const std::filesystem::path& file, std::string_view mark) {
     return start.find(mark) == std::string::npos && !mark.starts_with(start);
 }
 
-/// Checks before a computation that its outputs can be written and would replace only files of this sweep:
-/// not the spec, a table of another sweep, rows, a checkpoint or a page that this program did not write.
-/// @throws InputError naming the file
+/// Checks that outputs can be written and replace only files of this sweep. @throws InputError naming the
+/// file
 void check_outputs(const SweepFiles& files, const std::filesystem::path& spec, const SweepPlan& plan,
                    bool with_report) {
     const bool with_table = !plan.spec().table.empty();
@@ -100,7 +91,8 @@ void check_outputs(const SweepFiles& files, const std::filesystem::path& spec, c
     for (const auto& file : {files.result, files.checkpoint, files.rows, files.table})
         if ((with_table || file != files.table) && is_same_file(file, spec))
             refuse(file, "is the spec, which would be lost", another);
-    if (with_report) check_report(files);
+    if (with_report && std::filesystem::exists(files.report) && !report::is_own_page(files.report))
+        refuse(files.report, "is there already and is no report of ours", "another -o, or --no-report");
     if (with_table) check_table(files, plan);
     if (with_table) check_room(files, plan);
     if (is_foreign(files.rows, row_log_mark))
@@ -132,12 +124,10 @@ void remove_leftovers(const SweepFiles& files) {
     std::filesystem::remove(files.checkpoint, ignored);
     const std::string own = "." + files.result.filename().string() + ".";
     const auto folder = std::filesystem::absolute(files.result, ignored).parent_path();
-    std::vector<std::filesystem::path> left;
     for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
         const std::string name = entry.path().filename().string();
-        if (name.starts_with(own) && name.ends_with(".tmp")) left.push_back(entry.path());
+        if (name.starts_with(own) && name.ends_with(".tmp")) std::filesystem::remove(entry.path(), ignored);
     }
-    for (const auto& file : left) std::filesystem::remove(file, ignored);
 }
 
 /// One line of results for each law, and the files written.
@@ -153,8 +143,7 @@ std::string summary(const Json& artifact, const SweepFiles& files, const SweepPl
            fmt::format("; as tables:\n  {} inspect {}\n", program_word(), shell_word(files.result.string()));
 }
 
-/// Writes the report beside the result, or removes that of an earlier sweep. A failure is only a warning.
-/// @returns whether there is a report
+/// Writes the report or removes an old one; a failure is only a warning. @returns whether there is a report
 bool write_report(const CommandOptions& options, const Json& artifact, const SweepFiles& files) {
     if (!options.has("--no-report")) {
         try {
@@ -233,8 +222,7 @@ class LawResult {
         return moments;
     }
 
-    /// Of random points by their variance, of quasi-random ones by the spread of their copies; none of a
-    /// grid.
+    /// From the variance of random points, the spread of quasi-random copies; none of a grid.
     [[nodiscard]] std::optional<double> error_of_mean(std::size_t i) const {
         if (plan_.spec().sampling.method == SamplingMethod::random) {
             const Moments moments = whole(i);
@@ -251,14 +239,26 @@ class LawResult {
     [[nodiscard]] Json observable(std::size_t i) const {
         const ObservableStatistics& statistics = plan_.spec().statistics[i];
         const Dimension dimension = dimension_of(statistics.observable);
-        Json json{{"name", name_of(statistics.observable)},
-                  {"of", captures_count(statistics.observable) ? "all impacts" : "rebounds"}};
-        add_moments(json, i, dimension);
         const Bins& bins = statistics.bins;
-        json["resolution"] = {{"kind", bins.is_relative() ? "relative" : "absolute"},
-                              {"value", bins.resolution()},
-                              {"unit", "1"}};
-        json["quantiles"] = Json::array();
+        const Moments moments = whole(i);
+        const bool any = moments.count > 0;
+        const bool spread = moments.count > 1;
+        const bool shaped = spread && moments.second > 0;
+        Json json{
+            {"name", name_of(statistics.observable)},
+            {"of", captures_count(statistics.observable) ? "all impacts" : "rebounds"},
+            {"count", moments.count},
+            {"mean", any ? with_error(moments.mean, dimension, error_of_mean(i)) : Json()},
+            {"standard_deviation", spread ? quantity_json(std::sqrt(moments.variance()), dimension) : Json()},
+            {"skewness", shaped ? Json(moments.skewness()) : Json()},
+            {"excess_kurtosis", shaped ? Json(moments.excess_kurtosis()) : Json()},
+            {"minimum", any ? quantity_json(moments.minimum, dimension) : Json()},
+            {"maximum", any ? quantity_json(moments.maximum, dimension) : Json()},
+            {"resolution",
+             {{"kind", bins.is_relative() ? "relative" : "absolute"},
+              {"value", bins.resolution()},
+              {"unit", "1"}}},
+            {"quantiles", Json::array()}};
         if (counts_[i].total() == 0) return json;
         for (const double probability : statistics.quantiles) {
             const auto [lower, upper] = counts_[i].quantile(bins, probability);
@@ -268,23 +268,6 @@ class LawResult {
         }
         json["histogram"] = histogram(counts_[i], bins, dimension);
         return json;
-    }
-
-    void add_moments(Json& json, std::size_t i, Dimension dimension) const {
-        const Moments moments = whole(i);
-        json["count"] = moments.count;
-        for (const char* key :
-             {"mean", "standard_deviation", "skewness", "excess_kurtosis", "minimum", "maximum"})
-            json[key] = nullptr;
-        if (moments.count == 0) return;
-        json["mean"] = with_error(moments.mean, dimension, error_of_mean(i));
-        json["minimum"] = quantity_json(moments.minimum, dimension);
-        json["maximum"] = quantity_json(moments.maximum, dimension);
-        if (moments.count == 1) return;
-        json["standard_deviation"] = quantity_json(std::sqrt(moments.variance()), dimension);
-        if (!(moments.second > 0)) return;
-        json["skewness"] = moments.skewness();
-        json["excess_kurtosis"] = moments.excess_kurtosis();
     }
 
     static Json histogram(const Histogram& histogram, const Bins& bins, Dimension dimension) {

@@ -5,8 +5,7 @@
 #include "pipeline/app/sweep/sweep.hpp"
 #include "pipeline/app/sweep/workers.hpp"
 
-/// ashimpact-sweep: ashimpact with MPI and HDF5, whose libraries take longer to load than other
-/// commands take to run. `ashimpact sweep` and `ashimpact export table` become this program.
+/// ashimpact with MPI and HDF5, which take long to load: runs `ashimpact sweep` and `ashimpact export table`.
 int main(int argc, char** argv) {
     // The columns of one chunk after another: memory goes from one to the next, not to the system and back.
     mallopt(M_MMAP_THRESHOLD, 32 << 20);

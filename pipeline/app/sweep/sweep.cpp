@@ -109,8 +109,7 @@ class SweepDriver {
                std::chrono::duration<double>(Clock::now() - saved_).count() >= care_.checkpoint_interval;
     }
 
-    /// Assigns blocks while someone has nothing to do, but never far ahead of what is merged: results that
-    /// wait for one before them take memory.
+    /// Assigns blocks to idle workers, but not far ahead of the merged ones: waiting results take memory.
     void hand_out() {
         const std::size_t most_waiting = 4 * workers_.capacity();
         while (next_ < plan_.chunks() && workers_.vacancies() > 0 &&

@@ -7,7 +7,6 @@
 #include <functional>
 #include <iosfwd>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,33 +24,28 @@ namespace ashimpact {
 /// Level of compression: higher levels hardly shrink numbers of full precision.
 inline constexpr int deflate_level = 1;
 
-/// The columns of one chunk of the table, packed as HDF5's filters shuffle and deflate would: threads do the
-/// work, and the file takes the bytes unchanged. A short last chunk is padded with zeros to @p rows. A hash
-/// of them and of the chunk's number, and their length, are written before them, to detect damage.
+/// The columns of one chunk, shuffled and deflated as HDF5 would and padded with zeros to @p rows; the file
+/// takes them unchanged. A hash of them and of the chunk's number, and their length, stand before them.
 [[nodiscard]] std::string sealed_rows(std::uint64_t chunk, const std::vector<std::vector<double>>& columns,
                                       std::size_t rows);
 
 /// Beginning of every file of rows, by which a sweep recognises one.
 inline constexpr std::string_view row_log_mark = "ashimpact sweep rows\n";
 
-/// The packed rows of the full table, in order, in a file of their own until the table is complete. Unlike an
-/// HDF5 file it can be truncated to what a checkpoint contains. The file is also the lock of a sweep, with a
-/// table or without: only who has it reads the checkpoint, writes and removes the files of the sweep.
+/// The packed rows of the full table until it is complete. Unlike an HDF5 file they can be truncated to a
+/// checkpoint. The file is also the lock of a sweep: only its owner writes and removes files of the sweep.
 class RowLog {
   public:
-    /// Opens the file, or makes it, and locks it.
-    /// @throws InputError if that cannot be done, or another sweep has it
+    /// Opens or makes the file and locks it. @throws InputError if that fails, or another sweep has it
     explicit RowLog(std::filesystem::path path);
     /// Unlocks the file, and removes it where it is empty.
     ~RowLog();
     RowLog(const RowLog&) = delete;
     RowLog& operator=(const RowLog&) = delete;
 
-    /// Truncates the file to @p size bytes, after which rows are appended; 0: to its mark alone.
-    /// @throws InputError if that cannot be done, or the file is shorter
+    /// Truncates to @p size bytes, 0: to the mark; then appends. @throws InputError if it fails or is shorter
     void resume(std::uint64_t size);
-    /// Truncates the file to nothing.
-    /// @throws InputError if that cannot be done
+    /// Truncates the file to nothing. @throws InputError if that fails
     void clear();
     /// @throws InputError if the disk is full
     void append(std::string_view rows);
@@ -70,19 +64,16 @@ class RowLog {
     std::uint64_t size_ = 0;
 };
 
-/// Writes the full table as an HDF5 file from the packed rows: a dataset of doubles a column, shuffled and
-/// deflated, unit and description as its attributes. The same rows give the same bytes; no half a file is
-/// seen.
-/// @throws InputError if the file cannot be written
+/// Writes the full table as HDF5, a dataset of doubles a column with unit and description; whole or not at
+/// all. The same rows give the same bytes. @throws InputError if the file cannot be written
 void write_table(const std::filesystem::path& file, const SweepPlan& plan, const std::filesystem::path& rows);
 
 /// Hash (SweepPlan::hash) of the spec to which a table belongs; none if no sweep wrote the file.
 [[nodiscard]] std::optional<std::string> spec_of_table(const std::filesystem::path& file);
 
-/// The bytes of an HDF5 file with a table of impacts: datasets diameter, critical_velocity, start_velocity,
-/// slope, t; velocity, restitution, contact_time, damping over (diameter, t), each with its unit. The same
-/// table gives the same bytes.
-/// @throws std::runtime_error if HDF5 fails
+/// HDF5 file of a table of impacts: diameter, critical_velocity, start_velocity, slope, t; velocity,
+/// restitution, contact_time, damping over (diameter, t). The same table gives the same bytes. @throws
+/// std::runtime_error
 [[nodiscard]] std::string impact_table_image(const ExportSubject& subject, const ImpactTable& table);
 
 /// The files of a sweep, all in one folder.
@@ -99,8 +90,7 @@ struct SweepFiles {
 /// Beginning of every checkpoint, by which a sweep recognises one.
 inline constexpr std::string_view checkpoint_mark = "ashimpact sweep checkpoint";
 
-/// The finished part of a sweep by its checkpoint; none if there is no file.
-/// @throws InputError if it belongs to another spec or program, or is damaged
+/// Progress of a checkpoint, if any. @throws InputError if damaged, or of another spec or program
 [[nodiscard]] std::optional<SweepProgress> load_checkpoint(const std::filesystem::path& file,
                                                            const SweepPlan& plan);
 
@@ -114,11 +104,9 @@ struct SweepCare {
 /// The work of one block.
 [[nodiscard]] Work work_of(const SweepPlan& plan, ImpactSolver solver);
 
-/// Has the workers compute every chunk that the checkpoint lacks, and merges the results in the order of the
-/// chunks. The finished part is saved regularly, and also if an error or an interruption ends the work.
-/// @param rows the lock of the sweep, and the rows of its table
-/// @returns whether all is done; false if it was interrupted
-/// @throws InputError if a file cannot be written; whatever the work throws
+/// Computes what the checkpoint lacks and merges it in the order of the chunks; saves regularly, and on an
+/// error or interruption. @param rows lock of the sweep, and rows of its table
+/// @returns false if interrupted @throws InputError if a file cannot be written; whatever the work throws
 [[nodiscard]] bool complete(SweepProgress& progress, const SweepPlan& plan, const SweepFiles& files,
                             RowLog& rows, Workers& workers, const SweepCare& care);
 

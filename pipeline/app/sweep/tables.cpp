@@ -55,30 +55,17 @@ std::string digest_of(std::uint64_t chunk, const std::string& packed) {
     return sha256(std::to_string(chunk) + "\n" + packed);
 }
 
-/// Thrown for rows that differ from those that were sealed.
-class DamagedRows : public std::runtime_error {
-  public:
-    explicit DamagedRows(std::uint64_t chunk) : std::runtime_error("damaged rows"), chunk_(chunk) {}
-    [[nodiscard]] std::uint64_t chunk() const { return chunk_; }
-
-  private:
-    std::uint64_t chunk_;
-};
-
-/// Reads the packed columns of the next chunk, which must be that of this number.
-/// @throws DamagedRows unless they are there, unchanged
-std::vector<std::string> read_sealed_rows(std::istream& stream, std::uint64_t chunk, std::size_t columns) {
+/// The packed columns of the next chunk; none unless it has this number and is unchanged.
+std::optional<std::vector<std::string>> read_sealed_rows(std::istream& stream, std::uint64_t chunk) {
     std::string digest(digest_length, '\0');
     std::uint64_t length = 0;
     stream.read(digest.data(), static_cast<std::streamsize>(digest.size()));
     stream.read(reinterpret_cast<char*>(&length), sizeof(length));
-    if (!stream || length > most_packed_bytes) throw DamagedRows(chunk);
+    if (!stream || length > most_packed_bytes) return std::nullopt;
     std::string packed_rows(length, '\0');
     stream.read(packed_rows.data(), static_cast<std::streamsize>(length));
-    if (!stream || digest != digest_of(chunk, packed_rows)) throw DamagedRows(chunk);
-    auto read = unpacked<std::vector<std::string>>(packed_rows);  // as they were written: the digest agrees
-    if (read.size() != columns) throw DamagedRows(chunk);
-    return read;
+    if (!stream || digest != digest_of(chunk, packed_rows)) return std::nullopt;
+    return unpacked<std::vector<std::string>>(packed_rows);  // as they were written: the digest agrees
 }
 
 /// A failed call of HDF5. Its own messages are long and would go to standard error, see silence().
@@ -113,9 +100,8 @@ class Handle {
     Close close_;
 };
 
-/// Stops HDF5 from writing messages to standard error, and from its clean-up at exit, which would crash when
-/// it writes again what a full disk refused before. Every file is closed explicitly, so no clean-up is
-/// needed. To be called before anything else of HDF5.
+/// Before any other call: no messages of HDF5, and no clean-up at exit, which would crash on a full disk;
+/// every file is closed explicitly.
 void silence() {
     static const herr_t no_clean_up = H5dont_atexit();  // refused from the second time on
     check(no_clean_up, "H5dont_atexit");
@@ -182,18 +168,26 @@ std::vector<Handle> add_columns(const Handle& file, const SweepPlan& plan) {
     return columns;
 }
 
-void copy_rows(std::istream& rows, const SweepPlan& plan, const std::vector<Handle>& columns) {
+/// @throws InputError naming the file of rows if they are not those that were sealed
+void copy_rows(const std::filesystem::path& file, const SweepPlan& plan, const std::vector<Handle>& columns) {
+    std::ifstream rows(file, std::ios::binary);
+    rows.seekg(row_log_mark.size());
     for (std::uint64_t chunk = 0; chunk < plan.chunks(); ++chunk) {
-        const std::vector<std::string> packed = read_sealed_rows(rows, chunk, columns.size());
+        const auto packed = read_sealed_rows(rows, chunk);
         const hsize_t offset = chunk * plan.rows_in_chunk();
-        for (std::size_t i = 0; i < columns.size(); ++i)
-            check(
-                H5Dwrite_chunk(columns[i].id(), H5P_DEFAULT, 0, &offset, packed[i].size(), packed[i].data()),
-                "H5Dwrite_chunk");
+        if (!packed || packed->size() != columns.size())
+            throw InputError("is damaged from row " + std::to_string(offset) + " of the table on",
+                             "--restart to begin anew, or another -o")
+                .at(FileName{file.string()});
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            const std::string& column = (*packed)[i];
+            check(H5Dwrite_chunk(columns[i].id(), H5P_DEFAULT, 0, &offset, column.size(), column.data()),
+                  "H5Dwrite_chunk");
+        }
     }
 }
 
-void fill_table(const std::filesystem::path& path, const SweepPlan& plan, std::istream& rows) {
+void fill_table(const std::filesystem::path& path, const SweepPlan& plan, const std::filesystem::path& rows) {
     silence();
     const Handle properties = timeless(H5P_FILE_CREATE);
     Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, properties.id(), H5P_DEFAULT), H5Fclose, "H5Fcreate");
@@ -348,20 +342,14 @@ std::optional<std::string> spec_of_table(const std::filesystem::path& file) {
 void write_table(const std::filesystem::path& file, const SweepPlan& plan,
                  const std::filesystem::path& rows) {
     const auto temporary = file.parent_path() / ("." + file.filename().string() + ".tmp");
+    std::error_code ignored;
     try {
-        std::ifstream stream(rows, std::ios::binary);
-        stream.seekg(row_log_mark.size());
-        fill_table(temporary, plan, stream);
+        fill_table(temporary, plan, rows);
         std::filesystem::rename(temporary, file);
-    } catch (const DamagedRows& damaged) {
-        std::error_code ignored;
+    } catch (const InputError&) {
         std::filesystem::remove(temporary, ignored);
-        const std::uint64_t first = damaged.chunk() * plan.rows_in_chunk();
-        throw InputError("is damaged from row " + std::to_string(first) + " of the table on",
-                         "--restart to begin anew, or another -o")
-            .at(FileName{rows.string()});
+        throw;
     } catch (const std::runtime_error& error) {  // HDF5's and the file system's
-        std::error_code ignored;
         std::filesystem::remove(temporary, ignored);
         throw InputError(std::string("cannot be written: ") + error.what(), "a place with room")
             .at(FileName{file.string()});

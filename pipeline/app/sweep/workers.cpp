@@ -25,8 +25,7 @@ int processes_launched() {
 
 enum Tag : int { greeting, assignment, result, dismissal };
 
-/// Time between polls for messages. Every worker has a block waiting, so no message is urgent, and each poll
-/// takes time from a computing thread.
+/// Time between polls. Workers have a block waiting, so no message is urgent.
 constexpr std::chrono::milliseconds pause{2};
 
 }  // namespace

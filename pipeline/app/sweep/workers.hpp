@@ -84,16 +84,14 @@ struct Message {
     std::string bytes;
 };
 
-/// The MPI job this process belongs to. Outside mpirun there is none: one process, rank 0, and MPI is never
-/// started, which takes longer than a small sweep.
+/// The MPI job of this process; outside mpirun one process of rank 0, without MPI, whose start takes long.
 class MpiSession {
   public:
     MpiSession() = default;
     MpiSession(const MpiSession&) = delete;
     MpiSession& operator=(const MpiSession&) = delete;
 
-    /// Starts MPI if this process was started by mpirun or the like.
-    /// @throws InputError if that belongs to an MPI other than the one this program is linked with
+    /// Starts MPI if mpirun started this process. @throws InputError if it is of another MPI than ours
     void join();
     /// Leaves the job; a status other than 0 aborts it on all ranks. @returns the status
     int leave(int status);

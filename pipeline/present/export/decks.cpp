@@ -104,8 +104,7 @@ const DemModel& wall_model(const ExportSubject& subject, const DemCode& code) {
         "hertz, dmt, brach-dunn, sjkr with zero-overlap; damping constant, contact-radius, tsuji");
 }
 
-/// The model of two spheres, which has all of the contact.
-/// @throws InputError for any other subject, with the reason
+/// The model of two spheres. @throws InputError with the reason if it lacks something of the contact
 const DemModel& pair_model(const ExportSubject& subject, const DemCode& code) {
     const SizedDamping& damping = subject.damping;
     const auto refuse = [&](const std::string& reason) {
@@ -146,12 +145,6 @@ double hertz_time(const ExportSubject& subject, const ExpectedImpact& impact) {
     return hertz_contact_time(contact_at(subject, impact.diameter), impact.velocity);
 }
 
-/// Steps to run, in contacts.
-double horizon_of(const ExpectedImpact& impact) {
-    if (impact.outcome == Outcome::capture) return captured_horizon;
-    return impact.restitution < slow_restitution ? slow_horizon : rebound_horizon;
-}
-
 /// impacts.in: the impacts as index variables; ash_wall_z or partner_z last.
 ExportFile impact_variables(const ExportSubject& subject) {
     const auto impacts = expected_impacts(subject);
@@ -169,7 +162,11 @@ ExportFile impact_variables(const ExportSubject& subject) {
     list("contact_time", [&](const ExpectedImpact& each) {
         return exact(each.contact_time.value_or(hertz_time(subject, each)));
     });
-    list("horizon", [](const ExpectedImpact& each) { return exact(horizon_of(each)); });
+    list("horizon", [](const ExpectedImpact& each) {  // steps to run, in contacts
+        return exact(each.outcome == Outcome::capture      ? captured_horizon
+                     : each.restitution < slow_restitution ? slow_horizon
+                                                           : rebound_horizon);
+    });
     list("every", [&](const ExpectedImpact& each) {
         return std::to_string((each.outcome == Outcome::capture ? captured_every : 1) *
                               (subject.partner ? pair_every : 1));
@@ -232,8 +229,7 @@ struct Deck {
     std::vector<std::string> conversions;  ///< for assumptions.md
 };
 
-/// in.impacts, impacts.in, README.md, run.sh, compare.py, the deck's own files, assumptions.md and
-/// expected.json. @param values from deck_values(), with those that only this code has
+/// All files of a deck. @param values from deck_values(), with those that only this code has
 ExportFolder deck_folder(const ExportSubject& subject, const DemCode& code, const Deck& deck,
                          TemplateValues values) {
     const bool pair = subject.partner.has_value();
@@ -270,14 +266,6 @@ ExportFolder deck_folder(const ExportSubject& subject, const DemCode& code, cons
                                .damping_lags = pair,
                                .free_flight = subject.detachment == Detachment::load_controlled}));
     return folder;
-}
-
-/// The conversions of a wall: the code's own, then those of the added forces.
-std::vector<std::string> with_added(std::vector<std::string> lines, const ExportSubject& subject,
-                                    AddedForces added) {
-    const auto more = added_force_conversions(subject, added);
-    lines.insert(lines.end(), more.begin(), more.end());
-    return lines;
 }
 
 /// The model's name and coefficients in LAMMPS. It takes half of w as surface energy; E = 2 E* with nu = 0 is
@@ -397,7 +385,7 @@ ExportFolder lammps_folder(const ExportSubject& subject, const TableImage& /*ima
         {.contact = "pair_style       none\ncomm_modify      cutoff " + values["skin"] +
                     "\nfix              integrate all nve/sphere\ninclude          ash_wall.in\n",
          .files = {{"ash_wall.in", file}, {"in.cloud", filled("lammps/in.cloud", values)}},
-         .conversions = with_added(std::move(conversions), subject, added)},
+         .conversions = added_force_conversions(subject, added, std::move(conversions))},
         values);
 }
 
@@ -420,11 +408,11 @@ ExportFolder liggghts_folder(const ExportSubject& subject, const TableImage& /*i
         {.contact = "neigh_modify     delay 0\ninclude          ash_material.in\n"
                     "fix              integrate all nve/sphere\ninclude          ash_wall.in\n",
          .files = {{"ash_material.in", filled("liggghts/ash_material.in", values)}, {"ash_wall.in", file}},
-         .conversions = with_added(
+         .conversions = added_force_conversions(
+             subject, added,
              {"`model hertz` with youngsModulus 2 E* and nu = 0 for sphere and wall: effective modulus E*",
               "coefficientRestitution 1: no damping of the code's own, which would follow another law",
-              "R* is the radius of the sphere: the wall is flat"},
-             subject, added)},
+              "R* is the radius of the sphere: the wall is flat"})},
         values);
 }
 

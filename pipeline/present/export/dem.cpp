@@ -167,8 +167,7 @@ constexpr const char* lag_correction =
 constexpr DemModel betan{
     .law = "hertz", .name = "betan", .damping = DampingLaw::tsuji, .end = Detachment::zero_force};
 
-/// Whether that model has all of the contact; else Hertz's repulsion and added forces do it.
-/// @throws InputError for a subject that neither can do
+/// Whether betan is the whole contact, else Hertz with added forces. @throws InputError if neither can
 bool takes_betan(const ExportSubject& subject) {
     const SizedDamping& damping = subject.damping;
     if (damping.depends_on_velocity())
@@ -230,8 +229,8 @@ std::string added_force_lines(const ExportSubject& subject, AddedForces added) {
     return lines;
 }
 
-std::vector<std::string> added_force_conversions(const ExportSubject& subject, AddedForces added) {
-    std::vector<std::string> lines;
+std::vector<std::string> added_force_conversions(const ExportSubject& subject, AddedForces added,
+                                                 std::vector<std::string> lines) {
     if (added.attraction) lines.emplace_back(attraction_of(subject)->words);
     if (added.damping)
         lines.emplace_back("damping force -eta v on the normal velocity while in contact, by `fix addforce`");

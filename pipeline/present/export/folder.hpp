@@ -24,9 +24,8 @@ using ExportFolder = std::vector<ExportFile>;
 /// The text for each @key@ of a template.
 using TemplateValues = std::map<std::string, std::string, std::less<>>;
 
-/// The template templates/<path> with every @key@ replaced. Values are numbers and names of this
-/// program, never texts of the user, which the other program might read as its own syntax.
-/// @throws std::logic_error for a key without a value, a programming error
+/// templates/<path> with every @key@ replaced, by numbers and names of ours, never texts of the user, which
+/// might be syntax of the other program. @throws std::logic_error for a key without a value
 [[nodiscard]] std::string filled(std::string_view path, const TemplateValues& values);
 
 /// The file templates/<path> as it is.
@@ -83,8 +82,7 @@ struct ExportCode {
 /// @param image needed: one of the files
 [[nodiscard]] ExportFolder table_folder(const ExportSubject& subject, const TableImage& image);
 
-// What DEM codes can represent: models of their own, and for one sphere on one wall Hertz's repulsion with
-// the forces added that the wall of the code lacks.
+// What DEM codes can represent: their own models; on a wall, Hertz's repulsion with added forces.
 
 /// How a code represents a contact law, or why it cannot.
 struct DemModel {
@@ -110,9 +108,10 @@ struct AddedForces {
 /// whichever force, a last force makes it second order in the time step.
 [[nodiscard]] std::string added_force_lines(const ExportSubject& subject, AddedForces added);
 
-/// Conversions that these forces make, for assumptions.md.
+/// The conversions of a wall, for assumptions.md: the code's own @p lines, then those of these forces.
 [[nodiscard]] std::vector<std::string> added_force_conversions(const ExportSubject& subject,
-                                                               AddedForces added);
+                                                               AddedForces added,
+                                                               std::vector<std::string> lines);
 
 /// What these forces cannot do on a wall, in words; none: they can.
 [[nodiscard]] std::optional<std::string> added_forces_refusal(const ExportSubject& subject);

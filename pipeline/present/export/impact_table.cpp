@@ -153,8 +153,7 @@ struct Probe {
     bool between_nodes;
 };
 
-/// The middles of the cells and of their sides; for damping that follows the velocity its nodes, too, at
-/// which e has a kink and a line through it is furthest off.
+/// Middles of cells and sides, where e is furthest off; with damping along the velocity its nodes, too.
 std::vector<Probe> probes_of(const ExportSubject& subject, const ImpactTable& table) {
     std::vector<double> logarithms;
     for (const double diameter : table.diameter) logarithms.push_back(std::log(diameter));
@@ -207,8 +206,7 @@ double threshold_error(const ExportSubject& subject, const ImpactTable& table) {
     return largest;
 }
 
-/// As many sizes as v_c needs: e alone would leave it off by some 1e-8.
-/// @throws InputError where v_c(d) is not smooth
+/// Sizes that v_c needs, more than e does. @throws InputError where v_c(d) is not smooth
 std::size_t sizes_for_thresholds(const ExportSubject& subject) {
     double before = std::numeric_limits<double>::infinity();
     for (std::size_t sizes = smallest_sizes;; sizes = 2 * sizes - 1) {
@@ -234,6 +232,21 @@ ImpactTable table_of(const ExportSubject& subject, const Division& division) {
     table.t = even(0, end, division.nodes);
     fill_nodes(subject, table);
     return table;
+}
+
+/// Between which diameters of a table of several one lies.
+struct Between {
+    std::size_t lower;
+    double share;  ///< of the way from the lower diameter to the upper one, in ln d
+    double width;  ///< in ln d
+};
+
+Between between(const std::vector<double>& diameters, double diameter) {
+    const auto above = std::clamp<std::ptrdiff_t>(
+        std::ranges::upper_bound(diameters, diameter) - diameters.begin(), 1, std::ssize(diameters) - 1);
+    const auto i = static_cast<std::size_t>(above) - 1;
+    const double width = std::log(diameters[i + 1] / diameters[i]);
+    return {i, std::log(diameter / diameters[i]) / width, width};
 }
 
 }  // namespace
@@ -265,13 +278,8 @@ ImpactTable make_impact_table(const ExportSubject& subject) {
 }
 
 double start_velocity(const ImpactTable& table, double diameter) {
-    const std::vector<double>& d = table.diameter;
-    if (d.size() == 1) return table.start_velocity.front();
-    const auto above =
-        std::clamp<std::ptrdiff_t>(std::ranges::upper_bound(d, diameter) - d.begin(), 1, std::ssize(d) - 1);
-    const auto i = static_cast<std::size_t>(above) - 1;
-    const double width = std::log(d[i + 1] / d[i]);
-    const double s = std::log(diameter / d[i]) / width;
+    if (table.diameter.size() == 1) return table.start_velocity.front();
+    const auto [i, s, width] = between(table.diameter, diameter);
     const double value = (1 + 2 * s) * (1 - s) * (1 - s) * std::log(table.start_velocity[i]) +
                          s * s * (3 - 2 * s) * std::log(table.start_velocity[i + 1]) +
                          s * (1 - s) * width * ((1 - s) * table.slope[i] - s * table.slope[i + 1]);
@@ -281,20 +289,16 @@ double start_velocity(const ImpactTable& table, double diameter) {
 double restitution(const ImpactTable& table, double diameter, double velocity) {
     const double start = start_velocity(table, diameter);
     if (velocity < start) return table.captures ? 0 : table.restitution(0, 0);
-    const std::vector<double>& d = table.diameter;
     const double spacing = table.t[1] - table.t[0];
     const double place = t_of(velocity, start) / spacing;
     const auto j = std::min(static_cast<Eigen::Index>(place), static_cast<Eigen::Index>(table.t.size()) - 2);
     const double b = place - static_cast<double>(j);
-    const auto along_t = [&](Eigen::Index i) {
+    const auto along_t = [&](std::size_t size) {
+        const auto i = static_cast<Eigen::Index>(size);
         return (1 - b) * table.restitution(i, j) + b * table.restitution(i, j + 1);
     };
-    if (d.size() == 1) return along_t(0);
-    const auto i =
-        std::clamp<std::ptrdiff_t>(std::ranges::upper_bound(d, diameter) - d.begin(), 1, std::ssize(d) - 1) -
-        1;
-    const auto size = static_cast<std::size_t>(i);
-    const double a = std::log(diameter / d[size]) / std::log(d[size + 1] / d[size]);
+    if (table.diameter.size() == 1) return along_t(0);
+    const auto [i, a, width] = between(table.diameter, diameter);
     return (1 - a) * along_t(i) + a * along_t(i + 1);
 }
 

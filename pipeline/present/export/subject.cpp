@@ -105,26 +105,23 @@ const Entry& sample_named(const std::vector<Entry>& entries, const RunChoice& ch
 }
 
 LawChoice law_of(const Case& data, const RunChoice& choice) {
-    if (choice.law.empty()) {
-        if (data.laws.size() > 1)
-            spdlog::warn("warning: the run has several laws; {} is exported, --law chooses another",
-                         data.laws.front().law.name());
-        return data.laws.front();
-    }
+    if (choice.law.empty() && data.laws.size() > 1)
+        spdlog::warn("warning: the run has several laws; {} is exported, --law chooses another",
+                     data.laws.front().law.name());
     std::vector<std::string> names;
     for (const LawChoice& each : data.laws) {
-        if (each.law.name() == choice.law) return each;
+        if (choice.law.empty() || each.law.name() == choice.law) return each;
         names.emplace_back(each.law.name());
     }
     throw InputError("the run has no law " + in_quotes(choice.law), joined(names)).at("--law");
 }
 
-const LawFit& fit_of(const SampleFit& sample, const LawChoice& law) {
-    if (const LawFit* fit = sample.laws.find(law.law)) return *fit;
-    throw InputError(
-        fmt::format("there is no fit of the damping by {} for {}", law.law.name(), in_quotes(sample.name)),
-        "a law with a fit in 6-fit.json")
-        .at("--law");
+/// What a stage has of a law. @throws InputError with @p problem and @p allowed where there is none
+template <class Laws>
+const auto& found_in(const Laws& laws, const LawChoice& law, const std::string& problem,
+                     const char* allowed) {
+    if (const auto* found = laws.find(law.law)) return *found;
+    throw InputError(problem, allowed).at("--law");
 }
 
 /// Largest restitution of the rising branch.
@@ -143,8 +140,7 @@ struct CriticalDamping {
     bool of_headline = false;        ///< solved for the headline; else the fit's own eta(e = 0)
 };
 
-/// The headline of 7-critical-velocity.json need not be that of the fit's eta(e = 0): it may be read from
-/// the data directly, or edited. The exported damping is then the smallest that captures at the headline.
+/// The headline may be read from data or edited: then the smallest damping that captures at it.
 CriticalDamping critical_damping(const LawFit& fit, const LawChoice& law, DampingLaw damping_law,
                                  const ContactPair& contact, const LawCriticalVelocity& headline) {
     constexpr double same = 1e-9;  // relative; the headline is written with as many digits
@@ -190,12 +186,8 @@ std::vector<DampingNode> followed(const LawFit& fit, const LawChoice& law, const
 
 }  // namespace
 
-double SizedDamping::size_factor(double diameter) const {
-    return exponent == 0 ? 1.0 : std::pow(diameter / reference_diameter, exponent);
-}
-
 double SizedDamping::coefficient(double diameter, double velocity) const {
-    const double factor = size_factor(diameter);
+    const double factor = exponent == 0 ? 1.0 : std::pow(diameter / reference_diameter, exponent);
     const auto above = std::ranges::lower_bound(nodes, velocity, {}, &DampingNode::velocity);
     if (above == nodes.begin()) return factor * nodes.front().coefficient;
     if (above == nodes.end()) return factor * nodes.back().coefficient;
@@ -252,15 +244,15 @@ ExportSubject subject_of_run(const RunChoice& choice) {
     const Case& data = run.data;
     const LawChoice law = law_of(data, choice);
     const SampleContact& contact = sample_named(run.contact.samples, choice);
-    const LawFit& fit = fit_of(sample_named(run.fit.samples, choice), law);
-    const LawCriticalVelocity* headline =
-        sample_named(run.critical_velocity.samples, choice).laws.find(law.law);
-    if (headline == nullptr)
-        throw InputError(
-            "7-critical-velocity.json has no critical velocity by " + std::string(law.law.name()),
-            "a law with one")
-            .at("--law");
-    const CriticalDamping critical = critical_damping(fit, law, data.damping_law, contact.pair, *headline);
+    const LawFit& fit = found_in(
+        sample_named(run.fit.samples, choice).laws, law,
+        fmt::format("there is no fit of the damping by {} for {}", law.law.name(), in_quotes(choice.sample)),
+        "a law with a fit in 6-fit.json");
+    const LawCriticalVelocity& headline =
+        found_in(sample_named(run.critical_velocity.samples, choice).laws, law,
+                 fmt::format("7-critical-velocity.json has no critical velocity by {}", law.law.name()),
+                 "a law with one");
+    const CriticalDamping critical = critical_damping(fit, law, data.damping_law, contact.pair, headline);
     const double diameter = 2 * contact.radius.value;
 
     ExportSubject subject{.law = law.law,
@@ -292,10 +284,9 @@ ExportSubject subject_of_run(const RunChoice& choice) {
     if (data.damping_law != DampingLaw::constant)
         throw InputError("the fit of the run is of another damping law", "a run with damping_law constant")
             .at("--follow-velocity");
-    const DampingSeries* series = sample_named(run.damping.samples, choice).laws.find(law.law);
-    if (series == nullptr)
-        throw InputError("5-damping.json has no impacts by this law", "a law with impacts").at("--law");
-    subject.damping.nodes = followed(fit, law, contact.pair, critical, greatest_restitution(*series));
+    const DampingSeries& series = found_in(sample_named(run.damping.samples, choice).laws, law,
+                                           "5-damping.json has no impacts by this law", "a law with impacts");
+    subject.damping.nodes = followed(fit, law, contact.pair, critical, greatest_restitution(series));
     subject.to_velocity = subject.damping.nodes.back().velocity;
     subject.origins.push_back(fmt::format(
         "damping: the fit eta(e) of 6-fit.json along the velocity, {} nodes over the rising branch, "

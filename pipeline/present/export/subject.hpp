@@ -31,8 +31,6 @@ struct SizedDamping {
     [[nodiscard]] bool depends_on_velocity() const { return nodes.size() > 1; }
     /// [unit of the damping law]
     [[nodiscard]] double coefficient(double diameter, double velocity) const;
-    /// (d/d_0)^n [1]
-    [[nodiscard]] double size_factor(double diameter) const;
     /// Whether there is no damping at any velocity.
     [[nodiscard]] bool is_zero() const;
 };
@@ -62,8 +60,7 @@ struct ExportSubject {
     [[nodiscard]] bool one_size() const { return from_diameter == to_diameter; }
 };
 
-/// Refuses two spheres. @param reason why the code can only do a wall
-/// @throws InputError if the subject has a partner
+/// @throws InputError if the subject has a partner. @param reason why the code can only do a wall
 void require_wall(const ExportSubject& subject, const std::string& reason);
 
 /// The mass of a particle of that diameter [m], in kg.

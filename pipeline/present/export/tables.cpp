@@ -38,18 +38,16 @@ ExportFile table_expected(const ExportSubject& subject, std::string_view code, c
                          {{"tolerance", table_accuracy}, {"largest_error_found", table.largest_error}});
 }
 
-template <class Values>
-std::string c_array(std::string_view name, const Values& values) {
-    return fmt::format("static const double {}[] = {{\n{}}};\n", name, lines_of(values, ","));
-}
-
 std::string fluent_header(const ExportSubject& subject, const ImpactTable& table) {
+    const auto array = [](std::string_view name, const auto& values) {
+        return fmt::format("static const double {}[] = {{\n{}}};\n", name, lines_of(values, ","));
+    };
     return fmt::format(
                "/* Table of ash_wall: e over ln(diameter) and t = asinh(sqrt(v/start_velocity - 1)); SI "
                "units. */\nstatic const double ash_density = {}; /* of the ash [kg/m3] */\n",
                exact(subject.density)) +
-           c_array("ash_diameters", table.diameter) + c_array("ash_start_velocities", table.start_velocity) +
-           c_array("ash_slopes", table.slope) + c_array("ash_restitutions", restitutions(table)) +
+           array("ash_diameters", table.diameter) + array("ash_start_velocities", table.start_velocity) +
+           array("ash_slopes", table.slope) + array("ash_restitutions", restitutions(table)) +
            fmt::format(
                "static const AshTable ash_table = {{{}, {}, ash_diameters, ash_start_velocities, ash_slopes, "
                "ash_restitutions,\n    {}, {}, {}, {}}};\n",

@@ -189,17 +189,13 @@ class ResultText {
         }
         std::string text = scalars.text(indent(depth), view_.width) + columns(value, depth) + nested;
         if (!alike.empty()) text += side_by_side(value, alike, depth, left_out);
-        return text + left_out_note(left_out, depth);
+        if (left_out.empty()) return text;
+        return text + wrapped(margin(depth) + "(" + joined(left_out) + ": with --all)", view_.width) + "\n";
     }
 
   private:
     [[nodiscard]] static std::size_t indent(std::size_t depth) { return depth * indent_width; }
     [[nodiscard]] static std::string margin(std::size_t depth) { return std::string(indent(depth), ' '); }
-
-    [[nodiscard]] std::string left_out_note(const std::vector<std::string>& names, std::size_t depth) const {
-        if (names.empty()) return {};
-        return wrapped(margin(depth) + "(" + joined(names) + ": with --all)", view_.width) + "\n";
-    }
 
     /// A member that needs lines of its own, under its name.
     [[nodiscard]] std::string part(const std::string& key, const Json& member, std::size_t depth) {
@@ -207,8 +203,7 @@ class ResultText {
         return margin(depth) + key + "\n" + block(member, depth + 1);
     }
 
-    /// The columns of an object as tables: those of one length side by side, but captures apart from
-    /// rebounds.
+    /// Columns of an object as tables: those of one length side by side, captures apart from rebounds.
     [[nodiscard]] std::string columns(const Json& object, std::size_t depth) const {
         std::vector<std::pair<std::pair<bool, std::size_t>, std::vector<std::string>>> groups;
         for (const auto& [key, value] : object.items()) {

@@ -60,18 +60,14 @@ std::string reported_text(const ComparisonResult& result, std::size_t width) {
            "\nWhy:\n" + reasons + "\n";
 }
 
-std::string assumption_text(const AssumedProperty& assumed) {
-    return fmt::format("{} {}, {}", assumed.quantity, readable(assumed.value),
-                       assumed.why.empty() ? name_of(assumed.origin) : assumed.why);
-}
-
 /// What was assumed, and what no uncertainty was stated of.
 std::string assumptions_text(const ComparisonResult& result, std::size_t width) {
     std::vector<std::pair<std::string, std::vector<std::string>>> assumptions;  // with their samples
     std::vector<std::string> exact;
     for (const SampleComparison& sample : result.samples) {
         for (const AssumedProperty& assumed : sample.assumed) {
-            const std::string text = assumption_text(assumed);
+            const std::string text = fmt::format("{} {}, {}", assumed.quantity, readable(assumed.value),
+                                                 assumed.why.empty() ? name_of(assumed.origin) : assumed.why);
             const auto same = std::ranges::find(assumptions, text, &decltype(assumptions)::value_type::first);
             auto& samples =
                 (same == assumptions.end() ? assumptions.emplace_back(text, std::vector<std::string>{})

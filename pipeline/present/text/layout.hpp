@@ -18,8 +18,7 @@ inline constexpr std::size_t piped_width = 80;
 /// The same for standard error.
 [[nodiscard]] std::size_t message_width();
 
-/// The text with its lines broken at blanks, so that none is longer than @p width unless a single word is.
-/// @param hanging blanks before the continued part of a line, beyond those that the line begins with
+/// Breaks lines at blanks so that none exceeds @p width, unless a word does. @param hanging more blanks
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t width, std::size_t hanging = 0);
 
 /// A command to be typed; beyond @p width it goes on behind a backslash, options with their values whole.
@@ -41,8 +40,7 @@ class TextTable {
     /// Drops the columns in which every row has "-" or nothing.
     void drop_empty_columns();
 
-    /// Lines, each ending with a newline and beginning with @p indent blanks. A table wider than @p width is
-    /// shown as several below one another, each with the columns that name the rows.
+    /// Lines after @p indent blanks. A table wider than @p width is split into several with the same keys.
     [[nodiscard]] std::string text(std::size_t indent = 0, std::size_t width = output_width()) const;
 
   private:

@@ -42,9 +42,8 @@ struct Answer {
 };
 [[nodiscard]] Answer answer_of(const ReportedVelocity& reported);
 
-/// The comparison as the summary that ends a run, in lines of at most @p width characters: which critical
-/// velocity to report of each sample, by which law and why; what was assumed; the velocities of all laws
-/// beside the published ones; moduli and the velocity of adhesion alone; the conclusion.
+/// The summary that ends a run, in lines of at most @p width characters: the critical velocity to report of
+/// each sample and why; assumptions; velocities of all laws; moduli; the conclusion.
 [[nodiscard]] std::string comparison_text(const ComparisonResult& result, std::size_t width = output_width());
 
 /// The same of the result of comparison.json. @throws InputError for values that no stage can have written
@@ -63,10 +62,9 @@ struct RemarkLine {
     bool decides = true;
 };
 
-/// The remarks of a run, one line a kind: "2 x 6-fit.json (fine; dmt, jkr): ...". Remarks of one artifact
-/// that differ in sample, law and numbers alone are of one kind; the line has the first one without its
-/// reasons.
-/// @param samples number of samples of the run
+/// Remarks of a run, one line a kind: "2 x 6-fit.json (fine; dmt, jkr): ...", without reasons. Remarks of one
+/// artifact that differ in sample, law and numbers alone are of one kind. @param samples their number in the
+/// run
 [[nodiscard]] std::vector<RemarkLine> remark_lines(const std::vector<Remark>& remarks, std::size_t samples);
 
 /// How much of a result is shown.
@@ -79,8 +77,7 @@ struct ResultView {
 /// entries of one kind (such as those of contact laws) side by side, the rest as an indented list.
 [[nodiscard]] std::string result_text(const Json& result, const ResultView& view = {});
 
-/// An artifact for a reader: its result, what it warns about, and where it comes from.
-/// @param provenance whether inputs, options and citations are shown too
+/// An artifact for a reader. @param provenance whether inputs, options and citations are shown too
 [[nodiscard]] std::string artifact_text(const Json& artifact, const ResultView& view = {},
                                         bool provenance = false);
 

@@ -108,11 +108,9 @@ constexpr std::size_t few = 24;  ///< values that are shown one by one
 using Values = std::vector<std::vector<double>>;
 
 Values variable_values(const SweepSpec& spec) {
-    std::vector<Distribution> distributions;
-    for (const SweepVariable& variable : spec.variables) distributions.push_back(variable.distribution);
     Sampling sampling = spec.sampling;
     if (sampling.method != SamplingMethod::grid) sampling.points = std::min(sampling.points, capture_impacts);
-    const Design design(distributions, sampling);
+    const Design design(distributions_of(spec), sampling);
     const auto points = static_cast<std::size_t>(std::min(design.points(), 8 * capture_impacts));
     Values values(design.variables(), std::vector<double>(points));
     for (std::size_t i = 0; i < values.size(); ++i) design.fill(0, i, 0, values[i]);
@@ -131,11 +129,6 @@ std::vector<double> captured(const SweepSpec& spec, const Values& values, const 
     return flags;
 }
 
-CaptureShare share_of(double value, double captures, double count) {
-    const double fraction = captures / count;
-    return {value, fraction, std::sqrt(std::max(fraction * (1 - fraction), 0.25 / count) / count)};
-}
-
 std::vector<CaptureShare> shares_of(const std::vector<double>& variable, const std::vector<double>& flags) {
     std::vector<std::size_t> order(variable.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -151,8 +144,10 @@ std::vector<CaptureShare> shares_of(const std::vector<double>& variable, const s
         end = std::max(end, first + 1);
         double captures = 0;
         for (std::size_t i = first; i < end; ++i) captures += flags[order[i]];
-        shares.push_back(
-            share_of(variable[order[(first + end) / 2]], captures, static_cast<double>(end - first)));
+        const auto count = static_cast<double>(end - first);
+        const double fraction = captures / count;
+        shares.push_back({variable[order[(first + end) / 2]], fraction,
+                          std::sqrt(std::max(fraction * (1 - fraction), 0.25 / count) / count)});
         first = end;
     }
     return shares;

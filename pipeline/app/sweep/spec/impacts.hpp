@@ -87,9 +87,8 @@ using ImpactSolver =
 [[nodiscard]] ResultColumns solve_in_batch(const ImpactModel& model, const ImpactColumns& impacts,
                                            const WantedResults& wanted);
 
-/// The capture fraction of a sweep against each of its variables, from at most the first 8192 impacts of its
-/// design, solved again. A variable of few values is taken value by value, others in sixteen parts of equally
-/// many impacts.
+/// Capture fraction against each variable, from at most 8192 impacts of the design, solved again: value by
+/// value if there are few, else in sixteen parts of equally many impacts.
 [[nodiscard]] report::CaptureFractions capture_fractions(const SweepSpec& spec);
 
 /// The same from the result of a sweep, whose provenance holds the spec. @throws InputError

@@ -17,19 +17,35 @@ namespace {
 struct InputEntry {
     std::string_view name;
     Dimension dimension;  ///< of a damping: that of the constant law
+    bool may_be_zero = false;
 };
 
-constexpr std::array<InputEntry, 11> input_entries{{{"radius", Dimension::length},
-                                                    {"density", Dimension::density},
-                                                    {"mass", Dimension::mass},
-                                                    {"contact_modulus", Dimension::pressure},
-                                                    {"work_of_adhesion", Dimension::energy_per_area},
-                                                    {"yield_pressure", Dimension::pressure},
-                                                    {"damping", Dimension::damping},
-                                                    {"velocity", Dimension::velocity},
-                                                    {"partner_radius", Dimension::length},
-                                                    {"partner_density", Dimension::density},
-                                                    {"partner_mass", Dimension::mass}}};
+constexpr std::array<InputEntry, 11> own_inputs{{{"radius", Dimension::length},
+                                                 {"density", Dimension::density},
+                                                 {"mass", Dimension::mass},
+                                                 {"contact_modulus", Dimension::pressure},
+                                                 {"work_of_adhesion", Dimension::energy_per_area, true},
+                                                 {"yield_pressure", Dimension::pressure},
+                                                 {"damping", Dimension::damping, true},
+                                                 {"velocity", Dimension::velocity},
+                                                 {"partner_radius", Dimension::length},
+                                                 {"partner_density", Dimension::density},
+                                                 {"partner_mass", Dimension::mass}}};
+
+/// All inputs by their values: the own ones, then the parameters of contact laws.
+const std::vector<InputEntry>& inputs() {
+    static const std::vector<InputEntry> all = [] {
+        std::vector<InputEntry> entries(own_inputs.begin(), own_inputs.end());
+        for (const LawParameter& parameter : law_parameters())
+            entries.push_back({parameter.name, parameter.dimension, parameter.may_be_zero});
+        return entries;
+    }();
+    return all;
+}
+
+const InputEntry& entry_of(ImpactInput input) {
+    return inputs()[static_cast<std::size_t>(input)];
+}
 
 struct ObservableEntry {
     Dimension dimension;
@@ -42,19 +58,6 @@ constexpr std::array<ObservableEntry, Names<Observable>::all.size()> observable_
      {Dimension::velocity, "0 for a capture"},
      {Dimension::time, "first touch to detachment; not a number for a capture"},
      {Dimension::length, "its supremum where the approach never turns"}}};
-
-template <class Entries>
-std::size_t position_of(const Entries& entries, std::string_view name) {
-    for (std::size_t i = 0; i < entries.size(); ++i)
-        if (entries[i].name == name) return i;
-    throw std::logic_error("the schema of a sweep allows " + std::string(name));
-}
-
-/// The parameter of contact laws that an input is, or none.
-const LawParameter* parameter_of(ImpactInput input) {
-    const auto place = static_cast<std::size_t>(input);
-    return place < input_entries.size() ? nullptr : &law_parameters()[place - input_entries.size()];
-}
 
 /// Greatest geometric standard deviation of a log-normal distribution; a wider one is a slip.
 constexpr double widest_log_normal = 1e6;
@@ -214,37 +217,35 @@ void check_sign(const View& node, const Distribution& distribution, ImpactInput 
 }  // namespace
 
 std::size_t impact_input_count() {
-    return input_entries.size() + law_parameters().size();
+    return inputs().size();
 }
 
 ImpactInput input_of(const LawParameter& parameter) {
-    return static_cast<ImpactInput>(input_entries.size() + position_of(law_parameters(), parameter.name));
+    return impact_input_named(parameter.name);
 }
 
 std::string_view name_of(ImpactInput input) {
-    if (const LawParameter* parameter = parameter_of(input)) return parameter->name;
-    return input_entries[static_cast<std::size_t>(input)].name;
+    return entry_of(input).name;
 }
 
 ImpactInput impact_input_named(std::string_view name) {
-    for (const LawParameter& parameter : law_parameters())
-        if (parameter.name == name) return input_of(parameter);
-    return static_cast<ImpactInput>(position_of(input_entries, name));
+    const auto found = std::ranges::find(inputs(), name, &InputEntry::name);
+    if (found == inputs().end()) throw std::logic_error("the schema of a sweep allows " + std::string(name));
+    return static_cast<ImpactInput>(found - inputs().begin());
 }
 
 Dimension dimension_of(ImpactInput input, DampingLaw law) {
-    if (const LawParameter* parameter = parameter_of(input)) return parameter->dimension;
-    return input == ImpactInput::damping ? dimension_of(law)
-                                         : input_entries[static_cast<std::size_t>(input)].dimension;
+    return input == ImpactInput::damping ? dimension_of(law) : entry_of(input).dimension;
 }
 
 bool may_be_zero(ImpactInput input) {
-    if (const LawParameter* parameter = parameter_of(input)) return parameter->may_be_zero;
-    return input == ImpactInput::work_of_adhesion || input == ImpactInput::damping;
+    return entry_of(input).may_be_zero;
 }
 
 void require_allowed(ImpactInput input, double value, Dimension dimension) {
-    if (const LawParameter* parameter = parameter_of(input)) return require_allowed(*parameter, value);
+    const auto place = static_cast<std::size_t>(input);
+    if (place >= own_inputs.size())
+        return require_allowed(law_parameters()[place - own_inputs.size()], value);
     (may_be_zero(input) ? require_not_negative : require_positive)(name_of(input), value, dimension);
 }
 

@@ -8,12 +8,10 @@
 #include <string_view>
 #include <vector>
 
-#include "core/json/document.hpp"
 #include "core/json/view.hpp"
 #include "core/quantities/names.hpp"
 #include "core/units/units.hpp"
 #include "pipeline/case/case.hpp"
-#include "solver/contact/law.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/contact/pair.hpp"
 #include "solver/damping/damping.hpp"
@@ -54,9 +52,7 @@ void require_allowed(ImpactInput input, double value, Dimension dimension);
 /// Whether zero is a value an input may have.
 [[nodiscard]] bool may_be_zero(ImpactInput input);
 
-/// Reads how an input varies: {"values"}, {"grid"} or {"distribution"}, and checks that all of it is
-/// admissible.
-/// @throws InputError with the JSON pointer
+/// Reads {"values"}, {"grid"} or {"distribution"}. @throws InputError with the JSON pointer if not admissible
 [[nodiscard]] Distribution read_variable(const View& node, ImpactInput input, DampingLaw damping_law);
 
 /// Results of an impact that a sweep may evaluate.
@@ -109,6 +105,8 @@ struct SweepSpec {
 
 /// Whether an input stands in the sweep, as a constant or as a variable.
 [[nodiscard]] bool is_given(const SweepSpec& spec, ImpactInput input);
+/// The distributions of the variables, in their order.
+[[nodiscard]] std::vector<Distribution> distributions_of(const SweepSpec& spec);
 
 /// A spec with its canonical text, which identifies it whatever its comments and layout.
 struct LoadedSpec {

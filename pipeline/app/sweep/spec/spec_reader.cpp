@@ -4,7 +4,6 @@
 
 #include "core/json/document.hpp"
 #include "core/json/view.hpp"
-#include "core/quantities/checks.hpp"
 #include "core/text/text.hpp"
 #include "pipeline/app/sweep/spec/spec.hpp"
 #include "pipeline/case/case_parts.hpp"
@@ -47,10 +46,6 @@ void read_fixed(const View& impact, SweepSpec& spec) {
         at_place(node.pointer(), [&] { require_allowed(input, value, dimension); });
         spec.fixed[static_cast<std::size_t>(input)] = value;
     }
-}
-
-bool varies(const SweepSpec& spec, ImpactInput input) {
-    return std::ranges::find(spec.variables, input, &SweepVariable::input) != spec.variables.end();
 }
 
 void require_input(const View& document, const SweepSpec& spec, ImpactInput input,
@@ -147,9 +142,8 @@ Bins bins_of(Observable observable, double resolution) {
     return Bins::relative(static_cast<unsigned>(std::ceil(-std::log2(resolution))));
 }
 
-ObservableStatistics read_statistics_of(const View::Member& member) {
-    const Observable observable = named<Observable>(member.key);
-    const View& node = member.value;
+/// Bins and quantiles of an observable; default ones where @p node does not state them.
+ObservableStatistics statistics_of(Observable observable, const View& node) {
     double resolution =
         observable == Observable::restitution ? default_restitution_resolution : default_relative_resolution;
     if (const auto given = node.find("resolution")) {
@@ -157,25 +151,20 @@ ObservableStatistics read_statistics_of(const View::Member& member) {
         if (!(resolution >= 1e-5 && resolution <= 0.5))
             given->fail("is " + shortest(resolution), "1e-5 to 0.5");
     }
-    ObservableStatistics statistics{observable, bins_of(observable, resolution), {}};
     const auto quantiles = node.find("quantiles");
-    if (!quantiles)
-        statistics.quantiles.assign(default_quantiles.begin(), default_quantiles.end());
-    else
-        statistics.quantiles = quantiles->column(Dimension::fraction);
-    return statistics;
+    return {observable, bins_of(observable, resolution),
+            quantiles ? quantiles->column(Dimension::fraction)
+                      : std::vector<double>(default_quantiles.begin(), default_quantiles.end())};
 }
 
 void read_statistics(const View& document, SweepSpec& spec) {
+    static const Json none = Json::object();
     spec.statistics.push_back({Observable::captured, Bins::absolute(1), {}});
-    if (const auto statistics = document.find("statistics")) {
-        for (const auto& member : statistics->members())
-            spec.statistics.push_back(read_statistics_of(member));
-        return;
-    }
-    spec.statistics.push_back({Observable::restitution,
-                               bins_of(Observable::restitution, default_restitution_resolution),
-                               {default_quantiles.begin(), default_quantiles.end()}});
+    if (const auto statistics = document.find("statistics"))
+        for (const auto& [key, node] : statistics->members())
+            spec.statistics.push_back(statistics_of(named<Observable>(key), node));
+    else
+        spec.statistics.push_back(statistics_of(Observable::restitution, View(none)));
 }
 
 std::vector<Observable> read_observables(const View& document, const char* key) {
@@ -196,17 +185,14 @@ void check_sensitivity(const View& document, const SweepSpec& spec) {
 }
 
 void check_sampling(const View& document, const SweepSpec& spec) {
-    std::vector<Distribution> distributions;
-    for (const SweepVariable& variable : spec.variables) {
-        distributions.push_back(variable.distribution);
+    for (const SweepVariable& variable : spec.variables)
         if (spec.sampling.method == SamplingMethod::grid &&
             !std::holds_alternative<Choice>(variable.distribution))
             document.at("variables")
                 .at(name_of(variable.input))
                 .fail("a grid takes no distribution", "values or a grid, or another sampling method");
-    }
     at_place(document.at("sampling").pointer(), [&] {
-        const Design design(distributions, spec.sampling, spec.sensitivity.empty() ? 1 : 2);
+        const Design design(distributions_of(spec), spec.sampling, spec.sensitivity.empty() ? 1 : 2);
         if (static_cast<double>(design.points()) > most_samples)
             throw InputError("too many points", "1e15 at most");
         if (design.points() < design.groups())
@@ -221,7 +207,14 @@ void check_sampling(const View& document, const SweepSpec& spec) {
 }  // namespace
 
 bool is_given(const SweepSpec& spec, ImpactInput input) {
-    return spec.fixed[static_cast<std::size_t>(input)].has_value() || varies(spec, input);
+    return spec.fixed[static_cast<std::size_t>(input)].has_value() ||
+           std::ranges::find(spec.variables, input, &SweepVariable::input) != spec.variables.end();
+}
+
+std::vector<Distribution> distributions_of(const SweepSpec& spec) {
+    std::vector<Distribution> distributions;
+    for (const SweepVariable& variable : spec.variables) distributions.push_back(variable.distribution);
+    return distributions;
 }
 
 LoadedSpec read_sweep_spec(const std::string& text) {

@@ -36,9 +36,8 @@ struct Figure {
 
 enum class Width { wide, narrow };
 
-/// The figure as one SVG element: the wide form is for a page or two columns, the narrow one for a telephone
-/// or one column.
-/// @param style "" in a page, whose style covers it; else the style and markers that make a file of its own
+/// The figure as one SVG element, wide for a page or two columns, narrow for a telephone or one.
+/// @param style of a file of its own, with markers; empty in a page, whose style covers it
 [[nodiscard]] std::string svg_of(const Figure& figure, Width form, const std::string& style = {});
 
 /// Whether the text of an SVG file has our mark.

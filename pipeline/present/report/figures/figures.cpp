@@ -175,12 +175,6 @@ Row measured_row(const SampleData& sample, const MeasuredCriticalVelocity& measu
     return row;
 }
 
-/// The influences on a critical velocity; empty if none are stated.
-std::vector<Influence> influences_of(const LawData& law) {
-    if (law.velocity == nullptr || !law.velocity->uncertainty) return {};
-    return law.velocity->uncertainty->influences;
-}
-
 /// An input beside its bar: "E of mullite".
 std::string short_label(const std::string& factor) {
     constexpr std::string_view modulus = "Young's modulus";
@@ -380,7 +374,9 @@ Figure sensitivity_figure(const RunData& run) {
                              .from = -0.02,
                              .to = 1.05}};
         for (const LawData& law : sample.laws) {
-            std::vector<Influence> influences = influences_of(law);
+            std::vector<Influence> influences;
+            if (law.velocity != nullptr && law.velocity->uncertainty)
+                influences = law.velocity->uncertainty->influences;
             if (influences.empty() && law.extrapolated()) {
                 influences = law.velocity->extrapolated->uncertainty.influences;
                 extrapolated = extrapolated || !influences.empty();

@@ -98,8 +98,7 @@ struct FigureMaker {
 
 // What figures share.
 
-/// An axis of a quantity in SI with the prefix to its unit with which @p greatest reads as 1 to 1000; units
-/// without prefixes, and 1, stay.
+/// Axis of a quantity in SI, with the unit prefix that shows @p greatest as 1 to 1000, if the unit takes any.
 [[nodiscard]] Axis quantity_axis(std::string label, std::string_view si, double greatest);
 
 /// The largest magnitude among numbers that are finite, 0 without any.
@@ -111,8 +110,7 @@ struct FigureMaker {
 /// A number of a table, or an empty cell.
 [[nodiscard]] Cell cell_of(const std::optional<double>& value);
 
-/// A bar of the total Sobol index of a variable, its standard error, and a mark for the first order.
-/// @param name begins their readouts
+/// A bar of the total Sobol index, its standard error, a mark of the first order. @param name begins readouts
 [[nodiscard]] Row sobol_row(const std::string& label, const std::string& name, const Look& look, double first,
                             double total, const std::optional<double>& total_error = {});
 

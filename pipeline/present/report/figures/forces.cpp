@@ -224,8 +224,7 @@ XyPanel panel_of(const std::string& title, const Histories& histories, const Axi
     return panel;
 }
 
-/// "Greatest pressure under the contact at the critical velocity: 88 um 2.11 GPa (JKR)"; of each sample by
-/// the law whose contact is pressed hardest, beside the yield pressure.
+/// Greatest pressure in each sample's contact just above v_c, its law and the yield pressure, as a sentence.
 std::string pressure_sentence(const RunData& run) {
     std::string text;
     for (const SampleData& sample : run.samples()) {

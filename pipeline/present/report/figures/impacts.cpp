@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "core/text/error.hpp"
 #include "pipeline/present/report/figures/figures.hpp"
 #include "solver/numeric/gsl/interpolation.hpp"
 #include "solver/statistics/interval.hpp"
@@ -25,10 +24,14 @@ Axis restitution_axis() {
     return {.label = "e_n", .from_zero = true};
 }
 
+/// A series of a law; @p what follows in the readout.
+Series law_series(const SampleData& sample, const LawData& law, const std::string& what) {
+    return {.name = sample.name() + ", " + law.name + what, .legend = law.name, .look = look_of(law)};
+}
+
 /// The model's curve of a law as a series; @p y gives what is drawn over the velocity.
 Series curve_series(const SampleData& sample, const LawData& law, double CurveImpact::*y) {
-    Series series{
-        .name = sample.name() + ", " + law.name + ", model", .legend = law.name, .look = look_of(law)};
+    Series series = law_series(sample, law, ", model");
     for (const CurveImpact& impact : law.curve()) series.line.push_back({impact.velocity, impact.*y});
     return series;
 }
@@ -156,9 +159,8 @@ XyPanel inverted_panel(const SampleData& sample, const InvertedImpacts& shown, N
         if (law.damping == nullptr) continue;
         panel.series.push_back(shown.line(sample, law));
         panel.series.back().look.thin = true;
-        Series points{.name = sample.name() + ", " + law.name,
-                      .legend = law.name,
-                      .look = look_of(law, law.is_reconstructed())};
+        Series points = law_series(sample, law, "");
+        points.look.hollow = law.is_reconstructed();
         const std::vector<double>& x = law.damping->*shown.x_values;
         const std::vector<double>& y = law.damping->*shown.y_values;
         for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
@@ -211,7 +213,7 @@ NumberTable damping_table(const RunData& run) {
 }
 
 Series fit_series(const SampleData& sample, const LawData& law) {
-    Series fit{.name = sample.name() + ", " + law.name + ", fit", .legend = law.name, .look = look_of(law)};
+    Series fit = law_series(sample, law, ", fit");
     const double end = greatest_of(law.damping->restitution);
     for (int i = 0; i <= 24 && law.fit != nullptr; ++i) {
         const double e = end * i / 24;

@@ -98,12 +98,8 @@ std::string answer(const SampleData& sample) {
 /// An empty cell.
 constexpr std::string_view no_value = "–";
 
-std::string or_no_value(std::string_view text) {
-    return std::string(text.empty() ? no_value : text);
-}
-
-std::string number_cell(const std::optional<double>& value, double unit = 1) {
-    return value ? fmt::format("{:.4g}", *value / unit) : std::string(no_value);
+std::string number_cell(double value, double unit = 1) {
+    return fmt::format("{:.4g}", value / unit);
 }
 
 bool is_extrapolated(const LawData& law) {
@@ -113,12 +109,12 @@ bool is_extrapolated(const LawData& law) {
 std::string dynamic_cell(const LawData& law) {
     if (const auto head = law.headline())
         return (is_extrapolated(law) ? "* " : "") + velocity_text(head->value);
-    return law.velocity != nullptr ? std::string(name_of(law.velocity->verdict)) : std::string(no_value);
+    return law.velocity != nullptr ? std::string(name_of(law.velocity->verdict)) : "";
 }
 
 /// The measured velocity, and its 95 % interval below where it has one.
 std::string measured_html(const SampleComparison& sample) {
-    if (!sample.measured) return std::string(no_value);
+    if (!sample.measured) return "";
     const std::string bounds = bounds_text(sample.measured_interval);
     return velocity_text(sample.measured->value()) + (bounds.empty() ? "" : "<br>(" + bounds + ")");
 }
@@ -144,7 +140,7 @@ constexpr std::array<Column, 11> page_columns{
      {.head = "verdict", .text = true, .always = false}}};
 using Cells = std::array<std::string, page_columns.size()>;
 
-/// The cells of a law, in the order of the page_columns.
+/// The cells of a law, in the order of the page_columns; empty where there is no value.
 Cells cells_of(const SampleData& sample, const LawData& law) {
     const auto head = law.headline();
     const auto extrapolated = law.extrapolated();
@@ -156,17 +152,17 @@ Cells cells_of(const SampleData& sample, const LawData& law) {
             number_cell(sample.analytic->critical_velocity),
             escaped(law.name),
             dynamic_cell(law),
-            or_no_value(head ? bounds_text(head->interval) : ""),
-            or_no_value(extrapolated ? velocity_text(*extrapolated) : ""),
-            number_cell(printed != nullptr ? std::optional(printed->value) : std::nullopt),
+            head ? bounds_text(head->interval) : "",
+            extrapolated ? velocity_text(*extrapolated) : "",
+            printed != nullptr ? number_cell(printed->value) : "",
             measured_html(*sample.comparison),
-            or_no_value(law.compared != nullptr ? verdict_words(law.compared->check) : "")};
+            std::string(law.compared != nullptr ? verdict_words(law.compared->check) : "")};
 }
 
 /// Whether a column has a value in this run, or is always shown.
 bool is_shown(std::size_t column, const std::vector<std::vector<Cells>>& samples) {
     return page_columns[column].always || std::ranges::any_of(samples, [&](const std::vector<Cells>& laws) {
-               return std::ranges::any_of(laws, [&](const Cells& row) { return row[column] != no_value; });
+               return std::ranges::any_of(laws, [&](const Cells& row) { return !row[column].empty(); });
            });
 }
 
@@ -258,11 +254,8 @@ void collect(const Json& node, const std::string& path, const std::string& where
             collect(value, path.empty() ? words_of(key) : path + ", " + words_of(key), where, into);
 }
 
-std::string sentence(std::string text) {
-    if (!text.empty() && text.front() >= 'a' && text.front() <= 'z')
-        text.front() = static_cast<char>(text.front() - 'a' + 'A');
-    if (!text.empty() && text.back() != '.') text += '.';
-    return text;
+std::string sentence(const std::string& text) {
+    return text.empty() || text.ends_with('.') ? capitalized(text) : capitalized(text) + ".";
 }
 
 }  // namespace
@@ -297,7 +290,8 @@ std::string comparison_html(const RunData& run) {
             for (const std::size_t i : shown)
                 if (first || !page_columns[i].of_sample)
                     html += fmt::format("<td{}{}>{}</td>", text_class(page_columns[i]),
-                                        page_columns[i].of_sample ? span : "", row[i]);
+                                        page_columns[i].of_sample ? span : "",
+                                        row[i].empty() ? no_value : row[i]);
             html += "</tr>\n";
         }
     html = html_scroll(region_label("Critical velocities", run), html + "</tbody></table>") + "\n";

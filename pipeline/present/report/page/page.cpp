@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -73,18 +72,6 @@ std::string html_table(const NumberTable& table, const std::string& label) {
             html += cell_html(table.rows[r][i], i == 0, i < texts);
     }
     return html_scroll(escaped(label), html + "</tbody></table>", "scroll tall");
-}
-
-/// Sketch of an impact with the names of its quantities, in place of the paper's Figures 1 and 2.
-std::string html_sketch() {
-    std::string html = embedded("report/sketch.html");
-    std::erase(html, '\n');
-    return html + "\n";
-}
-
-/// Link targets are the figures' ids; those of further runs carry their number.
-std::string suffix(std::size_t run) {
-    return run == 0 ? "" : fmt::format("-{}", run + 1);
 }
 
 std::string heading(const std::vector<RunData>& runs) {
@@ -198,7 +185,9 @@ std::string per_run(const std::vector<RunData>& runs, const std::string& title, 
 }
 
 std::string figures_html(const std::vector<RunData>& runs) {
-    std::string html = html_sketch();
+    std::string html = embedded("report/sketch.html");  // in place of the paper's Figures 1 and 2
+    std::erase(html, '\n');
+    html += '\n';
     std::vector<std::pair<const FigureMaker*, std::size_t>> wanted;
     for (const FigureMaker& maker : figure_makers())
         for (std::size_t i = 0; i < runs.size(); ++i) wanted.emplace_back(&maker, i);
@@ -206,16 +195,10 @@ std::string figures_html(const std::vector<RunData>& runs) {
         const auto& [maker, i] = each;
         Figure figure = maker->make(runs[i]);
         if (runs.size() > 1) figure.title += " (" + runs[i].label() + ")";
-        return html_of(figure, std::string(maker->id) + suffix(i));
+        return html_of(figure, std::string(maker->id) + (i == 0 ? "" : fmt::format("-{}", i + 1)));
     });
     for (const std::string& figure : drawn) html += figure;
     return html_section("figures", "Figures", html);
-}
-
-std::string notes(const std::vector<RunData>& runs) {
-    return per_run(runs, "What was assumed, inferred or reconstructed", "assumptions", assumptions_html) +
-           per_run(runs, "What the model holds for", "validity", validity_html) +
-           per_run(runs, "Warnings", "warnings", warnings_html);
 }
 
 std::string file_stem(std::string_view id, Width width) {
@@ -237,13 +220,11 @@ std::string run_page(const std::vector<RunData>& runs) {
     std::vector<std::string_view> ids;
     for (const FigureMaker& maker : figure_makers()) ids.push_back(maker.id);
     body += html_contents(ids);
-    const std::vector<std::function<std::string()>> parts{
-        [&] { return figures_html(runs); },
-        [&] { return per_run(runs, "Provenance", "provenance", provenance_html); },
-        [&] { return notes(runs); },
-        [&] { return per_run(runs, "Critical velocities", "comparison", comparison_html); }};
-    const auto made = in_parallel(parts, [](const auto& part) { return part(); });  // the longest first
-    body += made[3] + made[0] + made[2] + made[1];
+    body += per_run(runs, "Critical velocities", "comparison", comparison_html) + figures_html(runs) +
+            per_run(runs, "What was assumed, inferred or reconstructed", "assumptions", assumptions_html) +
+            per_run(runs, "What the model holds for", "validity", validity_html) +
+            per_run(runs, "Warnings", "warnings", warnings_html) +
+            per_run(runs, "Provenance", "provenance", provenance_html);
     body += "</main>\n<footer><p>Made by ashimpact " + escaped(program_version()) +
             ". Curves are read off with the mouse, by touch or with the arrow keys; without scripts "
             "everything else stays.</p></footer>\n";
@@ -303,6 +284,12 @@ std::string with_subscripts(std::string text) {
     return text;
 }
 
+std::string capitalized(std::string text) {
+    if (!text.empty() && text.front() >= 'a' && text.front() <= 'z')
+        text.front() = static_cast<char>(text.front() - 'a' + 'A');
+    return text;
+}
+
 std::string words_of(std::string key) {
     std::ranges::replace(key, '_', ' ');
     return key;
@@ -332,8 +319,7 @@ std::string html_contents(const std::vector<std::string_view>& figures) {
     for (const std::string_view id : figures) {
         std::string words(id);
         std::ranges::replace(words, '-', ' ');
-        words.front() = static_cast<char>(words.front() - 'a' + 'A');
-        html += fmt::format("<a href=\"#{}\">{}</a>", id, words);
+        html += fmt::format("<a href=\"#{}\">{}</a>", id, capitalized(words));
     }
     return html + "<a href=\"#provenance\">Provenance</a></nav>\n";
 }

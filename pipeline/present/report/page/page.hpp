@@ -45,8 +45,7 @@ inline constexpr std::string_view figures_folder = "figures";
 /// The files that an earlier run left in the folder @p figures, known by name and by the mark in the SVG.
 [[nodiscard]] std::vector<std::filesystem::path> own_figures(const std::filesystem::path& figures);
 
-/// A figure as HTML: both forms of the drawing, caption, readout, numbers as a table and as CSV.
-/// @param id link target, unique in the page
+/// A figure as HTML: drawings, caption, readout, numbers as table and CSV. @param id link target, unique
 [[nodiscard]] std::string html_of(const Figure& figure, const std::string& id);
 
 /// A part that scrolls by itself. @param label for those who do not see it, escaped
@@ -71,6 +70,9 @@ inline constexpr std::string_view figures_folder = "figures";
 
 /// An escaped text with the symbols in it set as such: "v_in", "e_n".
 [[nodiscard]] std::string with_subscripts(std::string text);
+
+/// The text with a capital letter first.
+[[nodiscard]] std::string capitalized(std::string text);
 
 /// "work_of_adhesion" as "work of adhesion".
 [[nodiscard]] std::string words_of(std::string key);

@@ -36,9 +36,8 @@ struct CaptureFractions {
     std::vector<CaptureVariable> variables{};
 };
 
-/// The report of a sweep as one self-contained HTML file: capture fraction against each variable, histograms,
-/// sensitivity. The same result gives the same bytes.
-/// @param artifact the whole of a sweep's result
+/// Report of a sweep as one HTML file: capture fractions, histograms, sensitivity. The same result gives the
+/// same bytes. @param artifact the whole of a sweep's result
 [[nodiscard]] std::string sweep_page(const Json& artifact, const CaptureFractions& captured,
                                      const std::string& name);
 
