@@ -24,7 +24,7 @@ endif()
 if(ASHIMPACT_SANITIZE)
   target_compile_options(ashimpact_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
                                                      -fno-omit-frame-pointer)
-  # GCC's instrumentation makes it see uninitialised reads in the standard library that are not there.
+  # With instrumentation GCC warns of uninitialised reads in the standard library that do not happen.
   target_compile_options(ashimpact_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(ashimpact_options INTERFACE -fsanitize=address,undefined)
 endif()

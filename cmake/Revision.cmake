@@ -6,7 +6,7 @@ set(revision "unknown")
 if(EXISTS "${SOURCE_DIR}/.git")
   find_program(GIT git)
   if(GIT)
-    # The checkout may belong to someone else than who builds (root in a container): only its commit is asked for.
+    # The owner of the checkout may differ from the user who builds (root in a container); only its commit is read.
     execute_process(
       COMMAND "${CMAKE_COMMAND}" -E env GIT_OPTIONAL_LOCKS=0 "${GIT}" -c safe.directory=* -C "${SOURCE_DIR}"
               -c core.fsmonitor=false describe --always --dirty --abbrev=12 --exclude=*

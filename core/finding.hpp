@@ -26,8 +26,8 @@ struct Names<Severity> {
     static constexpr std::array<std::string_view, 3> all{"background", "remark", "doubt"};
 };
 
-/// What a computation found out about its result. Made where the fact is known; whoever calls adds the sample
-/// and the law. Readers use the code, never the text.
+/// A remark of a computation on its result. The computation sets code, severity and text; its caller adds the
+/// sample and the law. Code that reads findings compares the code, never the text.
 struct Finding {
     std::string_view code;  ///< a literal such as "outliers"; never changes
     Severity severity;

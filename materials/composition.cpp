@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "materials/composition.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numeric>
@@ -17,10 +18,6 @@ constexpr std::string_view phases_code = "phases";  // of every finding here
 
 double sum(std::span<const double> values) {
     return std::accumulate(values.begin(), values.end(), 0.0);
-}
-
-std::string per_cent(double fraction) {
-    return shortest(std::round(fraction * 1e6) / 1e4) + " %";
 }
 
 std::string to_tenths(double value) {
@@ -91,12 +88,10 @@ std::vector<ResolvedPhase> resolved_phases(const Analysis& analysis, const Phase
 }
 
 bool holds_amorphous_phase(const std::vector<Component>& components) {
-    for (const Component& c : components)
-        if (c.phase.amorphous) return true;
-    return false;
+    return std::ranges::any_of(components, [](const Component& c) { return c.phase.amorphous; });
 }
 
-/// Decides how the sum of the listed amounts is to be understood.
+/// Finds from their sum whether the listed amounts are fractions of the whole or of its crystalline part.
 class Closing {
   public:
     Closing(const Analysis& analysis, bool amorphous_listed, const std::string& how_to_state)
@@ -201,9 +196,9 @@ class Closing {
 
 void note_rescaling(const FractionModel& model, std::vector<Finding>& notes) {
     const double total = sum(model.amounts);
-    const bool of_the_crystalline_part = model.kind == FractionModel::Kind::split &&
-                                         std::abs(total - 1) > std::abs(total - (1 - model.parameter));
-    const double expected = of_the_crystalline_part ? 1 - model.parameter : 1;
+    const bool of_the_whole = model.kind == FractionModel::Kind::split &&
+                              std::abs(total - (1 - model.parameter)) < std::abs(total - 1);
+    const double expected = of_the_whole ? 1 - model.parameter : 1;
     if (model.kind == FractionModel::Kind::remainder || std::abs(total - expected) < 1e-9) return;
     notes.push_back(
         {phases_code, Severity::remark,
@@ -245,6 +240,10 @@ void fill_fractions(Composition& composition) {
 }
 
 }  // namespace
+
+std::string per_cent(double fraction) {
+    return shortest(std::round(fraction * 1e6) / 1e4) + " %";
+}
 
 std::vector<double> FractionModel::fractions() const {
     std::vector<double> result = amounts;

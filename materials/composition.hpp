@@ -12,6 +12,9 @@
 
 namespace ashimpact {
 
+/// A fraction for messages, as "12.34 %", rounded to four decimals.
+[[nodiscard]] std::string per_cent(double fraction);
+
 enum class FractionBasis { weight, volume };
 
 /// One line of an analysis, under the name the file uses.
@@ -23,7 +26,7 @@ struct PhaseFraction {
     std::string place{};              ///< where the file has it, "line 12"; for messages, may be empty
 };
 
-/// How the amorphous part is known. An analysis that does not state it is refused: it is never assumed.
+/// How the amorphous part is given. An analysis that does not state it is refused; it is never assumed.
 struct AmorphousNotStated {};
 struct AmorphousNone {};  ///< stated: there is none
 struct AmorphousFraction {

@@ -26,11 +26,15 @@ double interfacial_energy(const SurfaceEnergies& energies) {
     return *energies.interfacial;
 }
 
-/// (w^5 R^4/E*^2)^(1/3) [J]
-double energy_scale(const AdhesiveContact& contact) {
+void require_valid(const AdhesiveContact& contact) {
     require_not_negative("work_of_adhesion", contact.work_of_adhesion, Dimension::energy_per_area);
     require_positive("effective_radius", contact.effective_radius, Dimension::length);
     require_positive("contact_modulus", contact.contact_modulus, Dimension::pressure);
+}
+
+/// (w^5 R^4/E*^2)^(1/3) [J]
+double energy_scale(const AdhesiveContact& contact) {
+    require_valid(contact);
     const double w = contact.work_of_adhesion;
     const double r = contact.effective_radius;
     return w * r * std::cbrt(w / contact.contact_modulus * w / contact.contact_modulus * r);
@@ -96,8 +100,8 @@ double roughness_reduction(double effective_radius, const Roughness& roughness) 
     require_positive("closest distance of the surfaces", roughness.closest_distance, Dimension::length);
     if (roughness.rms == 0) return 1;
     const double asperity = 1.48 * roughness.rms;
-    const double held_off = 1 + asperity / roughness.closest_distance;
-    return 1 / (1 + effective_radius / asperity) + 1 / (held_off * held_off);
+    const double wall_distance = 1 + asperity / roughness.closest_distance;  // in units of H_0
+    return 1 / (1 + effective_radius / asperity) + 1 / (wall_distance * wall_distance);
 }
 
 double separation_energy_constant(Separation separation) {
@@ -140,7 +144,7 @@ double separation_velocity(const AdhesiveContact& contact, double density) {
 
 double tabor_parameter(const AdhesiveContact& contact, double equilibrium_distance) {
     require_positive("equilibrium_distance", equilibrium_distance, Dimension::length);
-    static_cast<void>(energy_scale(contact));
+    require_valid(contact);
     const double strain = contact.work_of_adhesion / (contact.contact_modulus * equilibrium_distance);
     return std::cbrt(contact.effective_radius / equilibrium_distance * strain * strain);
 }

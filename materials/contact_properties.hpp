@@ -64,7 +64,7 @@ struct SurfaceEnergies {
     std::optional<double> interfacial{};  ///< g12, for the Dupre rule only
 };
 
-/// Returns the work of adhesion w [J/m2], the reversible work to part one unit of interface.
+/// Returns the work of adhesion w [J/m2], the reversible work per unit area to separate the two surfaces.
 /// Source: Girifalco & Good 1957 (J. Phys. Chem. 61:904, interaction parameter 1); Dupre 1869 as in
 /// Israelachvili 2011, section 17.1; Dong et al. 2013, text under Eq. 11, whose printed g1 + g2 + g12 is a
 /// misprint and whose result w = sqrt(g1 g2) is half of what g12 = g1 + g2 - 2 sqrt(g1 g2) gives.

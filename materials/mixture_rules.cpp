@@ -6,7 +6,6 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 #include "core/quantities/checks.hpp"
 #include "core/text/error.hpp"
@@ -43,8 +42,8 @@ double shear(const IsotropicModuli& moduli) {
     return moduli.shear;
 }
 
-/// Bounds of the comparison medium with these moduli.
-IsotropicModuli walpole(Fractions fractions, Phases phases, const IsotropicModuli& medium) {
+/// Walpole's bounds with a comparison medium of these moduli.
+IsotropicModuli walpole_bounds(Fractions fractions, Phases phases, const IsotropicModuli& medium) {
     const double y = 4.0 / 3.0 * medium.shear;
     // A medium without shear modulus (pores) resists no change of shape, whatever its bulk modulus.
     const double z = medium.shear == 0 ? 0
@@ -52,6 +51,19 @@ IsotropicModuli walpole(Fractions fractions, Phases phases, const IsotropicModul
                                              (6 * (medium.bulk + 2 * medium.shear));
     return {.bulk = shifted_harmonic_mean(fractions, phases, y, bulk),
             .shear = shifted_harmonic_mean(fractions, phases, z, shear)};
+}
+
+/// The largest (std::max) or smallest (std::min) K and G of the phases that are there.
+IsotropicModuli extreme_moduli(Fractions fractions, Phases phases,
+                               const double& (*choose)(const double&, const double&)) {
+    std::optional<IsotropicModuli> extreme;
+    for (std::size_t i = 0; i < phases.size(); ++i) {
+        if (fractions[i] == 0) continue;
+        if (!extreme) extreme = phases[i];
+        *extreme = {.bulk = choose(extreme->bulk, phases[i].bulk),
+                    .shear = choose(extreme->shear, phases[i].shear)};
+    }
+    return extreme.value();
 }
 
 /// The porosities for which a law holds.
@@ -126,24 +138,11 @@ IsotropicModuli hill_moduli(Fractions volume_fractions, Phases phases) {
 }
 
 IsotropicModuli hashin_shtrikman_lower(Fractions volume_fractions, Phases phases) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    IsotropicModuli softest{.bulk = infinity, .shear = infinity};
-    for (std::size_t i = 0; i < phases.size(); ++i) {
-        if (volume_fractions[i] == 0) continue;
-        softest.bulk = std::min(softest.bulk, phases[i].bulk);
-        softest.shear = std::min(softest.shear, phases[i].shear);
-    }
-    return walpole(volume_fractions, phases, softest);
+    return walpole_bounds(volume_fractions, phases, extreme_moduli(volume_fractions, phases, std::min));
 }
 
 IsotropicModuli hashin_shtrikman_upper(Fractions volume_fractions, Phases phases) {
-    IsotropicModuli stiffest{.bulk = 0, .shear = 0};
-    for (std::size_t i = 0; i < phases.size(); ++i) {
-        if (volume_fractions[i] == 0) continue;
-        stiffest.bulk = std::max(stiffest.bulk, phases[i].bulk);
-        stiffest.shear = std::max(stiffest.shear, phases[i].shear);
-    }
-    return walpole(volume_fractions, phases, stiffest);
+    return walpole_bounds(volume_fractions, phases, extreme_moduli(volume_fractions, phases, std::max));
 }
 
 void require_valid(const Porosity& porosity) {

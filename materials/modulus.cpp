@@ -14,16 +14,9 @@ namespace ashimpact {
 
 namespace {
 
-std::vector<double> nominal_values(const std::vector<UncertainInput>& inputs) {
-    std::vector<double> values;
-    values.reserve(inputs.size());
-    for (const UncertainInput& input : inputs) values.push_back(input.value);
-    return values;
-}
-
 constexpr std::string_view modulus_code = "modulus";  // of findings on the modulus
 
-/// One evaluation: everything as numbers, so that it can be differentiated.
+/// Inputs of one evaluation, all as numbers, so that the results can be differentiated by each.
 struct Mixture {
     FractionBasis basis;
     FractionModel model;
@@ -95,7 +88,8 @@ Mixture checked_mixture(const Composition& composition, const ModulusOptions& op
     return mixture;
 }
 
-/// The inputs in one list, and a mixture rebuilt from their values.
+/// The inputs of a mixture in one list with their uncertainties. mixture() rebuilds a mixture from their
+/// values.
 class Parameters {
   public:
     Parameters(const Composition& composition, const Mixture& mixture) : mixture_(mixture) {
@@ -149,6 +143,10 @@ std::vector<double> flat(const Results& results) {
     return list;
 }
 
+bool has_assumed_poisson_ratio(const Component& component) {
+    return component.phase.poisson_ratio && component.phase.poisson_ratio->assumed;
+}
+
 void note_missing(const Composition& composition, std::vector<Finding>& notes) {
     std::vector<std::string> without_uncertainty;
     std::vector<std::string> without_ratio;
@@ -156,7 +154,7 @@ void note_missing(const Composition& composition, std::vector<Finding>& notes) {
     for (const Component& c : composition.components) {
         if (!c.phase.young_modulus.uncertainty()) without_uncertainty.push_back(c.phase.name);
         if (!c.phase.poisson_ratio) without_ratio.push_back(c.phase.name);
-        if (c.phase.poisson_ratio && c.phase.poisson_ratio->assumed) assumed.push_back(c.phase.name);
+        if (has_assumed_poisson_ratio(c)) assumed.push_back(c.phase.name);
     }
     if (!without_uncertainty.empty())
         notes.push_back({modulus_code, Severity::background,
@@ -181,19 +179,14 @@ void note_dominant(const std::vector<Contribution>& contributions, std::vector<F
                          " % of the variance of E"});
 }
 
-bool any_assumed(const Composition& composition) {
-    for (const Component& c : composition.components)
-        if (c.phase.poisson_ratio && c.phase.poisson_ratio->assumed) return true;
-    return false;
-}
-
 }  // namespace
 
 std::vector<PropagatedUncertainty> propagate_linearly(
     const std::function<std::vector<double>(const std::vector<double>&)>& function,
     const std::vector<UncertainInput>& inputs) {
     constexpr double step_factor = 6e-6;  // third root of the rounding error
-    std::vector<double> x = nominal_values(inputs);
+    std::vector<double> x;
+    for (const UncertainInput& input : inputs) x.push_back(input.value);
     std::vector<PropagatedUncertainty> results(function(x).size());
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         const double u = inputs[i].standard_uncertainty;
@@ -206,6 +199,7 @@ std::vector<PropagatedUncertainty> propagate_linearly(
         x[i] = inputs[i].value;
         for (std::size_t k = 0; k < results.size(); ++k) {
             const double change = (above[k] - below[k]) / (2 * step) * u;
+            // The variance for now; divided by the sum below.
             results[k].contributions.push_back({.what = inputs[i].what, .share = change * change});
         }
     }
@@ -250,7 +244,7 @@ ModulusEstimate estimate_modulus(const Composition& composition, const ModulusOp
                                   .young_modulus = results.rules[i],
                                   .standard_uncertainty = uncertainties[i + 2].standard_uncertainty});
     estimate.poisson_ratio = results.chosen.poisson_ratio;
-    estimate.poisson_ratio_assumed = any_assumed(composition);
+    estimate.poisson_ratio_assumed = std::ranges::any_of(composition.components, has_assumed_poisson_ratio);
     estimate.density = results.density;
     estimate.density_uncertainty = uncertainties[1].standard_uncertainty;
     estimate.contributions = uncertainties[0].contributions;

@@ -66,11 +66,11 @@ struct Names<MixtureRule> {
                                                          "hashin-shtrikman-upper"};
 };
 
-/// Relative standard uncertainty of a phase's Young's modulus of which none is known: the median of those
-/// that the catalogue's sources state. Nothing counts as exact that nobody called exact.
+/// Relative standard uncertainty assumed for a phase's Young's modulus if none is known: the median of those
+/// that the catalogue's sources state. A modulus without a stated uncertainty never counts as exact.
 inline constexpr double assumed_modulus_uncertainty = 0.04;
 
-/// Standard uncertainty of a phase's Young's modulus [Pa]: what is known, else what is assumed.
+/// Standard uncertainty of a phase's Young's modulus [Pa]: the known one, else the assumed one.
 [[nodiscard]] double modulus_uncertainty(const Phase& phase);
 
 struct ModulusOptions {

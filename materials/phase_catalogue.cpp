@@ -130,7 +130,7 @@ std::string_view without_bracket(std::string_view name) {
                                                                               : name;
 }
 
-/// What a phase is called in every set: quartz for quartz-dong2013 of the set dong2013.
+/// The name of a phase without the mark of its set: quartz for quartz-dong2013 of the set dong2013.
 std::string common_name(const Phase& phase, const PhaseSet& set) {
     const std::string mark = "-" + set.name;
     return phase.name.ends_with(mark) ? phase.name.substr(0, phase.name.size() - mark.size()) : phase.name;

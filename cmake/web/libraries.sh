@@ -24,7 +24,7 @@ if ((${#missing[@]})); then
     # shellcheck source=/dev/null
     . /etc/os-release
     echo "deb-src http://deb.debian.org/debian $VERSION_CODENAME main" >"$folder/apt/sources.list"
-    # The list of sources lies beside the folder of lists: apt-get update empties that of whatever it does not know.
+    # The list of sources is outside the folder of lists, in which apt-get update deletes every unknown file.
     apt=(apt-get -q -o "Dir::Etc::sourcelist=$folder/apt/sources.list" -o Dir::Etc::sourceparts=-
          -o "Dir::State::lists=$folder/apt/lists" -o APT::Sandbox::User=root)
     "${apt[@]}" update >"$log" 2>&1 || { tail -n 3 "$log" >&2; exit 1; }

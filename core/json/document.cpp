@@ -17,17 +17,17 @@ namespace ashimpact {
 
 namespace {
 
-constexpr std::size_t deepest = 64;
+constexpr std::size_t most_levels = 64;
 
 /// Callback of the parser that refuses what the library would accept silently.
-class Watcher {
+class StrictChecks {
   public:
     bool operator()(int /*depth*/, Json::parse_event_t event, const Json& parsed) {
         using Event = Json::parse_event_t;
         if (event == Event::object_start || event == Event::array_start) enter(event == Event::array_start);
         if (event == Event::object_end || event == Event::array_end) leave();
-        if (event == Event::value) value(parsed);
-        return event != Event::key || name(parsed.get<std::string>());
+        if (event == Event::value) check_value(parsed);
+        return event != Event::key || check_key(parsed.get<std::string>());
     }
 
     [[nodiscard]] std::string pointer() const {
@@ -47,20 +47,20 @@ class Watcher {
     };
 
     void enter(bool is_array) {
-        if (levels_.size() >= deepest)
+        if (levels_.size() >= most_levels)
             throw InputError("nested too deeply", "64 levels or fewer").at(pointer());
         levels_.push_back({.is_array = is_array});
     }
     void leave() {
         levels_.pop_back();
-        count();
+        count_element();
     }
-    void count() {
+    void count_element() {
         if (!levels_.empty()) ++levels_.back().index;
     }
-    void value(const Json& parsed) {
+    void check_value(const Json& parsed) {
         if (parsed.is_string()) refuse_nul(parsed.get_ref<const std::string&>());
-        count();
+        count_element();
     }
     /// Refuses a NUL: a text after it would be lost if it becomes a file name.
     void refuse_nul(const std::string& text) const {
@@ -68,7 +68,7 @@ class Watcher {
             throw InputError("holds a NUL character", "a text without it").at(pointer());
     }
     /// @return false for the key of a comment, whose value the parser then drops
-    bool name(const std::string& key) {
+    bool check_key(const std::string& key) {
         Level& level = levels_.back();
         level.key = key.substr(0, key.find('\0'));
         refuse_nul(key);
@@ -106,18 +106,18 @@ std::string reason_of(std::string message) {
 }
 
 /// Levels whose lines are recorded: "/samples/0/phases/0/weight_fraction" has five.
-constexpr std::size_t deepest_kept = 5;
+constexpr std::size_t most_recorded_levels = 5;
 
 constexpr std::size_t line_width = 110;
 constexpr std::size_t indent_width = 2;
 
-std::string number(double value, Digits digits) {
+std::string json_number(double value, Digits digits) {
     if (!std::isfinite(value)) throw std::logic_error("a result holds a number that is not finite");
     value += 0.0;  // turns -0 into 0
     return digits == Digits::shortest ? shortest(value) : fmt::format("{:.17g}", value);
 }
 
-std::string text(const std::string& value) {
+std::string json_string(const std::string& value) {
     return Json(value).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -143,13 +143,13 @@ class Writer {
   private:
     /// The value in one line, or nothing if that would be longer than @p limit.
     [[nodiscard]] std::string one_line(const Json& value, std::size_t limit) const {
-        if (value.is_string()) return text(value.get_ref<const std::string&>());
-        if (value.is_number_float()) return number(value.get<double>(), digits_);
+        if (value.is_string()) return json_string(value.get_ref<const std::string&>());
+        if (value.is_number_float()) return json_number(value.get<double>(), digits_);
         if (!value.is_structured()) return value.dump();
         std::string line(1, value.is_object() ? '{' : '[');
         for (auto element = value.begin(); element != value.end(); ++element) {
             if (element != value.begin()) line += ", ";
-            if (value.is_object()) line += text(element.key()) + ": ";
+            if (value.is_object()) line += json_string(element.key()) + ": ";
             const std::string inner = one_line(*element, limit);
             if (inner.empty() || line.size() + inner.size() > limit) return {};
             line += inner;
@@ -164,7 +164,7 @@ class Writer {
         for (auto member = object.begin(); member != object.end(); ++member) {
             if (member != object.begin()) out_ += ',';
             new_line(indent + indent_width);
-            const std::string key = text(member.key()) + ": ";
+            const std::string key = json_string(member.key()) + ": ";
             out_ += key;
             write(*member, indent + indent_width, indent + indent_width + key.size());
         }
@@ -219,15 +219,15 @@ std::string child_pointer(const std::string& pointer, std::size_t index) {
 }
 
 Json parse_json(std::string_view text) {
-    Watcher watcher;
+    StrictChecks checks;
     try {
-        return Json::parse(text.begin(), text.end(), std::ref(watcher), true, true);
+        return Json::parse(text.begin(), text.end(), std::ref(checks), true, true);
     } catch (const Json::parse_error& error) {
         throw InputError("this is not valid JSON: " + reason_of(error.what()), "JSON (RFC 8259)")
             .at(place_of(text, error.byte));
     } catch (const Json::out_of_range&) {
         throw InputError("a number is out of the range of double precision", "finite numbers")
-            .at(watcher.pointer());
+            .at(checks.pointer());
     }
 }
 
@@ -268,10 +268,11 @@ std::string JsonLines::read_string() {
 void JsonLines::read_members(const std::string& pointer, std::size_t depth, char close) {
     rest_.remove_prefix(1);
     for (std::size_t i = 0; next() != close && !rest_.empty(); ++i) {
-        std::string child = depth < deepest_kept ? child_pointer(pointer, i) : std::string();
+        std::string child = depth < most_recorded_levels ? child_pointer(pointer, i) : std::string();
         if (close == '}') {
             const std::string key = read_string();
-            if (depth < deepest_kept) child = child_pointer(pointer, Json::parse(key).get<std::string>());
+            if (depth < most_recorded_levels)
+                child = child_pointer(pointer, Json::parse(key).get<std::string>());
             static_cast<void>(next());
             rest_.remove_prefix(1);  // the colon
         }
@@ -283,7 +284,7 @@ void JsonLines::read_members(const std::string& pointer, std::size_t depth, char
 
 void JsonLines::read_value(const std::string& pointer, std::size_t depth) {
     const char first = next();
-    if (depth <= deepest_kept) lines_.emplace(pointer, line_);
+    if (depth <= most_recorded_levels) lines_.emplace(pointer, line_);
     if (first == '{' || first == '[')
         read_members(pointer, depth, first == '{' ? '}' : ']');
     else if (first == '"')

@@ -18,7 +18,7 @@ namespace ashimpact {
 /// Errors: InputError, with the JSON pointer relative to `node` as its place.
 [[nodiscard]] Quantity read_quantity(const Json& node, Dimension expected);
 
-/// A quantity as an artifact has it, {"value", "unit"} and perhaps "standard_uncertainty".
+/// A quantity of an artifact in the unit written there, not converted to SI.
 [[nodiscard]] Quantity shown_quantity(const Json& quantity);
 
 /// Writes {"value", "unit"}, and "standard_uncertainty" where there is one.
@@ -87,8 +87,8 @@ struct View::Member {
 /// {"values", "unit"} of values in SI.
 [[nodiscard]] Json column_json(const std::vector<double>& values, Dimension dimension);
 
-/// Checks that a value agrees with others of its artifact that say the same. Numbers written with fewer
-/// digits agree. @throws InputError at the value: @p problem, the @p expected one, @p others to edit as well
+/// Checks that a value agrees, to a relative 1e-9, with the one that follows from other values of its
+/// artifact. @throws InputError at the value: @p problem, the @p expected one, @p others to edit as well
 void require_agreement(const View& value, double expected, Dimension dimension, const std::string& problem,
                        const std::string& others);
 

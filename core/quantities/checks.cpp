@@ -18,7 +18,8 @@ namespace {
     throw InputError(problem, allowed);
 }
 
-std::string a(std::string_view adjective, Dimension dimension) {
+/// "a positive mass [kg]"
+std::string allowed_values(std::string_view adjective, Dimension dimension) {
     return "a " + std::string(adjective) + " " + std::string(dimension_name(dimension)) + " [" +
            std::string(si_unit(dimension)) + "]";
 }
@@ -33,16 +34,18 @@ std::string computable_values(Dimension dimension) {
 }  // namespace
 
 void require_positive(std::string_view name, double value, Dimension dimension) {
-    if (!(value > 0) || !std::isfinite(value)) refuse(name, value, dimension, a("positive", dimension));
+    if (!(value > 0) || !std::isfinite(value))
+        refuse(name, value, dimension, allowed_values("positive", dimension));
     if (!is_computable(value)) refuse(name, value, dimension, computable_values(dimension));
 }
 
 void require_positive_or_infinite(std::string_view name, double value, Dimension dimension) {
-    if (!(value > 0)) refuse(name, value, dimension, a("positive", dimension));
+    if (!(value > 0)) refuse(name, value, dimension, allowed_values("positive", dimension));
 }
 
 void require_not_negative(std::string_view name, double value, Dimension dimension) {
-    if (!(value >= 0) || !std::isfinite(value)) refuse(name, value, dimension, a("non-negative", dimension));
+    if (!(value >= 0) || !std::isfinite(value))
+        refuse(name, value, dimension, allowed_values("non-negative", dimension));
     if (value != 0 && !is_computable(value))
         refuse(name, value, dimension, "0, or " + computable_values(dimension));
 }

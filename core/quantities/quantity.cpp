@@ -128,7 +128,7 @@ constexpr std::array<ReadingUnit, 36> reading_units{{
     {"N s", "N s", 1},   {"N s", "uN s", 1e-6}, {"N s", "nN s", 1e-9}, {"N s", "pN s", 1e-12},
 }};
 
-/// The shown unit in which the number is at least 1 (a little less for velocities, which read well below it).
+/// The shown unit in which the number is at least 1, or 0.01 for velocities: 0.05 m/s, not 50 mm/s.
 const ReadingUnit* unit_for(double value, std::string_view si) {
     const double least = si == "m/s" ? 1e-2 : 1.0;
     const ReadingUnit* chosen = nullptr;

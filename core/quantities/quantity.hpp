@@ -9,7 +9,7 @@
 
 namespace ashimpact {
 
-/// A value with its unit; inside the program always SI.
+/// A value with its unit: SI, unless shown_quantity() took it from an artifact as it is.
 struct Quantity {
     double value = 0;
     std::string unit = "1";

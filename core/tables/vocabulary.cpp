@@ -65,19 +65,20 @@ bool names_interval(std::string_view text) {
                     [](const std::string& word) { return special_words().list_of(word) == "interval"; });
 }
 
-/// Whether a cell holds nothing but digits and signs, as most that are searched for a heading do.
+/// Whether a cell has only digits and signs. Most cells in which a heading is looked for have; this test is
+/// fast.
 bool is_number(std::string_view cell) {
     return cell.find_first_not_of("+-.,0123456789 ") == std::string_view::npos;
 }
 
-/// Position of the statement in a heading, and its number.
+/// The part of a heading that states a coverage, "2 sigma" or "95 %", and its number.
 struct Statement {
     std::size_t begin;
     std::size_t length;
     std::string number;
 };
 
-/// The second group of an expression is the statement, the third one its number.
+/// Searches a heading. The second group of the expression is the statement, the third one its number.
 std::optional<Statement> found(const std::string& heading, const std::regex& expression) {
     std::smatch match;
     if (!std::regex_search(heading, match, expression)) return std::nullopt;
@@ -105,7 +106,7 @@ std::optional<Statement> multiple_in(const std::string& heading) {
     return std::nullopt;
 }
 
-/// A coverage in per cent, where the heading speaks of an uncertainty.
+/// A coverage in per cent, if the rest of the heading names an uncertainty.
 std::optional<Statement> coverage_in(const std::string& heading) {
     constexpr auto flags = std::regex::icase | std::regex::ECMAScript;
     static const std::regex per_cent(R"((^|[^0-9.,])((\d\d(?:[.,]\d+)?) *(?:%|percent|prozent)))", flags);

@@ -16,11 +16,12 @@ namespace {
 
 std::string without(char removed, std::string_view number) {
     std::string rest(number);
-    rest.erase(std::remove(rest.begin(), rest.end(), removed), rest.end());
+    std::erase(rest, removed);
     return rest;
 }
 
-/// A number as English writes it, if its comma is decimal and if its commas part thousands.
+/// The two readings of a number with commas, both written with a decimal point: with a decimal comma, and
+/// with commas between groups of thousands. They are equal if only one is possible.
 std::pair<std::string, std::string> readings_of_commas(std::string_view number) {
     const auto comma = number.find(',');
     if (comma == std::string_view::npos) return {std::string(number), std::string(number)};
@@ -35,14 +36,12 @@ std::pair<std::string, std::string> readings_of_commas(std::string_view number) 
     return {with_point, thousands ? without_commas : with_point};
 }
 
-/// True if the text of a number that was read as infinite or zero holds a finite number other than zero.
-bool is_out_of_range(const char* first, const char* last, double value) {
-    const auto holds = [](const char* from, const char* to, char least) {
-        return std::any_of(from, to, [&](char c) { return c >= least && c <= '9'; });
-    };
-    const char* const end_of_mantissa =
-        std::find_if(first, last, [](char c) { return c == 'e' || c == 'E'; });
-    return std::isinf(value) ? holds(first, last, '0') : value == 0 && holds(first, end_of_mantissa, '1');
+/// Whether a number overflowed to infinity, although it has digits ("inf" has none), or underflowed to zero,
+/// although its mantissa is not zero.
+bool is_out_of_range(std::string_view text, double value) {
+    if (std::isinf(value)) return text.find_first_of("0123456789") != std::string_view::npos;
+    const std::string_view mantissa = text.substr(0, text.find_first_of("eE"));
+    return value == 0 && mantissa.find_first_of("123456789") != std::string_view::npos;
 }
 
 /// Number of significant digits of a number in decimal notation.
@@ -95,10 +94,7 @@ std::string_view trimmed(std::string_view text) {
 std::string in_quotes(std::string_view text) {
     constexpr std::size_t longest = 60;
     std::string shown = "\"";
-    for (const char c : whole_start(text, longest)) {
-        const auto byte = static_cast<unsigned char>(c);
-        shown += byte < 0x20 || byte == 0x7f ? ' ' : c;
-    }
+    for (const char c : whole_start(text, longest)) shown += byte_of(c) < 0x20 || c == 0x7f ? ' ' : c;
     return shown + (text.size() > longest ? "...\"" : "\"");
 }
 
@@ -186,10 +182,8 @@ std::string remedy_for_number_in_quotes(std::string_view text) {
         number.find_first_not_of("+-.,0123456789eE") != std::string_view::npos ||
         number.find_first_of("0123456789") == std::string_view::npos)
         return {};
-    if (std::string remedy = remedy_for_commas(number); !remedy.empty()) {
-        remedy.erase(std::remove(remedy.begin(), remedy.end(), '"'), remedy.end());
-        return ", " + remedy + " without quotes";
-    }
+    if (const std::string remedy = remedy_for_commas(number); !remedy.empty())
+        return ", " + without('"', remedy) + " without quotes";
     return ", write " + std::string(number) + " without quotes";
 }
 
@@ -267,8 +261,9 @@ std::errc take_decimal(std::string_view& text, double& value) {
     const auto* const first = text.data();
     const auto [end, status] = fast_float::from_chars(first, first + text.size(), number);
     if (status != std::errc{}) return status;
-    if (is_out_of_range(first, end, number)) return std::errc::result_out_of_range;
-    text.remove_prefix(static_cast<std::size_t>(end - first));
+    const auto length = static_cast<std::size_t>(end - first);
+    if (is_out_of_range(text.substr(0, length), number)) return std::errc::result_out_of_range;
+    text.remove_prefix(length);
     value = number;
     return status;
 }

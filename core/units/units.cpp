@@ -134,6 +134,7 @@ constexpr std::array prefixes{
     Prefix{"a", "atto", 1e-18}, Prefix{"z", "zepto", 1e-21}, Prefix{"y", "yocto", 1e-24},
 };
 
+/// Whether a list of words, separated by blanks, has this word.
 bool holds(std::string_view words, std::string_view word) {
     if (word.empty()) return false;
     for (auto at = words.find(word); at != std::string_view::npos; at = words.find(word, at + 1)) {
@@ -177,12 +178,12 @@ Unit product(Unit left, const Unit& right) {
     return left;
 }
 
-/// Reads a unit by recursive descent.
+/// Reads a unit by recursive descent: products of powers of symbols, names and brackets.
 class UnitReader {
   public:
     explicit UnitReader(std::string_view text) : rest_(text) {}
 
-    std::optional<Unit> whole() {
+    std::optional<Unit> read() {
         const std::optional<Unit> unit = products();
         return rest_.empty() ? unit : std::nullopt;
     }
@@ -204,7 +205,7 @@ class UnitReader {
     }
 
     std::optional<Unit> power() {
-        const std::optional<Unit> unit = one();
+        const std::optional<Unit> unit = name_or_brackets();
         if (!unit) return unit;
         const bool needs_exponent = skip("^");
         const std::optional<int> exponent = integer();
@@ -212,7 +213,7 @@ class UnitReader {
         return raised(*unit, *exponent);
     }
 
-    std::optional<Unit> one() {
+    std::optional<Unit> name_or_brackets() {
         if (skip("(")) {
             const std::optional<Unit> unit = products();
             return unit && skip(")") ? unit : std::nullopt;
@@ -286,7 +287,7 @@ constexpr std::array dimension_rows{
 };
 
 const DimensionRow& row(Dimension dimension) {
-    return dimension_rows.at(static_cast<std::size_t>(dimension));
+    return *std::ranges::find(dimension_rows, dimension, &DimensionRow::dimension);
 }
 
 std::string allowed(Dimension dimension) {
@@ -309,7 +310,8 @@ std::optional<Unit> unit_named(std::string_view name) {
     for (const Prefix& prefix : prefixes)
         for (const bool by_name : {true, false}) {
             const std::string_view word = by_name ? prefix.name : prefix.symbol;
-            if (!std::string_view(by_name ? std::string_view(lower) : name).starts_with(word)) continue;
+            const std::string_view text = by_name ? std::string_view(lower) : name;
+            if (!text.starts_with(word)) continue;
             if (const Row* row = row_of(name.substr(word.size())))
                 return Unit{prefix.factor * row->factor, row->powers};
         }
@@ -319,7 +321,7 @@ std::optional<Unit> unit_named(std::string_view name) {
 std::optional<Unit> read_unit(std::string_view text) {
     if (text == "1") return Unit{};
     if (text.size() > longest_unit) return std::nullopt;
-    const std::optional<Unit> unit = UnitReader(text).whole();
+    const std::optional<Unit> unit = UnitReader(text).read();
     return unit && std::isfinite(unit->factor) && unit->factor > 0 ? unit : std::nullopt;
 }
 

@@ -19,8 +19,7 @@ constexpr std::array<std::string_view, 4> ways{"weight_fractions", "volume_fract
 Quantity read_fraction(const View& node) {
     Quantity fraction = node.quantity(Dimension::fraction);
     if (!(fraction.value >= 0 && fraction.value <= 1))
-        node.fail("the fraction is " + shortest(std::round(fraction.value * 1e6) / 1e4) + " %",
-                  "0 % to 100 % (0 to 1)");
+        node.fail("the fraction is " + per_cent(fraction.value), "0 % to 100 % (0 to 1)");
     return fraction;
 }
 
@@ -81,18 +80,15 @@ std::vector<PhaseFraction> read_peaks(const View& list) {
 }
 
 /// The one key by which the fractions are given.
-std::string_view way_of(const View& node) {
-    std::string_view way;
-    for (const std::string_view each : ways) {
-        if (!node.has(each)) continue;
-        if (!way.empty())
-            node.fail("the composition is given in more than one way: " + std::string(way) + " and " +
-                          std::string(each),
-                      "one of " + joined(ways));
-        way = each;
-    }
-    if (way.empty()) node.fail("the composition is missing", "one of " + joined(ways));
-    return way;
+std::string way_of(const View& node) {
+    std::vector<std::string> given;
+    for (const std::string_view way : ways)
+        if (node.has(way)) given.emplace_back(way);
+    if (given.empty()) node.fail("the composition is missing", "one of " + joined(ways));
+    if (given.size() > 1)
+        node.fail("the composition is given in more than one way: " + given[0] + " and " + given[1],
+                  "one of " + joined(ways));
+    return given[0];
 }
 
 void refuse_repeated(const std::vector<PhaseFraction>& phases) {
@@ -191,7 +187,7 @@ XrdResult read_samples(const View& root) {
 
 Analysis read_fractions_json(const View& node) {
     Analysis analysis;
-    const std::string_view way = way_of(node);
+    const std::string way = way_of(node);
     const View given = node.at(way);
     if (way == "phases")
         read_list(given, analysis);

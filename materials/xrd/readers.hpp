@@ -14,6 +14,9 @@
 /// One reader for each format, chosen by read_xrd(). Errors: InputError at "line N" (JSON: at the pointer).
 namespace ashimpact::xrd {
 
+/// The name of a file without its folders and its ending.
+[[nodiscard]] std::string file_stem(std::string_view name);
+
 /// Divides fractions and their uncertainties by the total of the fractions, so that they add up to one.
 void normalise(std::vector<PhaseFraction>& phases, double total);
 
@@ -61,7 +64,6 @@ double add_fractions(XrdSample& sample, const std::vector<ListedPhase>& phases, 
 /// The formats that read_xrd() names if it recognises none.
 inline constexpr const char* known_formats =
     "a BGMN/Profex .lst, a GSAS-II .lst, a FullProf .sum, a TOPAS .out, a table with a header as CSV, TSV, "
-    ".xlsx "
-    "or .ods, or the project's JSON";
+    ".xlsx or .ods, or the project's JSON";
 
 }  // namespace ashimpact::xrd

@@ -31,13 +31,13 @@ double scale_of(const Table& table, const std::vector<Entry>& entries, std::vect
         largest = std::max(largest, entry.amount->value);
     }
     if (per_cent != fraction) return per_cent ? 0.01 : 1;
-    const bool guess = largest > 1;
+    const bool seems_per_cent = largest > 1;
     warnings.push_back(
         {xrd_code, Severity::remark,
          std::string("the table does not say whether its amounts are per cent or fractions: by their "
                      "size they are ") +
-             (guess ? "per cent" : "fractions")});
-    return guess ? 0.01 : 1;
+             (seems_per_cent ? "per cent" : "fractions")});
+    return seems_per_cent ? 0.01 : 1;
 }
 
 /// The entries of one sample, in the order of the file.
@@ -58,7 +58,7 @@ std::vector<Group> groups_of(std::vector<Entry> entries) {
 }
 
 /// "the sample" with its name, if the file gives one.
-std::string called(const std::string& sample) {
+std::string sample_named(const std::string& sample) {
     return "the sample" + (sample.empty() ? "" : " " + in_quotes(sample));
 }
 
@@ -75,14 +75,10 @@ void refuse_repeated(const std::vector<Entry>& entries) {
         const auto [earlier, is_new] = first.emplace(phase_key(entry.phase), entry.line);
         if (!is_new)
             refuse_line(entry.line,
-                        "the phase " + in_quotes(entry.phase) + " is there twice in " + called(entry.sample) +
-                            ", first in line " + std::to_string(earlier->second),
+                        "the phase " + in_quotes(entry.phase) + " is there twice in " +
+                            sample_named(entry.sample) + ", first in line " + std::to_string(earlier->second),
                         "each phase once in a sample");
     }
-}
-
-std::string per_cent(double fraction) {
-    return shortest(std::round(fraction * 1e6) / 1e4) + " %";
 }
 
 void check_total(double sum, double stated, const Entry& entry) {
@@ -124,7 +120,7 @@ XrdSample sample_of_fractions(const Group& group, double scale) {
         if (sum > 1 + default_closure_tolerance)
             refuse_line(
                 entry.line,
-                "the fractions of " + called(group.sample) + " add up to " + per_cent(sum) + " or more",
+                "the fractions of " + sample_named(group.sample) + " add up to " + per_cent(sum) + " or more",
                 "100 % or less");
         sample.analysis.phases.push_back({.name = entry.phase,
                                           .fraction = fraction,
@@ -133,7 +129,7 @@ XrdSample sample_of_fractions(const Group& group, double scale) {
                                           .place = at_line(entry.line)});
     }
     if (sample.analysis.phases.empty())
-        refuse_line(group.entries.front().line, called(group.sample) + " has no phase with an amount",
+        refuse_line(group.entries.front().line, sample_named(group.sample) + " has no phase with an amount",
                     "at least one");
     return sample;
 }

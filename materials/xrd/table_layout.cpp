@@ -35,9 +35,15 @@ Role role_of(const std::string& key) {
     return is_uncertainty_word(key) ? Role::uncertainty : Role::other;
 }
 
-bool says_per_cent(const std::string& key) {
-    return key.find('%') != std::string::npos || key.find("percent") != std::string::npos ||
-           key.find("pct") != std::string::npos || key.find("prozent") != std::string::npos;
+bool holds_per_cent(const std::string& key) {
+    return without_per_cent(key) != key;
+}
+
+/// Whether a heading such as "Quartz esd" ends with a word for an uncertainty behind the name of a phase.
+bool ends_with_uncertainty_word(std::string_view heading) {
+    const auto blank = heading.find_last_of(" _");
+    return blank != std::string_view::npos &&
+           role_of(without_per_cent(key_of(heading.substr(blank + 1)))) == Role::uncertainty;
 }
 
 /// "Weight [wt.%]" into text and unit; brackets elsewhere, as in "Mullite (3:2)", are part of the text.
@@ -48,7 +54,7 @@ void split_unit(Heading& heading, std::string_view text) {
         if (start == std::string_view::npos || start == 0 || !text.ends_with(close)) continue;
         const std::string_view inside = trimmed(text.substr(start + 1, text.size() - start - 2));
         const std::string key = key_of(inside);
-        const bool is_unit = says_per_cent(key) || open == '[' || key.find("cm3") != std::string::npos ||
+        const bool is_unit = holds_per_cent(key) || open == '[' || key.find("cm3") != std::string::npos ||
                              key.find("m3") != std::string::npos || key == "wt" || key == "vol";
         if (!is_unit) continue;
         heading.text = std::string(trimmed(text.substr(0, start)));
@@ -59,8 +65,7 @@ void split_unit(Heading& heading, std::string_view text) {
 
 constexpr std::string_view heading_help =
     "a heading line with phase and weight (and sample, uncertainty, density), or phase, intensity and rir, "
-    "or sample "
-    "and one column a phase, or phase and one column a sample";
+    "or sample and one column a phase, or phase and one column a sample";
 
 constexpr std::size_t most_cells = 500'000;
 
@@ -140,7 +145,7 @@ std::optional<PrintedNumber> number_in(const TableRow& row, std::size_t column, 
                          table.separator == ',' ? "a number with a decimal point" : "a number")
             .at(at_cell(row.line, column));
     const Heading& heading = table.headings[column];
-    if (!heading.coverage.problem.empty()) {  // of which the heading warns
+    if (!heading.coverage.problem.empty()) {  // parse_table() has added a warning
         number->standard_uncertainty.reset();
         return is_uncertainty(heading) ? std::nullopt : number;
     }
@@ -206,7 +211,7 @@ std::vector<Entry> long_entries(const Table& table) {
 /// a column "Quartz"; else it holds the values of quartz with their uncertainties.
 bool is_uncertainty_of(const Table& table, std::size_t column, const std::vector<Entry>& entries) {
     const std::string& name = table.headings[column].text;
-    if (phase_of_uncertainty(name)) return true;
+    if (ends_with_uncertainty_word(name)) return true;
     if (table.headings[column].role != Role::uncertainty) return false;
     const bool same = !entries.empty() && (entries.back().phase == name || entries.back().sample == name);
     return name.empty() || is_uncertainty_word(name) || same;
@@ -221,7 +226,7 @@ std::vector<Entry> wide_entries(const Table& table, Role row_role) {
         for (std::size_t i = 0; i < row.cells.size(); ++i) {
             const std::string& name = table.headings[i].text;
             const bool is_named = !name.empty() || table.headings[i].role == Role::uncertainty;
-            if (i == label || !is_named) continue;  // a column without a heading is none of the table
+            if (i == label || !is_named) continue;  // a column without a heading is not read
             const bool uncertainty = is_uncertainty_of(table, i, entries);
             const auto number = number_in(row, i, table);
             if (uncertainty && !entries.empty() && entries.back().line == row.line) {
@@ -260,20 +265,20 @@ void refuse_repeated_roles(const Table& table) {
 Heading read_heading(std::string_view text) {
     Heading heading;
     StatedCoverage coverage = read_coverage(trimmed(text));
-    if (!coverage.stated.empty() && coverage.rest.size() > 2 && coverage.rest.ends_with("\u00b1"))
-        coverage.rest.resize(coverage.rest.size() -
-                             std::string_view("\u00b1").size());  // "wt% +- 2s": both stand in the cell
+    constexpr std::string_view sign = "\u00b1";  // of "wt% ± 2s": cells hold value and uncertainty
+    if (!coverage.stated.empty() && coverage.rest.size() > sign.size() && coverage.rest.ends_with(sign))
+        coverage.rest.resize(coverage.rest.size() - sign.size());
     heading.written = text;
     heading.coverage = coverage;
     split_unit(heading, coverage.rest);
     const std::string key = key_of(heading.text);
     const std::string unit = key_of(heading.unit);
-    heading.role = role_of(key.empty() ? "\u2400" : without_per_cent(key));
+    heading.role = key.empty() ? Role::other : role_of(without_per_cent(key));
     if (heading.role == Role::weight && unit.starts_with("v")) heading.role = Role::volume;
     // "2 sigma" alone, or behind the name of a phase or sample, is the uncertainty of the column before it.
     if (!coverage.stated.empty() && (heading.text.empty() || heading.role == Role::other))
         heading.role = Role::uncertainty;
-    if (says_per_cent(key) || says_per_cent(unit)) heading.scale = Scale::per_cent;
+    if (holds_per_cent(key) || holds_per_cent(unit)) heading.scale = Scale::per_cent;
     if (heading.role == Role::other && heading.text.ends_with('%')) {  // "Quartz wt%": a phase with its unit
         const auto blank = heading.text.find_last_of(' ');
         heading.text.resize(blank == std::string::npos ? heading.text.size() - 1 : blank);
@@ -287,14 +292,6 @@ Heading read_heading(std::string_view text) {
 RowMeaning meaning_of_row(std::string_view name) {
     static const WordLists words("XRD rows", "+");
     return meaning<RowMeaning>(words, without_per_cent(key_of(name))).value_or(RowMeaning::phase);
-}
-
-std::optional<std::string> phase_of_uncertainty(std::string_view heading) {
-    const auto blank = heading.find_last_of(" _");
-    if (blank == std::string_view::npos) return std::nullopt;
-    if (role_of(without_per_cent(key_of(heading.substr(blank + 1)))) != Role::uncertainty)
-        return std::nullopt;
-    return std::string(trimmed(heading.substr(0, blank)));
 }
 
 bool has_heading(const TextLines& file) {

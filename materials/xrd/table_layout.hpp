@@ -39,7 +39,7 @@ enum class Scale { not_stated, per_cent, fraction };
 /// The parts of a heading: "Weight [wt.%]" is a weight in per cent.
 struct Heading {
     std::string text;  ///< without the unit in brackets
-    std::string unit;  ///< what stood in brackets; may be empty
+    std::string unit;  ///< in brackets; may be empty
     Role role = Role::other;
     Scale scale = Scale::not_stated;
     std::string written{};      ///< the whole heading as in the file
@@ -50,9 +50,6 @@ struct Heading {
 
 /// A total, of all phases or of the crystalline ones, unless the name is that of a phase.
 [[nodiscard]] RowMeaning meaning_of_row(std::string_view name);
-
-/// The phase whose uncertainty a heading such as "Quartz esd" holds; nothing for any other heading.
-[[nodiscard]] std::optional<std::string> phase_of_uncertainty(std::string_view heading);
 
 /// One entry of the table, whatever its layout.
 struct Entry {

@@ -90,7 +90,7 @@ std::optional<PrintedNumber> printed_number(std::string_view word) {
     return number;
 }
 
-/// True for a word that is allowed between a keyword and its number: @, or the name of a parameter.
+/// Whether a word may be between a keyword and its number: @, or the name of a parameter.
 bool is_parameter_name(const std::string& word) {
     const char c = word.front();
     return c == '@' || c == '!' || c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -198,12 +198,6 @@ class TopasReader {
     std::size_t at_ = 0;
 };
 
-/// The file's name without folders and ending.
-std::string stem_of(std::string name) {
-    name.erase(0, name.find_last_of("/\\") + 1);
-    return name.substr(0, name.rfind('.'));
-}
-
 /// Adds the amorphous part, which the refinement states or which follows from a spiked standard.
 XrdSample completed(XrdSample sample, const TopasPattern& pattern) {
     const TopasPhase* standard = nullptr;
@@ -240,7 +234,7 @@ XrdSample completed(XrdSample sample, const TopasPattern& pattern) {
 }
 
 XrdSample sample_of(const TopasPattern& pattern) {
-    XrdSample sample{.name = stem_of(pattern.name)};
+    XrdSample sample{.name = file_stem(pattern.name)};
     std::vector<ListedPhase> phases;
     for (const TopasPhase& phase : pattern.phases) {
         if (phase.listed.name.empty())

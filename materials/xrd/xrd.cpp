@@ -22,6 +22,12 @@ void normalise(std::vector<PhaseFraction>& phases, double total) {
     }
 }
 
+std::string file_stem(std::string_view name) {
+    name.remove_prefix(name.find_last_of("/\\") + 1);
+    const auto dot = name.rfind('.');
+    return std::string(dot == 0 ? name : name.substr(0, dot));
+}
+
 double add_fractions(XrdSample& sample, const std::vector<ListedPhase>& phases, const std::string& amount,
                      const std::string& needed, std::size_t line) {
     double total = 0;
@@ -102,20 +108,13 @@ XrdResult read(std::string_view text, std::string_view sheet) {
     refuse_line(1, "the format is not known", xrd::known_formats);
 }
 
-/// The file's name without folders and ending.
-std::string stem(std::string_view name) {
-    name.remove_prefix(name.find_last_of("/\\") + 1);
-    const auto dot = name.rfind('.');
-    return std::string(dot == 0 ? name : name.substr(0, dot));
-}
-
 }  // namespace
 
 XrdResult read_xrd(std::string_view text, std::string_view name, std::string_view sheet) {
     return at_place(FileName{std::string(name)}, [&] {
         XrdResult result = read(text, sheet);
         for (XrdSample& sample : result.samples)
-            if (sample.name.empty()) sample.name = stem(name);
+            if (sample.name.empty()) sample.name = xrd::file_stem(name);
         return result;
     });
 }

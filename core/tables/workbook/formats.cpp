@@ -60,7 +60,7 @@ std::string shown_per_cent(double fraction) {
     return shown_number(100 * fraction) + " %";
 }
 
-/// Marks of cells that hold no number and are to be named in messages as what they are.
+/// Dates and formulas without a result are no numbers; these texts show up in messages about the cell.
 std::string shown_date(std::string_view date) {
     return std::string(date) + " (a date)";
 }
@@ -78,7 +78,7 @@ std::size_t repeats(const pugi::xml_node& node, std::string_view attribute) {
     return status == std::errc{} ? std::min(count, Sheet::most_rows) : 1;
 }
 
-/// Text of a paragraph, whatever it is dressed in; notes at the cell are none of it.
+/// Appends the text of a paragraph, of spans and links too, but not of comments on the cell.
 void append_text(const pugi::xml_node& node, std::string& text) {
     for (const pugi::xml_node& inner : node) {
         if (inner.type() == pugi::node_pcdata || inner.type() == pugi::node_cdata) text += inner.value();
@@ -98,9 +98,9 @@ std::string text_of_paragraphs(const pugi::xml_node& cell) {
     return text;
 }
 
-std::string text_of_cell(const pugi::xml_node& cell) {
-    // LibreOffice adds a second attribute of that name with the value "error"; the first one is
-    // OpenDocument's.
+std::string ods_cell_text(const pugi::xml_node& cell) {
+    // LibreOffice adds a second attribute of that name with the value "error"; attribute_of() returns the
+    // first.
     const std::string type = attribute_of(cell, "value-type").value_or("");
     const auto formula = attribute_of(cell, "formula");
     if (formula && type.empty()) {
@@ -115,10 +115,10 @@ std::string text_of_cell(const pugi::xml_node& cell) {
     return text_of_paragraphs(cell);
 }
 
-/// Fills a sheet from its rows, which may be grouped.
-class Filler {
+/// Fills a sheet from the rows of an .ods, which may be grouped.
+class OdsRows {
   public:
-    explicit Filler(Sheet& sheet) : sheet_(sheet) {}
+    explicit OdsRows(Sheet& sheet) : sheet_(sheet) {}
 
     void take_rows(const pugi::xml_node& parent, int depth = 0) {
         constexpr int deepest_group = 20;
@@ -140,7 +140,7 @@ class Filler {
             const auto name = local_name(cell.name());
             if (name != "table-cell" && name != "covered-table-cell") continue;
             const std::size_t copies = repeats(cell, "number-columns-repeated");
-            const std::string text = text_of_cell(cell);
+            const std::string text = ods_cell_text(cell);
             for (std::size_t i = 0; !text.empty() && i < copies; ++i) {
                 sheet_.require_column(row_, column + i);
                 cells.emplace_back(column + i, text);
@@ -160,7 +160,25 @@ class Filler {
     std::size_t row_ = 0;
 };
 
-/// How a cell's number is to be read.
+/// The sheets of an .ods (OpenDocument 1.0 to 1.3); none if the archive is something else.
+std::optional<std::vector<Sheet>> read_ods(const Archive& archive) {
+    constexpr auto name = "content.xml";
+    const auto content = archive.read(name);
+    if (!content) return std::nullopt;
+    const pugi::xml_document document = parse_part(*content, name);
+    const pugi::xml_node body = child_of(document.document_element(), "body");
+    const pugi::xml_node tables = child_of(body, "spreadsheet");
+    if (!tables) return std::nullopt;
+    std::vector<Sheet> sheets;
+    for (const pugi::xml_node& table : tables) {
+        if (local_name(table.name()) != "table") continue;
+        Sheet& sheet = sheets.emplace_back(attribute_of(table, "name").value_or(""));
+        OdsRows(sheet).take_rows(table);
+    }
+    return sheets;
+}
+
+/// How the number of an .xlsx cell is shown.
 enum class Format { number, per_cent, date };
 
 /// What all sheets of a workbook share.
@@ -234,7 +252,7 @@ std::string text_of_item(const pugi::xml_node& item) {
     return text;
 }
 
-/// What a code such as `dd.mm.yyyy` or `0.0%` makes of a number.
+/// The format of a code such as `dd.mm.yyyy` or `0.0%`.
 Format format_of_code(std::string_view code) {
     bool quoted = false;
     bool bracketed = false;
@@ -257,7 +275,7 @@ Format format_of_code(std::string_view code) {
     return per_cent ? Format::per_cent : Format::number;
 }
 
-/// The formats that have a number only. Source: ECMA-376-1, 18.8.30.
+/// The formats with an id but without a code in the file. Source: ECMA-376-1, 18.8.30.
 Format built_in_format(std::size_t id) {
     if (id == 9 || id == 10) return Format::per_cent;
     const bool date =
@@ -309,7 +327,7 @@ std::string shown_value(const std::string& value, const pugi::xml_node& cell, co
     return format == Format::per_cent ? shown_per_cent(*number) : shown_number(*number);
 }
 
-std::string text_of_cell(const pugi::xml_node& cell, const Shared& shared) {
+std::string xlsx_cell_text(const pugi::xml_node& cell, const Shared& shared) {
     const std::string type = attribute_of(cell, "t").value_or("n");
     if (type == "inlineStr") return text_of_item(child_of(cell, "is"));
     std::string value = child_of(cell, "v").child_value();
@@ -336,8 +354,8 @@ std::optional<std::size_t> column_of(std::string_view reference) {
     return column > 0 ? std::optional(column - 1) : std::nullopt;
 }
 
-Sheet read_sheet(const std::string& content, const std::string& name, const std::string& called,
-                 const Shared& shared) {
+Sheet read_xlsx_sheet(const std::string& content, const std::string& name, const std::string& called,
+                      const Shared& shared) {
     const pugi::xml_document document = parse_part(content, name);
     Sheet sheet(called);
     std::size_t next_row = 0;
@@ -350,30 +368,12 @@ Sheet read_sheet(const std::string& content, const std::string& name, const std:
         for (const pugi::xml_node& cell : row) {
             if (local_name(cell.name()) != "c") continue;
             const std::size_t column = column_of(attribute_of(cell, "r").value_or("")).value_or(next_column);
-            sheet.put(place, column, text_of_cell(cell, shared));
+            sheet.put(place, column, xlsx_cell_text(cell, shared));
             next_column = column + 1;
         }
         next_row = place + 1;
     }
     return sheet;
-}
-
-/// The sheets of an .ods (OpenDocument 1.0 to 1.3); none if the archive is something else.
-std::optional<std::vector<Sheet>> read_ods(const Archive& archive) {
-    constexpr auto part = "content.xml";
-    const auto content = archive.read(part);
-    if (!content) return std::nullopt;
-    const pugi::xml_document document = parse_part(*content, part);
-    const pugi::xml_node body = child_of(document.document_element(), "body");
-    const pugi::xml_node tables = child_of(body, "spreadsheet");
-    if (!tables) return std::nullopt;
-    std::vector<Sheet> sheets;
-    for (const pugi::xml_node& table : tables) {
-        if (local_name(table.name()) != "table") continue;
-        Sheet& sheet = sheets.emplace_back(attribute_of(table, "name").value_or(""));
-        Filler(sheet).take_rows(table);
-    }
-    return sheets;
 }
 
 /// The sheets of an .xlsx (ECMA-376 and ISO 29500, both sets of namespaces); none if the archive is something
@@ -403,7 +403,7 @@ std::optional<std::vector<Sheet>> read_xlsx(const Archive& archive) {
         const auto cells = part(archive, found->second.target);
         if (!cells)
             throw InputError("the sheet " + in_quotes(called) + " is not in the file", "an undamaged file");
-        sheets.push_back(read_sheet(*cells, found->second.target, called, shared));
+        sheets.push_back(read_xlsx_sheet(*cells, found->second.target, called, shared));
     }
     return sheets;
 }

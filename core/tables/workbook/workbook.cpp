@@ -2,6 +2,7 @@
 #include "core/tables/workbook/workbook.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 
@@ -55,7 +56,7 @@ const Sheet& chosen(const std::vector<Sheet>& sheets, const SheetRequest& reques
                      "one among " + named_sheets(possible));
 }
 
-/// The number behind the text at a place, moved behind its digits.
+/// Reads the number that begins at a place of the text, and moves the place behind its digits.
 std::size_t take_number(std::string_view text, std::size_t& place) {
     std::size_t number = 0;
     const auto [end, status] = std::from_chars(text.data() + place, text.data() + text.size(), number);
@@ -99,13 +100,10 @@ std::string Sheet::as_text() const {
         for (std::size_t column = 0; column < (cells.empty() ? 0 : width_); ++column) {
             if (column > 0) text += '\t';
             if (column >= cells.size()) continue;
-            std::string cell = cells[column];
-            if (cell.find('"') != std::string::npos) {  // as CSV writes a quote
-                for (std::size_t at = 0; (at = cell.find('"', at)) != std::string::npos; at += 2)
-                    cell.insert(at, 1, '"');
-                cell.insert(0, 1, '"').push_back('"');
-            }
-            text += cell;
+            const std::string& cell = cells[column];
+            constexpr std::array<std::pair<std::string_view, std::string_view>, 1> doubled{{{"\"", "\"\""}}};
+            const bool has_quote = cell.find('"') != std::string::npos;  // then quoted as in CSV
+            text += has_quote ? '"' + replaced(cell, doubled) + '"' : cell;
         }
         text += '\n';
     }
