@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "solver/damping/damping_polynomial.hpp"
 #include "solver/inference/calibration/calibration.hpp"
 #include "solver/inference/impacts/measurement.hpp"
+#include "solver/inference/measured_damping.hpp"
 #include "solver/statistics/propagation.hpp"
 
 namespace ashimpact {
@@ -38,7 +40,7 @@ struct AdhesionFromSurfaces {
 };
 using Adhesion = std::variant<Stated, AdhesionFromSurfaces>;
 
-/// Impacts as measured, binned and with the uncertainty of the camera where the case asks for that.
+/// Impacts as measured; binned, and with the uncertainty of a camera, if the case has these keys.
 struct MeasuredRestitution {
     std::string source{};      ///< in words, with what was done to them
     MeasurementSet impacts{};  ///< with the warnings of the file they were read from
@@ -103,16 +105,6 @@ struct HistoryOptions {
     double critical_excess = 1e-3;  ///< the history "at" v_c is taken at v_c (1 + this) [1]
 };
 
-/// How the damping is read from measured impacts and fitted; see docs/case.md.
-struct FitChoices {
-    int order = 2;  ///< of the extrapolated fit; the paper's is 2
-    /// Relative standard deviation of single diameters, such as of a sieve; none: what the impacts show [1].
-    std::optional<double> size_scatter{};
-    bool robust = false;  ///< bisquare weights
-    double flatness = 0.25;
-    double outlier = 4.0;
-};
-
 /// How uncertainties are propagated to v_c.
 struct UncertaintyChoices {
     PropagationOptions propagation{};
@@ -131,9 +123,15 @@ struct Case {
     std::vector<LawChoice> laws{};
     DampingLaw damping_law = DampingLaw::constant;
     HistoryOptions histories{};
-    FitChoices fit{};
+    MeasuredDampingOptions fit{};  ///< of measured impacts; see docs/case.md
     UncertaintyChoices uncertainty{};
     std::vector<FreeConstant> calibration{};  ///< constants left to a calibration
+
+    /// Where the contact of a law ends: as chosen, or by default if the case does not have the law.
+    [[nodiscard]] Detachment detachment_of(Law law) const {
+        const auto choice = std::ranges::find(laws, law, &LawChoice::law);
+        return choice == laws.end() ? law.default_detachment() : choice->detachment;
+    }
 };
 
 }  // namespace ashimpact

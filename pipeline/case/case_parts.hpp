@@ -11,8 +11,8 @@
 #include "pipeline/case/input_files.hpp"
 #include "solver/inference/impacts/measurement.hpp"
 
-/// Readers of the parts of a case. The document conforms to the schema; what a schema cannot say is checked
-/// here. Errors: InputError with the JSON pointer.
+/// Readers of the parts of a case. The document conforms to the schema; what a schema cannot express is
+/// checked here. Errors: InputError with the JSON pointer.
 namespace ashimpact {
 
 /// A quantity with its origin.
@@ -35,8 +35,8 @@ struct ReadAnalysis {
 };
 [[nodiscard]] ReadAnalysis read_analysis(const View& node, InputFiles& files);
 
-/// Restitution data; @p published serves a reconstruction that names no fits of its own, @p camera impacts
-/// whose uncertainty nothing says.
+/// Restitution data; @p published serves a reconstruction that names no fits, @p camera impacts without
+/// an uncertainty.
 [[nodiscard]] RestitutionSource read_restitution(const View& node,
                                                  const std::optional<PublishedSample>& published,
                                                  InputFiles& files, const std::optional<View>& camera);
@@ -56,14 +56,14 @@ void read_detachments(const std::optional<View>& node, std::vector<LawChoice>& c
 /// The camera that velocities were read from. @throws InputError with the JSON pointer
 [[nodiscard]] Camera read_camera(const View& node);
 
-/// Measured impacts, from columns in the case or a file; @p camera serves impacts whose uncertainty neither
-/// says. @throws InputError with the JSON pointer, or the file and line
+/// Measured impacts, from columns in the case or a file; @p camera serves impacts without an
+/// uncertainty. @throws InputError with the JSON pointer, or the file and line
 [[nodiscard]] MeasuredRestitution read_measured(const View& node, InputFiles& files,
                                                 const std::optional<View>& camera);
 
 /// How measured impacts are fitted, and how uncertainties are propagated to v_c. Absent keys have their
 /// defaults.
-[[nodiscard]] FitChoices read_fit_choices(const std::optional<View>& node);
+[[nodiscard]] MeasuredDampingOptions read_fit_options(const std::optional<View>& node);
 [[nodiscard]] UncertaintyChoices read_uncertainty_choices(const std::optional<View>& node);
 
 /// Reads impacts in columns: velocity, restitution or rebound_velocity and, where they are known,

@@ -24,18 +24,9 @@ namespace ashimpact {
 
 namespace {
 
-/// What a sample may state of its particles, or "particle" of the case for all samples.
-struct ParticleValues {
-    std::optional<Stated> poisson_ratio{};
-    std::optional<Stated> density{};
-    std::optional<Stated> contact_modulus{};
-    std::optional<Stated> yield_pressure{};
-    std::map<std::string_view, Stated> parameters{};  ///< of contact laws, by name
-};
-
 /// Values of the case for samples that do not state their own.
 struct Defaults {
-    ParticleValues particle{};
+    std::optional<View> particle{};
     std::optional<Adhesion> work_of_adhesion{};
     std::optional<PublishedSample> published{};
     std::optional<View> camera{};
@@ -52,38 +43,23 @@ void add_findings(const std::vector<Finding>& found, const std::string& sample,
     for (const Finding& finding : found) findings.push_back({sample, finding});
 }
 
-ParticleValues read_particle(const View& node) {
-    ParticleValues particle;
-    if (const auto nu = node.find("poisson_ratio")) particle.poisson_ratio = read_poisson_ratio(*nu);
-    particle.density = read_optional(node.find("density"), "density", Dimension::density);
-    particle.contact_modulus =
-        read_optional(node.find("contact_modulus"), "contact modulus", Dimension::pressure);
-    particle.yield_pressure =
-        read_optional(node.find("yield_pressure"), "yield pressure", Dimension::pressure);
-    for (const LawParameter& parameter : law_parameters()) {
-        const auto stated = node.find(parameter.name);
-        if (!stated) continue;
-        Stated value = read_stated(*stated, parameter.dimension);
-        at_place(stated->pointer(), [&] { require_allowed(parameter, value.value()); });
-        particle.parameters.emplace(parameter.name, std::move(value));
-    }
-    return particle;
-}
-
-/// Sets what a sample states, or else what the case states for all.
-void set_particle(Sample& sample, const ParticleValues& own, const ParticleValues& otherwise) {
-    const auto stated = [](const std::optional<Stated>& first, const std::optional<Stated>& second) {
-        return first ? first : second;
+/// Sets what a sample states of its particles, or else "particle" of the case.
+void set_particle(const View& own, const std::optional<View>& otherwise, Sample& sample) {
+    const auto stated = [&](std::string_view key) {
+        const auto node = own.find(key);
+        return node || !otherwise ? node : otherwise->find(key);
     };
-    if (const auto nu = stated(own.poisson_ratio, otherwise.poisson_ratio)) sample.poisson_ratio = nu;
-    sample.density = stated(own.density, otherwise.density);
-    sample.contact_modulus = stated(own.contact_modulus, otherwise.contact_modulus);
-    sample.yield_pressure = stated(own.yield_pressure, otherwise.yield_pressure);
-    auto parameters = own.parameters;
-    parameters.insert(otherwise.parameters.begin(), otherwise.parameters.end());  // keeps those there are
-    for (const LawParameter& parameter : law_parameters())
-        if (const auto found = parameters.find(parameter.name); found != parameters.end())
-            sample.parameters.emplace_back(parameter, found->second);
+    if (const auto nu = stated("poisson_ratio")) sample.poisson_ratio = read_poisson_ratio(*nu);
+    sample.density = read_optional(stated("density"), "density", Dimension::density);
+    sample.contact_modulus = read_optional(stated("contact_modulus"), "contact modulus", Dimension::pressure);
+    sample.yield_pressure = read_optional(stated("yield_pressure"), "yield pressure", Dimension::pressure);
+    for (const LawParameter& parameter : law_parameters()) {
+        const auto node = stated(parameter.name);
+        if (!node) continue;
+        Stated value = read_stated(*node, parameter.dimension);
+        at_place(node->pointer(), [&] { require_allowed(parameter, value.value()); });
+        sample.parameters.emplace_back(parameter, std::move(value));
+    }
 }
 
 Sample read_sample(const View& node, const Defaults& defaults, InputFiles& files,
@@ -95,7 +71,7 @@ Sample read_sample(const View& node, const Defaults& defaults, InputFiles& files
     sample.analysis = std::move(analysis.analysis);
     sample.analysis_source = std::move(analysis.source);
     if (const auto porosity = node.find("porosity")) sample.porosity = read_porosity(*porosity);
-    set_particle(sample, read_particle(node), defaults.particle);
+    set_particle(node, defaults.particle, sample);
     if (const auto porosity = node.find("porosity"); porosity && !porosity->has("value")) {
         if (!sample.density) porosity->fail("the porosity has no value", "value, or density of the sample");
         sample.porosity_from_density = true;
@@ -115,39 +91,25 @@ Sample read_sample(const View& node, const Defaults& defaults, InputFiles& files
     return sample;
 }
 
-/// The sets of published values that a case refers to, by sample.
-class PublishedSets {
-  public:
-    PublishedSets(const View& document, InputFiles& files) {
-        const auto name = document.find("published");
-        if (!name) return;
-        at_place(name->pointer(), [&] {
-            const std::string built_in = "published/" + name->text() + ".json";
-            const bool carried = embedded_file(built_in).has_value();
-            const std::string shown = carried ? built_in : files.shown(name->text());
-            at_place(FileName{shown}, [&] {
-                json_ = parse_json(carried ? files.read_built_in(built_in) : files.read(name->text()));
-                validate_document(json_, "published");
-                read(View(json_));
-            });
+/// The published values that a case refers to, by sample.
+std::map<std::string, PublishedSample> read_published_set(const View& document, InputFiles& files) {
+    std::map<std::string, PublishedSample> samples;
+    const auto name = document.find("published");
+    if (!name) return samples;
+    at_place(name->pointer(), [&] {
+        const std::string built_in = "published/" + name->text() + ".json";
+        const bool carried = embedded_file(built_in).has_value();
+        at_place(FileName{carried ? built_in : files.shown(name->text())}, [&] {
+            const Json json = parse_json(carried ? files.read_built_in(built_in) : files.read(name->text()));
+            validate_document(json, "published");
+            const View set(json);
+            for (const auto& [sample, values] : set.at("samples").members())
+                samples.emplace(sample,
+                                read_published(values, set.at("source").text(), set.find("rounding")));
         });
-    }
-
-    [[nodiscard]] std::optional<PublishedSample> of(const std::string& sample) const {
-        for (const auto& [name, values] : samples_)
-            if (name == sample) return values;
-        return std::nullopt;
-    }
-
-  private:
-    void read(const View& set) {
-        for (const auto& [name, value] : set.at("samples").members())
-            samples_.emplace_back(name, read_published(value, set.at("source").text(), set.find("rounding")));
-    }
-
-    Json json_;
-    std::vector<std::pair<std::string, PublishedSample>> samples_;
-};
+    });
+    return samples;
+}
 
 std::vector<LawChoice> read_case_laws(const View& document) {
     std::vector<Law> laws = default_laws();
@@ -170,8 +132,8 @@ PhaseCatalogue catalogue_of(const View& document, const PhaseCatalogue& built_in
     return catalogue;
 }
 
-/// Makes a phase known by the name under which it was found: the artifact has no other sets and no groups.
-void answer_to(Phase& phase, const std::string& name) {
+/// Lets a phase be found by @p name: the artifact has no other phase sets and no groups, which resolved it.
+void add_synonym_if_needed(Phase& phase, const std::string& name) {
     const PhaseCatalogue alone({PhaseSet{.name = "case", .phases = {phase}}});
     try {
         static_cast<void>(alone.resolve(name));
@@ -198,7 +160,7 @@ std::vector<Phase> phases_of(const std::vector<Sample>& samples, const View& doc
             auto known = std::find_if(phases.begin(), phases.end(),
                                       [&name = phase.name](const Phase& p) { return p.name == name; });
             if (known == phases.end()) known = phases.insert(phases.end(), phase);
-            answer_to(*known, component.name);
+            add_synonym_if_needed(*known, component.name);
         }
     }
     return phases;
@@ -276,7 +238,7 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
                     std::vector<SampleFinding>& findings) {
     Case data{.name = document.at("name").text()};
     const PhaseCatalogue catalogue = catalogue_of(document, built_in);
-    const PublishedSets published(document, files);
+    const auto published = read_published_set(document, files);
     if (const auto rule = document.find("mixture_rule")) data.mixture_rule = named<MixtureRule>(rule->text());
     read_other_body(document, data);
     if (const auto roughness = document.find("roughness")) {
@@ -284,20 +246,23 @@ Case read_case_with(const View& document, const PhaseCatalogue& built_in, InputF
         at_place(roughness->pointer(),
                  [&] { require_not_negative("rms roughness", data.roughness->value(), Dimension::length); });
     }
-    Defaults defaults;
-    if (const auto particle = document.find("particle")) defaults.particle = read_particle(*particle);
-    defaults.camera = document.find("camera");
+    Defaults defaults{.particle = document.find("particle"), .camera = document.find("camera")};
+    if (defaults.particle) {  // checked even if every sample has values of its own
+        Sample unused{.name = {}, .diameter = {}};
+        set_particle(*defaults.particle, std::nullopt, unused);
+    }
     if (const auto w = document.find("work_of_adhesion")) defaults.work_of_adhesion = read_adhesion(*w);
     if (defaults.camera)
         static_cast<void>(read_camera(*defaults.camera));  // checked even if no sample uses it
     for (const View& node : document.at("samples").elements()) {
-        defaults.published = published.of(node.at("name").text());
+        const auto of_sample = published.find(node.at("name").text());
+        defaults.published = of_sample == published.end() ? std::nullopt : std::optional(of_sample->second);
         data.samples.push_back(read_sample(node, defaults, files, findings));
     }
     data.laws = read_case_laws(document);
     if (const auto law = document.find("damping_law")) data.damping_law = named<DampingLaw>(law->text());
     data.histories = read_histories(document);
-    data.fit = read_fit_choices(document.find("fit"));
+    data.fit = read_fit_options(document.find("fit"));
     data.uncertainty = read_uncertainty_choices(document.find("uncertainty"));
     data.calibration = read_calibration(document);
     data.phases = phases_of(data.samples, document, catalogue, findings);

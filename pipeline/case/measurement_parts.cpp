@@ -142,17 +142,18 @@ MeasuredRestitution read_measured(const View& node, InputFiles& files, const std
     return data;
 }
 
-FitChoices read_fit_choices(const std::optional<View>& node) {
-    FitChoices choices;
-    if (!node) return choices;
-    if (const auto order = node->find("order")) choices.order = order->integer();
-    if (const auto scatter = node->find("size_scatter"))
-        choices.size_scatter = scatter->number(Dimension::fraction);
-    if (const auto robust = node->find("robust")) choices.robust = robust->truth();
-    if (const auto flatness = node->find("flatness"))
-        choices.flatness = flatness->number(Dimension::fraction);
-    if (const auto outlier = node->find("outlier")) choices.outlier = outlier->number(Dimension::fraction);
-    return choices;
+MeasuredDampingOptions read_fit_options(const std::optional<View>& node) {
+    MeasuredDampingOptions options;
+    if (!node) return options;
+    const auto set_number = [&](const char* key, auto& option) {
+        if (const auto number = node->find(key)) option = number->number(Dimension::fraction);
+    };
+    if (const auto order = node->find("order")) options.extrapolated.order = order->integer();
+    if (const auto robust = node->find("robust")) options.extrapolated.robust = robust->truth();
+    set_number("size_scatter", options.size_scatter);
+    set_number("flatness", options.parts.flatness);
+    set_number("outlier", options.parts.outlier);
+    return options;
 }
 
 UncertaintyChoices read_uncertainty_choices(const std::optional<View>& node) {

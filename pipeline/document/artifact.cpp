@@ -83,9 +83,9 @@ void require_possible_part(const Json& node, const std::string& pointer) {
 /// of the bytes of its inputs. The same inputs give the same bytes of all artifacts, so runs of one identity
 /// may be mixed; others may not.
 std::string run_identity(const Json& case_result, const Json& inputs) {
-    std::string told = std::string(program_version()) + "\n" + std::string(program_revision()) + "\n";
-    for (const Json& input : inputs) told += input.at("sha256").get<std::string>() + "\n";
-    return sha256(told + case_result.dump());
+    std::string hashed = std::string(program_version()) + "\n" + std::string(program_revision()) + "\n";
+    for (const Json& input : inputs) hashed += input.at("sha256").get<std::string>() + "\n";
+    return sha256(hashed + case_result.dump());
 }
 
 /// Writes the identity of its run and a hash of its result, which reveals later edits, into the provenance of
@@ -232,14 +232,14 @@ void require_possible_result(const Json& document) {
 }
 
 std::vector<std::string> outdated(const std::vector<Artifact>& artifacts) {
-    std::vector<std::string> told;
+    std::vector<std::string> sentences;
     for (const Artifact& artifact : artifacts)
         for (const Json& input : artifact.document.at("provenance").at("inputs"))
             for (const Artifact& other : artifacts)
                 if (other.file == input.at("file") && sha256(other.bytes) != input.at("sha256"))
-                    told.push_back(artifact.file + " was computed from another " + other.file +
-                                   " than the one beside it");
-    return told;
+                    sentences.push_back(artifact.file + " was computed from another " + other.file +
+                                        " than the one beside it");
+    return sentences;
 }
 
 }  // namespace ashimpact

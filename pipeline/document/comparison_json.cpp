@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/document/fields.hpp"
 #include "pipeline/document/results_json.hpp"
-#include "pipeline/document/shared_fields.hpp"
 
 namespace ashimpact {
 
@@ -261,6 +260,11 @@ void fields(auto& io, Is<Regime> auto& regime) {
 
 Json regime_json(const Regime& regime) {
     return to_json(regime, DampingLaw::constant);
+}
+
+void fields(auto& io, Is<CriticalVelocityCheck> auto& check) {
+    io("verdict", check.verdict);
+    io("deviation", check.deviation, NullIfNotFinite{});
 }
 
 Json check_json(const CriticalVelocityCheck& check) {

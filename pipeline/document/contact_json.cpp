@@ -3,8 +3,8 @@
 #include "core/quantities/checks.hpp"
 #include "materials/contact_properties.hpp"
 #include "pipeline/case/case_parts.hpp"
+#include "pipeline/document/fields.hpp"
 #include "pipeline/document/results_json.hpp"
-#include "pipeline/document/shared_fields.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/contact/pair.hpp"
 
@@ -82,49 +82,46 @@ template ModulusResult from_json(const View& result, DampingLaw law);
 
 namespace {
 
-/// R* and m* of two spheres, which have to be those of the artifact.
-void set_two_spheres(const View& node, SampleContact& contact) {
-    const SecondSphere& partner = *contact.partner;
-    contact.pair.effective_radius = effective_radius(contact.radius.value, partner.radius.value);
-    contact.pair.mass = effective_mass(contact.mass.value, partner.mass.value);
-    const auto check = [&](const char* key, Dimension dimension, double expected) {
-        require_agreement(node.at(key), expected, dimension, "is not that of the two spheres",
-                          "radius, mass and partner");
-    };
-    check("effective_radius", Dimension::length, contact.pair.effective_radius);
-    check("effective_mass", Dimension::mass, contact.pair.mass);
+void require_positive_member(const View& node, const char* key, Dimension dimension) {
+    static_cast<void>(positive_quantity(node.at(key), key, dimension));
 }
 
-/// Sets what follows from the fields of a contact, and checks them.
-void complete(const View& node, SampleContact& contact) {
-    static_cast<void>(positive_quantity(node.at("density"), "density", Dimension::density));
-    static_cast<void>(positive_quantity(node.at("effective_radius"), "effective_radius", Dimension::length));
-    contact.radius = contact.effective_radius;
-    if (contact.partner) {
-        contact.radius = positive_quantity(node.at("radius"), "radius", Dimension::length);
-        const View partner = node.at("partner");
-        static_cast<void>(positive_quantity(partner.at("radius"), "radius", Dimension::length));
-        static_cast<void>(positive_quantity(partner.at("mass"), "mass", Dimension::mass));
-    }
-    static_cast<void>(positive_quantity(node.at("contact_modulus"), "contact_modulus", Dimension::pressure));
-    static_cast<void>(positive_quantity(node.at("mass"), "mass", Dimension::mass));
-    contact.pair = {.mass = contact.mass.value,
-                    .effective_radius = contact.radius.value,
-                    .contact_modulus = contact.contact_modulus.value(),
-                    .work_of_adhesion = contact.work_of_adhesion.value()};
-    require_agreement(node.at("mass"), sphere_mass(contact.radius.value, contact.density.value()),
-                      Dimension::mass, "is not that of a sphere of this radius and density",
-                      "radius or density");
-    if (contact.partner) set_two_spheres(node, contact);
-    if (contact.yield_pressure) contact.pair.yield_pressure = contact.yield_pressure->value();
+/// Reads the parameters of contact laws, which stand among the other members.
+void read_parameters(const View& node, SampleContact& contact) {
     for (const LawParameter& parameter : law_parameters()) {
         const auto member = node.find(parameter.name);
         if (!member) continue;
         Stated value;
         read_value(*member, value, parameter.dimension);
         at_place(member->pointer(), [&] { require_allowed(parameter, value.value()); });
-        contact.pair.parameters.set(parameter.name, value.value());
         contact.parameters.emplace_back(parameter, value);
+    }
+}
+
+/// Sets what follows from the fields of a contact, and checks it against the members that repeat it.
+void complete(const View& node, SampleContact& contact) {
+    require_positive_member(node, "density", Dimension::density);
+    require_positive_member(node, "effective_radius", Dimension::length);
+    contact.radius = contact.effective_radius;
+    if (contact.partner) {
+        contact.radius = positive_quantity(node.at("radius"), "radius", Dimension::length);
+        require_positive_member(node.at("partner"), "radius", Dimension::length);
+        require_positive_member(node.at("partner"), "mass", Dimension::mass);
+    }
+    require_positive_member(node, "contact_modulus", Dimension::pressure);
+    require_positive_member(node, "mass", Dimension::mass);
+    require_agreement(node.at("mass"), sphere_mass(contact.radius.value, contact.density.value()),
+                      Dimension::mass, "is not that of a sphere of this radius and density",
+                      "radius or density");
+    read_parameters(node, contact);
+    contact.pair = pair_of(contact);
+    const auto require_of_spheres = [&](const char* key, Dimension dimension, double expected) {
+        require_agreement(node.at(key), expected, dimension, "is not that of the two spheres",
+                          "radius, mass and partner");
+    };
+    if (contact.partner) {
+        require_of_spheres("effective_radius", Dimension::length, contact.pair.effective_radius);
+        require_of_spheres("effective_mass", Dimension::mass, contact.pair.mass);
     }
     at_place(node.pointer(), [&] { validate(contact.pair); });
 }

@@ -16,6 +16,7 @@
 #include "core/json/view.hpp"
 #include "pipeline/case/values.hpp"
 #include "pipeline/document/values_json.hpp"
+#include "pipeline/run/results/contact.hpp"
 #include "pipeline/run/results/note.hpp"
 #include "solver/damping/damping.hpp"
 
@@ -276,6 +277,20 @@ template <class T>
 requires detail::is_a<std::remove_const_t<T>, SampleResults>
 void fields(auto& io, T& result) {
     io("samples", result.samples);
+}
+
+/// What is known of impacts beside their velocities.
+void noise_fields(auto& io, Is<ListedImpacts> auto& columns) {
+    io.unless_empty("velocity_uncertainty", columns.velocity_uncertainty, Dimension::velocity);
+    io.unless_empty("rebound_uncertainty", columns.rebound_uncertainty, Dimension::velocity);
+    io.unless_empty("velocity_correlation", columns.correlation, Dimension::fraction);
+    io.unless_empty("impacts", columns.counts, Dimension::fraction);
+}
+
+void fields(auto& io, Is<ListedImpacts> auto& columns) {
+    io("velocity", columns.velocity, Dimension::velocity);
+    io("restitution", columns.restitution, Dimension::fraction);
+    noise_fields(io, columns);
 }
 
 }  // namespace ashimpact

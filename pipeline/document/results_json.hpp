@@ -47,7 +47,7 @@ extern template ComparisonResult from_json(const View& result, DampingLaw law);
 /// A critical velocity with the keys of `ashimpact critical-velocity --json`, but for the law.
 [[nodiscard]] Json critical_velocity_json(const LawCriticalVelocity& velocity, DampingLaw law);
 
-/// Tabor parameter, yield velocities, beta and the sizes that say whether a law applies, with its warnings.
+/// Tabor parameter, yield velocities, beta and sizes that show whether a law applies, with its warnings.
 [[nodiscard]] Json regime_json(const Regime& regime);
 
 /// The critical velocity that outcomes show, or that was reported.

@@ -80,7 +80,7 @@ class Replacement {
     bool removes_ = false;
 };
 
-/// Removes what a replacement has left, when every file is in its place on the disk.
+/// Removes the folder of a replacement whose files are all in their places.
 void clear(const fs::path& folder) {
     std::error_code ignored;
     sync_folder(folder);
@@ -89,7 +89,7 @@ void clear(const fs::path& folder) {
 }
 
 /// Carries out a replacement that was decided and interrupted; removes one that was not decided.
-void settle(const fs::path& folder) {
+void finish_interrupted(const fs::path& folder) {
     std::error_code ignored;
     fs::remove_all(folder / unfinished_name, ignored);
     if (!fs::exists(folder / decided_name, ignored)) return;
@@ -102,7 +102,7 @@ void settle(const fs::path& folder) {
     clear(folder);
 }
 
-/// Writes the new files, all on the disk, and decides that they are to replace the old ones.
+/// Writes the new files, forces them onto the disk, and decides that they replace the old ones.
 void decide(const fs::path& folder, std::span<const NamedContent> files) {
     const fs::path unfinished = folder / unfinished_name;
     if (::mkdir(unfinished.c_str(), 0777) != 0) refuse(unfinished, errno);
@@ -126,7 +126,7 @@ FolderLock::FolderLock(const fs::path& folder)
         if (taken)
             throw InputError("another run is at work in this folder", "another -o, or wait until it is done")
                 .at(FileName{folder.string()});
-        settle(folder);
+        finish_interrupted(folder);
     } catch (...) {
         ::close(file_);
         throw;
@@ -139,7 +139,7 @@ FolderLock::~FolderLock() {
 
 void complete_interrupted(const fs::path& folder) {
     std::error_code ignored;
-    if (fs::exists(folder / decided_name, ignored)) const FolderLock settled(folder);
+    if (fs::exists(folder / decided_name, ignored)) const FolderLock finishes(folder);
 }
 
 void require_plain_files(const fs::path& folder, std::span<const std::string> names) {

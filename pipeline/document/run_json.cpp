@@ -6,8 +6,8 @@
 #include "materials/contact_properties.hpp"
 #include "pipeline/case/case_parts.hpp"
 #include "pipeline/case/case_reader.hpp"
+#include "pipeline/document/fields.hpp"
 #include "pipeline/document/results_json.hpp"
-#include "pipeline/document/shared_fields.hpp"
 #include "pipeline/files/file.hpp"
 #include "pipeline/run/stage.hpp"
 #include "solver/motion/impact.hpp"
@@ -112,11 +112,11 @@ Json own_options_json(const Case& data, std::string_view file) {
                 {"adhesion", "work of adhesion w (the paper prints a surface energy)"}};
     if (file == damping_artifact)
         return {{"damping_law", name_of(data.damping_law)},
-                {"flatness", data.fit.flatness},
-                {"outlier", data.fit.outlier}};
+                {"flatness", data.fit.parts.flatness},
+                {"outlier", data.fit.parts.outlier}};
     if (file == fit_artifact)
-        return {{"order", data.fit.order},
-                {"robust", data.fit.robust},
+        return {{"order", data.fit.extrapolated.order},
+                {"robust", data.fit.extrapolated.robust},
                 {"measured",
                  "closest curve in the plane of both velocities; the estimate from all impacts beside it"},
                 {"reconstructed", "least squares, quadratic, equal weights"}};
@@ -357,10 +357,10 @@ static void fields(FieldWriter& io, const Case& data) {
         histories("critical_excess", data.histories.critical_excess);
     });
     io.object("fit", [&](FieldWriter& fit) {
-        fit("order", data.fit.order);
-        fit("robust", data.fit.robust);
-        fit("flatness", data.fit.flatness);
-        fit("outlier", data.fit.outlier);
+        fit("order", data.fit.extrapolated.order);
+        fit("robust", data.fit.extrapolated.robust);
+        fit("flatness", data.fit.parts.flatness);
+        fit("outlier", data.fit.parts.outlier);
         fit.unless_empty("size_scatter", data.fit.size_scatter);
     });
     io.object("uncertainty", [&](FieldWriter& uncertainty) {

@@ -268,24 +268,24 @@ void refuse_other_size(const Json& value, const Json& schema, const Path& path, 
 [[noreturn]] void refuse(const Json& document, const Json& schema, const Error& error) {
     const Path path = path_of(error);
     const Json& value = value_at(document, path);
-    const auto says = [&](const char* text) { return error.description.find(text) != std::string::npos; };
+    const auto mentions = [&](const char* text) { return error.description.find(text) != std::string::npos; };
     for (const SizeKeys& size : size_keys) refuse_other_size(value, schema, path, size);
-    if (says("Missing required property")) {
+    if (mentions("Missing required property")) {
         const std::string key = last_quoted(error.description);
         throw InputError(in_quotes(key) + " is missing", allowed_by(schema, member_of(path, key)))
             .at(pointer_to(path));
     }
-    if (says("could not be validated using 'properties'")) {
+    if (mentions("could not be validated using 'properties'")) {
         const std::string key = last_quoted(error.description);
         const auto keys = keys_allowed(schema, path);
         throw InputError("unknown key" + did_you_mean(key, keys), joined(keys))
             .at(pointer_to(member_of(path, key)));
     }
     const Json* part = schema_part(schema, path);
-    std::string problem = says("uniqueness") ? "holds the same value twice" : "is " + shown(value);
+    std::string problem = mentions("uniqueness") ? "holds the same value twice" : "is " + shown(value);
     if (value.is_string()) {
         const auto text = value.get<std::string>();
-        if (says("enum")) problem = "unknown name " + shown(value) + did_you_mean(text, names_in(part));
+        if (mentions("enum")) problem = "unknown name " + shown(value) + did_you_mean(text, names_in(part));
         const Json type = part != nullptr ? part->value("type", Json()) : Json();
         if (type == "number" || type == "integer") problem += remedy_for_number_in_quotes(text);
     }

@@ -28,10 +28,10 @@ void validate_document(const Json& document, std::string_view schema_name);
 inline constexpr int schema_version = 1;
 
 /// Refuses a document of another version. Cases and specs may leave the version out; artifacts may not.
-/// @throws InputError that says which version is read
+/// @throws InputError with the version that is read
 inline void require_schema_version(const Json& document, bool is_artifact) {
     const std::string read = std::to_string(schema_version) + ", the version that this program reads";
-    if (!document.is_object()) return;  // the schema says what is wrong
+    if (!document.is_object()) return;  // the schema reports it
     if (!document.contains("schema_version")) {
         if (!is_artifact || !document.contains("schema")) return;
         throw InputError("\"schema_version\" is missing: an artifact of an earlier version of ashimpact",

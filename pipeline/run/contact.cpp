@@ -122,15 +122,13 @@ Quantity effective_radius_of(const Quantity& particle, const Quantity& partner) 
     return effective;
 }
 
-/// Sets what two spheres have in place of R* and m of a sphere on a wall.
+/// Sets the second sphere and the R* of both.
 void set_partner(const PartnerSphere& partner, SampleContact& contact) {
     const Quantity radius = radius_of(partner.diameter);
     const double mass =
         partner.mass ? partner.mass->value() : sphere_mass(radius.value, partner.density->value());
     contact.effective_radius = effective_radius_of(contact.radius, radius);
     contact.partner = SecondSphere{radius, make_quantity(mass, Dimension::mass)};
-    contact.pair.effective_radius = contact.effective_radius.value;
-    contact.pair.mass = effective_mass(contact.mass.value, mass);
 }
 
 void set_roughness(const Stated& roughness, const std::string& sample, SampleContact& contact,
@@ -155,19 +153,13 @@ SampleContact contact_of(const Sample& sample, const Case& data, const SampleMod
     contact.density_from_phases = density_from_phases(sample, modulus);
     contact.mass = make_quantity(sphere_mass(contact.radius.value, contact.density.value()), Dimension::mass);
     contact.effective_radius = contact.radius;
-    contact.pair.mass = contact.mass.value;
-    contact.pair.effective_radius = contact.radius.value;
-    contact.pair.contact_modulus = contact.contact_modulus.value();
     contact.work_of_adhesion = adhesion_of(sample);
     if (data.partner) set_partner(*data.partner, contact);
     if (data.roughness && data.roughness->value() > 0)
         set_roughness(*data.roughness, sample.name, contact, record);
-    contact.pair.work_of_adhesion = contact.work_of_adhesion.value();
     contact.yield_pressure = sample.yield_pressure;
-    if (sample.yield_pressure) contact.pair.yield_pressure = sample.yield_pressure->value();
     contact.parameters = sample.parameters;
-    for (const auto& [parameter, stated] : sample.parameters)
-        contact.pair.parameters.set(parameter.name, stated.value());
+    contact.pair = pair_of(contact);
     validate(contact.pair);
     return contact;
 }

@@ -5,7 +5,6 @@
 #include "pipeline/run/stage.hpp"
 #include "pipeline/run/uncertainty/calibration.hpp"
 #include "pipeline/run/uncertainty/velocity_uncertainty.hpp"
-#include "solver/batch/parallel.hpp"
 #include "solver/damping/damping.hpp"
 
 namespace ashimpact {
@@ -42,23 +41,17 @@ std::optional<MeasuredCriticalVelocity> measured_velocity(const Sample& sample,
     return measured_critical_velocity(series->impacts);
 }
 
-/// The result of one law, and findings on it.
-struct Found {
-    std::optional<LawCriticalVelocity> velocity{};
-    std::vector<Finding> findings{};
-};
-
-Found velocity_of(const VelocityTask& task) {
-    Found found{law_critical_velocity({.law = task.choice.law,
-                                       .detachment = task.choice.detachment,
-                                       .damping = {task.data.damping_law, task.critical_damping()},
-                                       .contact = task.contact.pair})};
-    if (found.velocity->velocity) set_uncertainty(task, *found.velocity, found.findings);
-    if (found.velocity->regime) {
-        const std::vector<Finding>& regime = found.velocity->regime->warnings;
-        found.findings.insert(found.findings.end(), regime.begin(), regime.end());
-    }
-    return found;
+ResultOfLaw<LawCriticalVelocity> velocity_of(const VelocityTask& task) {
+    LawCriticalVelocity velocity =
+        law_critical_velocity({.law = task.choice.law,
+                               .detachment = task.choice.detachment,
+                               .damping = {task.data.damping_law, task.critical_damping()},
+                               .contact = task.contact.pair});
+    std::vector<Finding> findings;
+    if (velocity.velocity) set_uncertainty(task, velocity, findings);
+    if (velocity.regime)
+        findings.insert(findings.end(), velocity.regime->warnings.begin(), velocity.regime->warnings.end());
+    return {std::move(velocity), std::move(findings)};
 }
 
 }  // namespace
@@ -96,27 +89,23 @@ CriticalVelocityResult critical_velocity_stage(const Case& data, const ModulusRe
         const Sample& sample = data.samples[i];
         const SampleRestitution& restitution = restitutions.samples[i];
         const RestitutionSeries* first = restitution.series.empty() ? nullptr : &restitution.series.front();
-        SampleCriticalVelocity entry{.name = sample.name};
         std::vector<Finding> findings;
-        entry.measured =
+        const auto measured =
             attempt("measured v_c", "no-measured-critical-velocity", Severity::doubt, findings, [&] {
                 return measured_velocity(sample, first);
             }).value_or(std::nullopt);
         record.note(findings, sample.name);
-        const auto all = in_parallel(data.laws, [&](const LawChoice& choice) -> Found {
+        const auto solve = [&](const LawChoice& choice) -> ResultOfLaw<LawCriticalVelocity> {
             const LawFit* fit = fits.samples[i].laws.find(choice.law);
             if (fit == nullptr) return {};
             const RandomContact uncertain =
                 uncertain_contact(data, sample, contacts.samples[i], choice.law, responses[i]);
             return velocity_of({data, choice, contacts.samples[i], uncertain, responses[i],
-                                restitution.of(choice.law), *fit, entry.measured,
+                                restitution.of(choice.law), *fit, measured,
                                 sample.measured_critical_velocity.has_value(), models});
-        });
-        for (std::size_t k = 0; k < all.size(); ++k) {
-            record.note(all[k].findings, sample.name, data.laws[k].law);
-            if (all[k].velocity) entry.laws.set(data.laws[k].law, *all[k].velocity);
-        }
-        result.samples.push_back(std::move(entry));
+        };
+        result.samples.push_back(
+            {sample.name, measured, results_by_law<LawCriticalVelocity>(data, sample.name, record, solve)});
     }
     return result;
 }

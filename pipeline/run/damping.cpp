@@ -61,16 +61,12 @@ std::optional<RisingRange> branch_to_greatest(const MeasurementSet& set) {
     return RisingRange{top->velocity, beyond};
 }
 
-PartOptions part_options(const Case& data) {
-    return {.flatness = data.fit.flatness, .outlier = data.fit.outlier};
-}
-
 DampingSeries read_by_solving(const RestitutionSeries& series, const LawChoice& choice, const Case& data,
                               const ContactPair& contact) {
     const auto impacts = solved_all(series.impacts, choice, data.damping_law, contact);
     DampingSeries damping = inverted_series(impacts);
     damping.rising = branch_to_greatest(series.impacts);
-    set_parts(find_parts(DampingSmoothing::of(impacts), part_options(data)), impacts, damping);
+    set_parts(find_parts(DampingSmoothing::of(impacts), data.fit.parts), impacts, damping);
     return damping;
 }
 
@@ -81,7 +77,7 @@ DampingSeries read_through_model(const RestitutionSeries& series, const LawChoic
     DampingSeries damping = inverted_series(impacts);
     damping.map_accuracy = model.map().accuracy();
     const auto smoothing = DampingSmoothing::of(impacts);
-    set_parts(find_parts(smoothing, part_options(data)), impacts, damping);
+    set_parts(find_parts(smoothing, data.fit.parts), impacts, damping);
     try {
         const RisingBranch branch = rising_branch(model, series.impacts, smoothing);
         damping.rising = RisingRange{branch.upper, branch.falls_beyond};
@@ -194,11 +190,8 @@ FoundSeries series_of(const Case& data, const Sample& sample, const SampleContac
     for (const auto& [law, fit] : plan.damping_fits) {
         const auto served = laws_served(data, plan, law);
         if (served.empty()) continue;
-        Detachment detachment = law.default_detachment();
-        for (const LawChoice& choice : data.laws)
-            if (choice.law == law) detachment = choice.detachment;
         std::vector<Finding> findings;
-        all.push_back(reconstruct({law, detachment, contact.pair, fit}, plan, findings));
+        all.push_back(reconstruct({law, data.detachment_of(law), contact.pair, fit}, plan, findings));
         all.back().laws = served;
         found.findings.emplace_back(law, std::move(findings));
     }
@@ -214,20 +207,14 @@ DampingStageResult damping_stage(const Case& data, const ContactResult& contacts
     DampingStageResult result;
     for (std::size_t i = 0; i < restitutions.samples.size(); ++i) {
         const SampleRestitution& sample = restitutions.samples[i];
-        const auto dampings =
-            in_parallel(data.laws, [&](const LawChoice& choice) -> std::optional<DampingSeries> {
-                const RestitutionSeries* series = sample.of(choice.law);
-                if (series == nullptr) return std::nullopt;
-                return damping_of(*series, choice, data, contacts.samples[i].pair, models);
-            });
-        SampleDamping entry{.name = sample.name};
-        for (std::size_t k = 0; k < dampings.size(); ++k) {
-            if (!dampings[k]) continue;
-            const Law law = data.laws[k].law;
-            record.note(findings_on(*dampings[k], sample.of(law)->impacts.points.size()), sample.name, law);
-            entry.laws.set(law, *dampings[k]);
-        }
-        result.samples.push_back(std::move(entry));
+        const auto read = [&](const LawChoice& choice) -> ResultOfLaw<DampingSeries> {
+            const RestitutionSeries* series = sample.of(choice.law);
+            if (series == nullptr) return {};
+            const DampingSeries damping = damping_of(*series, choice, data, contacts.samples[i].pair, models);
+            return {damping, findings_on(damping, series->impacts.points.size())};
+        };
+        result.samples.push_back(
+            {sample.name, results_by_law<DampingSeries>(data, sample.name, record, read)});
     }
     return result;
 }

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "pipeline/run/stage.hpp"
-#include "solver/batch/parallel.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/inference/calibration/calibration_objective.hpp"
 #include "solver/inference/measured_damping.hpp"
@@ -28,10 +27,7 @@ struct FitTask {
 };
 
 /// The result of a fit, or the reasons why there is none.
-struct Fitted {
-    std::optional<LawFit> fit{};
-    std::vector<Finding> findings{};
-};
+using Fitted = ResultOfLaw<LawFit>;
 
 std::vector<DampingPoint> rising_points(const FitTask& task) {
     const DampingSeries& series = task.inverted;
@@ -99,17 +95,13 @@ void set_constant_part(const Interval& critical_damping, LawFit& fit) {
 
 /// By analyse_impacts(), through the dynamic model.
 Fitted fit_through_model(const FitTask& task) {
-    const FitChoices& choices = task.data.fit;
-    MeasuredDampingOptions options;
-    options.parts = {.flatness = choices.flatness, .outlier = choices.outlier};
-    options.extrapolated = {.order = choices.order, .robust = choices.robust};
-    options.size_scatter = choices.size_scatter;
+    MeasuredDampingOptions options = task.data.fit;
     options.rising_to = task.rising_to;
     const ContactModel model = task.models.model_for(task.choice, task.contact, task.measured.impacts);
     const MeasuredDamping found = analyse_impacts(model, task.measured.impacts, options);
     Fitted fitted{{}, found.findings};
     if (!found.extrapolated && !found.estimate) return fitted;
-    LawFit& fit = fitted.fit.emplace();
+    LawFit& fit = fitted.value.emplace();
     fit.origin = task.inverted.origin;
     if (found.extrapolated) {
         const DampingCurveFit& curve = *found.extrapolated;
@@ -149,19 +141,14 @@ FitResult fit_stage(const Case& data, const ContactResult& contacts, const Resti
     FitResult result;
     for (std::size_t i = 0; i < dampings.samples.size(); ++i) {
         const SampleDamping& sample = dampings.samples[i];
-        const auto fits = in_parallel(data.laws, [&](const LawChoice& choice) -> Fitted {
+        const auto fit = [&](const LawChoice& choice) -> Fitted {
             const DampingSeries* inverted = sample.laws.find(choice.law);
             const RestitutionSeries* measured = restitutions.samples[i].of(choice.law);
             if (inverted == nullptr || measured == nullptr || !inverted->rising) return {};
             return fit_law(
                 {data, choice, contacts.samples[i].pair, *measured, *inverted, inverted->rising->to, models});
-        });
-        SampleFit entry{.name = sample.name};
-        for (std::size_t k = 0; k < fits.size(); ++k) {
-            record.note(fits[k].findings, sample.name, data.laws[k].law);
-            if (fits[k].fit) entry.laws.set(data.laws[k].law, *fits[k].fit);
-        }
-        result.samples.push_back(std::move(entry));
+        };
+        result.samples.push_back({sample.name, results_by_law<LawFit>(data, sample.name, record, fit)});
     }
     return result;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/run/curves/model_curve.hpp"
 #include "pipeline/run/stage.hpp"
-#include "solver/batch/parallel.hpp"
 #include "solver/damping/damping.hpp"
 #include "solver/inference/calibration/calibration_objective.hpp"
 #include "solver/motion/regime.hpp"
@@ -72,22 +71,19 @@ std::vector<History> histories_of(const Case& data, const LawChoice& choice, con
     return histories;
 }
 
-/// Contact times at the velocities that something was published for, with the damping of the fit there.
+/// Contact times at the velocities of published ones, with the damping eta(e) of the fit.
 std::vector<ContactTimeAt> contact_times_of(const Case& data, const SampleInputs& in) {
     std::vector<ContactTimeAt> times;
     if (!in.sample.published || data.damping_law != DampingLaw::constant) return times;
-    for (const auto& wanted : in.sample.published->contact_times) {
-        const LawFit* fit = in.fits.find(wanted.law);
+    for (const auto& [law, published_velocity, published_time] : in.sample.published->contact_times) {
+        const LawFit* fit = in.fits.find(law);
         if (fit == nullptr) continue;
-        Detachment detachment = wanted.law.default_detachment();
-        for (const LawChoice& choice : data.laws)
-            if (choice.law == wanted.law) detachment = choice.detachment;
-        const PublishedDamping curve{wanted.law, detachment, in.contact, fit->damping};
-        const double velocity = wanted.velocity.value;
+        const PublishedDamping curve{law, data.detachment_of(law), in.contact, fit->damping};
+        const double velocity = published_velocity.value;
         const double e = reconstructed_restitution(curve, velocity);
         const ImpactResult result = solve_impact(
-            {wanted.law, detachment, {DampingLaw::constant, curve.damping(e)}, in.contact, velocity});
-        times.push_back({wanted.law, velocity, e, result.contact_time});
+            {law, curve.detachment, {DampingLaw::constant, curve.damping(e)}, in.contact, velocity});
+        times.push_back({law, velocity, e, result.contact_time});
     }
     return times;
 }
@@ -102,12 +98,13 @@ HistoriesResult histories_stage(const Case& data, const ContactResult& contacts,
     for (std::size_t i = 0; i < data.samples.size(); ++i) {
         const SampleInputs in{data.samples[i], contacts.samples[i].pair, dampings.samples[i].laws,
                               fits.samples[i].laws, velocities.samples[i].laws};
-        SampleHistories entry{.name = in.sample.name, .contact_times = contact_times_of(data, in)};
-        auto histories =
-            in_parallel(data.laws, [&](const LawChoice& choice) { return histories_of(data, choice, in); });
-        for (std::size_t k = 0; k < histories.size(); ++k)
-            entry.laws.set(data.laws[k].law, std::move(histories[k]));
-        result.samples.push_back(std::move(entry));
+        const auto solve = [&](const LawChoice& choice) -> ResultOfLaw<std::vector<History>> {
+            return {histories_of(data, choice, in)};
+        };
+        result.samples.push_back(
+            {.name = in.sample.name,
+             .contact_times = contact_times_of(data, in),
+             .laws = results_by_law<std::vector<History>>(data, in.sample.name, record, solve)});
     }
     curves::add_curves(data, contacts, dampings, fits, velocities, result);
     return result;

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "materials/modulus.hpp"
@@ -13,6 +17,7 @@
 #include "pipeline/run/results/note.hpp"
 #include "pipeline/run/results/run.hpp"
 #include "pipeline/run/uncertainty/contact_models.hpp"
+#include "solver/batch/parallel.hpp"
 
 namespace ashimpact {
 
@@ -110,5 +115,26 @@ struct PorosityFromDensity {
 /// words what the ratio of dynamic to analytic velocities means.
 /// @param run with the results of all other stages
 [[nodiscard]] ComparisonResult comparison_stage(const Run& run, StageRecord& record);
+
+/// The result of one law for a sample, if there is one, and findings on it.
+template <class Value>
+struct ResultOfLaw {
+    std::optional<Value> value{};
+    std::vector<Finding> findings{};
+};
+
+/// Computes the results of all laws of the case for a sample, in parallel, and records the findings on them.
+template <class Value>
+[[nodiscard]] LawMap<Value> results_by_law(
+    const Case& data, const std::string& sample, StageRecord& record,
+    const std::function<ResultOfLaw<Value>(const LawChoice&)>& compute) {
+    auto all = in_parallel(data.laws, compute);
+    LawMap<Value> laws;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        record.note(all[i].findings, sample, data.laws[i].law);
+        if (all[i].value) laws.set(data.laws[i].law, *std::move(all[i].value));
+    }
+    return laws;
+}
 
 }  // namespace ashimpact

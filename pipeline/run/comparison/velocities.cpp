@@ -62,8 +62,8 @@ std::optional<MeasuredCurve> interpolated(const DampingSeries& series) {
     return MeasuredCurve(velocity, damping);
 }
 
-std::optional<DampingOverVelocity> series_of(const SampleContact& sample, const LawChoice& choice,
-                                             const DampingSeries& damping) {
+std::optional<DampingOverVelocity> damping_over_velocity(const SampleContact& sample, const LawChoice& choice,
+                                                         const DampingSeries& damping) {
     if (damping.origin == Origin::measured)
         if (auto smooth = smoothed(damping)) {
             const auto curve = std::make_shared<DampingSmoothing>(std::move(*smooth));
@@ -217,7 +217,7 @@ std::vector<EqualVelocity> equal_velocities(const Case& data, const ContactResul
         for (std::size_t i = 0; i < dampings.samples.size(); ++i) {
             const DampingSeries* damping = dampings.samples[i].laws.find(choice.law);
             if (damping == nullptr) continue;
-            auto series = series_of(contacts.samples[i], choice, *damping);
+            auto series = damping_over_velocity(contacts.samples[i], choice, *damping);
             if (series && series->range.slowest > 0.0) {
                 ranges.push_back(series->range);
                 all.push_back(std::move(*series));

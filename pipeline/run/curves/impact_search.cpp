@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/run/curves/impact_search.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "pipeline/run/curves/model_curve.hpp"
 #include "solver/batch/batch.hpp"
 #include "solver/numeric/interpolation.hpp"
 

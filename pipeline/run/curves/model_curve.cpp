@@ -8,7 +8,7 @@
 #include <span>
 
 #include "core/text/error.hpp"
-#include "pipeline/run/curves/impact_search.hpp"
+#include "pipeline/run/uncertainty/contact_models.hpp"
 #include "solver/batch/parallel.hpp"
 #include "solver/contact/law.hpp"
 #include "solver/motion/scaled_impact.hpp"
@@ -102,7 +102,8 @@ Values guessed_velocities(const CurveProblem& problem, const Values& e) {
     return guess;
 }
 
-/// Exponent of v over damping at equal restitution: 5 for Hertz, less with adhesion.
+/// Exponent x in v ~ eta^x at equal restitution, for a first guess: 5 for Hertz; less with adhesion, 1 is
+/// taken.
 double exponent_of_damping(const CurveProblem& problem) {
     return problem.choice.law.is_adhesive() ? 1 : 5;
 }
@@ -293,7 +294,7 @@ void cut_off(const SampleHistories& sample, std::span<LawCurve> curves) {
 
 ModelCurve model_curve(const CurveProblem& problem) {
     ModelCurve curve;
-    if (problem.damping_law != DampingLaw::constant || !(problem.greatest_restitution > 0) ||
+    if (!restitution_rises(problem.damping_law) || !(problem.greatest_restitution > 0) ||
         problem.knots.empty())
         return curve;
     const int points = is_cohesive(problem.choice.law, problem.contact) ? costly_curve_points : curve_points;

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "pipeline/case/case.hpp"
 #include "pipeline/run/results/contact.hpp"
 #include "pipeline/run/results/critical_velocity.hpp"
@@ -19,7 +21,7 @@ struct CurveKnot {
     double velocity;     ///< [m/s]
 };
 
-/// A law, a contact and a damping eta(e) whose impacts are wanted.
+/// A law, a contact and a damping eta(e), for the curve e(v) of its impacts.
 struct CurveProblem {
     LawChoice choice;
     DampingLaw damping_law;
@@ -30,6 +32,27 @@ struct CurveProblem {
     double greatest_velocity;       ///< or here, if that is slower [m/s]
     std::vector<CurveKnot> knots;   ///< at least one; the curve does not depend on them
 };
+
+struct SearchedContact {
+    LawChoice choice;
+    DampingLaw damping_law;
+    ContactPair pair;
+};
+
+/// Impacts with given restitutions. NaN where none was found.
+struct FoundImpacts {
+    Eigen::ArrayXd velocity;      ///< [m/s]
+    Eigen::ArrayXd contact_time;  ///< [s]
+};
+
+/// The impacts of given dampings that have these restitutions, all at once.
+/// @param e restitutions, above 0 [1]
+/// @param damping of each [unit of the damping law]
+/// @param guess of each velocity [m/s]
+/// @param enough change of ln v that ends a search
+[[nodiscard]] FoundImpacts impacts_with(const Eigen::ArrayXd& e, const SearchedContact& contact,
+                                        const Eigen::ArrayXd& damping, const Eigen::ArrayXd& guess,
+                                        double enough);
 
 /// The curve e(v_in) that a fit eta(e) implies, from just above e = 0 to the greatest restitution, with the
 /// band that the uncertainty of eta(e) makes. Empty for damping laws other than the constant one, whose

@@ -18,12 +18,10 @@ namespace ashimpact {
 
 /// One phase of a sample.
 struct PhaseShare {
-    std::string name;                       ///< as the analysis has it
-    std::string phase{};                    ///< of the catalogue
-    double weight_fraction = 0;             ///< [1]
-    double volume_fraction = 0;             ///< [1]
-    std::optional<double> density{};        ///< [kg/m3]
-    std::optional<double> young_modulus{};  ///< [Pa]
+    std::string name;                                  ///< as the analysis has it
+    std::string phase{};                               ///< of the catalogue
+    double weight_fraction = 0, volume_fraction = 0;   ///< [1]
+    std::optional<double> density{}, young_modulus{};  ///< [kg/m3], [Pa]
 };
 
 /// Bounds of Young's modulus that hold for any arrangement of the phases.
@@ -59,7 +57,7 @@ struct SecondSphere {
 /// Properties of the contact of a sample.
 struct SampleContact {
     std::string name{};
-    ContactPair pair{};                           ///< as the solver takes it
+    ContactPair pair{};                           ///< pair_of() the other fields
     Stated contact_modulus{};                     ///< E* [Pa]
     Quantity effective_radius{};                  ///< R* [m]
     Quantity radius{};                            ///< of the particle; R* where the other body is a wall [m]
@@ -67,14 +65,16 @@ struct SampleContact {
     Stated density{};                             ///< apparent [kg/m3]
     Stated work_of_adhesion{};                    ///< w that acts, reduced by roughness [J/m2]
     std::optional<double> density_from_phases{};  ///< less the stated pores [kg/m3]
-    std::optional<Stated>
-        smooth_work_of_adhesion{};           ///< before that reduction; none: the surfaces are smooth
-    std::optional<Stated> roughness{};       ///< rms [m]
-    std::optional<Stated> poisson_ratio{};   ///< of the particle; none: nothing needs it [1]
-    std::optional<Stated> yield_pressure{};  ///< none: the contact stays elastic [Pa]
+    std::optional<Stated> smooth_work_of_adhesion{};  ///< before that reduction; none: smooth surfaces
+    std::optional<Stated> roughness{};                ///< rms [m]
+    std::optional<Stated> poisson_ratio{};            ///< of the particle; none: nothing needs it [1]
+    std::optional<Stated> yield_pressure{};           ///< none: the contact stays elastic [Pa]
     std::vector<std::pair<LawParameter, Stated>> parameters{};  ///< of laws that declare their own [SI]
     std::optional<SecondSphere> partner{};                      ///< none: the other body is a flat wall
 };
+
+/// The contact as the solver takes it.
+[[nodiscard]] ContactPair pair_of(const SampleContact& contact);
 
 /// Result of the contact stage, 2-contact.json.
 using ContactResult = SampleResults<SampleContact>;

@@ -13,7 +13,7 @@
 
 namespace ashimpact {
 
-/// A contact time at a velocity that something was published for.
+/// A contact time at the velocity of a published one.
 struct ContactTimeAt {
     Law law;
     double velocity = 0;                   ///< [m/s]

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/quantities/quantity.hpp"
+#include "materials/contact_properties.hpp"
 #include "pipeline/run/results/contact.hpp"
 #include "pipeline/run/results/damping.hpp"
 
@@ -22,6 +23,21 @@ UnreachableImpact unreachable(const InvertedImpact& impact) {
 }
 
 }  // namespace
+
+ContactPair pair_of(const SampleContact& contact) {
+    ContactPair pair{.mass = contact.mass.value,
+                     .effective_radius = contact.radius.value,
+                     .contact_modulus = contact.contact_modulus.value(),
+                     .work_of_adhesion = contact.work_of_adhesion.value()};
+    if (contact.partner) {
+        pair.effective_radius = effective_radius(contact.radius.value, contact.partner->radius.value);
+        pair.mass = effective_mass(contact.mass.value, contact.partner->mass.value);
+    }
+    if (contact.yield_pressure) pair.yield_pressure = contact.yield_pressure->value();
+    for (const auto& [parameter, stated] : contact.parameters)
+        pair.parameters.set(parameter.name, stated.value());
+    return pair;
+}
 
 ListedImpacts columns_of(const MeasurementSet& set) {
     ListedImpacts columns;

@@ -59,7 +59,8 @@ bool is_free(const Case& data, CalibrationQuantity quantity) {
                        [&](const FreeConstant& free) { return free.quantity == quantity; });
 }
 
-/// A wall acts through the contact modulus alone: where that is free or given, no observation tells the wall.
+/// A wall acts through the contact modulus alone: if that is free or given, no observation depends on the
+/// modulus of the wall.
 void require_wall_to_matter(const Case& data) {
     if (!is_free(data, CalibrationQuantity::wall_young_modulus)) return;
     if (is_free(data, CalibrationQuantity::contact_modulus))

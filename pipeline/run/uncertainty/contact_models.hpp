@@ -14,6 +14,12 @@
 
 namespace ashimpact {
 
+/// Whether restitution rises with velocity under a damping law, so that a restitution has one velocity. Maps,
+/// tables and curves e(v) rely on it.
+[[nodiscard]] constexpr bool restitution_rises(DampingLaw law) {
+    return law == DampingLaw::constant;
+}
+
 /// Whether measured impacts are fitted through the dynamic model of a law: constant damping and a contact
 /// without a history. Others are inverted one by one and fitted by least squares.
 [[nodiscard]] bool has_contact_model(const LawChoice& choice, DampingLaw damping_law,

@@ -92,62 +92,20 @@ PropagatedVelocity from_damping(const VelocityTask& task) {
                       inputs, DampingUnderChange::held);
 }
 
-/// Whether v_c can be had for thousands of draws: read from tables and maps, which a plastic history has not.
+/// Whether v_c can be computed for thousands of draws, from tables and maps. There are none for other damping
+/// laws and for contacts with a history.
 bool can_propagate(const VelocityTask& task) {
-    return task.data.damping_law == DampingLaw::constant && !can_yield(task.choice.law, task.contact.pair);
+    return restitution_rises(task.data.damping_law) && !can_yield(task.choice.law, task.contact.pair);
 }
 
-/// The result of one law while it is filled in.
-class Filling {
-  public:
-    Filling(const VelocityTask& task, LawCriticalVelocity& velocity, std::vector<Finding>& findings)
-        : task_(task), velocity_(velocity), findings_(findings) {}
-
-    void without_interval(const char* reason) {
-        findings_.push_back({"no-interval", Severity::remark, reason});
-        velocity_.interval_note = reason;
-        velocity_.velocity->method = VelocityMethod::critical_damping;
-    }
-
-    void by_damping() {
-        if (auto found = attempt("interval", "no-interval", Severity::doubt, findings_,
-                                 [&] { return from_damping(task_); }))
-            set(*found);
-    }
-
-    void by_impacts() {
-        velocity_.from_impacts = true;
-        if (task_.fit.extrapolated)
-            velocity_.extrapolated = attempt("interval of the extrapolation", "no-interval", Severity::doubt,
-                                             findings_, [&] { return from_extrapolation(task_); });
-        if (task_.fit.estimate && task_.data.uncertainty.reread) {
-            const Interval interval = from_estimate(task_);
-            set(estimate_of(interval));
-            if (task_.measured)
-                velocity_.check = checked(interval, *task_.measured, !task_.measured_is_reported);
-        } else if (task_.fit.estimate) {
-            by_damping();
-        } else if (velocity_.extrapolated) {
-            set(*velocity_.extrapolated);
-        }
-    }
-
-  private:
-    /// The value stays that of the exact solver; only its uncertainty comes from the propagation.
-    void set(VelocityEstimate estimate) {
-        estimate.value = velocity_.velocity->value;
-        velocity_.velocity = estimate;
-    }
-    void set(const PropagatedVelocity& found) {
-        set(found.velocity);
-        velocity_.uncertainty = found.uncertainty;
-        velocity_.check = found.check;
-    }
-
-    const VelocityTask& task_;
-    LawCriticalVelocity& velocity_;
-    std::vector<Finding>& findings_;
-};
+/// Why v_c has no interval; null if it can have one.
+const char* reason_for_no_interval(const VelocityTask& task, bool from_impacts) {
+    if (!can_propagate(task))
+        return "no interval: that takes constant damping and a contact that does not yield";
+    if (!from_impacts && !task.fit.critical_damping_uncertainty)
+        return "no interval: the critical damping in 6-fit.json states no uncertainty";
+    return nullptr;
+}
 
 /// An input that cannot be negative.
 RandomInput positive(std::string name, const Quantity& quantity) {
@@ -224,20 +182,34 @@ RandomContact independent_contact(const Case& data, const Sample& sample, const 
 
 void set_uncertainty(const VelocityTask& task, LawCriticalVelocity& velocity,
                      std::vector<Finding>& findings) {
-    Filling filling(task, velocity, findings);
-    if (!can_propagate(task))
-        return filling.without_interval(
-            "no interval: that takes constant damping and a contact that does not yield");
-    if (task.series != nullptr && task.from_impacts()) {
-        filling.by_impacts();
-        velocity.velocity->method =
-            task.fit.estimate ? VelocityMethod::estimate : VelocityMethod::extrapolation;
-    } else if (!task.fit.critical_damping_uncertainty) {
-        filling.without_interval("no interval: the critical damping in 6-fit.json states no uncertainty");
-    } else {
-        filling.by_damping();
-        velocity.velocity->method = VelocityMethod::extrapolation;
+    VelocityEstimate& estimate = velocity.velocity.value();
+    const double exact = estimate.value;
+    velocity.from_impacts = can_propagate(task) && task.series != nullptr && task.from_impacts();
+    if (const char* reason = reason_for_no_interval(task, velocity.from_impacts)) {
+        findings.push_back({"no-interval", Severity::remark, reason});
+        velocity.interval_note = reason;
+        estimate.method = VelocityMethod::critical_damping;
+        return;
     }
+    const auto propagated_or_finding = [&](const char* what, auto propagate) {
+        return attempt(what, "no-interval", Severity::doubt, findings, [&] { return propagate(task); });
+    };
+    if (velocity.from_impacts && task.fit.extrapolated)
+        velocity.extrapolated = propagated_or_finding("interval of the extrapolation", from_extrapolation);
+    if (velocity.from_impacts && task.fit.estimate && task.data.uncertainty.reread) {
+        const Interval interval = from_estimate(task);
+        estimate = estimate_of(interval);
+        if (task.measured) velocity.check = checked(interval, *task.measured, !task.measured_is_reported);
+    } else if (const auto found = velocity.from_impacts && !task.fit.estimate
+                                      ? velocity.extrapolated
+                                      : propagated_or_finding("interval", from_damping)) {
+        estimate = found->velocity;
+        velocity.uncertainty = found->uncertainty;
+        velocity.check = found->check;
+    }
+    estimate.value = exact;  // the propagation gives its uncertainty only
+    estimate.method =
+        velocity.from_impacts && task.fit.estimate ? VelocityMethod::estimate : VelocityMethod::extrapolation;
 }
 
 RandomContact uncertain_contact(const Case& data, const Sample& sample, const SampleContact& contact, Law law,

@@ -4,7 +4,6 @@
 
 #include <doctest/doctest.h>
 
-#include "pipeline/run/curves/impact_search.hpp"
 #include "pipeline/run/curves/model_curve.hpp"
 #include "solver/contact/law_parameters.hpp"
 #include "solver/contact/pair.hpp"
