@@ -54,7 +54,7 @@ add_library(PkgConfig::MINIZIP ALIAS web_minizip)
 web_library(web_pugixml FOLDER "${sources}/pugixml/src" SOURCES pugixml.cpp HEADERS pugixml.hpp pugiconfig.hpp)
 add_library(pugixml::pugixml ALIAS web_pugixml)
 
-web_library(web_nettle FOLDER "${sources}/nettle" SOURCES sha256.c sha256-compress.c write-be32.c HEADERS ../nettle
+web_library(web_nettle FOLDER "${sources}/nettle" SOURCES base64-encode.c sha256.c sha256-compress.c write-be32.c HEADERS ../nettle
   DEFINE HAVE_CONFIG_H)
 add_library(nettle::nettle ALIAS web_nettle)
 
