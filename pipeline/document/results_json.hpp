@@ -98,7 +98,7 @@ void read_artifact(const Artifacts& artifacts, std::string_view file, Run& run);
 /// a, b and c of a published fit.
 [[nodiscard]] Json quadratic_json(const DampingPolynomial& fit);
 
-/// Impacts in the columns that read_measurement_columns() reads.
+/// Impacts in the columns of a case, velocity and rebound_velocity.
 [[nodiscard]] Json measurement_columns(const MeasurementSet& set);
 
 }  // namespace ashimpact

@@ -380,7 +380,9 @@ Json quadratic_json(const DampingPolynomial& fit) {
 }
 
 Json measurement_columns(const MeasurementSet& set) {
-    return to_json(columns_of(set), DampingLaw::constant);
+    FieldWriter columns(DampingLaw::constant);
+    rebound_fields(columns, set);
+    return std::move(columns).json();
 }
 
 Json case_json(const Case& data) {
